@@ -1,0 +1,111 @@
+#include "mesh/mesh.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include <fmt/format.h>
+
+namespace tiretherm::mesh {
+
+void Functional::add(int node, double weight) {
+    if (const auto found = std::find(nodes.begin(), nodes.end(), node); found != nodes.end()) {
+        weights[static_cast<std::size_t>(found - nodes.begin())] += weight;
+        return;
+    }
+    nodes.push_back(node);
+    weights.push_back(weight);
+}
+
+void Functional::normalise() {
+    const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+    for (double& weight : weights) {
+        weight /= sum;
+    }
+}
+
+double Functional::operator()(std::span<const double> temperature) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        sum += weights[i] * temperature[static_cast<std::size_t>(nodes[i])];
+    }
+    return sum;
+}
+
+double Patch::area() const {
+    return std::accumulate(faces.begin(), faces.end(), 0.0,
+                           [](double sum, const PatchFace& face) { return sum + face.area; });
+}
+
+int Mesh::add_cell(double cell_volume, const Point& place, int cell_layer) {
+    volume.push_back(cell_volume);
+    centre.push_back(place);
+    layer.push_back(cell_layer);
+    ++n_cells;
+    return n_nodes++;
+}
+
+int Mesh::add_patch(std::string_view name) {
+    patches.push_back({.name = std::string(name), .faces = {}});
+    return static_cast<int>(patches.size()) - 1;
+}
+
+int Mesh::add_patch_face(int patch, int cell, double area, double half_distance, const Point& place, Axis axis) {
+    int node = cell;
+    if (half_distance > 0.0) {
+        node = n_nodes++;
+        volume.push_back(0.0);
+        centre.push_back(place);
+        layer.push_back(layer[static_cast<std::size_t>(cell)]);
+        faces.push_back({.a = cell, .b = node, .area = area, .half_a = half_distance, .half_b = 0.0, .axis = axis});
+    }
+    patches[static_cast<std::size_t>(patch)].faces.push_back(
+        {.node = node, .cell = cell, .area = area, .centre = place, .extent = {}});
+    return node;
+}
+
+int Mesh::find_patch(std::string_view name) const {
+    const auto found = std::find_if(patches.begin(), patches.end(), [&](const Patch& p) { return p.name == name; });
+    return found == patches.end() ? -1 : static_cast<int>(found - patches.begin());
+}
+
+int Mesh::find_region(std::string_view name) const {
+    const auto found = std::find_if(regions.begin(), regions.end(), [&](const Region& r) { return r.name == name; });
+    return found == regions.end() ? -1 : static_cast<int>(found - regions.begin());
+}
+
+double Mesh::total_volume() const {
+    return std::accumulate(volume.begin(), volume.begin() + n_cells, 0.0);
+}
+
+std::vector<std::string> defects(const Mesh& mesh) {
+    std::vector<std::string> found;
+    for (int cell = 0; cell < mesh.n_cells; ++cell) {
+        if (const double v = mesh.volume[static_cast<std::size_t>(cell)]; !(v > 0.0)) {
+            found.push_back(fmt::format("cell {} has volume {} m3", cell, v));
+        }
+    }
+    std::vector<bool> joined(static_cast<std::size_t>(mesh.n_nodes), mesh.n_nodes == 1);
+    for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+        const Face& face = mesh.faces[i];
+        if (face.a == face.b) {
+            found.push_back(fmt::format("face {} joins node {} to itself", i, face.a));
+        }
+        if (!(face.area > 0.0) || face.half_a < 0.0 || face.half_b < 0.0) {
+            found.push_back(fmt::format("face {} has area {} m2 and half distances {} and {} m", i, face.area,
+                                        face.half_a, face.half_b));
+        }
+        if (face.half_a + face.half_b == 0.0 && face.link < 0) {
+            found.push_back(fmt::format("face {} joins two lumps without a link: infinite conductance", i));
+        }
+        joined[static_cast<std::size_t>(face.a)] = true;
+        joined[static_cast<std::size_t>(face.b)] = true;
+    }
+    for (int node = 0; node < mesh.n_nodes; ++node) {
+        if (!joined[static_cast<std::size_t>(node)]) {
+            found.push_back(fmt::format("node {} is joined to no other", node));
+        }
+    }
+    return found;
+}
+
+}  // namespace tiretherm::mesh

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesh/grid.hpp"
+
+/// Where the heat is: a graph of nodes and faces. Knows no physics, no unit but the metre.
+namespace tiretherm::mesh {
+
+/// A measured place: sum of weight * temperature over a few nodes. The weights sum to 1 for an average or an interpolation.
+struct Functional {
+    std::vector<int> nodes;
+    std::vector<double> weights;
+
+    void add(int node, double weight);
+    /// Scales the weights so that they sum to 1.
+    void normalise();
+    [[nodiscard]] double operator()(std::span<const double> temperature) const;
+};
+
+/// Joins two nodes. Its conductance per area is the series of two half distances, each with the material of its side,
+/// and, where `link` >= 0, of the resistance of that link.
+struct Face {
+    int a = 0;
+    int b = 0;
+    double area = 0.0;    ///< m2, > 0
+    double half_a = 0.0;  ///< m, >= 0: from node a to the face; 0 for a lump
+    double half_b = 0.0;  ///< m, >= 0
+    Axis axis = Axis::through;
+    int link = -1;  ///< index into Mesh::links, or -1
+};
+
+/// An extra resistance between two blocks: `length` / k, with k evaluated at the mean temperature of `region`.
+struct Link {
+    std::string name;
+    double length = 0.0;  ///< m
+    int region = 0;       ///< index into Mesh::regions
+};
+
+/// A piece of the boundary: heat enters or leaves at `node`, a surface node or, for a lump, the cell itself.
+struct PatchFace {
+    int node = 0;
+    int cell = 0;
+    double area = 0.0;  ///< m2
+    Point centre{};     ///< m
+    std::array<double, 4> extent{};  ///< x0, x1, y0, y1 [m] of a face of the outer or inner side; else zeros
+};
+
+/// A named part of the boundary.
+struct Patch {
+    std::string name;
+    std::vector<PatchFace> faces;
+
+    [[nodiscard]] double area() const;
+};
+
+/// A named mean temperature that laws may depend on ("surface", "bulk").
+struct Region {
+    std::string name;
+    Functional mean;
+};
+
+/// How a cell is drawn.
+enum class Shape : std::uint8_t { vertex = 1, line = 2, quadrilateral = 4, hexahedron = 8 };
+
+/// Corner points of every cell, in VTK's order, `corners_per_cell(shape)` each.
+struct Drawing {
+    Shape shape = Shape::vertex;
+    std::vector<Point> points;  ///< m
+    std::vector<int> corners;   ///< [n_cells * corners_per_cell]
+};
+
+[[nodiscard]] constexpr int corners_per_cell(Shape shape) { return static_cast<int>(shape); }
+
+/// Nodes are numbered: cells first, then surface nodes (no volume), then appended nodes such as gas and rim.
+struct Mesh {
+    std::string kind;  ///< "two_node", "layers", "patch"
+    int n_cells = 0;
+    int n_nodes = 0;
+    std::vector<double> volume;      ///< [n_nodes] m3; 0 for a surface node
+    std::vector<Point> centre;       ///< [n_nodes] m; z is the depth below the outer surface
+    std::vector<int> layer;          ///< [n_nodes] index into layers; a surface node has its cell's
+    std::vector<std::string> layers;
+    std::vector<Face> faces;
+    std::vector<Link> links;
+    std::vector<Patch> patches;
+    std::vector<Region> regions;
+    std::optional<Grid> grid;  ///< present when the cells are a tensor product
+    Drawing drawing;
+
+    int add_cell(double cell_volume, const Point& place, int cell_layer);
+    /// Adds `area` of boundary to a patch. With half_distance > 0 a surface node is created between cell and outside.
+    int add_patch_face(int patch, int cell, double area, double half_distance, const Point& place, Axis axis);
+    int add_patch(std::string_view name);
+
+    [[nodiscard]] int find_patch(std::string_view name) const;   ///< -1 when absent
+    [[nodiscard]] int find_region(std::string_view name) const;  ///< -1 when absent
+    [[nodiscard]] double total_volume() const;                   ///< m3, cells only
+};
+
+/// What is wrong with a mesh, a sentence each (negative volume, face to itself, unconnected cell); empty when sound.
+[[nodiscard]] std::vector<std::string> defects(const Mesh& mesh);
+
+}  // namespace tiretherm::mesh

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "mesh/builders.hpp"
+
+namespace tiretherm::mesh {
+
+/// What the tensor-product builders share: edges on three axes, the layer of each cell through the thickness.
+struct Tensor {
+    std::string kind;
+    Metric metric = Metric::cartesian;
+    std::array<std::vector<double>, 3> edge;
+    std::vector<int> layer_of_k;             ///< [n_z]
+    std::vector<std::string> layers;
+    std::array<bool, 3> mirror{};
+    std::array<std::string, 6> patch;        ///< name for each Side; empty: adiabatic
+    int link_below = -1;                     ///< layer below which faces carry link 0, or -1
+    double link_length = 0.0;
+};
+
+/// Edges and the layer of each cell of a stack. Outer surface at depth 0.
+struct StackEdges {
+    std::vector<double> edge;
+    std::vector<int> layer_of_cell;
+    std::vector<std::string> names;
+};
+[[nodiscard]] StackEdges stack_edges(const std::vector<Layer>& stack);
+
+[[nodiscard]] Mesh build(const Tensor& description);
+
+}  // namespace tiretherm::mesh

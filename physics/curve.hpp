@@ -1,0 +1,66 @@
+#pragma once
+
+#include <vector>
+
+namespace tiretherm::physics {
+
+/// A law of one variable: a quadratic c0 + c1 x + c2 x^2 (thesis (34)), or a table joined by straight lines and held
+/// constant beyond its ends. Used for k(T), c(T) with x in kelvin, and for tire laws with x the vertical load in N.
+class Curve {
+public:
+    Curve() = default;
+    [[nodiscard]] static Curve constant(double value);
+    [[nodiscard]] static Curve quadratic(double c0, double c1, double c2);
+    /// The quadratic a + b (x - origin) + c (x - origin)^2, for laws written in degrees Celsius.
+    [[nodiscard]] static Curve quadratic_about(double origin, double a, double b, double c);
+    /// @param x ascending, at least one  @param y as many
+    [[nodiscard]] static Curve table(std::vector<double> x, std::vector<double> y);
+
+    [[nodiscard]] double value(double x) const {
+        return is_table_ ? table_value(x) : c0_ + x * (c1_ + x * c2_);
+    }
+    [[nodiscard]] double slope(double x) const { return is_table_ ? table_slope(x) : c1_ + 2.0 * c2_ * x; }
+
+    /// Integral from the origin 0 to x, exact for both kinds.
+    [[nodiscard]] double integral(double x) const {
+        return is_table_ ? table_integral(x) : x * (c0_ + x * (0.5 * c1_ + x * c2_ / 3.0));
+    }
+
+    /// Mean over [a, b], and its derivative with respect to a. Between two cells of one material this is the
+    /// conductivity that makes the steady flux exact (Kirchhoff's transform).
+    struct Mean {
+        double value;
+        double by_a;
+        double by_b;
+    };
+    [[nodiscard]] Mean mean(double a, double b) const {
+        if (is_table_) {
+            return table_mean(a, b);
+        }
+        return {c0_ + 0.5 * c1_ * (a + b) + c2_ / 3.0 * (a * a + a * b + b * b),
+                0.5 * c1_ + c2_ / 3.0 * (2.0 * a + b), 0.5 * c1_ + c2_ / 3.0 * (a + 2.0 * b)};
+    }
+
+    [[nodiscard]] bool is_constant() const { return !is_table_ && c1_ == 0.0 && c2_ == 0.0; }
+    [[nodiscard]] bool is_table() const { return is_table_; }
+    /// Smallest value on [low, high].
+    [[nodiscard]] double minimum(double low, double high) const;
+
+    friend bool operator==(const Curve&, const Curve&) = default;
+
+private:
+    [[nodiscard]] double table_value(double x) const;
+    [[nodiscard]] double table_slope(double x) const;
+    [[nodiscard]] double table_integral(double x) const;
+    [[nodiscard]] Mean table_mean(double a, double b) const;
+
+    bool is_table_ = false;
+    double c0_ = 0.0;
+    double c1_ = 0.0;
+    double c2_ = 0.0;
+    std::vector<double> x_;
+    std::vector<double> y_;
+    std::vector<double> area_;  ///< integral from x_[0] to x_[i]
+};
+
+}  // namespace tiretherm::physics

@@ -1,0 +1,56 @@
+#include "physics/effect.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace tiretherm::physics {
+
+namespace effects {
+#define EFFECT(id) extern const Effect id;
+#include "physics/effects.list"
+#undef EFFECT
+}  // namespace effects
+
+namespace {
+
+#define EFFECT(id) &effects::id,
+constexpr std::array list{
+#include "physics/effects.list"
+};
+#undef EFFECT
+
+template <typename Entries>
+int find_key(const Entries& entries, std::string_view key) {
+    const auto found = std::find_if(entries.begin(), entries.end(), [&](const auto& entry) { return entry.key == key; });
+    return found == entries.end() ? -1 : static_cast<int>(found - entries.begin());
+}
+
+}  // namespace
+
+ActiveEffect activate(const Effect& effect, const mesh::Mesh& mesh) {
+    ActiveEffect active;
+    active.effect = &effect;
+    for (const Parameter& parameter : effect.parameters) {
+        active.parameters.push_back(parameter.standard);
+    }
+    active.choices.assign(effect.choices.size(), 0);
+    for (const std::string_view name : effect.patches) {
+        if (const int patch = mesh.find_patch(name); patch >= 0) {
+            active.patches.push_back(patch);
+        }
+    }
+    return active;
+}
+
+int find_parameter(const Effect& effect, std::string_view key) { return find_key(effect.parameters, key); }
+
+int find_choice(const Effect& effect, std::string_view key) { return find_key(effect.choices, key); }
+
+std::span<const Effect* const> catalogue() { return list; }
+
+const Effect* find_effect(std::string_view id) {
+    const auto found = std::find_if(list.begin(), list.end(), [&](const Effect* e) { return e->id == id; });
+    return found == list.end() ? nullptr : *found;
+}
+
+}  // namespace tiretherm::physics

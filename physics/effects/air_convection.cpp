@@ -1,0 +1,102 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t {
+    lambda_h, coefficient, exponent, exponential_factor, exponential_rate, clamp_low, clamp_high, floor_h,
+    air_conductivity, air_viscosity
+};
+enum : std::size_t { exponential };
+
+constexpr std::array parameters{
+    Parameter{"lambda_h", "1", 1.0, 0.0, 10.0, "scale of the whole coefficient, the floor included"},
+    Parameter{"coefficient", "1", 0.318, 0.0, 10.0, "coefficient of the Nusselt law (32)"},
+    Parameter{"exponent", "1", 0.571, 0.0, 2.0, "exponent of the Reynolds number in (32)"},
+    Parameter{"exponential_factor", "W m-2 K-1", 8.59e-11, 0.0, 1.0, "factor of the exponential term of (33)"},
+    Parameter{"exponential_rate", "K-1", 0.0879, 0.0, 1.0, "rate of the exponential term of (33)"},
+    Parameter{"clamp_low", "K", 0.0, 0.0, 1000.0, "surface temperature below which the exponential is held"},
+    Parameter{"clamp_high", "K", 1000.0, 0.0, 1000.0, "surface temperature above which the exponential is held"},
+    Parameter{"floor", "W m-2 K-1", 30.0, 0.0, 1000.0, "natural convection: the sum of (33) never falls below it"},
+    Parameter{"air_conductivity", "W m-1 K-1", 0.025, 1e-4, 1.0, "conductivity of air"},
+    Parameter{"air_viscosity", "m2 s-1", 1.5e-5, 1e-7, 1e-3, "kinematic viscosity of air"},
+};
+constexpr std::array<std::string_view, 2> on_off{"on", "off"};
+constexpr std::array choices{Choice{"exponential", on_off, "whether the exponential term of (33) is added"}};
+constexpr std::array<std::string_view, 3> reads{"speed", "vertical_load", "air_temperature"};
+constexpr std::array<std::string_view, 1> patches{"outside"};
+
+/// h = (k/L) coefficient (V L/nu)^exponent with 1/L = 1/D + 1/W                                 thesis (32)
+double forced(const ActiveEffect& active, const Tire& tire, double speed) {
+    const double length = 1.0 / (1.0 / (2.0 * tire.unloaded_radius) + 1.0 / tire.width);
+    const double reynolds = std::abs(speed) * length / active[air_viscosity];
+    return active[air_conductivity] / length * active[coefficient] * std::pow(reynolds, active[exponent]);
+}
+
+void drive(const ActiveEffect& active, const Tire& tire, const Inputs& inputs, std::span<double> out) {
+    const double area = tire.outer_area() - tire.contact_area(inputs.vertical_load);
+    out[0] = area;
+    out[1] = area * forced(active, tire, inputs.speed);
+    out[2] = inputs.air_temperature;
+}
+
+void speak(const Moment& m, Terms& terms) {
+    const ActiveEffect& active = m.active;
+    const double area = m.intensities[0];
+    if (area <= 0.0) {
+        return;
+    }
+    const double h_forced = m.intensities[1] / area;
+    for (const int patch : active.patches) {
+        const mesh::Patch& outside = m.mesh.patches[static_cast<std::size_t>(patch)];
+        const double per_area = area / outside.area();
+        for (const mesh::PatchFace& face : outside.faces) {
+            const double T = m.temperature[static_cast<std::size_t>(face.node)];
+            double h = h_forced;
+            double by_T = 0.0;
+            if (active.choices[exponential] == 0) {
+                const double held = std::clamp(T, active[clamp_low], active[clamp_high]);
+                const double term = active[exponential_factor] * std::exp(active[exponential_rate] * held);
+                h += term;
+                by_T = held == T ? active[exponential_rate] * term : 0.0;
+            }
+            if (h < active[floor_h]) {
+                h = active[floor_h];
+                by_T = 0.0;
+            }
+            const double scale = active[lambda_h] * per_area * face.area;
+            terms.exchange(face.node, scale * h, m.intensities[2], scale * by_T);
+        }
+    }
+}
+
+}  // namespace
+
+extern const Effect air_convection;
+const Effect air_convection{
+    .id = "air_convection",
+    .kind = Kind::loss,
+    .on = true,
+    .equation = "q = lambda_h max(floor, (k_air/L) 0.318 (V L/nu)^0.571 + 8.59e-11 exp(0.0879 T_surf)) "
+                "(S_tot - S_cont) (T_air - T_surf)",
+    .source = "thesis (31)-(33), (35), errata E4 (kelvin), E9 (floor)",
+    .meaning = "Heat to the air from the part of the tread that does not touch the road. The exponential term grows "
+               "without bound: outside 273..373 K it is an extrapolation; clamp_low and clamp_high hold it.",
+    .parameters = parameters,
+    .choices = choices,
+    .reads = reads,
+    .needs_tire = true,
+    .patches = patches,
+    .n_intensities = 3,
+    .place = nullptr,
+    .drive = drive,
+    .speak = speak,
+    .gives_derivatives = true,
+};
+
+}  // namespace tiretherm::physics::effects

@@ -1,0 +1,95 @@
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "mesh/probe.hpp"
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { radius, absorptivity, depth };
+enum : std::size_t { profile };
+
+constexpr std::array parameters{
+    Parameter{"radius", "m", 5.6419e-3, 1e-6, 1.0, "radius of the disc, or 1/e2 radius of the Gaussian; 1 cm2"},
+    Parameter{"absorptivity", "1", 1.0, 0.0, 1.0, "share of the light that is absorbed"},
+    Parameter{"depth", "m", 0.0, 0.0, 1.0, "1/e depth of absorption; 0: at the surface"},
+};
+constexpr std::array<std::string_view, 2> profiles{"disc", "gaussian"};
+constexpr std::array choices{Choice{"profile", profiles, "uniform over a disc, or Gaussian"}};
+constexpr std::array<std::string_view, 1> reads{"laser_power"};
+constexpr std::array<std::string_view, 1> patches{"top"};
+
+void place(const Setting& setting, ActiveEffect& active) {
+    active.nodes.clear();
+    active.weights.clear();
+    const mesh::Mesh& mesh = setting.mesh;
+    for (const int patch : active.patches) {
+        const bool disc = active.choices[profile] == 0;
+        std::vector<double> share = disc ? mesh::disc_overlap(mesh, patch, active[radius])
+                                         : mesh::gaussian_overlap(mesh, patch, active[radius]);
+        if (disc) {
+            for (double& s : share) {
+                s /= std::numbers::pi * active[radius] * active[radius];
+            }
+        }
+        const std::vector<mesh::PatchFace>& faces = mesh.patches[static_cast<std::size_t>(patch)].faces;
+        for (std::size_t f = 0; f < faces.size(); ++f) {
+            if (share[f] == 0.0) {
+                continue;
+            }
+            if (active[depth] == 0.0 || !mesh.grid) {
+                active.nodes.push_back(faces[f].node);
+                active.weights.push_back(share[f]);
+                continue;
+            }
+            // Beer's law down the column of cells; what reaches the inner face stays in the last cell.
+            const mesh::Grid& grid = *mesh.grid;
+            const int below = grid.size(0) * grid.size(1);
+            for (int k = 0; k < grid.size(2); ++k) {
+                const auto at = static_cast<std::size_t>(k);
+                const double in = std::exp(-grid.edge[2][at] / active[depth]);
+                const double out = k + 1 == grid.size(2) ? 0.0 : std::exp(-grid.edge[2][at + 1] / active[depth]);
+                active.nodes.push_back(faces[f].cell + k * below);
+                active.weights.push_back(share[f] * (in - out));
+            }
+        }
+    }
+}
+
+void drive(const ActiveEffect& active, const Tire& /*tire*/, const Inputs& inputs, std::span<double> out) {
+    out[0] = active[absorptivity] * inputs.laser_power;
+}
+
+void speak(const Moment& m, Terms& terms) {
+    for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
+        terms.heat(m.active.nodes[i], m.intensities[0] * m.active.weights[i]);
+    }
+}
+
+}  // namespace
+
+extern const Effect laser;
+const Effect laser{
+    .id = "laser",
+    .kind = Kind::source,
+    .on = false,
+    .equation = "q = absorptivity P / (pi radius^2) on a disc, or 2 absorptivity P/(pi w^2) exp(-2 r^2/w^2)",
+    .source = "thesis III.1.1 (spot of 1 cm2, 0 to 3 W)",
+    .meaning = "Light of a laser absorbed about x = y = 0 of the outer surface. The part of the spot outside the mesh "
+               "is lost: a quarter of a specimen takes a quarter of the power.",
+    .parameters = parameters,
+    .choices = choices,
+    .reads = reads,
+    .needs_tire = false,
+    .patches = patches,
+    .n_intensities = 1,
+    .place = place,
+    .drive = drive,
+    .speak = speak,
+    .gives_derivatives = true,
+};
+
+}  // namespace tiretherm::physics::effects

@@ -1,0 +1,58 @@
+#include <array>
+
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { emissivity };
+
+constexpr std::array parameters{
+    Parameter{"emissivity", "1", 0.95, 0.0, 1.0, "emissivity of rubber, 0.90 to 0.95"},
+};
+constexpr std::array<std::string_view, 1> reads{"air_temperature"};
+constexpr std::array<std::string_view, 2> patches{"outside", "top"};
+constexpr double stefan_boltzmann = 5.670374419e-8;  // W/(m2 K4), CODATA 2018
+
+void drive(const ActiveEffect& /*active*/, const Tire& /*tire*/, const Inputs& inputs, std::span<double> out) {
+    out[0] = inputs.air_temperature;
+}
+
+void speak(const Moment& m, Terms& terms) {
+    const double T_air = m.intensities[0];
+    for (std::size_t p = 0; p < m.active.patches.size(); ++p) {
+        const double factor = m.active.on_patch(emissivity, p) * stefan_boltzmann;
+        for (const mesh::PatchFace& face : m.mesh.patches[static_cast<std::size_t>(m.active.patches[p])].faces) {
+            const double T = m.temperature[static_cast<std::size_t>(face.node)];
+            // T_air^4 - T^4 = (T_air - T) (T^2 + T_air^2) (T + T_air)
+            const double G = factor * face.area * (T * T + T_air * T_air) * (T + T_air);
+            const double by_T = factor * face.area * (3.0 * T * T + 2.0 * T * T_air + T_air * T_air);
+            terms.exchange(face.node, G, T_air, by_T);
+        }
+    }
+}
+
+}  // namespace
+
+extern const Effect radiation;
+const Effect radiation{
+    .id = "radiation",
+    .kind = Kind::loss,
+    .on = false,
+    .equation = "q = eps sigma A (T_air^4 - T_surf^4)",
+    .source = "Stefan-Boltzmann law, grey surface in large surroundings at air temperature",
+    .meaning = "Heat radiated to surroundings at the temperature of the air; counts where convection is weak.",
+    .parameters = parameters,
+    .choices = {},
+    .reads = reads,
+    .needs_tire = false,
+    .patches = patches,
+    .n_intensities = 1,
+    .place = nullptr,
+    .drive = drive,
+    .speak = speak,
+    .gives_derivatives = true,
+};
+
+}  // namespace tiretherm::physics::effects

@@ -1,0 +1,52 @@
+#include <array>
+
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { h };
+
+constexpr std::array parameters{
+    Parameter{"h", "W m-2 K-1", 10.0, 0.0, 1e6, "coefficient to the air"},
+};
+constexpr std::array<std::string_view, 1> reads{"air_temperature"};
+constexpr std::array<std::string_view, 2> patches{"top", "bottom"};
+
+void drive(const ActiveEffect& /*active*/, const Tire& /*tire*/, const Inputs& inputs, std::span<double> out) {
+    out[0] = inputs.air_temperature;
+}
+
+void speak(const Moment& m, Terms& terms) {
+    for (std::size_t p = 0; p < m.active.patches.size(); ++p) {
+        const double coefficient = m.active.on_patch(h, p);
+        for (const mesh::PatchFace& face : m.mesh.patches[static_cast<std::size_t>(m.active.patches[p])].faces) {
+            terms.exchange(face.node, coefficient * face.area, m.intensities[0]);
+        }
+    }
+}
+
+}  // namespace
+
+extern const Effect still_air;
+const Effect still_air{
+    .id = "still_air",
+    .kind = Kind::loss,
+    .on = false,
+    .equation = "q = h A (T_air - T_surf)",
+    .source = "Newton's law of cooling; thesis III.1.1 (specimen at rest)",
+    .meaning = "Heat to air at rest from named patches, each with its own coefficient if wanted.",
+    .parameters = parameters,
+    .choices = {},
+    .reads = reads,
+    .needs_tire = false,
+    .patches = patches,
+    .n_intensities = 1,
+    .place = nullptr,
+    .drive = drive,
+    .speak = speak,
+    .gives_derivatives = true,
+};
+
+}  // namespace tiretherm::physics::effects

@@ -1,0 +1,43 @@
+#include <array>
+
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { power_density };
+
+constexpr std::array parameters{
+    Parameter{"power_density", "W m-3", 0.0, 0.0, 1e12, "heat made in every cell, per volume"},
+};
+
+void speak(const Moment& m, Terms& terms) {
+    for (int cell = 0; cell < m.mesh.n_cells; ++cell) {
+        terms.heat(cell, m.active[power_density] * m.mesh.volume[static_cast<std::size_t>(cell)]);
+    }
+}
+
+}  // namespace
+
+extern const Effect uniform_source;
+const Effect uniform_source{
+    .id = "uniform_source",
+    .kind = Kind::source,
+    .on = false,
+    .equation = "q = power_density V_cell",
+    .source = "definition; used by reference problems",
+    .meaning = "The same heat per volume everywhere, for problems with an exact solution.",
+    .parameters = parameters,
+    .choices = {},
+    .reads = {},
+    .needs_tire = false,
+    .patches = {},
+    .n_intensities = 0,
+    .place = nullptr,
+    .drive = nullptr,
+    .speak = speak,
+    .gives_derivatives = true,
+};
+
+}  // namespace tiretherm::physics::effects

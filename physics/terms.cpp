@@ -1,0 +1,74 @@
+#include "physics/terms.hpp"
+
+#include <algorithm>
+
+namespace tiretherm::physics {
+
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+void clear(std::vector<double>& values) { std::fill(values.begin(), values.end(), 0.0); }
+
+}  // namespace
+
+Terms::Terms(const mesh::Mesh& mesh, std::size_t n_effects)
+    : face_G(mesh.faces.size()),
+      face_by_a(mesh.faces.size()),
+      face_by_b(mesh.faces.size()),
+      node_G(at(mesh.n_nodes)),
+      node_q(at(mesh.n_nodes)),
+      node_slope(at(mesh.n_nodes)),
+      region_slope(mesh.regions.size() * at(mesh.n_nodes)),
+      region_used(mesh.regions.size()),
+      watts(n_effects),
+      mesh_(&mesh) {}
+
+void Terms::begin(std::span<const double> at_temperature) {
+    temperature = at_temperature;
+    for (std::vector<double>* values : {&face_G, &face_by_a, &face_by_b, &node_G, &node_q, &node_slope, &watts}) {
+        clear(*values);
+    }
+    const auto n = at(mesh_->n_nodes);
+    for (std::size_t region = 0; region < region_used.size(); ++region) {
+        if (region_used[region] != 0) {
+            std::fill_n(region_slope.begin() + static_cast<std::ptrdiff_t>(region * n), n, 0.0);
+            region_used[region] = 0;
+        }
+    }
+    nonlinear = false;
+    negative_node = negative_effect = -1;
+}
+
+void Terms::conduct_follows(int face, int region, double by_mean) {
+    const mesh::Face& ends = mesh_->faces[at(face)];
+    const double change = by_mean * drop_across(face);
+    heat_follows(ends.a, region, change);
+    heat_follows(ends.b, region, -change);
+}
+
+void Terms::heat_follows(int node, int region, double by_mean) {
+    if (by_mean != 0.0) {
+        region_slope[at(region) * at(mesh_->n_nodes) + at(node)] += by_mean;
+        region_used[at(region)] = 1;
+        nonlinear = true;
+    }
+}
+
+void Terms::add_difference(const Terms& here, const Terms& there, double step) {
+    for (std::size_t n = 0; n < node_q.size(); ++n) {
+        node_G[n] += here.node_G[n];
+        node_q[n] += here.node_q[n];
+        node_slope[n] += (there.node_q[n] - here.node_q[n]) / step + here.node_G[n];
+    }
+    for (std::size_t e = 0; e < watts.size(); ++e) {
+        watts[e] += here.watts[e];
+    }
+    if (here.negative_effect >= 0 && negative_effect < 0) {
+        negative_node = here.negative_node;
+        negative_effect = here.negative_effect;
+    }
+    nonlinear = true;
+}
+
+}  // namespace tiretherm::physics

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "mesh/mesh.hpp"
+
+namespace tiretherm::physics {
+
+/// What the active effects say at one moment: conductances, exchanges and heat, with the watts booked to each effect.
+///
+///   q_i = sum over faces of G (T_j - T_i) + sum over exchanges of G (T_env - T_i) + sum of W            [W]
+///
+/// The three verbs are the only way in. Storage is sized once; filling it allocates nothing. Besides the conductances,
+/// which make a symmetric positive definite matrix, it keeps what the Jacobian adds: the derivatives of the
+/// conductances and of the heat with temperature.
+class Terms {
+public:
+    Terms(const mesh::Mesh& mesh, std::size_t n_effects);
+
+    /// Forgets everything; temperature [n_nodes] K is where the verbs will be called from now on.
+    void begin(std::span<const double> temperature);
+    /// Watts from now on belong to this effect.
+    void book_to(std::size_t effect) { effect_ = effect; }
+
+    /// Conductance G [W/K] >= 0 of a face, and its derivatives [W/K2] with the temperatures of its nodes a and b.
+    void conduct(int face, double G, double by_a = 0.0, double by_b = 0.0) {
+        const auto f = static_cast<std::size_t>(face);
+        face_G[f] += G;
+        if (by_a != 0.0 || by_b != 0.0) {
+            const double drop = drop_across(face);
+            face_by_a[f] += by_a * drop;
+            face_by_b[f] += by_b * drop;
+            nonlinear = true;
+        }
+    }
+
+    /// Adds to a face the derivative by_mean [W/K2] of its conductance with a region's mean temperature.
+    void conduct_follows(int face, int region, double by_mean);
+
+    /// Exchange with surroundings at T_env [K]: G [W/K] >= 0, and its derivative [W/K2] with the node's temperature.
+    void exchange(int node, double G, double T_env, double by_T = 0.0) {
+        const auto n = static_cast<std::size_t>(node);
+        const double drop = T_env - temperature[n];
+        node_G[n] += G;
+        node_q[n] += G * drop;
+        watts[effect_] += G * drop;
+        if (by_T != 0.0) {
+            node_slope[n] += by_T * drop;
+            nonlinear = true;
+        }
+        if (G < 0.0 && negative_effect < 0) {
+            negative_node = node;
+            negative_effect = static_cast<int>(effect_);
+        }
+    }
+
+    /// Heat W [W] into a node, and its derivative [W/K] with the node's temperature.
+    void heat(int node, double W, double by_T = 0.0) {
+        const auto n = static_cast<std::size_t>(node);
+        node_q[n] += W;
+        watts[effect_] += W;
+        if (by_T != 0.0) {
+            node_slope[n] += by_T;
+            nonlinear = true;
+        }
+    }
+
+    /// Adds to a node the derivative by_mean [W/K] of its heat with a region's mean temperature.
+    void heat_follows(int node, int region, double by_mean);
+
+    /// Adds what an effect without derivatives of its own said at T (`here`) and at T + step (`there`).
+    void add_difference(const Terms& here, const Terms& there, double step);
+
+    std::vector<double> face_G;          ///< [n_faces] W/K
+    std::vector<double> face_by_a;       ///< [n_faces] W/K: (dG/dT_a) (T_b - T_a)
+    std::vector<double> face_by_b;       ///< [n_faces] W/K
+    std::vector<double> node_G;          ///< [n_nodes] W/K, sum of exchanges
+    std::vector<double> node_q;          ///< [n_nodes] W, exchanges and heat, without the faces
+    std::vector<double> node_slope;      ///< [n_nodes] W/K, derivative of node_q beyond -node_G
+    std::vector<double> region_slope;    ///< [n_regions * n_nodes] W/K
+    std::vector<char> region_used;       ///< [n_regions]
+    std::vector<double> watts;           ///< [n_effects] W
+    std::span<const double> temperature; ///< [n_nodes] K
+    bool nonlinear = false;
+    int negative_node = -1;    ///< first node given a negative conductance, and by which effect
+    int negative_effect = -1;
+
+private:
+    [[nodiscard]] double drop_across(int face) const {
+        const mesh::Face& ends = mesh_->faces[static_cast<std::size_t>(face)];
+        return temperature[static_cast<std::size_t>(ends.b)] - temperature[static_cast<std::size_t>(ends.a)];
+    }
+
+    const mesh::Mesh* mesh_;
+    std::size_t effect_ = 0;
+};
+
+}  // namespace tiretherm::physics

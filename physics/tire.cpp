@@ -1,0 +1,77 @@
+#include "physics/tire.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tiretherm::physics {
+
+namespace {
+constexpr double pi = std::numbers::pi;
+}
+
+double Tire::contact_length(double vertical_load) const {
+    if (contact_length_table) {
+        return contact_length_table->value(vertical_load);
+    }
+    const double exponent = contact_length_slope * vertical_load / 1000.0;
+    return contact_length_limit - 2.0 * contact_length_limit / (1.0 + std::exp(exponent));
+}
+
+double Tire::contact_area(double vertical_load) const {
+    if (!touches(vertical_load)) {
+        return 0.0;
+    }
+    const double area = contact_area_table ? contact_area_table->value(vertical_load)
+                                           : contact_area_at_zero + contact_area_slope * vertical_load;
+    return std::clamp(area, 0.0, outer_area());
+}
+
+double Tire::loaded_radius(double vertical_load) const {
+    return loaded_radius_table ? loaded_radius_table->value(vertical_load)
+                               : loaded_radius_at_zero + loaded_radius_slope * vertical_load;
+}
+
+double Tire::rolling_radius(double vertical_load) const {
+    if (rolling_radius_table) {
+        return rolling_radius_table->value(vertical_load);
+    }
+    // The power law is singular at no load; below the smallest load that counts as contact it is held.
+    return rolling_radius_factor * std::pow(std::max(vertical_load, std::max(minimum_load, 1.0)), rolling_radius_exponent);
+}
+
+double Tire::outer_area() const { return 2.0 * pi * unloaded_radius * width; }
+
+double Tire::band_mass() const { return density * outer_area() * tread_thickness; }
+
+double Tire::area_ratio() const {
+    const double sidewall = sidewall_thickness * (section_height - tread_thickness);
+    return (width * tread_thickness + 2.0 * sidewall) / (width * section_height);
+}
+
+double Tire::revolutions(double speed, double vertical_load) const {
+    return std::abs(speed) / (2.0 * pi * rolling_radius(vertical_load));
+}
+
+double LossTangent::shift(double frequency) const {
+    const double decades = std::log10(frequency / f0);
+    return C2 * decades / (C1 - decades);
+}
+
+double LossTangent::value(double T_eq) const {
+    const double x = (T_eq - b) / c;
+    return a * std::exp(-x * x);
+}
+
+double strain_power(const Tire& tire, double speed, double vertical_load) {
+    if (std::abs(speed) <= standing_speed || !tire.touches(vertical_load)) {
+        return 0.0;
+    }
+    const double deflection = std::max(0.0, tire.unloaded_radius - tire.loaded_radius(vertical_load));
+    const double strain = deflection / tire.section_height;
+    const double energy = vertical_load * strain * tire.area_ratio() * tire.section_height;       // (43) / tan delta
+    const double volumes = 2.0 * pi * tire.unloaded_radius / tire.contact_length(vertical_load);  // (44)
+    return energy * volumes * tire.revolutions(speed, vertical_load);                             // (45)(46)
+}
+
+}  // namespace tiretherm::physics

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "physics/curve.hpp"
+
+namespace tiretherm::physics {
+
+/// Dimensions and load laws of a tire. The default values are the thesis's 225/50 R17; each law may be replaced by a
+/// measured table against the vertical load in N.
+struct Tire {
+    std::string name = "225/50 R17";
+    double width = 0.225;              ///< m, W
+    double section_height = 0.1125;    ///< m, H = aspect ratio * W (65)
+    double unloaded_radius = 0.3308;   ///< m, R0
+    double tread_thickness = 0.012;    ///< m, through crown and tread
+    double sidewall_thickness = 0.009; ///< m
+    double density = 1100.0;           ///< kg/m3
+    double minimum_load = 1.0;         ///< N, below it the tire is not in contact
+
+    double contact_length_limit = 0.160;  ///< m, l_max of (57)
+    double contact_length_slope = 0.35;   ///< 1/kN, k of (57)
+    double contact_area_at_zero = 0.0;    ///< m2, A of (35)
+    double contact_area_slope = 2.333e-6; ///< m2/N, B of (35)
+    double loaded_radius_at_zero = 0.3308;  ///< m
+    double loaded_radius_slope = -4.2e-6;   ///< m/N
+    double rolling_radius_factor = 0.3483;    ///< m at 1 N
+    double rolling_radius_exponent = -0.009;  ///< 1
+    std::optional<Curve> contact_length_table;
+    std::optional<Curve> contact_area_table;
+    std::optional<Curve> loaded_radius_table;
+    std::optional<Curve> rolling_radius_table;
+
+    [[nodiscard]] bool touches(double vertical_load) const { return vertical_load > minimum_load; }
+    /// l = l_max - 2 l_max / (1 + exp(k Fz))                                     thesis (57), erratum E2. @returns m
+    [[nodiscard]] double contact_length(double vertical_load) const;
+    /// S_cont = A + B Fz, 0 without contact, never beyond the tire's surface          thesis (35). @returns m2
+    [[nodiscard]] double contact_area(double vertical_load) const;
+    /// R_L = A + B Fz                                                       thesis (37). @returns m
+    [[nodiscard]] double loaded_radius(double vertical_load) const;
+    /// R_R = A (Fz / 1 N)^B                                           thesis (62), erratum E5. @returns m
+    [[nodiscard]] double rolling_radius(double vertical_load) const;
+    /// S_tot = 2 pi R0 W                                                    thesis (35). @returns m2
+    [[nodiscard]] double outer_area() const;
+    /// m = rho 2 pi R0 W h: the crown band only                         thesis (68), erratum E16. @returns kg
+    [[nodiscard]] double band_mass() const;
+    /// A_CS / A_VC with A_CS = W h_tread + 2 h_sidewall (H - h_tread)    thesis (39)(66)(67), erratum E3
+    [[nodiscard]] double area_ratio() const;
+    /// Revolutions per second V / (2 pi R_R)                              thesis (47). @returns Hz
+    [[nodiscard]] double revolutions(double speed, double vertical_load) const;
+
+    friend bool operator==(const Tire&, const Tire&) = default;
+};
+
+/// Loss tangent of the compound: a Gaussian of an equivalent temperature that WLF shifts with frequency.
+///     T_eq = T + C2 log10(f/f0) / (C1 - log10(f/f0)),   tan delta = a exp(-((T_eq - b)/c)^2)
+/// thesis (48)(49), errata E1 (kelvin), E7 (sign)
+struct LossTangent {
+    double a = 2.14e15;
+    double b = -4989.0;   ///< K
+    double c = 882.0;     ///< K
+    double f0 = 52.0;     ///< Hz
+    double C1 = -8.86;    ///< 1
+    double C2 = 101.6;    ///< K
+
+    /// @param frequency Hz, > 0  @returns K, added to the temperature
+    [[nodiscard]] double shift(double frequency) const;
+    /// @param T_eq K
+    [[nodiscard]] double value(double T_eq) const;
+    /// Its logarithmic derivative d ln(tan delta)/dT. @returns 1/K
+    [[nodiscard]] double log_slope(double T_eq) const { return -2.0 * (T_eq - b) / (c * c); }
+};
+
+/// Power lost per unit of loss tangent: Fz eps Ratio H (2 pi R0 / l) (V / (2 pi R_R))   thesis (37)-(47). @returns W
+/// 0 at rest and without contact (erratum E8).
+[[nodiscard]] double strain_power(const Tire& tire, double speed, double vertical_load);
+
+/// Speed below which the tire counts as standing. m/s
+inline constexpr double standing_speed = 0.1;
+
+}  // namespace tiretherm::physics

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "solver/matrix.hpp"
+#include "solver/problem.hpp"
+
+namespace tiretherm::solver {
+
+/// An approximate or exact inverse of a symmetric positive definite matrix: the only thing the solver knows about
+/// linear algebra libraries. The pattern is analysed in the constructor; after `factorise`, solves allocate nothing.
+class Factor {
+public:
+    Factor() = default;
+    Factor(const Factor&) = delete;
+    Factor& operator=(const Factor&) = delete;
+    virtual ~Factor() = default;
+
+    /// @returns an empty text, or a sentence saying what is wrong with the matrix
+    [[nodiscard]] virtual std::string factorise(const Matrix& matrix) = 0;
+    /// x = M^-1 b, with M the matrix last factorised. b and x do not overlap.
+    virtual void solve(std::span<const double> b, std::span<double> x) = 0;
+    /// Cost of a factorisation in units of one solve, from the analysis: decides when a new one pays.
+    [[nodiscard]] virtual double factor_cost() const = 0;
+    [[nodiscard]] virtual std::string description() const = 0;
+};
+
+/// Sparse Cholesky factor by CHOLMOD.
+[[nodiscard]] std::unique_ptr<Factor> make_cholesky(const Pattern& pattern);
+/// Incomplete Cholesky factor by Eigen (limited memory, Lin and More 1999), to precondition conjugate gradients.
+[[nodiscard]] std::unique_ptr<Factor> make_incomplete_cholesky(const Pattern& pattern);
+/// `automatic`: CHOLMOD unless its analysis predicts a fill at which incomplete Cholesky is faster.
+[[nodiscard]] std::unique_ptr<Factor> make_factor(const Pattern& pattern, LinearSolver wanted);
+
+}  // namespace tiretherm::solver

@@ -1,0 +1,191 @@
+#include "solver/newton.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
+
+namespace tiretherm::solver {
+
+namespace {
+
+constexpr int most_iterations = 25;
+/// Newton's corrections need only this relative accuracy of the linear solution: the next one mends the rest.
+constexpr double forcing = 1e-3;
+/// The share of the heat turned over in a stage that it may fail to book.
+constexpr double energy_closure = 1e-12;
+/// A scaled residual [K] this small is round-off of temperatures around 300 K.
+constexpr double round_off = 1e-13 * 300.0;
+
+class Stopwatch {
+public:
+    explicit Stopwatch(double& total) : total_(&total), start_(std::chrono::steady_clock::now()) {}
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+    ~Stopwatch() { *total_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+private:
+    double* total_;
+    std::chrono::steady_clock::time_point start_;
+};
+
+double sum(std::span<const double> values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+
+}  // namespace
+
+Newton::Newton(System& system)
+    : system_(&system),
+      factor_(make_factor(system.pattern(), system.problem().settings.linear_solver)),
+      krylov_(system.size()) {
+    const auto n = static_cast<std::size_t>(system.size());
+    for (std::vector<double>* v : {&residual_, &correction_, &remainder_, &J_ones_, &enthalpy_}) {
+        v->resize(n);
+    }
+    ones_.assign(n, 1.0);
+    A_.value.reserve(system.pattern().nonzeros());
+    J_.value.reserve(system.pattern().nonzeros());
+    J_.outer.reserve(system.problem().mesh.regions.size());
+}
+
+void Newton::find_residual(const Stage& stage, std::span<const double> T) {
+    const std::span<const double> q = system_->heat_flow();
+    if (stage.steady) {
+        std::fill(enthalpy_.begin(), enthalpy_.end(), 0.0);
+    } else {
+        system_->enthalpy(T, enthalpy_);
+    }
+    for (std::size_t i = 0; i < residual_.size(); ++i) {
+        residual_[i] = stage.known[i] + stage.s * q[i] - enthalpy_[i];
+    }
+}
+
+/// Largest residual over its diagonal: an estimate in kelvin that needs no solve. Also finds the worst node.
+double Newton::scaled_residual() {
+    const Pattern& p = system_->pattern();
+    double worst = 0.0;
+    for (std::size_t i = 0; i < residual_.size(); ++i) {
+        const double scaled = std::abs(residual_[i]) / A_.value[static_cast<std::size_t>(p.diagonal[i])];
+        if (!(scaled <= worst)) {
+            worst = scaled;
+            worst_node_ = static_cast<int>(i);
+        }
+    }
+    return worst;
+}
+
+/// Whether the stage books its heat: the balance of the whole mesh, beside the heat turned over and the round-off of
+/// the enthalpies that it is a difference of.
+bool Newton::is_booked(const Stage& stage) const {
+    double turnover = 0.0;
+    for (const double w : system_->terms().watts) {
+        turnover += std::abs(w);
+    }
+    return std::abs(sum(residual_)) <= energy_closure * stage.s * turnover + 4e-16 * sum(enthalpy_);
+}
+
+Status Newton::failure(Outcome outcome, const Stage& stage, std::span<const double> T, std::string_view why) {
+    return {outcome, fmt::format("{} at t = {:.6g} s, in {} ({:.2f} degC); the effect that pushes hardest there is {}", why,
+                                 stage.time, describe_node(system_->problem().mesh, worst_node_),
+                                 T[static_cast<std::size_t>(worst_node_)] - 273.15,
+                                 system_->loudest_effect(worst_node_, T, stage.intensities))};
+}
+
+/// Factorises when there is no usable factor, when the step has changed too much for the old one, or when the solves
+/// that a fresh factor would have saved have cost more than it does.
+Status Newton::prepare(const Stage& stage) {
+    const double ratio = factored_s_ > 0.0 ? stage.s / factored_s_ : 0.0;
+    if (ratio > 0.5 && ratio < 2.0 && debt_ < factor_->factor_cost()) {
+        return {};
+    }
+    const Stopwatch watch(counters_.factor_seconds);
+    ++counters_.factorisations;
+    factored_s_ = 0.0;
+    if (std::string problem = factor_->factorise(A_); !problem.empty()) {
+        return {Outcome::not_positive_definite, fmt::format("{}, at t = {:.6g} s", problem, stage.time)};
+    }
+    factored_s_ = stage.s;
+    debt_ = 0.0;
+    return {};
+}
+
+void Newton::assemble(const Stage& stage) {
+    const Stopwatch watch(counters_.assembly_seconds);
+    system_->matrices(stage.s, stage.steady, A_, J_);
+}
+
+Status Newton::solve(const Stage& stage, std::span<double> T) {
+    double before = 0.0;       // scaled residual of the last iterate
+    double correction = 0.0;   // size of the last correction, K
+    for (int iteration = 0; iteration <= most_iterations; ++iteration) {
+        {
+            const Stopwatch watch(counters_.assembly_seconds);
+            system_->evaluate(T, stage.intensities);
+            find_residual(stage, T);
+        }
+        if (const physics::Terms& said = system_->terms(); said.negative_effect >= 0) {
+            worst_node_ = said.negative_node;
+            return failure(Outcome::negative_conductance, stage, T, "a conductance became negative");
+        }
+        if (iteration == 0) {
+            assemble(stage);
+        }
+        const double now = scaled_residual();
+        if (!std::isfinite(now)) {
+            return failure(Outcome::not_finite, stage, T, "the heat balance is not a number");
+        }
+        if (iteration > 0) {
+            // The correction just made was for `before`; what is left of it shrank as the residual did.
+            const double error = before > 0.0 ? correction * now / before : 0.0;
+            if ((error <= stage.tolerance && is_booked(stage)) || now <= round_off) {
+                return {};
+            }
+            assemble(stage);
+        }
+        before = now;
+        if (iteration == most_iterations) {
+            break;
+        }
+        if (Status status = prepare(stage); !status.ok()) {
+            return status;
+        }
+        const Stopwatch watch(counters_.solve_seconds);
+        const bool linear = !system_->terms().nonlinear;
+        const Krylov::Result result = krylov_.solve(J_, *factor_, residual_, correction_, remainder_,
+                                                    0.1 * stage.tolerance, linear ? 0.0 : forcing);
+        counters_.linear_iterations += result.solves;
+        ++counters_.newton_iterations;
+        debt_ += std::max(0, result.solves - (J_.symmetric && J_.outer.empty() ? 1 : 3));
+        if (!result.converged) {
+            debt_ = 2.0 * factor_->factor_cost();  // a fresh factor next time
+        }
+        J_.multiply(ones_, J_ones_);
+        const double weight = sum(J_ones_);
+        const double shift = weight != 0.0 ? sum(remainder_) / weight : 0.0;
+        correction = 0.0;
+        for (std::size_t i = 0; i < correction_.size(); ++i) {
+            correction_[i] += shift;
+            correction = std::max(correction, std::abs(correction_[i]));
+        }
+        // A temperature below a fifth of the present one is an overshoot of the linear model.
+        double damping = 1.0;
+        for (std::size_t i = 0; i < correction_.size(); ++i) {
+            if (correction_[i] < -0.8 * T[i]) {
+                damping = std::min(damping, -0.5 * T[i] / correction_[i]);
+            }
+        }
+        for (std::size_t i = 0; i < correction_.size(); ++i) {
+            T[i] += damping * correction_[i];
+        }
+    }
+    return failure(Outcome::not_converged, stage, T, "the heat balance did not converge");
+}
+
+void Newton::filter(std::span<const double> b, std::span<double> x) {
+    const Stopwatch watch(counters_.solve_seconds);
+    // An error estimate is wanted to one digit only.
+    counters_.linear_iterations += krylov_.solve(A_, *factor_, b, x, remainder_, 0.0, 0.1).solves;
+}
+
+}  // namespace tiretherm::solver

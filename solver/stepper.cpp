@@ -1,0 +1,221 @@
+#include "solver/stepper.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tiretherm::solver {
+
+namespace {
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Newton's tolerance beside the tolerance of a step: small enough that the error estimate does not see it.
+constexpr double newton_share = 1e-3;
+}  // namespace
+
+Stepper::Stepper(const Problem& problem)
+    : problem_(&problem),
+      system_(problem),
+      tableau_(&tableau(problem.settings.method)),
+      window_(system_, problem.drive, *tableau_),
+      newton_(system_),
+      time_(problem.settings.start),
+      step_begin_(problem.settings.start),
+      tried_(problem.settings.start) {
+    const std::size_t n = at(system_.size());
+    const std::size_t stages = at(tableau_->stages);
+    const std::size_t effects = problem.effects.size();
+    T_.assign(stages + 1, problem.initial);
+    last_.assign(stages, problem.initial);
+    q_.assign(stages, std::vector<double>(n));
+    booked_.assign(stages, std::vector<double>(effects));
+    for (std::vector<double>* v : {&known_, &H_, &H_start_, &error_heat_, &error_}) {
+        v->resize(n);
+    }
+    for (std::vector<double>* v : {&watts_, &joules_, &joules_before_}) {
+        v->resize(effects);
+    }
+    system_.enthalpy(problem.initial, H_start_);
+}
+
+void Stepper::book(int stage) {
+    const std::span<const double> q = system_.heat_flow();
+    std::copy(q.begin(), q.end(), q_[at(stage)].begin());
+    booked_[at(stage)] = system_.terms().watts;
+}
+
+/// First guess of a stage: straight on from the last step's end, then along the stages found so far.
+void Stepper::predict(int stage, double dt) {
+    std::vector<double>& guess = T_[at(stage) + 1];
+    const std::vector<double>& now = T_[1];
+    if (stage == 1) {
+        guess = now;
+        const double width = time_ - step_begin_;
+        const double c = tableau_->c[at(tableau_->stages) - 2];
+        if (has_history_ && width > 0.0) {
+            const double rate = tableau_->c[1] * dt / ((1.0 - c) * width);
+            const std::vector<double>& before = last_[at(tableau_->stages) - 2];
+            const std::vector<double>& end = last_[at(tableau_->stages) - 1];
+            for (std::size_t i = 0; i < guess.size(); ++i) {
+                guess[i] += rate * (end[i] - before[i]);
+            }
+        }
+        return;
+    }
+    const double rate = tableau_->c[at(stage)] / tableau_->c[1];
+    for (std::size_t i = 0; i < guess.size(); ++i) {
+        guess[i] = now[i] + rate * (T_[2][i] - now[i]);
+    }
+}
+
+Stepper::Attempt Stepper::attempt(double t1) {
+    const double dt = t1 - time_;
+    tried_ = t1;
+    window_.open(time_, t1);
+
+    // The explicit stage: surface nodes first follow the drive, which may have jumped.
+    T_[1] = T_[0];
+    system_.make_consistent(T_[1], window_.stage(0));
+    system_.evaluate(T_[1], window_.stage(0));
+    book(0);
+    system_.enthalpy(T_[0], H_);
+
+    for (int i = 1; i < tableau_->stages; ++i) {
+        predict(i, dt);
+        for (std::size_t n = 0; n < known_.size(); ++n) {
+            double sum = 0.0;
+            for (int j = 0; j < i; ++j) {
+                sum += tableau_->a[at(i)][at(j)] * q_[at(j)][n];
+            }
+            known_[n] = H_[n] + dt * sum;
+        }
+        Status status = newton_.solve({.s = dt * tableau_->diagonal,
+                                       .known = known_,
+                                       .intensities = window_.stage(i),
+                                       .time = time_ + tableau_->c[at(i)] * dt,
+                                       .tolerance = newton_share * problem_->settings.tolerance},
+                                      T_[at(i) + 1]);
+        if (!status.ok()) {
+            return {.status = std::move(status), .error = 0.0};
+        }
+        book(i);
+    }
+    return {.status = {}, .error = problem_->settings.fixed_step ? 0.0 : estimate_error(dt)};
+}
+
+double Stepper::estimate_error(double dt) {
+    const auto largest_filtered = [&] {
+        newton_.filter(error_heat_, error_);
+        double most = 0.0;
+        for (const double e : error_) {
+            most = std::max(most, std::abs(e));
+        }
+        return most;
+    };
+    for (std::size_t n = 0; n < error_heat_.size(); ++n) {
+        double sum = 0.0;
+        for (int i = 0; i < tableau_->stages; ++i) {
+            sum += tableau_->error[at(i)] * q_[at(i)][n];
+        }
+        error_heat_[n] = system_.has_capacity(n) ? dt * sum : 0.0;
+    }
+    double error = largest_filtered();
+    if (window_.averaged()) {
+        system_.evaluate(T_[1], window_.unresolved());
+        const std::span<const double> q = system_.heat_flow();
+        for (std::size_t n = 0; n < error_heat_.size(); ++n) {
+            error_heat_[n] = dt * (q[n] - q_[0][n]);
+        }
+        error = std::max(error, largest_filtered());
+    }
+    return error;
+}
+
+void Stepper::accept() {
+    const double dt = tried_ - time_;
+    joules_before_ = joules_;
+    stored_before_ = stored_;
+    for (int i = 0; i < tableau_->stages; ++i) {
+        for (std::size_t e = 0; e < joules_.size(); ++e) {
+            const double joules = dt * tableau_->weight(i) * booked_[at(i)][e];
+            joules_[e] += joules;
+            turnover_ += std::abs(joules);
+        }
+        last_[at(i)] = T_[at(i) + 1];
+    }
+    watts_ = booked_.back();
+    T_[0] = T_.back();
+    system_.enthalpy(T_[0], H_);
+    stored_ = 0.0;
+    for (std::size_t n = 0; n < H_.size(); ++n) {
+        stored_ += H_[n] - H_start_[n];
+    }
+    step_begin_ = time_;
+    time_ = tried_;
+    has_history_ = true;
+}
+
+void Stepper::interpolate(double t, std::span<double> T) const {
+    const double x = (t - step_begin_) / (time_ - step_begin_);
+    std::fill(T.begin(), T.end(), 0.0);
+    for (int i = 0; i < tableau_->stages; ++i) {
+        double basis = 1.0;
+        for (int j = 0; j < tableau_->stages; ++j) {
+            if (j != i) {
+                basis *= (x - tableau_->c[at(j)]) / (tableau_->c[at(i)] - tableau_->c[at(j)]);
+            }
+        }
+        for (std::size_t n = 0; n < T.size(); ++n) {
+            T[n] += basis * last_[at(i)][n];
+        }
+    }
+}
+
+Status Stepper::solve_steady(double t) {
+    window_.open(t, t);
+    std::fill(known_.begin(), known_.end(), 0.0);
+    T_[1] = T_[0];
+    system_.make_consistent(T_[1], window_.stage(0));
+    Status status = newton_.solve({.s = 1.0,
+                                   .known = known_,
+                                   .intensities = window_.stage(0),
+                                   .time = t,
+                                   .tolerance = newton_share * problem_->settings.tolerance,
+                                   .steady = true},
+                                  T_[1]);
+    if (!status.ok()) {
+        return status;
+    }
+    book(0);
+    watts_ = booked_.front();
+    T_[0] = T_[1];
+    for (std::vector<double>& stage : last_) {
+        stage = T_[0];
+    }
+    system_.enthalpy(T_[0], H_);
+    stored_ = 0.0;
+    for (std::size_t n = 0; n < H_.size(); ++n) {
+        stored_ += H_[n] - H_start_[n];
+    }
+    time_ = step_begin_ = t;
+    return {};
+}
+
+double Stepper::steepest_rate() {
+    window_.open(time_, time_);
+    T_[1] = T_[0];
+    system_.make_consistent(T_[1], window_.stage(0));
+    system_.evaluate(T_[1], window_.stage(0));
+    const std::span<const double> q = system_.heat_flow();
+    double steepest = 0.0;
+    for (std::size_t n = 0; n < q.size(); ++n) {
+        if (system_.has_capacity(n)) {
+            const auto layer = at(problem_->mesh.layer[n]);
+            const physics::Material& material = problem_->materials[layer];
+            const double capacity = problem_->mesh.volume[n] * material.density * material.heat_capacity.value(T_[1][n]);
+            steepest = std::max(steepest, std::abs(q[n]) / capacity);
+        }
+    }
+    return steepest;
+}
+
+}  // namespace tiretherm::solver

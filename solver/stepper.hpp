@@ -1,0 +1,78 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "solver/newton.hpp"
+#include "solver/window.hpp"
+
+namespace tiretherm::solver {
+
+/// Steps a system through time. Holds the state, the ledger and every buffer; a step allocates nothing but what the
+/// linear algebra libraries need when a new factor is made.
+class Stepper {
+public:
+    explicit Stepper(const Problem& problem);
+
+    /// Where an attempted step would lead.
+    struct Attempt {
+        Status status;
+        double error = 0.0;  ///< K, estimate of the local error, the input's unresolved part included
+    };
+
+    /// Tries a step from time() to t1 over which no stop of the drive lies. The state changes only by `accept`.
+    [[nodiscard]] Attempt attempt(double t1);
+    void accept();
+
+    /// Solves q(T) = 0 for the drive at a time, from the present state as a guess.
+    [[nodiscard]] Status solve_steady(double t);
+
+    /// Largest rate of change at the present state under the drive just after `time()`. @returns K/s
+    [[nodiscard]] double steepest_rate();
+
+    [[nodiscard]] double time() const { return time_; }
+    [[nodiscard]] std::span<const double> temperature() const { return T_.front(); }
+    /// State inside the last accepted step, by the parabola through its stages. @param t s, within that step
+    void interpolate(double t, std::span<double> T) const;
+    [[nodiscard]] double step_begin() const { return step_begin_; }
+    [[nodiscard]] std::span<const double> watts() const { return watts_; }    ///< [n_effects] W at the state
+    [[nodiscard]] std::span<const double> joules() const { return joules_; }  ///< [n_effects] J since the start
+    [[nodiscard]] std::span<const double> joules_before() const { return joules_before_; }
+    [[nodiscard]] double stored() const { return stored_; }                   ///< J since the start
+    [[nodiscard]] double stored_before() const { return stored_before_; }
+    [[nodiscard]] double turnover() const { return turnover_; }               ///< J, sum of |watts| dt since the start
+    [[nodiscard]] const Newton& newton() const { return newton_; }
+    [[nodiscard]] System& system() { return system_; }
+
+private:
+    void book(int stage);
+    void predict(int stage, double dt);
+    [[nodiscard]] double estimate_error(double dt);
+
+    const Problem* problem_;
+    System system_;
+    const Tableau* tableau_;
+    Window window_;
+    Newton newton_;
+    double time_ = 0.0;
+    double step_begin_ = 0.0;
+    double tried_ = 0.0;
+    bool has_history_ = false;
+    std::vector<std::vector<double>> T_;       ///< [stages + 1][n]: the state, then the stages of the attempt
+    std::vector<std::vector<double>> q_;       ///< [stages][n] W
+    std::vector<std::vector<double>> booked_;  ///< [stages][n_effects] W
+    std::vector<std::vector<double>> last_;    ///< [stages][n] stages of the last accepted step
+    std::vector<double> known_;
+    std::vector<double> H_;
+    std::vector<double> H_start_;
+    std::vector<double> error_heat_;
+    std::vector<double> error_;
+    std::vector<double> watts_;
+    std::vector<double> joules_;
+    std::vector<double> joules_before_;
+    double stored_ = 0.0;
+    double stored_before_ = 0.0;
+    double turnover_ = 0.0;
+};
+
+}  // namespace tiretherm::solver

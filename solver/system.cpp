@@ -1,0 +1,224 @@
+#include "solver/system.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace tiretherm::solver {
+
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Step of the difference quotient for effects without derivatives: far above round-off, far below any law's scale. K
+constexpr double difference_step = 1e-4;
+
+}  // namespace
+
+System::System(const Problem& problem)
+    : problem_(&problem),
+      pattern_(pattern_of(problem.mesh)),
+      terms_(problem.mesh, problem.effects.size()),
+      here_(problem.mesh, problem.effects.size()),
+      there_(problem.mesh, problem.effects.size()),
+      means_(problem.mesh.regions.size()),
+      shifted_means_(problem.mesh.regions.size()),
+      shifted_(at(problem.mesh.n_nodes)),
+      flow_(at(problem.mesh.n_nodes)) {
+    for (const physics::ActiveEffect& active : problem.effects) {
+        first_intensity_.push_back(n_intensities_);
+        n_intensities_ += at(active.effect->n_intensities);
+    }
+    for (int node = 0; node < problem.mesh.n_nodes; ++node) {
+        capacity_factor_.push_back(problem.mesh.volume[at(node)] * problem.materials[at(problem.mesh.layer[at(node)])].density);
+    }
+}
+
+void System::drive(const physics::Inputs& inputs, std::span<double> out) const {
+    for (std::size_t e = 0; e < problem_->effects.size(); ++e) {
+        const physics::ActiveEffect& active = problem_->effects[e];
+        if (active.effect->drive != nullptr) {
+            active.effect->drive(active, problem_->tire, inputs,
+                                 out.subspan(first_intensity_[e], at(active.effect->n_intensities)));
+        }
+    }
+}
+
+void System::find_means(std::span<const double> T, std::span<double> means) const {
+    for (std::size_t r = 0; r < means.size(); ++r) {
+        means[r] = problem_->mesh.regions[r].mean(T);
+    }
+}
+
+void System::speak(std::size_t e, std::span<const double> T, std::span<const double> means,
+                   std::span<const double> intensities, physics::Terms& terms) const {
+    const physics::ActiveEffect& active = problem_->effects[e];
+    terms.book_to(e);
+    active.effect->speak({.mesh = problem_->mesh,
+                          .materials = problem_->materials,
+                          .link_laws = problem_->link_laws,
+                          .tire = problem_->tire,
+                          .temperature = T,
+                          .region_mean = means,
+                          .active = active,
+                          .intensities = intensities.subspan(first_intensity_[e], at(active.effect->n_intensities))},
+                         terms);
+}
+
+void System::evaluate(std::span<const double> T, std::span<const double> intensities) {
+    terms_.begin(T);
+    find_means(T, means_);
+    for (std::size_t e = 0; e < problem_->effects.size(); ++e) {
+        if (problem_->effects[e].effect->gives_derivatives) {
+            speak(e, T, means_, intensities, terms_);
+            continue;
+        }
+        for (std::size_t i = 0; i < T.size(); ++i) {
+            shifted_[i] = T[i] + difference_step;
+        }
+        find_means(shifted_, shifted_means_);
+        here_.begin(T);
+        there_.begin(shifted_);
+        speak(e, T, means_, intensities, here_);
+        speak(e, shifted_, shifted_means_, intensities, there_);
+        terms_.add_difference(here_, there_, difference_step);
+    }
+    std::copy(terms_.node_q.begin(), terms_.node_q.end(), flow_.begin());
+    const std::vector<mesh::Face>& faces = problem_->mesh.faces;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        const double flux = terms_.face_G[f] * (T[at(faces[f].b)] - T[at(faces[f].a)]);
+        flow_[at(faces[f].a)] += flux;
+        flow_[at(faces[f].b)] -= flux;
+    }
+}
+
+void System::enthalpy(std::span<const double> T, std::span<double> H) const {
+    for (std::size_t i = 0; i < T.size(); ++i) {
+        const physics::Material& material = problem_->materials[at(problem_->mesh.layer[i])];
+        H[i] = capacity_factor_[i] > 0.0 ? capacity_factor_[i] * material.heat_capacity.integral(T[i]) : 0.0;
+    }
+}
+
+void System::matrices(double s, bool steady, Matrix& A, Matrix& J) const {
+    const Pattern& p = pattern_;
+    const mesh::Mesh& mesh = problem_->mesh;
+    const physics::Terms& said = terms_;
+    A.pattern = J.pattern = &p;
+    A.value.assign(p.nonzeros(), 0.0);
+    for (std::size_t i = 0; i < at(p.n); ++i) {
+        double diagonal = s * said.node_G[i];
+        if (!steady && capacity_factor_[i] > 0.0) {
+            const physics::Material& material = problem_->materials[at(mesh.layer[i])];
+            diagonal += capacity_factor_[i] * material.heat_capacity.value(said.temperature[i]);
+        }
+        A.value[at(p.diagonal[i])] = diagonal;
+    }
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        const double G = s * said.face_G[f];
+        A.value[at(p.diagonal[at(mesh.faces[f].a)])] += G;
+        A.value[at(p.diagonal[at(mesh.faces[f].b)])] += G;
+        A.value[at(p.ab[f])] -= G;
+        A.value[at(p.ba[f])] -= G;
+    }
+    J.value = A.value;
+    J.symmetric = true;
+    J.outer.clear();
+    if (!said.nonlinear) {
+        return;
+    }
+    for (std::size_t i = 0; i < at(p.n); ++i) {
+        const double slope = s * said.node_slope[i];
+        J.value[at(p.diagonal[i])] -= slope;
+        // A loss that grows with temperature keeps A positive definite and makes it the better preconditioner.
+        A.value[at(p.diagonal[i])] -= std::min(slope, 0.0);
+    }
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        const double by_a = s * said.face_by_a[f];
+        const double by_b = s * said.face_by_b[f];
+        if (by_a != 0.0 || by_b != 0.0) {
+            J.symmetric = false;
+            J.value[at(p.diagonal[at(mesh.faces[f].a)])] -= by_a;
+            J.value[at(p.ab[f])] -= by_b;
+            J.value[at(p.ba[f])] += by_a;
+            J.value[at(p.diagonal[at(mesh.faces[f].b)])] += by_b;
+        }
+    }
+    for (std::size_t r = 0; r < mesh.regions.size(); ++r) {
+        if (said.region_used[r] != 0) {
+            J.outer.push_back({.row = std::span(said.region_slope).subspan(r * at(p.n), at(p.n)),
+                               .mean = &mesh.regions[r].mean,
+                               .scale = -s});
+        }
+    }
+}
+
+void System::make_consistent(std::span<double> T, std::span<const double> intensities) {
+    const mesh::Mesh& mesh = problem_->mesh;
+    if (mesh.n_cells == mesh.n_nodes) {
+        return;
+    }
+    // Surface nodes touch no other surface node, so that each Newton correction is a division.
+    for (int iteration = 0; iteration < 50; ++iteration) {
+        evaluate(T, intensities);
+        std::vector<double>& stiffness = shifted_;
+        for (std::size_t i = 0; i < T.size(); ++i) {
+            stiffness[i] = terms_.node_G[i] - terms_.node_slope[i];
+        }
+        for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+            stiffness[at(mesh.faces[f].a)] += terms_.face_G[f] - terms_.face_by_a[f];
+            stiffness[at(mesh.faces[f].b)] += terms_.face_G[f] + terms_.face_by_b[f];
+        }
+        double largest = 0.0;
+        for (std::size_t i = 0; i < T.size(); ++i) {
+            if (!has_capacity(i)) {
+                const double change = flow_[i] / stiffness[i];
+                T[i] += change;
+                largest = std::max(largest, std::abs(change));
+            }
+        }
+        if (!(largest > 1e-12 * 300.0)) {
+            return;
+        }
+    }
+}
+
+std::string System::loudest_effect(int node, std::span<const double> T, std::span<const double> intensities) {
+    find_means(T, means_);
+    double loudest = -1.0;
+    std::string name = "none";
+    for (std::size_t e = 0; e < problem_->effects.size(); ++e) {
+        here_.begin(T);
+        speak(e, T, means_, intensities, here_);
+        double watts = std::abs(here_.node_q[at(node)]);
+        for (std::size_t f = 0; f < problem_->mesh.faces.size(); ++f) {
+            const mesh::Face& face = problem_->mesh.faces[f];
+            if (face.a == node || face.b == node) {
+                watts += std::abs(here_.face_G[f] * (T[at(face.b)] - T[at(face.a)]));
+            }
+        }
+        if (!(watts <= loudest)) {  // true also for NaN, which is loudest of all
+            loudest = watts;
+            name = problem_->effects[e].effect->id;
+            if (std::isnan(watts)) {
+                break;
+            }
+        }
+    }
+    return name;
+}
+
+std::string describe_node(const mesh::Mesh& mesh, int node) {
+    const auto& [x, y, z] = mesh.centre[at(node)];
+    const std::string layer = mesh.layers[at(mesh.layer[at(node)])];
+    if (mesh.kind == "two_node") {
+        return fmt::format("the {} node", layer);
+    }
+    const std::string what = node < mesh.n_cells ? fmt::format("cell {}", node) : "the surface";
+    if (mesh.kind == "layers") {
+        return fmt::format("{} of layer {}, {:.2f} mm deep", what, layer, 1e3 * z);
+    }
+    return fmt::format("{} of layer {}, x {:.2f} mm, y {:.2f} mm, {:.2f} mm deep", what, layer, 1e3 * x, 1e3 * y, 1e3 * z);
+}
+
+}  // namespace tiretherm::solver

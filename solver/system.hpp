@@ -1,0 +1,70 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "physics/terms.hpp"
+#include "solver/matrix.hpp"
+#include "solver/problem.hpp"
+
+namespace tiretherm::solver {
+
+/// The semi-discrete problem dH/dt = q(T, t): enthalpy H [J] and heat flow q [W] of every node. Surface nodes have no
+/// capacity, so that their row says q = 0. Everything it needs is allocated once.
+class System {
+public:
+    explicit System(const Problem& problem);
+
+    [[nodiscard]] int size() const { return problem_->mesh.n_nodes; }
+    [[nodiscard]] const Problem& problem() const { return *problem_; }
+    [[nodiscard]] const Pattern& pattern() const { return pattern_; }
+    [[nodiscard]] std::size_t n_intensities() const { return n_intensities_; }
+    [[nodiscard]] bool has_capacity(std::size_t node) const { return problem_->mesh.volume[node] > 0.0; }
+
+    /// Intensities of all effects, one after the other, for the inputs of a moment. @param out [n_intensities]
+    void drive(const physics::Inputs& inputs, std::span<double> out) const;
+
+    /// Lets every effect speak at T [n_nodes] K with these intensities.
+    void evaluate(std::span<const double> T, std::span<const double> intensities);
+    /// What was said at the last evaluation.
+    [[nodiscard]] const physics::Terms& terms() const { return terms_; }
+    /// Heat flow into each node at the last evaluation. @returns [n_nodes] W
+    [[nodiscard]] std::span<const double> heat_flow() const { return flow_; }
+
+    /// H(T) of each node, zero at 0 K. @param H out, [n_nodes] J
+    void enthalpy(std::span<const double> T, std::span<double> H) const;
+
+    /// At the last evaluation: A = C + s K, symmetric positive definite, and J = C - s dq/dT. @param s s, > 0
+    /// With `steady`, C is left out.
+    void matrices(double s, bool steady, Matrix& A, Matrix& J) const;
+
+    /// Relaxes the surface nodes to q = 0 with the cells held: they follow a jump of the drive at once.
+    void make_consistent(std::span<double> T, std::span<const double> intensities);
+
+    /// Which effect pushes hardest on a node at the last evaluation, by name.
+    [[nodiscard]] std::string loudest_effect(int node, std::span<const double> T, std::span<const double> intensities);
+
+private:
+    void speak(std::size_t effect, std::span<const double> T, std::span<const double> means,
+               std::span<const double> intensities, physics::Terms& terms) const;
+    void find_means(std::span<const double> T, std::span<double> means) const;
+
+    const Problem* problem_;
+    Pattern pattern_;
+    std::size_t n_intensities_ = 0;
+    std::vector<std::size_t> first_intensity_;  ///< [n_effects]
+    physics::Terms terms_;
+    physics::Terms here_;   ///< for derivatives by difference
+    physics::Terms there_;
+    std::vector<double> means_;
+    std::vector<double> shifted_means_;
+    std::vector<double> shifted_;
+    std::vector<double> flow_;
+    std::vector<double> capacity_factor_;  ///< [n_nodes] kg, density * volume
+};
+
+/// A place in words: "cell 12 of layer tread, 3.2 mm deep".
+[[nodiscard]] std::string describe_node(const mesh::Mesh& mesh, int node);
+
+}  // namespace tiretherm::solver
