@@ -44,6 +44,9 @@ Newton::Newton(System& system)
         v->resize(n);
     }
     ones_.assign(n, 1.0);
+    for (const physics::Material& material : system.problem().materials) {
+        has_nonlinear_capacity_ = has_nonlinear_capacity_ || !material.heat_capacity.is_constant();
+    }
     A_.value.reserve(system.pattern().nonzeros());
     J_.value.reserve(system.pattern().nonzeros());
     J_.outer.reserve(system.problem().mesh.regions.size());
@@ -106,6 +109,7 @@ Status Newton::prepare(const Stage& stage) {
         return {Outcome::not_positive_definite, fmt::format("{}, at t = {:.6g} s", problem, stage.time)};
     }
     factored_s_ = stage.s;
+    fresh_solves_ = 0;
     debt_ = 0.0;
     return {};
 }
@@ -118,6 +122,7 @@ void Newton::assemble(const Stage& stage) {
 Status Newton::solve(const Stage& stage, std::span<double> T) {
     double before = 0.0;       // scaled residual of the last iterate
     double correction = 0.0;   // size of the last correction, K
+    bool solved = false;       // a linear balance needs one correction only
     for (int iteration = 0; iteration <= most_iterations; ++iteration) {
         {
             const Stopwatch watch(counters_.assembly_seconds);
@@ -138,7 +143,8 @@ Status Newton::solve(const Stage& stage, std::span<double> T) {
         if (iteration > 0) {
             // The correction just made was for `before`; what is left of it shrank as the residual did.
             const double error = before > 0.0 ? correction * now / before : 0.0;
-            if ((error <= stage.tolerance && is_booked(stage)) || now <= round_off) {
+            const bool small = solved || error <= stage.tolerance;
+            if ((small && is_booked(stage)) || now <= round_off) {
                 return {};
             }
             assemble(stage);
@@ -151,12 +157,15 @@ Status Newton::solve(const Stage& stage, std::span<double> T) {
             return status;
         }
         const Stopwatch watch(counters_.solve_seconds);
-        const bool linear = !system_->terms().nonlinear;
+        const bool linear = !system_->terms().nonlinear && !has_nonlinear_capacity_;
         const Krylov::Result result = krylov_.solve(J_, *factor_, residual_, correction_, remainder_,
-                                                    0.1 * stage.tolerance, linear ? 0.0 : forcing);
+                                                    0.5 * stage.tolerance, linear ? 0.0 : forcing);
         counters_.linear_iterations += result.solves;
         ++counters_.newton_iterations;
-        debt_ += std::max(0, result.solves - (J_.symmetric && J_.outer.empty() ? 1 : 3));
+        solved = linear && result.converged;
+        // The first solve with a new factor sets what a solve costs; more than that is owed to the factor's age.
+        fresh_solves_ = fresh_solves_ == 0 ? std::max(1, result.solves) : fresh_solves_;
+        debt_ += std::max(0, result.solves - fresh_solves_);
         if (!result.converged) {
             debt_ = 2.0 * factor_->factor_cost();  // a fresh factor next time
         }

@@ -68,8 +68,10 @@ private:
     std::vector<double> ones_;
     std::vector<double> J_ones_;
     std::vector<double> enthalpy_;
+    bool has_nonlinear_capacity_ = false;
     int worst_node_ = 0;
     double factored_s_ = 0.0;  ///< s of the factor at hand; 0: none
+    int fresh_solves_ = 0;     ///< solves of the first correction with the factor at hand
     double debt_ = 0.0;        ///< solves beyond the least since the last factorisation
     Counters counters_;
 };

@@ -9,7 +9,7 @@ namespace {
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Newton's tolerance beside the tolerance of a step: small enough that the error estimate does not see it.
-constexpr double newton_share = 1e-3;
+constexpr double newton_share = 0.02;
 }  // namespace
 
 Stepper::Stepper(const Problem& problem)
