@@ -28,6 +28,9 @@ public:
     void conduct(int face, double G, double by_a = 0.0, double by_b = 0.0) {
         const auto f = static_cast<std::size_t>(face);
         face_G[f] += G;
+        if (G < 0.0) {
+            note_negative(mesh_->faces[f].a);
+        }
         if (by_a != 0.0 || by_b != 0.0) {
             const double drop = drop_across(face);
             face_by_a[f] += by_a * drop;
@@ -50,9 +53,8 @@ public:
             node_slope[n] += by_T * drop;
             nonlinear = true;
         }
-        if (G < 0.0 && negative_effect < 0) {
-            negative_node = node;
-            negative_effect = static_cast<int>(effect_);
+        if (G < 0.0) {
+            note_negative(node);
         }
     }
 
@@ -88,6 +90,12 @@ public:
     int negative_effect = -1;
 
 private:
+    void note_negative(int node) {
+        if (negative_effect < 0) {
+            negative_node = node;
+            negative_effect = static_cast<int>(effect_);
+        }
+    }
     [[nodiscard]] double drop_across(int face) const {
         const mesh::Face& ends = mesh_->faces[static_cast<std::size_t>(face)];
         return temperature[static_cast<std::size_t>(ends.b)] - temperature[static_cast<std::size_t>(ends.a)];

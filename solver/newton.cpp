@@ -131,7 +131,9 @@ Status Newton::solve(const Stage& stage, std::span<double> T) {
         }
         if (const physics::Terms& said = system_->terms(); said.negative_effect >= 0) {
             worst_node_ = said.negative_node;
-            return failure(Outcome::negative_conductance, stage, T, "a conductance became negative");
+            return failure(Outcome::negative_conductance, stage, T,
+                           fmt::format("effect {} gave a negative conductance (a law k(T) or h below zero?)",
+                                       system_->problem().effects[static_cast<std::size_t>(said.negative_effect)].effect->id));
         }
         if (iteration == 0) {
             assemble(stage);

@@ -1,0 +1,75 @@
+#include "physics/curve.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tiretherm::physics {
+
+namespace {
+
+// K1 of the thesis through 0.29 at 20 C and 0.95 at 90 C, with a bend added so that all three coefficients matter.
+const Curve bent = Curve::quadratic_about(293.15, 0.29, 0.00943, 2e-5);
+const Curve steps = Curve::table({290.0, 300.0, 330.0}, {1.0, 3.0, 2.0});
+
+}  // namespace
+
+TEST(Curve, QuadraticAboutAnOriginHasItsValueThere) {
+    EXPECT_NEAR(bent.value(293.15), 0.29, 1e-12);
+    EXPECT_NEAR(bent.value(363.15), 0.29 + 0.00943 * 70.0 + 2e-5 * 4900.0, 1e-12);
+    EXPECT_NEAR(bent.slope(363.15), 0.00943 + 2.0 * 2e-5 * 70.0, 1e-12);
+}
+
+TEST(Curve, TableIsStraightBetweenPointsAndHeldBeyond) {
+    EXPECT_DOUBLE_EQ(steps.value(280.0), 1.0);
+    EXPECT_DOUBLE_EQ(steps.value(295.0), 2.0);
+    EXPECT_DOUBLE_EQ(steps.value(315.0), 2.5);
+    EXPECT_DOUBLE_EQ(steps.value(400.0), 2.0);
+    EXPECT_DOUBLE_EQ(steps.slope(295.0), 0.2);
+    EXPECT_DOUBLE_EQ(steps.slope(280.0), 0.0);
+}
+
+TEST(Curve, IntegralOfATableIsTheAreaUnderIt) {
+    // 290 -> 300: 20; 300 -> 330: 75; held at 2 for ten more: 20.
+    EXPECT_NEAR(steps.integral(340.0) - steps.integral(290.0), 115.0, 1e-10);
+    // Held at 1 before the first point.
+    EXPECT_NEAR(steps.integral(290.0) - steps.integral(280.0), 10.0, 1e-10);
+    // 295 -> 315 by trapezoids: (2 + 3)/2 * 5 + (3 + 2.5)/2 * 15 = 12.5 + 41.25.
+    EXPECT_NEAR(steps.integral(315.0) - steps.integral(295.0), 53.75, 1e-10);
+}
+
+TEST(Curve, MeanIsTheIntegralOverTheWidth) {
+    for (const Curve& curve : {bent, steps}) {
+        for (const double b : {293.0, 301.5, 329.0, 371.0}) {
+            const double a = 288.0;
+            EXPECT_NEAR(curve.mean(a, b).value, (curve.integral(b) - curve.integral(a)) / (b - a), 1e-11);
+            EXPECT_NEAR(curve.mean(a, b).value, curve.mean(b, a).value, 1e-12);
+        }
+        EXPECT_NEAR(curve.mean(310.0, 310.0).value, curve.value(310.0), 1e-12);
+    }
+}
+
+TEST(Curve, DerivativesOfTheMeanAreThoseOfADifference) {
+    constexpr double step = 1e-3;  // central difference: error of order step^2 times the third derivative, nothing
+    for (const Curve& curve : {bent, steps}) {
+        const double a = 296.0;
+        const double b = 321.0;
+        const Curve::Mean mean = curve.mean(a, b);
+        EXPECT_NEAR(mean.by_a, (curve.mean(a + step, b).value - curve.mean(a - step, b).value) / (2.0 * step), 1e-8);
+        EXPECT_NEAR(mean.by_b, (curve.mean(a, b + step).value - curve.mean(a, b - step).value) / (2.0 * step), 1e-8);
+    }
+}
+
+TEST(Curve, MinimumLooksInsideTheRange) {
+    EXPECT_DOUBLE_EQ(steps.minimum(285.0, 400.0), 1.0);
+    EXPECT_DOUBLE_EQ(steps.minimum(301.0, 400.0), 2.0);
+    // Vertex at x = 2 with the value -1.
+    EXPECT_NEAR(Curve::quadratic(3.0, -4.0, 1.0).minimum(0.0, 5.0), -1.0, 1e-15);
+    EXPECT_NEAR(Curve::quadratic(3.0, -4.0, 1.0).minimum(3.0, 5.0), 0.0, 1e-15);
+}
+
+TEST(Curve, KnowsWhenItIsConstant) {
+    EXPECT_TRUE(Curve::constant(1800.0).is_constant());
+    EXPECT_FALSE(bent.is_constant());
+    EXPECT_FALSE(steps.is_constant());
+}
+
+}  // namespace tiretherm::physics
