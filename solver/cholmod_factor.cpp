@@ -82,6 +82,11 @@ public:
         right.x = const_cast<double*>(b.data());  // CHOLMOD only reads it
         right.xtype = CHOLMOD_REAL;
         right.dtype = CHOLMOD_DOUBLE;
+        if (workspace_y_ != nullptr && factor_->is_super == 0) {
+            // A simplicial solve leaves its workspace in another shape and allocates it anew unless it finds the first.
+            workspace_y_->nrow = workspace_y_->d = workspace_y_->nzmax / b.size();
+            workspace_y_->ncol = b.size();
+        }
         cholmod_solve2(CHOLMOD_A, factor_, &right, nullptr, &solution_, nullptr, &workspace_y_, &workspace_e_, &common_);
         const auto* result = static_cast<const double*>(solution_->x);
         std::copy(result, result + x.size(), x.begin());

@@ -250,20 +250,18 @@ private:
         report_.watts.assign(stepper_.watts().begin(), stepper_.watts().end());
         report_.joules.assign(stepper_.joules().begin(), stepper_.joules().end());
         report_.stored = stepper_.stored();
+        report_.energy_closure = problem_.settings.steady ? steady_closure() : stepper_.energy_closure();
+    }
+
+    /// In the steady state the watts themselves cancel.
+    [[nodiscard]] double steady_closure() const {
         double booked = 0.0;
         double turned_over = 0.0;
         for (const double watts : report_.watts) {
             booked += watts;
             turned_over += std::abs(watts);
         }
-        if (!problem_.settings.steady) {
-            booked = -report_.stored;
-            for (const double joules : report_.joules) {
-                booked += joules;
-            }
-            turned_over = stepper_.turnover();
-        }
-        report_.energy_closure = turned_over > 0.0 ? std::abs(booked) / turned_over : 0.0;
+        return turned_over > 0.0 ? std::abs(booked) / turned_over : 0.0;
     }
 
     const Problem& problem_;

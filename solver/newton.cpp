@@ -70,7 +70,7 @@ double Newton::scaled_residual() {
     double worst = 0.0;
     for (std::size_t i = 0; i < residual_.size(); ++i) {
         const double scaled = std::abs(residual_[i]) / A_.value[static_cast<std::size_t>(p.diagonal[i])];
-        if (!(scaled <= worst)) {
+        if (scaled > worst) {
             worst = scaled;
             worst_node_ = static_cast<int>(i);
         }
@@ -86,13 +86,6 @@ bool Newton::is_booked(const Stage& stage) const {
         turnover += std::abs(w);
     }
     return std::abs(sum(residual_)) <= energy_closure * stage.s * turnover + 4e-16 * sum(enthalpy_);
-}
-
-Status Newton::failure(Outcome outcome, const Stage& stage, std::span<const double> T, std::string_view why) {
-    return {outcome, fmt::format("{} at t = {:.6g} s, in {} ({:.2f} degC); the effect that pushes hardest there is {}", why,
-                                 stage.time, describe_node(system_->problem().mesh, worst_node_),
-                                 T[static_cast<std::size_t>(worst_node_)] - 273.15,
-                                 system_->loudest_effect(worst_node_, T, stage.intensities))};
 }
 
 /// Factorises when there is no usable factor, when the step has changed too much for the old one, or when the solves
@@ -129,19 +122,20 @@ Status Newton::solve(const Stage& stage, std::span<double> T) {
             system_->evaluate(T, stage.intensities);
             find_residual(stage, T);
         }
+        if (const int bad = system_->first_not_finite(); bad >= 0) {
+            return system_->blame(Outcome::not_finite, "the heat balance is not a number", bad, stage.time, T, stage.intensities);
+        }
         if (const physics::Terms& said = system_->terms(); said.negative_effect >= 0) {
-            worst_node_ = said.negative_node;
-            return failure(Outcome::negative_conductance, stage, T,
-                           fmt::format("effect {} gave a negative conductance (a law k(T) or h below zero?)",
-                                       system_->problem().effects[static_cast<std::size_t>(said.negative_effect)].effect->id));
+            const physics::ActiveEffect& guilty = system_->problem().effects[static_cast<std::size_t>(said.negative_effect)];
+            return system_->blame(
+                Outcome::negative_conductance,
+                fmt::format("effect {} gave a negative conductance (a law k(T) or h below zero?)", guilty.effect->id),
+                said.negative_node, stage.time, T, stage.intensities);
         }
         if (iteration == 0) {
             assemble(stage);
         }
         const double now = scaled_residual();
-        if (!std::isfinite(now)) {
-            return failure(Outcome::not_finite, stage, T, "the heat balance is not a number");
-        }
         if (iteration > 0) {
             // The correction just made was for `before`; what is left of it shrank as the residual did.
             const double error = before > 0.0 ? correction * now / before : 0.0;
@@ -190,7 +184,8 @@ Status Newton::solve(const Stage& stage, std::span<double> T) {
             T[i] += damping * correction_[i];
         }
     }
-    return failure(Outcome::not_converged, stage, T, "the heat balance did not converge");
+    return system_->blame(Outcome::not_converged, "the heat balance did not converge", worst_node_, stage.time, T,
+                          stage.intensities);
 }
 
 void Newton::filter(std::span<const double> b, std::span<double> x) {

@@ -7,7 +7,6 @@
 
 #include "solver/factor.hpp"
 #include "solver/krylov.hpp"
-#include "solver/march.hpp"
 #include "solver/system.hpp"
 
 namespace tiretherm::solver {
@@ -51,7 +50,6 @@ public:
 
 private:
     [[nodiscard]] Status prepare(const Stage& stage);
-    [[nodiscard]] Status failure(Outcome outcome, const Stage& stage, std::span<const double> T, std::string_view why);
     [[nodiscard]] double scaled_residual();
     [[nodiscard]] bool is_booked(const Stage& stage) const;
     void assemble(const Stage& stage);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace tiretherm::solver {
 
@@ -68,14 +69,28 @@ void Stepper::predict(int stage, double dt) {
 }
 
 Stepper::Attempt Stepper::attempt(double t1) {
+    window_.open(time_, t1);
+    return attempt_in_window(t1);
+}
+
+Stepper::Attempt Stepper::attempt(double t1, const physics::Inputs& from, const physics::Inputs& to) {
+    window_.open(from, to);
+    return attempt_in_window(t1);
+}
+
+Stepper::Attempt Stepper::attempt_in_window(double t1) {
     const double dt = t1 - time_;
     tried_ = t1;
-    window_.open(time_, t1);
 
     // The explicit stage: surface nodes first follow the drive, which may have jumped.
     T_[1] = T_[0];
     system_.make_consistent(T_[1], window_.stage(0));
     system_.evaluate(T_[1], window_.stage(0));
+    if (const int bad = system_.first_not_finite(); bad >= 0) {
+        return {.status = system_.blame(Outcome::not_finite, "the heat balance is not a number", bad, time_, T_[1],
+                                        window_.stage(0)),
+                .error = 0.0};
+    }
     book(0);
     system_.enthalpy(T_[0], H_);
 
@@ -198,6 +213,11 @@ Status Stepper::solve_steady(double t) {
     }
     time_ = step_begin_ = t;
     return {};
+}
+
+double Stepper::energy_closure() const {
+    const double booked = std::accumulate(joules_.begin(), joules_.end(), 0.0);
+    return turnover_ > 0.0 ? std::abs(stored_ - booked) / turnover_ : 0.0;
 }
 
 double Stepper::steepest_rate() {

@@ -22,6 +22,8 @@ public:
 
     /// Tries a step from time() to t1 over which no stop of the drive lies. The state changes only by `accept`.
     [[nodiscard]] Attempt attempt(double t1);
+    /// The same with inputs that go straight from `from` to `to`, whatever the problem's drive says.
+    [[nodiscard]] Attempt attempt(double t1, const physics::Inputs& from, const physics::Inputs& to);
     void accept();
 
     /// Solves q(T) = 0 for the drive at a time, from the present state as a guess.
@@ -40,11 +42,13 @@ public:
     [[nodiscard]] std::span<const double> joules_before() const { return joules_before_; }
     [[nodiscard]] double stored() const { return stored_; }                   ///< J since the start
     [[nodiscard]] double stored_before() const { return stored_before_; }
-    [[nodiscard]] double turnover() const { return turnover_; }               ///< J, sum of |watts| dt since the start
+    /// |stored - sum of joules| over the heat turned over (sum of |watts| dt) since the start; 0 before the first step.
+    [[nodiscard]] double energy_closure() const;
     [[nodiscard]] const Newton& newton() const { return newton_; }
     [[nodiscard]] System& system() { return system_; }
 
 private:
+    [[nodiscard]] Attempt attempt_in_window(double t1);
     void book(int stage);
     void predict(int stage, double dt);
     [[nodiscard]] double estimate_error(double dt);

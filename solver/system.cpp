@@ -183,6 +183,18 @@ void System::make_consistent(std::span<double> T, std::span<const double> intens
     }
 }
 
+Status System::blame(Outcome outcome, std::string_view why, int node, double time, std::span<const double> T,
+                     std::span<const double> intensities) {
+    return {outcome, fmt::format("{} at t = {:.6g} s, in {} ({:.2f} degC); the effect that pushes hardest there is {}",
+                                 why, time, describe_node(problem_->mesh, node), T[at(node)] - 273.15,
+                                 loudest_effect(node, T, intensities))};
+}
+
+int System::first_not_finite() const {
+    const auto bad = std::find_if_not(flow_.begin(), flow_.end(), [](double q) { return std::isfinite(q); });
+    return bad == flow_.end() ? -1 : static_cast<int>(bad - flow_.begin());
+}
+
 std::string System::loudest_effect(int node, std::span<const double> T, std::span<const double> intensities) {
     find_means(T, means_);
     double loudest = -1.0;

@@ -7,6 +7,7 @@
 #include "physics/terms.hpp"
 #include "solver/matrix.hpp"
 #include "solver/problem.hpp"
+#include "solver/status.hpp"
 
 namespace tiretherm::solver {
 
@@ -42,10 +43,14 @@ public:
     /// Relaxes the surface nodes to q = 0 with the cells held: they follow a jump of the drive at once.
     void make_consistent(std::span<double> T, std::span<const double> intensities);
 
-    /// Which effect pushes hardest on a node at the last evaluation, by name.
-    [[nodiscard]] std::string loudest_effect(int node, std::span<const double> T, std::span<const double> intensities);
+    /// A failure at a node in a sentence: why, when, where, and which effect pushes hardest there.
+    [[nodiscard]] Status blame(Outcome outcome, std::string_view why, int node, double time, std::span<const double> T,
+                               std::span<const double> intensities);
+    /// First node whose heat flow at the last evaluation is not finite, or -1.
+    [[nodiscard]] int first_not_finite() const;
 
 private:
+    [[nodiscard]] std::string loudest_effect(int node, std::span<const double> T, std::span<const double> intensities);
     void speak(std::size_t effect, std::span<const double> T, std::span<const double> means,
                std::span<const double> intensities, physics::Terms& terms) const;
     void find_means(std::span<const double> T, std::span<double> means) const;

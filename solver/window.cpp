@@ -35,12 +35,14 @@ void Window::open(double t0, double t1) {
 
 void Window::open(const physics::Inputs& from, const physics::Inputs& to) {
     averaged_ = false;
-    system_->drive(from, stages_.front());
-    system_->drive(to, stages_.back());
-    for (std::size_t i = 1; i + 1 < stages_.size(); ++i) {
-        for (std::size_t m = 0; m < stages_[i].size(); ++m) {
-            stages_[i][m] = stages_.front()[m] + tableau_->c[i] * (stages_.back()[m] - stages_.front()[m]);
+    for (std::size_t i = 0; i < stages_.size(); ++i) {
+        physics::Inputs between = to;
+        if (i + 1 < stages_.size()) {
+            for (const physics::Signal& signal : physics::signals()) {
+                between.*signal.member = from.*signal.member + tableau_->c[i] * (to.*signal.member - from.*signal.member);
+            }
         }
+        system_->drive(between, stages_[i]);
     }
 }
 

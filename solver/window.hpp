@@ -20,7 +20,7 @@ public:
 
     /// @param t0, t1 s; no stop of the drive lies between them
     void open(double t0, double t1);
-    /// For real time: straight from the intensities at hand to those of new inputs. Ends where `open` would.
+    /// For real time: inputs that go straight from one moment to the next.
     void open(const physics::Inputs& from, const physics::Inputs& to);
 
     /// @returns [n_intensities] at stage i of the last opened step

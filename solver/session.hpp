@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "solver/problem.hpp"
+#include "solver/status.hpp"
+
+namespace tiretherm::solver {
+
+class Stepper;
+
+/// A problem advanced in real time: the caller gives a step and the inputs at its end, and reads the temperatures.
+/// Between two calls the inputs go in a straight line. A step is one step of the problem's method without error
+/// control: bounded work, no lock, no file, and after the first steps no allocation. The numbers are those of a batch
+/// run with the same steps and inputs.
+///
+/// Not safe to call from two threads at once; independent sessions are independent.
+class Session {
+public:
+    /// @param problem copied; its drive and times are not used  @param start the inputs at the beginning
+    Session(Problem problem, const physics::Inputs& start);
+    ~Session();
+    Session(Session&&) noexcept;
+    Session& operator=(Session&&) noexcept;
+
+    /// @param dt s, > 0  @param inputs at the end of the step
+    /// @errors as `run`; the state is then left as it was before the call
+    [[nodiscard]] Status advance(double dt, const physics::Inputs& inputs);
+
+    [[nodiscard]] double time() const;                            ///< s since the beginning
+    [[nodiscard]] std::span<const double> temperature() const;    ///< [n_nodes] K
+    [[nodiscard]] double channel(std::size_t index) const;        ///< K
+    [[nodiscard]] std::span<const double> watts() const;          ///< [n_effects] W
+    [[nodiscard]] double energy_closure() const;                  ///< as in Report
+
+private:
+    std::unique_ptr<Problem> problem_;
+    std::unique_ptr<Stepper> stepper_;
+    physics::Inputs inputs_;
+};
+
+}  // namespace tiretherm::solver
