@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Core>
+
 namespace tiretherm::solver {
 
 namespace {
@@ -11,150 +13,80 @@ constexpr int most_iterations = 500;
 /// A residual this small beside the right-hand side is round-off: no further solve is spent on looking at it.
 constexpr double round_off = 1e-13;
 
-double dot(std::span<const double> a, std::span<const double> b) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        sum += a[i] * b[i];
-    }
-    return sum;
-}
+using Vector = Eigen::Map<Eigen::VectorXd>;
+using ConstVector = Eigen::Map<const Eigen::VectorXd>;
 
-double largest(std::span<const double> a) {
-    double most = 0.0;
-    for (const double v : a) {
-        most = std::max(most, std::abs(v));
-    }
-    return most;
-}
+ConstVector view(std::span<const double> v) { return {v.data(), static_cast<Eigen::Index>(v.size())}; }
+
+double dot(std::span<const double> a, std::span<const double> b) { return view(a).dot(view(b)); }
+
+double largest(std::span<const double> a) { return view(a).lpNorm<Eigen::Infinity>(); }
 
 /// y += s x
 void add(double s, std::span<const double> x, std::span<double> y) {
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        y[i] += s * x[i];
-    }
+    Vector(y.data(), static_cast<Eigen::Index>(y.size())) += s * view(x);
 }
 
 }  // namespace
 
-Krylov::Krylov(int n) {
-    for (std::vector<double>& w : work_) {
-        w.resize(static_cast<std::size_t>(n));
+Krylov::Krylov(int n) : past_(directions + 1), z_(static_cast<std::size_t>(n)) {
+    for (Direction& direction : past_) {
+        direction.p.resize(z_.size());
+        direction.Jp.resize(z_.size());
+        direction.s.resize(z_.size());
     }
 }
 
 Krylov::Result Krylov::solve(const Matrix& J, Factor& factor, std::span<const double> b, std::span<double> x,
                              std::span<double> residual, double tolerance, double relative_tolerance) {
-    std::copy(b.begin(), b.end(), residual.begin());
+    const std::span<double> r = residual;
+    std::copy(b.begin(), b.end(), r.begin());
     std::fill(x.begin(), x.end(), 0.0);
-    if (largest(b) == 0.0) {
-        return {.converged = true, .solves = 0};
-    }
-    if (J.symmetric && J.outer.empty()) {
-        const Result result = conjugate_gradients(J, factor, x, residual, tolerance, relative_tolerance);
-        if (result.converged) {
-            return result;
-        }
-        // Indefinite after all (heat that grows with temperature faster than it is carried away): start over.
-        std::copy(b.begin(), b.end(), residual.begin());
-        std::fill(x.begin(), x.end(), 0.0);
-    }
-    return bicgstab(J, factor, x, residual, tolerance, relative_tolerance);
-}
-
-Krylov::Result Krylov::conjugate_gradients(const Matrix& J, Factor& factor, std::span<double> x, std::span<double> r,
-                                           double tolerance, double relative_tolerance) {
-    std::vector<double>& z = work_[0];
-    std::vector<double>& p = work_[1];
-    std::vector<double>& Jp = work_[2];
     Result result;
-    const double tiny = round_off * largest(r);
-    factor.solve(r, z);
-    result.solves = 1;
-    p = z;
-    double rz = dot(r, z);
-    const double wanted = std::max(tolerance, relative_tolerance * largest(z));
-    for (int k = 0; k < most_iterations; ++k) {
-        J.multiply(p, Jp);
-        const double curvature = dot(p, Jp);
-        if (!(curvature > 0.0)) {
-            return result;
-        }
-        const double step = rz / curvature;
-        add(step, p, x);
-        add(-step, Jp, r);
-        if (largest(r) <= tiny) {
-            result.converged = true;
-            return result;
-        }
-        factor.solve(r, z);
-        ++result.solves;
-        if (largest(z) <= wanted) {
-            result.converged = true;
-            return result;
-        }
-        const double rz_next = dot(r, z);
-        const double beta = rz_next / rz;
-        rz = rz_next;
-        for (std::size_t i = 0; i < p.size(); ++i) {
-            p[i] = z[i] + beta * p[i];
-        }
+    const double tiny = round_off * largest(b);
+    if (tiny == 0.0) {
+        result.converged = true;
+        return result;
     }
-    return result;
-}
-
-/// On the left-preconditioned system M^-1 J x = M^-1 b, so that residuals are in the units of x.
-Krylov::Result Krylov::bicgstab(const Matrix& J, Factor& factor, std::span<double> x, std::span<double> r,
-                                double tolerance, double relative_tolerance) {
-    std::vector<double>& s = work_[0];       // preconditioned residual
-    std::vector<double>& shadow = work_[1];
-    std::vector<double>& p = work_[2];
-    std::vector<double>& v = work_[3];
-    std::vector<double>& t = work_[4];
-    std::vector<double>& product = work_[5];
-    Result result;
-    const double tiny = round_off * largest(r);
-    factor.solve(r, s);
+    // One direction is enough for a symmetric matrix: the others would only repeat round-off.
+    const std::size_t memory = J.symmetric && J.outer.empty() ? 1 : directions;
+    factor.solve(r, z_);
     result.solves = 1;
-    shadow = s;
-    p = s;
-    double rho = dot(shadow, s);
-    const double wanted = std::max(tolerance, relative_tolerance * largest(s));
-    for (int k = 0; k < most_iterations; ++k) {
-        J.multiply(p, product);
-        factor.solve(product, v);
+    const double wanted = std::max(tolerance, relative_tolerance * largest(z_));
+    for (std::size_t k = 0; k < most_iterations; ++k) {
+        Direction& now = past_[k % past_.size()];
+        std::copy(z_.begin(), z_.end(), now.p.begin());
+        J.multiply(now.p, now.Jp);
+        if (k == 0) {
+            // An exact factor is done here: looking at the residual saves the second solve.
+            add(-1.0, now.Jp, r);
+            if (largest(r) <= tiny) {
+                std::copy(now.p.begin(), now.p.end(), x.begin());
+                result.converged = true;
+                return result;
+            }
+            std::copy(b.begin(), b.end(), r.begin());
+        }
+        factor.solve(now.Jp, now.s);
         ++result.solves;
-        const double projection = dot(shadow, v);
-        if (projection == 0.0 || !std::isfinite(projection)) {
+        for (std::size_t back = 1; back <= std::min(k, memory); ++back) {
+            const Direction& old = past_[(k - back) % past_.size()];
+            const double overlap = dot(now.Jp, old.s) / old.length2;
+            add(-overlap, old.p, now.p);
+            add(-overlap, old.Jp, now.Jp);
+            add(-overlap, old.s, now.s);
+        }
+        now.length2 = dot(now.Jp, now.s);
+        if (!(now.length2 > 0.0) || !std::isfinite(now.length2)) {
             return result;
         }
-        const double alpha = rho / projection;
-        add(alpha, p, x);
-        add(-alpha, product, r);
-        add(-alpha, v, s);
-        if (largest(s) <= wanted || largest(r) <= tiny) {
+        const double step = dot(r, now.s) / now.length2;
+        add(step, now.p, x);
+        add(-step, now.Jp, r);
+        add(-step, now.s, z_);
+        if (largest(z_) <= wanted || largest(r) <= tiny) {
             result.converged = true;
             return result;
-        }
-        J.multiply(s, product);
-        factor.solve(product, t);
-        ++result.solves;
-        const double length = dot(t, t);
-        const double omega = length > 0.0 ? dot(t, s) / length : 0.0;
-        add(omega, s, x);
-        add(-omega, product, r);
-        add(-omega, t, s);
-        if (largest(s) <= wanted || largest(r) <= tiny) {
-            result.converged = true;
-            return result;
-        }
-        const double rho_next = dot(shadow, s);
-        if (omega == 0.0 || rho_next == 0.0) {
-            return result;
-        }
-        const double beta = rho_next / rho * alpha / omega;
-        rho = rho_next;
-        for (std::size_t i = 0; i < p.size(); ++i) {
-            p[i] = s[i] + beta * (p[i] - omega * v[i]);
         }
     }
     return result;
