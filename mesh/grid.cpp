@@ -35,11 +35,14 @@ int Grid::surface_node(Side side, int i, int j, int k) const {
     }
     switch (side) {
         case Side::x_min:
-        case Side::x_max: return nodes[static_cast<std::size_t>(j + size(1) * k)];
+        case Side::x_max:
+            return nodes[static_cast<std::size_t>(j + size(1) * k)];
         case Side::y_min:
-        case Side::y_max: return nodes[static_cast<std::size_t>(i + size(0) * k)];
+        case Side::y_max:
+            return nodes[static_cast<std::size_t>(i + size(0) * k)];
         case Side::z_min:
-        case Side::z_max: return nodes[static_cast<std::size_t>(i + size(0) * j)];
+        case Side::z_max:
+            return nodes[static_cast<std::size_t>(i + size(0) * j)];
     }
     return -1;
 }

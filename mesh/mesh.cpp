@@ -73,9 +73,7 @@ int Mesh::find_region(std::string_view name) const {
     return found == regions.end() ? -1 : static_cast<int>(found - regions.begin());
 }
 
-double Mesh::total_volume() const {
-    return std::accumulate(volume.begin(), volume.begin() + n_cells, 0.0);
-}
+double Mesh::total_volume() const { return std::accumulate(volume.begin(), volume.begin() + n_cells, 0.0); }
 
 std::vector<std::string> defects(const Mesh& mesh) {
     std::vector<std::string> found;

@@ -47,8 +47,8 @@ struct Link {
 struct PatchFace {
     int node = 0;
     int cell = 0;
-    double area = 0.0;  ///< m2
-    Point centre{};     ///< m
+    double area = 0.0;               ///< m2
+    Point centre{};                  ///< m
     std::array<double, 4> extent{};  ///< x0, x1, y0, y1 [m] of a face of the outer or inner side; else zeros
 };
 
@@ -83,9 +83,9 @@ struct Mesh {
     std::string kind;  ///< "two_node", "layers", "patch"
     int n_cells = 0;
     int n_nodes = 0;
-    std::vector<double> volume;      ///< [n_nodes] m3; 0 for a surface node
-    std::vector<Point> centre;       ///< [n_nodes] m; z is the depth below the outer surface
-    std::vector<int> layer;          ///< [n_nodes] index into layers; a surface node has its cell's
+    std::vector<double> volume;  ///< [n_nodes] m3; 0 for a surface node
+    std::vector<Point> centre;   ///< [n_nodes] m; z is the depth below the outer surface
+    std::vector<int> layer;      ///< [n_nodes] index into layers; a surface node has its cell's
     std::vector<std::string> layers;
     std::vector<Face> faces;
     std::vector<Link> links;

@@ -33,8 +33,7 @@ struct Metrics {
         if (axis == 1) {
             return width(0, i) * width(2, k);
         }
-        const double breadth =
-            grid.metric == Metric::axisymmetric ? 2.0 * std::numbers::pi * position : width(1, j);
+        const double breadth = grid.metric == Metric::axisymmetric ? 2.0 * std::numbers::pi * position : width(1, j);
         return breadth * width(2, k);
     }
 
@@ -73,8 +72,8 @@ void add_inner_faces(Mesh& mesh, const Tensor& d, const Metrics& metrics) {
                         continue;
                     }
                     const double position = metrics.high(axis, index[at(axis)]);
-                    const bool linked = axis == 2 && d.layer_of_k[at(k)] == d.link_below &&
-                                        d.layer_of_k[at(k + 1)] != d.link_below;
+                    const bool linked =
+                        axis == 2 && d.layer_of_k[at(k)] == d.link_below && d.layer_of_k[at(k + 1)] != d.link_below;
                     mesh.faces.push_back({.a = g.cell(i, j, k),
                                           .b = g.cell(next[0], next[1], next[2]),
                                           .area = metrics.face(axis, i, j, k, position),
@@ -177,7 +176,11 @@ Mesh build(const Tensor& description) {
     Mesh mesh;
     mesh.kind = description.kind;
     mesh.layers = description.layers;
-    Grid grid{.metric = description.metric, .edge = description.edge, .centre = {}, .mirror = description.mirror, .surface = {}};
+    Grid grid{.metric = description.metric,
+              .edge = description.edge,
+              .centre = {},
+              .mirror = description.mirror,
+              .surface = {}};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         for (std::size_t i = 0; i + 1 < grid.edge[axis].size(); ++i) {
             grid.centre[axis].push_back(0.5 * (grid.edge[axis][i] + grid.edge[axis][i + 1]));
@@ -218,8 +221,14 @@ Mesh build(const Tensor& description) {
 
 Mesh build(const Layers& description) {
     const StackEdges stack = stack_edges(description.stack);
-    Tensor tensor{.kind = "layers", .metric = Metric::cartesian, .edge = {}, .layer_of_k = stack.layer_of_cell,
-                  .layers = stack.names, .mirror = {}, .patch = {}, .link_below = description.link_below,
+    Tensor tensor{.kind = "layers",
+                  .metric = Metric::cartesian,
+                  .edge = {},
+                  .layer_of_k = stack.layer_of_cell,
+                  .layers = stack.names,
+                  .mirror = {},
+                  .patch = {},
+                  .link_below = description.link_below,
                   .link_length = description.link_length};
     tensor.edge = {std::vector<double>{0.0, description.area}, std::vector<double>{0.0, 1.0}, stack.edge};
     tensor.patch[static_cast<std::size_t>(Side::z_min)] = "outside";
@@ -230,20 +239,31 @@ Mesh build(const Layers& description) {
 Mesh build(const Block& description) {
     const StackEdges stack = stack_edges(description.stack);
     const auto start = [&](const std::vector<Segment>& s) { return description.quarter ? 0.0 : -s.back().to; };
-    Tensor tensor{.kind = "patch", .metric = Metric::cartesian, .edge = {}, .layer_of_k = stack.layer_of_cell,
-                  .layers = stack.names, .mirror = {description.quarter, description.quarter, false}, .patch = {}};
+    Tensor tensor{.kind = "patch",
+                  .metric = Metric::cartesian,
+                  .edge = {},
+                  .layer_of_k = stack.layer_of_cell,
+                  .layers = stack.names,
+                  .mirror = {description.quarter, description.quarter, false},
+                  .patch = {}};
     tensor.edge = {edges(start(description.x), description.x), edges(start(description.y), description.y), stack.edge};
     tensor.patch = {"", "", "", "", "top", "bottom"};
     if (description.side_patches) {
-        tensor.patch = {description.quarter ? "" : "left", "right", description.quarter ? "" : "front", "back", "top", "bottom"};
+        tensor.patch = {
+            description.quarter ? "" : "left", "right", description.quarter ? "" : "front", "back", "top", "bottom"};
     }
     return build(tensor);
 }
 
 Mesh build(const Axisymmetric& description) {
     const StackEdges stack = stack_edges(description.stack);
-    Tensor tensor{.kind = "patch", .metric = Metric::axisymmetric, .edge = {}, .layer_of_k = stack.layer_of_cell,
-                  .layers = stack.names, .mirror = {true, false, false}, .patch = {}};
+    Tensor tensor{.kind = "patch",
+                  .metric = Metric::axisymmetric,
+                  .edge = {},
+                  .layer_of_k = stack.layer_of_cell,
+                  .layers = stack.names,
+                  .mirror = {true, false, false},
+                  .patch = {}};
     tensor.edge = {edges(0.0, description.radius), std::vector<double>{0.0, 1.0}, stack.edge};
     tensor.patch = {"", description.side_patches ? "rim" : "", "", "", "top", "bottom"};
     return build(tensor);

@@ -13,11 +13,11 @@ struct Tensor {
     std::string kind;
     Metric metric = Metric::cartesian;
     std::array<std::vector<double>, 3> edge;
-    std::vector<int> layer_of_k;             ///< [n_z]
+    std::vector<int> layer_of_k;  ///< [n_z]
     std::vector<std::string> layers;
     std::array<bool, 3> mirror{};
-    std::array<std::string, 6> patch;        ///< name for each Side; empty: adiabatic
-    int link_below = -1;                     ///< layer below which faces carry link 0, or -1
+    std::array<std::string, 6> patch;  ///< name for each Side; empty: adiabatic
+    int link_below = -1;               ///< layer below which faces carry link 0, or -1
     double link_length = 0.0;
 };
 

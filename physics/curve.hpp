@@ -16,9 +16,7 @@ public:
     /// @param x ascending, at least one  @param y as many
     [[nodiscard]] static Curve table(std::vector<double> x, std::vector<double> y);
 
-    [[nodiscard]] double value(double x) const {
-        return is_table_ ? table_value(x) : c0_ + x * (c1_ + x * c2_);
-    }
+    [[nodiscard]] double value(double x) const { return is_table_ ? table_value(x) : c0_ + x * (c1_ + x * c2_); }
     [[nodiscard]] double slope(double x) const { return is_table_ ? table_slope(x) : c1_ + 2.0 * c2_ * x; }
 
     /// Integral from the origin 0 to x, exact for both kinds.
@@ -37,8 +35,8 @@ public:
         if (is_table_) {
             return table_mean(a, b);
         }
-        return {c0_ + 0.5 * c1_ * (a + b) + c2_ / 3.0 * (a * a + a * b + b * b),
-                0.5 * c1_ + c2_ / 3.0 * (2.0 * a + b), 0.5 * c1_ + c2_ / 3.0 * (a + 2.0 * b)};
+        return {c0_ + 0.5 * c1_ * (a + b) + c2_ / 3.0 * (a * a + a * b + b * b), 0.5 * c1_ + c2_ / 3.0 * (2.0 * a + b),
+                0.5 * c1_ + c2_ / 3.0 * (a + 2.0 * b)};
     }
 
     [[nodiscard]] bool is_constant() const { return !is_table_ && c1_ == 0.0 && c2_ == 0.0; }

@@ -21,7 +21,8 @@ constexpr std::array list{
 
 template <typename Entries>
 int find_key(const Entries& entries, std::string_view key) {
-    const auto found = std::find_if(entries.begin(), entries.end(), [&](const auto& entry) { return entry.key == key; });
+    const auto found =
+        std::find_if(entries.begin(), entries.end(), [&](const auto& entry) { return entry.key == key; });
     return found == entries.end() ? -1 : static_cast<int>(found - entries.begin());
 }
 

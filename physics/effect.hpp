@@ -46,13 +46,13 @@ struct Setting {
 /// Everything an effect may look at when it speaks.
 struct Moment {
     const mesh::Mesh& mesh;
-    std::span<const Material> materials;   ///< [n_layers]
-    std::span<const Curve> link_laws;      ///< [n_links] k in W/(m K)
+    std::span<const Material> materials;  ///< [n_layers]
+    std::span<const Curve> link_laws;     ///< [n_links] k in W/(m K)
     const Tire& tire;
-    std::span<const double> temperature;   ///< [n_nodes] K
-    std::span<const double> region_mean;   ///< [n_regions] K
+    std::span<const double> temperature;  ///< [n_nodes] K
+    std::span<const double> region_mean;  ///< [n_regions] K
     const ActiveEffect& active;
-    std::span<const double> intensities;   ///< [n_intensities] of this effect
+    std::span<const double> intensities;  ///< [n_intensities] of this effect
 };
 
 /// One physical cause, as plain data. An effect speaks in two steps: `drive` turns the inputs of a moment into a few
@@ -72,7 +72,8 @@ struct Effect {
     std::span<const std::string_view> patches;  ///< standard patches, or empty if it acts elsewhere
     int n_intensities;
     void (*place)(const Setting& setting, ActiveEffect& active);  ///< may be null
-    void (*drive)(const ActiveEffect& active, const Tire& tire, const Inputs& inputs, std::span<double> intensities);  ///< may be null
+    void (*drive)(const ActiveEffect& active, const Tire& tire, const Inputs& inputs,
+                  std::span<double> intensities);  ///< may be null
     void (*speak)(const Moment& moment, Terms& terms);
     bool gives_derivatives;  ///< otherwise they are taken by difference, for local dependence only
 };

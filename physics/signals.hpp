@@ -8,18 +8,18 @@ namespace tiretherm::physics {
 
 /// The inputs of a tire at one moment, in SI and kelvin, radians.
 struct Inputs {
-    double speed = 0.0;                 ///< m/s, of the road under the tire
-    double vertical_load = 0.0;         ///< N
-    double slip_angle = 0.0;            ///< rad
-    double slip_ratio = 0.0;            ///< 1, (Omega R_R - V) / V
-    double lateral_force = 0.0;         ///< N
-    double longitudinal_force = 0.0;    ///< N
-    double camber = 0.0;                ///< rad, negative: top leaning inboard
-    double inflation_pressure = 0.0;    ///< Pa
-    double air_temperature = 0.0;       ///< K
-    double road_temperature = 0.0;      ///< K
-    double wet = 0.0;                   ///< 0 or 1
-    double laser_power = 0.0;           ///< W
+    double speed = 0.0;               ///< m/s, of the road under the tire
+    double vertical_load = 0.0;       ///< N
+    double slip_angle = 0.0;          ///< rad
+    double slip_ratio = 0.0;          ///< 1, (Omega R_R - V) / V
+    double lateral_force = 0.0;       ///< N
+    double longitudinal_force = 0.0;  ///< N
+    double camber = 0.0;              ///< rad, negative: top leaning inboard
+    double inflation_pressure = 0.0;  ///< Pa
+    double air_temperature = 0.0;     ///< K
+    double road_temperature = 0.0;    ///< K
+    double wet = 0.0;                 ///< 0 or 1
+    double laser_power = 0.0;         ///< W
 
     friend bool operator==(const Inputs&, const Inputs&) = default;
 };

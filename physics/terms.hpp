@@ -75,18 +75,18 @@ public:
     /// Adds what an effect without derivatives of its own said at T (`here`) and at T + step (`there`).
     void add_difference(const Terms& here, const Terms& there, double step);
 
-    std::vector<double> face_G;          ///< [n_faces] W/K
-    std::vector<double> face_by_a;       ///< [n_faces] W/K: (dG/dT_a) (T_b - T_a)
-    std::vector<double> face_by_b;       ///< [n_faces] W/K
-    std::vector<double> node_G;          ///< [n_nodes] W/K, sum of exchanges
-    std::vector<double> node_q;          ///< [n_nodes] W, exchanges and heat, without the faces
-    std::vector<double> node_slope;      ///< [n_nodes] W/K, derivative of node_q beyond -node_G
-    std::vector<double> region_slope;    ///< [n_regions * n_nodes] W/K
-    std::vector<char> region_used;       ///< [n_regions]
-    std::vector<double> watts;           ///< [n_effects] W
-    std::span<const double> temperature; ///< [n_nodes] K
+    std::vector<double> face_G;           ///< [n_faces] W/K
+    std::vector<double> face_by_a;        ///< [n_faces] W/K: (dG/dT_a) (T_b - T_a)
+    std::vector<double> face_by_b;        ///< [n_faces] W/K
+    std::vector<double> node_G;           ///< [n_nodes] W/K, sum of exchanges
+    std::vector<double> node_q;           ///< [n_nodes] W, exchanges and heat, without the faces
+    std::vector<double> node_slope;       ///< [n_nodes] W/K, derivative of node_q beyond -node_G
+    std::vector<double> region_slope;     ///< [n_regions * n_nodes] W/K
+    std::vector<char> region_used;        ///< [n_regions]
+    std::vector<double> watts;            ///< [n_effects] W
+    std::span<const double> temperature;  ///< [n_nodes] K
     bool nonlinear = false;
-    int negative_node = -1;    ///< first node given a negative conductance, and by which effect
+    int negative_node = -1;  ///< first node given a negative conductance, and by which effect
     int negative_effect = -1;
 
 private:

@@ -37,7 +37,8 @@ double Tire::rolling_radius(double vertical_load) const {
         return rolling_radius_table->value(vertical_load);
     }
     // The power law is singular at no load; below the smallest load that counts as contact it is held.
-    return rolling_radius_factor * std::pow(std::max(vertical_load, std::max(minimum_load, 1.0)), rolling_radius_exponent);
+    return rolling_radius_factor *
+           std::pow(std::max(vertical_load, std::max(minimum_load, 1.0)), rolling_radius_exponent);
 }
 
 double Tire::outer_area() const { return 2.0 * pi * unloaded_radius * width; }

@@ -11,20 +11,20 @@ namespace tiretherm::physics {
 /// measured table against the vertical load in N.
 struct Tire {
     std::string name = "225/50 R17";
-    double width = 0.225;              ///< m, W
-    double section_height = 0.1125;    ///< m, H = aspect ratio * W (65)
-    double unloaded_radius = 0.3308;   ///< m, R0
-    double tread_thickness = 0.012;    ///< m, through crown and tread
-    double sidewall_thickness = 0.009; ///< m
-    double density = 1100.0;           ///< kg/m3
-    double minimum_load = 1.0;         ///< N, below it the tire is not in contact
+    double width = 0.225;               ///< m, W
+    double section_height = 0.1125;     ///< m, H = aspect ratio * W (65)
+    double unloaded_radius = 0.3308;    ///< m, R0
+    double tread_thickness = 0.012;     ///< m, through crown and tread
+    double sidewall_thickness = 0.009;  ///< m
+    double density = 1100.0;            ///< kg/m3
+    double minimum_load = 1.0;          ///< N, below it the tire is not in contact
 
-    double contact_length_limit = 0.160;  ///< m, l_max of (57)
-    double contact_length_slope = 0.35;   ///< 1/kN, k of (57)
-    double contact_area_at_zero = 0.0;    ///< m2, A of (35)
-    double contact_area_slope = 2.333e-6; ///< m2/N, B of (35)
-    double loaded_radius_at_zero = 0.3308;  ///< m
-    double loaded_radius_slope = -4.2e-6;   ///< m/N
+    double contact_length_limit = 0.160;      ///< m, l_max of (57)
+    double contact_length_slope = 0.35;       ///< 1/kN, k of (57)
+    double contact_area_at_zero = 0.0;        ///< m2, A of (35)
+    double contact_area_slope = 2.333e-6;     ///< m2/N, B of (35)
+    double loaded_radius_at_zero = 0.3308;    ///< m
+    double loaded_radius_slope = -4.2e-6;     ///< m/N
     double rolling_radius_factor = 0.3483;    ///< m at 1 N
     double rolling_radius_exponent = -0.009;  ///< 1
     std::optional<Curve> contact_length_table;
@@ -58,11 +58,11 @@ struct Tire {
 /// thesis (48)(49), errata E1 (kelvin), E7 (sign)
 struct LossTangent {
     double a = 2.14e15;
-    double b = -4989.0;   ///< K
-    double c = 882.0;     ///< K
-    double f0 = 52.0;     ///< Hz
-    double C1 = -8.86;    ///< 1
-    double C2 = 101.6;    ///< K
+    double b = -4989.0;  ///< K
+    double c = 882.0;    ///< K
+    double f0 = 52.0;    ///< Hz
+    double C1 = -8.86;   ///< 1
+    double C2 = 101.6;   ///< K
 
     /// @param frequency Hz, > 0  @returns K, added to the temperature
     [[nodiscard]] double shift(double frequency) const;

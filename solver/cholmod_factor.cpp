@@ -87,7 +87,8 @@ public:
             workspace_y_->nrow = workspace_y_->d = workspace_y_->nzmax / b.size();
             workspace_y_->ncol = b.size();
         }
-        cholmod_solve2(CHOLMOD_A, factor_, &right, nullptr, &solution_, nullptr, &workspace_y_, &workspace_e_, &common_);
+        cholmod_solve2(CHOLMOD_A, factor_, &right, nullptr, &solution_, nullptr, &workspace_y_, &workspace_e_,
+                       &common_);
         const auto* result = static_cast<const double*>(solution_->x);
         std::copy(result, result + x.size(), x.begin());
     }
@@ -98,8 +99,8 @@ public:
     }
 
     [[nodiscard]] std::string description() const override {
-        return fmt::format("CHOLMOD, {}, {:.0f} entries in the factor", factor_->is_super != 0 ? "supernodal" : "simplicial",
-                           entries_);
+        return fmt::format("CHOLMOD, {}, {:.0f} entries in the factor",
+                           factor_->is_super != 0 ? "supernodal" : "simplicial", entries_);
     }
 
     [[nodiscard]] double entries_per_row() const { return entries_ / static_cast<double>(matrix_->nrow); }
@@ -110,10 +111,14 @@ private:
             case CHOLMOD_NOT_POSDEF:
                 return "the matrix is not positive definite: a part of the mesh exchanges heat with nothing, or a "
                        "conductance or heat capacity is not positive";
-            case CHOLMOD_OUT_OF_MEMORY: return "the factor does not fit in memory";
-            case CHOLMOD_TOO_LARGE: return "the factor is too large for 32-bit indices";
-            case CHOLMOD_INVALID: return "the matrix is invalid";
-            default: return fmt::format("CHOLMOD status {}", common_.status);
+            case CHOLMOD_OUT_OF_MEMORY:
+                return "the factor does not fit in memory";
+            case CHOLMOD_TOO_LARGE:
+                return "the factor is too large for 32-bit indices";
+            case CHOLMOD_INVALID:
+                return "the matrix is invalid";
+            default:
+                return fmt::format("CHOLMOD status {}", common_.status);
         }
     }
 
@@ -134,9 +139,12 @@ std::unique_ptr<Factor> make_cholesky(const Pattern& pattern) { return std::make
 
 std::unique_ptr<Factor> make_factor(const Pattern& pattern, LinearSolver wanted) {
     switch (wanted) {
-        case LinearSolver::conjugate_gradient: return make_incomplete_cholesky(pattern);
-        case LinearSolver::cholesky: return make_cholesky(pattern);
-        case LinearSolver::automatic: break;
+        case LinearSolver::conjugate_gradient:
+            return make_incomplete_cholesky(pattern);
+        case LinearSolver::cholesky:
+            return make_cholesky(pattern);
+        case LinearSolver::automatic:
+            break;
     }
     auto direct = std::make_unique<CholeskyFactor>(pattern);
     if (direct->entries_per_row() > fill_for_iteration) {

@@ -32,7 +32,9 @@ public:
             value[e] = matrix.value[static_cast<std::size_t>(source_[e])];
         }
         factor_.factorize(lower_);
-        return factor_.info() == Eigen::Success ? std::string{} : "the incomplete Cholesky factor broke down: the matrix is not positive definite";
+        return factor_.info() == Eigen::Success
+                   ? std::string{}
+                   : "the incomplete Cholesky factor broke down: the matrix is not positive definite";
     }
 
     void solve(std::span<const double> b, std::span<double> x) override {

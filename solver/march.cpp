@@ -17,8 +17,7 @@ namespace {
 /// the step, and with it the kept factor, changes seldom.
 class StepControl {
 public:
-    StepControl(const Settings& settings, int order)
-        : tolerance_(settings.tolerance), exponent_(1.0 / (order + 1)) {}
+    StepControl(const Settings& settings, int order) : tolerance_(settings.tolerance), exponent_(1.0 / (order + 1)) {}
 
     /// Factor on the step after an error of `error` K.
     [[nodiscard]] double factor(double error) const {
@@ -65,7 +64,8 @@ public:
 
 private:
     [[nodiscard]] Status stopped() const {
-        return {Outcome::stopped, fmt::format("stopped at t = {:.6g} s of {:.6g} s", stepper_.time(), problem_.settings.end)};
+        return {Outcome::stopped,
+                fmt::format("stopped at t = {:.6g} s of {:.6g} s", stepper_.time(), problem_.settings.end)};
     }
 
     Status march() {
@@ -105,9 +105,11 @@ private:
                     ++report_.rejected;
                     wanted = std::min(factor, 0.8) * (t1 - t);
                     if (wanted < smallest) {
-                        return {Outcome::step_too_small,
-                                fmt::format("the step shrank to {:.1e} s at t = {:.6g} s without reaching the tolerance of {} K",
-                                            wanted, t, settings.tolerance)};
+                        return {
+                            Outcome::step_too_small,
+                            fmt::format(
+                                "the step shrank to {:.1e} s at t = {:.6g} s without reaching the tolerance of {} K",
+                                wanted, t, settings.tolerance)};
                     }
                     continue;
                 }
@@ -131,10 +133,12 @@ private:
             case Outcome::not_converged:
             case Outcome::not_finite:
             case Outcome::negative_conductance:
-            case Outcome::not_positive_definite: return true;
+            case Outcome::not_positive_definite:
+                return true;
             case Outcome::done:
             case Outcome::step_too_small:
-            case Outcome::stopped: return false;
+            case Outcome::stopped:
+                return false;
         }
         return false;
     }
@@ -235,7 +239,8 @@ private:
         if (interval <= 0.0 || t < next_field_ - 1e-9 * interval) {
             return false;
         }
-        next_field_ = problem_.settings.start + interval * (std::floor((t - problem_.settings.start) / interval + 1e-9) + 1.0);
+        next_field_ =
+            problem_.settings.start + interval * (std::floor((t - problem_.settings.start) / interval + 1e-9) + 1.0);
         return true;
     }
 
@@ -292,7 +297,8 @@ std::vector<std::string> defects(const Problem& problem) {
     expect(problem.materials.size() == problem.mesh.layers.size(), "every layer of the mesh needs a material");
     expect(problem.link_laws.size() == problem.mesh.links.size(), "every link of the mesh needs a conductivity");
     expect(problem.initial.size() == n, "every node needs an initial temperature");
-    expect(problem.settings.steady || problem.settings.end > problem.settings.start, "the run must end after it starts");
+    expect(problem.settings.steady || problem.settings.end > problem.settings.start,
+           "the run must end after it starts");
     expect(problem.settings.tolerance > 0.0, "the tolerance of a step must be positive");
     expect(!problem.settings.fixed_step || *problem.settings.fixed_step > 0.0, "a fixed step must be positive");
     for (const double T : problem.initial) {

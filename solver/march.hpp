@@ -12,13 +12,13 @@ namespace tiretherm::solver {
 
 /// The state at a moment that is being reported. Spans live only during the call.
 struct Snapshot {
-    double time = 0.0;                      ///< s
-    std::span<const double> temperature;    ///< [n_nodes] K
-    std::span<const double> channels;       ///< [n_channels] K
-    std::span<const double> watts;          ///< [n_effects] W, at the end of the last step (not scaled by symmetry)
-    std::span<const double> joules;         ///< [n_effects] J since the start
-    double stored = 0.0;                    ///< J since the start
-    bool field = false;                     ///< true when the field is due for storing (first and last always)
+    double time = 0.0;                    ///< s
+    std::span<const double> temperature;  ///< [n_nodes] K
+    std::span<const double> channels;     ///< [n_channels] K
+    std::span<const double> watts;        ///< [n_effects] W, at the end of the last step (not scaled by symmetry)
+    std::span<const double> joules;       ///< [n_effects] J since the start
+    double stored = 0.0;                  ///< J since the start
+    bool field = false;                   ///< true when the field is due for storing (first and last always)
 };
 
 /// What a run tells besides the snapshots.
@@ -30,11 +30,11 @@ struct Report {
     long newton_iterations = 0;
     long linear_iterations = 0;
     long factorisations = 0;
-    std::string linear_solver;   ///< "CHOLMOD supernodal, 560 000 entries in the factor", "CG, incomplete Cholesky"
-    std::vector<double> watts;   ///< [n_effects] W at the end
-    std::vector<double> joules;  ///< [n_effects] J
-    double stored = 0.0;         ///< J
-    double energy_closure = 0.0; ///< |stored - sum of joules| over the heat turned over (sum of |watts| dt)
+    std::string linear_solver;    ///< "CHOLMOD supernodal, 560 000 entries in the factor", "CG, incomplete Cholesky"
+    std::vector<double> watts;    ///< [n_effects] W at the end
+    std::vector<double> joules;   ///< [n_effects] J
+    double stored = 0.0;          ///< J
+    double energy_closure = 0.0;  ///< |stored - sum of joules| over the heat turned over (sum of |watts| dt)
     struct Extreme {
         double temperature = 0.0;  ///< K
         double time = 0.0;         ///< s

@@ -113,9 +113,9 @@ void Newton::assemble(const Stage& stage) {
 }
 
 Status Newton::solve(const Stage& stage, std::span<double> T) {
-    double before = 0.0;       // scaled residual of the last iterate
-    double correction = 0.0;   // size of the last correction, K
-    bool solved = false;       // a linear balance needs one correction only
+    double before = 0.0;      // scaled residual of the last iterate
+    double correction = 0.0;  // size of the last correction, K
+    bool solved = false;      // a linear balance needs one correction only
     for (int iteration = 0; iteration <= most_iterations; ++iteration) {
         {
             const Stopwatch watch(counters_.assembly_seconds);
@@ -123,10 +123,12 @@ Status Newton::solve(const Stage& stage, std::span<double> T) {
             find_residual(stage, T);
         }
         if (const int bad = system_->first_not_finite(); bad >= 0) {
-            return system_->blame(Outcome::not_finite, "the heat balance is not a number", bad, stage.time, T, stage.intensities);
+            return system_->blame(Outcome::not_finite, "the heat balance is not a number", bad, stage.time, T,
+                                  stage.intensities);
         }
         if (const physics::Terms& said = system_->terms(); said.negative_effect >= 0) {
-            const physics::ActiveEffect& guilty = system_->problem().effects[static_cast<std::size_t>(said.negative_effect)];
+            const physics::ActiveEffect& guilty =
+                system_->problem().effects[static_cast<std::size_t>(said.negative_effect)];
             return system_->blame(
                 Outcome::negative_conductance,
                 fmt::format("effect {} gave a negative conductance (a law k(T) or h below zero?)", guilty.effect->id),

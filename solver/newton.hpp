@@ -31,12 +31,12 @@ public:
     explicit Newton(System& system);
 
     struct Stage {
-        double s = 0.0;                        ///< s, step times the method's diagonal coefficient
-        std::span<const double> known;         ///< [n_nodes] J
-        std::span<const double> intensities;   ///< [n_intensities]
-        double time = 0.0;                     ///< s, for messages
-        double tolerance = 1e-9;               ///< K
-        bool steady = false;                   ///< -q(T) = known, without capacity
+        double s = 0.0;                       ///< s, step times the method's diagonal coefficient
+        std::span<const double> known;        ///< [n_nodes] J
+        std::span<const double> intensities;  ///< [n_intensities]
+        double time = 0.0;                    ///< s, for messages
+        double tolerance = 1e-9;              ///< K
+        bool steady = false;                  ///< -q(T) = known, without capacity
     };
 
     /// @param T [n_nodes] K, in: a guess; out: the solution, at which the system has been evaluated

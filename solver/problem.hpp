@@ -18,14 +18,14 @@ enum class Method : std::uint8_t { tr_bdf2, backward_euler };
 enum class LinearSolver : std::uint8_t { automatic, cholesky, conjugate_gradient };
 
 struct Settings {
-    bool steady = false;                ///< solve for the steady state of the drive at `end` instead of marching
-    double start = 0.0;                 ///< s
-    double end = 0.0;                   ///< s
+    bool steady = false;  ///< solve for the steady state of the drive at `end` instead of marching
+    double start = 0.0;   ///< s
+    double end = 0.0;     ///< s
     Method method = Method::tr_bdf2;
-    std::optional<double> fixed_step;   ///< s; empty: error-controlled
-    double tolerance = 0.01;            ///< K, largest local error of a step
-    double output_interval = 0.0;       ///< s between rows of channels; 0: every step
-    double field_interval = 0.0;        ///< s between stored fields; 0: only first and last
+    std::optional<double> fixed_step;  ///< s; empty: error-controlled
+    double tolerance = 0.01;           ///< K, largest local error of a step
+    double output_interval = 0.0;      ///< s between rows of channels; 0: every step
+    double field_interval = 0.0;       ///< s between stored fields; 0: only first and last
     LinearSolver linear_solver = LinearSolver::automatic;
 };
 
@@ -49,7 +49,7 @@ struct Measured {
 struct Problem {
     std::string name;
     std::string title;
-    std::vector<std::string> sources;   ///< what to cite
+    std::vector<std::string> sources;  ///< what to cite
     mesh::Mesh mesh;
     std::vector<physics::Material> materials;  ///< [n_layers]
     std::vector<physics::Curve> link_laws;     ///< [n_links] W/(m K) against K

@@ -28,11 +28,11 @@ public:
     /// @errors as `run`; the state is then left as it was before the call
     [[nodiscard]] Status advance(double dt, const physics::Inputs& inputs);
 
-    [[nodiscard]] double time() const;                            ///< s since the beginning
-    [[nodiscard]] std::span<const double> temperature() const;    ///< [n_nodes] K
-    [[nodiscard]] double channel(std::size_t index) const;        ///< K
-    [[nodiscard]] std::span<const double> watts() const;          ///< [n_effects] W
-    [[nodiscard]] double energy_closure() const;                  ///< as in Report
+    [[nodiscard]] double time() const;                          ///< s since the beginning
+    [[nodiscard]] std::span<const double> temperature() const;  ///< [n_nodes] K
+    [[nodiscard]] double channel(std::size_t index) const;      ///< K
+    [[nodiscard]] std::span<const double> watts() const;        ///< [n_effects] W
+    [[nodiscard]] double energy_closure() const;                ///< as in Report
 
 private:
     std::unique_ptr<Problem> problem_;

@@ -10,7 +10,7 @@ namespace {
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Newton's tolerance beside the tolerance of a step: small enough that the error estimate does not see it.
-constexpr double newton_share = 0.02;
+constexpr double newton_share = 0.05;
 }  // namespace
 
 Stepper::Stepper(const Problem& problem)
@@ -231,7 +231,8 @@ double Stepper::steepest_rate() {
         if (system_.has_capacity(n)) {
             const auto layer = at(problem_->mesh.layer[n]);
             const physics::Material& material = problem_->materials[layer];
-            const double capacity = problem_->mesh.volume[n] * material.density * material.heat_capacity.value(T_[1][n]);
+            const double capacity =
+                problem_->mesh.volume[n] * material.density * material.heat_capacity.value(T_[1][n]);
             steepest = std::max(steepest, std::abs(q[n]) / capacity);
         }
     }

@@ -40,7 +40,7 @@ public:
     [[nodiscard]] std::span<const double> watts() const { return watts_; }    ///< [n_effects] W at the state
     [[nodiscard]] std::span<const double> joules() const { return joules_; }  ///< [n_effects] J since the start
     [[nodiscard]] std::span<const double> joules_before() const { return joules_before_; }
-    [[nodiscard]] double stored() const { return stored_; }                   ///< J since the start
+    [[nodiscard]] double stored() const { return stored_; }  ///< J since the start
     [[nodiscard]] double stored_before() const { return stored_before_; }
     /// |stored - sum of joules| over the heat turned over (sum of |watts| dt) since the start; 0 before the first step.
     [[nodiscard]] double energy_closure() const;

@@ -31,7 +31,8 @@ System::System(const Problem& problem)
         n_intensities_ += at(active.effect->n_intensities);
     }
     for (int node = 0; node < problem.mesh.n_nodes; ++node) {
-        capacity_factor_.push_back(problem.mesh.volume[at(node)] * problem.materials[at(problem.mesh.layer[at(node)])].density);
+        capacity_factor_.push_back(problem.mesh.volume[at(node)] *
+                                   problem.materials[at(problem.mesh.layer[at(node)])].density);
     }
 }
 
@@ -230,7 +231,8 @@ std::string describe_node(const mesh::Mesh& mesh, int node) {
     if (mesh.kind == "layers") {
         return fmt::format("{} of layer {}, {:.2f} mm deep", what, layer, 1e3 * z);
     }
-    return fmt::format("{} of layer {}, x {:.2f} mm, y {:.2f} mm, {:.2f} mm deep", what, layer, 1e3 * x, 1e3 * y, 1e3 * z);
+    return fmt::format("{} of layer {}, x {:.2f} mm, y {:.2f} mm, {:.2f} mm deep", what, layer, 1e3 * x, 1e3 * y,
+                       1e3 * z);
 }
 
 }  // namespace tiretherm::solver

@@ -60,7 +60,7 @@ private:
     std::size_t n_intensities_ = 0;
     std::vector<std::size_t> first_intensity_;  ///< [n_effects]
     physics::Terms terms_;
-    physics::Terms here_;   ///< for derivatives by difference
+    physics::Terms here_;  ///< for derivatives by difference
     physics::Terms there_;
     std::vector<double> means_;
     std::vector<double> shifted_means_;

@@ -47,8 +47,10 @@ inline constexpr Tableau backward_euler{.stages = 2,
 
 [[nodiscard]] constexpr const Tableau& tableau(Method method) {
     switch (method) {
-        case Method::tr_bdf2: return tr_bdf2;
-        case Method::backward_euler: return backward_euler;
+        case Method::tr_bdf2:
+            return tr_bdf2;
+        case Method::backward_euler:
+            return backward_euler;
     }
     return tr_bdf2;
 }

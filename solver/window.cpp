@@ -39,7 +39,8 @@ void Window::open(const physics::Inputs& from, const physics::Inputs& to) {
         physics::Inputs between = to;
         if (i + 1 < stages_.size()) {
             for (const physics::Signal& signal : physics::signals()) {
-                between.*signal.member = from.*signal.member + tableau_->c[i] * (to.*signal.member - from.*signal.member);
+                between.*signal.member =
+                    from.*signal.member + tableau_->c[i] * (to.*signal.member - from.*signal.member);
             }
         }
         system_->drive(between, stages_[i]);

@@ -40,8 +40,8 @@ private:
     std::vector<std::vector<double>> stages_;
     bool averaged_ = false;
     std::vector<double> unresolved_;
-    std::vector<double> nodes_;    ///< times of samples and midpoints of the step
-    std::vector<double> values_;   ///< [nodes][n_intensities]
+    std::vector<double> nodes_;   ///< times of samples and midpoints of the step
+    std::vector<double> values_;  ///< [nodes][n_intensities]
 };
 
 }  // namespace tiretherm::solver

@@ -9,8 +9,16 @@ namespace tiretherm::physics::effects {
 namespace {
 
 enum : std::size_t {
-    lambda_h, coefficient, exponent, exponential_factor, exponential_rate, clamp_low, clamp_high, floor_h,
-    air_conductivity, air_viscosity
+    lambda_h,
+    coefficient,
+    exponent,
+    exponential_factor,
+    exponential_rate,
+    clamp_low,
+    clamp_high,
+    floor_h,
+    air_conductivity,
+    air_viscosity
 };
 enum : std::size_t { exponential };
 
@@ -82,11 +90,13 @@ const Effect air_convection{
     .id = "air_convection",
     .kind = Kind::loss,
     .on = true,
-    .equation = "q = lambda_h max(floor, (k_air/L) 0.318 (V L/nu)^0.571 + 8.59e-11 exp(0.0879 T_surf)) "
-                "(S_tot - S_cont) (T_air - T_surf)",
+    .equation =
+        "q = lambda_h max(floor, (k_air/L) 0.318 (V L/nu)^0.571 + 8.59e-11 exp(0.0879 T_surf)) "
+        "(S_tot - S_cont) (T_air - T_surf)",
     .source = "thesis (31)-(33), (35), errata E4 (kelvin), E9 (floor)",
-    .meaning = "Heat to the air from the part of the tread that does not touch the road. The exponential term grows "
-               "without bound: outside 273..373 K it is an extrapolation; clamp_low and clamp_high hold it.",
+    .meaning =
+        "Heat to the air from the part of the tread that does not touch the road. The exponential term grows "
+        "without bound: outside 273..373 K it is an extrapolation; clamp_low and clamp_high hold it.",
     .parameters = parameters,
     .choices = choices,
     .reads = reads,

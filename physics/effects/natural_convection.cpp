@@ -10,7 +10,8 @@ namespace {
 enum : std::size_t { factor, length, exponent };
 
 constexpr std::array parameters{
-    Parameter{"factor", "1", 1.32, 0.0, 100.0, "h in W/(m2 K) at 1 K and 1 m; 1.32 for a horizontal cylinder or plate facing up"},
+    Parameter{"factor", "1", 1.32, 0.0, 100.0,
+              "h in W/(m2 K) at 1 K and 1 m; 1.32 for a horizontal cylinder or plate facing up"},
     Parameter{"length", "m", 0.66, 1e-4, 10.0, "diameter of the tire or size of the heated spot"},
     Parameter{"exponent", "1", 0.25, 0.0, 1.0, "exponent of (T_surf - T_air) / length; 1/4 in laminar flow"},
 };
@@ -44,7 +45,8 @@ const Effect natural_convection{
     .kind = Kind::loss,
     .on = false,
     .equation = "q = 1.32 (|T_surf - T_air|/D)^0.25 A (T_air - T_surf), at rest only",
-    .source = "simplified laminar relations for air at atmospheric pressure: McAdams, Heat Transmission, 3rd ed. 1954, ch. 7",
+    .source =
+        "simplified laminar relations for air at atmospheric pressure: McAdams, Heat Transmission, 3rd ed. 1954, ch. 7",
     .meaning = "Buoyant air on a tire or specimen at rest; grows weakly with the temperature difference.",
     .parameters = parameters,
     .choices = {},

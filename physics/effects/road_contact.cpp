@@ -44,8 +44,9 @@ const Effect road_contact{
     .on = true,
     .equation = "q = lambda_Hc Hc S_cont(Fz) (T_road - T_surf)",
     .source = "thesis (31)(35)",
-    .meaning = "Heat to the road through a contact that is smeared over the circumference: Hc is a lumped share of "
-               "area, not the coefficient inside a rolling contact.",
+    .meaning =
+        "Heat to the road through a contact that is smeared over the circumference: Hc is a lumped share of "
+        "area, not the coefficient inside a rolling contact.",
     .parameters = parameters,
     .choices = {},
     .reads = reads,

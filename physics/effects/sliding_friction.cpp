@@ -54,8 +54,9 @@ const Effect sliding_friction{
     .on = true,
     .equation = "q = partition (lambda_x |Fx v_sx| + lambda_y |Fy| |V| tan|alpha|) >= 0, v_sx = V - R_R Omega",
     .source = "thesis (31)",
-    .meaning = "Heat of sliding in the contact, into the outer surface. Either sign convention of Fy and the slip "
-               "angle gives the same heat; signals that are not given count as zero.",
+    .meaning =
+        "Heat of sliding in the contact, into the outer surface. Either sign convention of Fy and the slip "
+        "angle gives the same heat; signals that are not given count as zero.",
     .parameters = parameters,
     .choices = choices,
     .reads = reads,

@@ -21,8 +21,12 @@ constexpr std::array parameters{
 constexpr std::array<std::string_view, 2> reads{"speed", "vertical_load"};
 
 LossTangent loss_tangent(const ActiveEffect& active) {
-    return {.a = active[tan_delta_a], .b = active[tan_delta_b], .c = active[tan_delta_c],
-            .f0 = active[f0], .C1 = active[C1], .C2 = active[C2]};
+    return {.a = active[tan_delta_a],
+            .b = active[tan_delta_b],
+            .c = active[tan_delta_c],
+            .f0 = active[f0],
+            .C1 = active[C1],
+            .C2 = active[C2]};
 }
 
 /// Shares by mass, in every cell; they sum to 1 before the scales.
@@ -45,9 +49,8 @@ void place(const Setting& setting, ActiveEffect& active) {
 void drive(const ActiveEffect& active, const Tire& tire, const Inputs& inputs, std::span<double> out) {
     const double power = strain_power(tire, inputs.speed, inputs.vertical_load);
     out[0] = power;
-    out[1] = power > 0.0
-                 ? power * loss_tangent(active).shift(tire.revolutions(inputs.speed, inputs.vertical_load))
-                 : 0.0;
+    out[1] =
+        power > 0.0 ? power * loss_tangent(active).shift(tire.revolutions(inputs.speed, inputs.vertical_load)) : 0.0;
 }
 
 void speak(const Moment& m, Terms& terms) {
@@ -78,8 +81,9 @@ const Effect strain_energy_loss{
     .on = true,
     .equation = "SEL = Fz eps (A_CS/A_VC) H tan delta(T_bulk, f) (2 pi R0/l) V/(2 pi R_R)",
     .source = "thesis (36)-(49), errata E1, E2, E3, E7, E8",
-    .meaning = "Heat of cyclic deformation, shared over the cells by mass; tan delta is taken at the bulk's mean "
-               "temperature; none at rest or without load.",
+    .meaning =
+        "Heat of cyclic deformation, shared over the cells by mass; tan delta is taken at the bulk's mean "
+        "temperature; none at rest or without load.",
     .parameters = parameters,
     .choices = {},
     .reads = reads,

@@ -32,7 +32,8 @@ std::size_t faces_of(const Mesh& mesh, int node) {
 }  // namespace
 
 TEST(TwoNodeMesh, IsTwoLumpsAndOneLink) {
-    const Mesh mesh = build(TwoNode{.area = 0.4677, .surface_volume = 8.4e-4, .bulk_volume = 4.8e-3, .bulk_depth = 0.01});
+    const Mesh mesh =
+        build(TwoNode{.area = 0.4677, .surface_volume = 8.4e-4, .bulk_volume = 4.8e-3, .bulk_depth = 0.01});
     EXPECT_TRUE(defects(mesh).empty());
     EXPECT_EQ(mesh.n_nodes, 2);
     ASSERT_EQ(mesh.faces.size(), 1U);
@@ -68,7 +69,9 @@ TEST(LayersMesh, LinkSitsOnTheOneFaceBelowItsLayer) {
 TEST(BlockMesh, QuarterAndWholeAgreeInSize) {
     const Mesh quarter = build(small_block(true));
     Block whole_description = small_block(false);
-    whole_description.x = {{.to = -0.006, .cells = 4, .ratio = 1.0 / 3.0}, {.to = 0.006, .cells = 6}, {.to = 0.03, .cells = 4, .ratio = 3.0}};
+    whole_description.x = {{.to = -0.006, .cells = 4, .ratio = 1.0 / 3.0},
+                           {.to = 0.006, .cells = 6},
+                           {.to = 0.03, .cells = 4, .ratio = 3.0}};
     whole_description.y = {{.to = 0.02, .cells = 10}};
     const Mesh whole = build(whole_description);
     EXPECT_TRUE(defects(quarter).empty());
@@ -133,7 +136,8 @@ TEST(Drawing, HexahedraHavePositiveVolumeInTheOrderOfVtk) {
     double total = 0.0;
     for (int cell = 0; cell < mesh.n_cells; ++cell) {
         const auto corner = [&](int i) {
-            return mesh.drawing.points[static_cast<std::size_t>(mesh.drawing.corners[static_cast<std::size_t>(8 * cell + i)])];
+            return mesh.drawing
+                .points[static_cast<std::size_t>(mesh.drawing.corners[static_cast<std::size_t>(8 * cell + i)])];
         };
         const auto edge = [&](int i) {
             return Point{corner(i)[0] - corner(0)[0], corner(i)[1] - corner(0)[1], corner(i)[2] - corner(0)[2]};

@@ -19,7 +19,8 @@ TEST(Edges, RatioIsTheLastWidthOverTheFirst) {
 }
 
 TEST(Edges, SegmentsEndExactlyWhereTheySay) {
-    const std::vector<double> e = edges(-0.03, {{.to = 0.0056419, .cells = 7, .ratio = 0.3}, {.to = 0.03, .cells = 9, .ratio = 5.0}});
+    const std::vector<double> e =
+        edges(-0.03, {{.to = 0.0056419, .cells = 7, .ratio = 0.3}, {.to = 0.03, .cells = 9, .ratio = 5.0}});
     EXPECT_EQ(e[7], 0.0056419);
     EXPECT_EQ(e[16], 0.03);
 }

@@ -137,7 +137,8 @@ TEST(GaussianOverlap, IsTheWholeBeamOnAWideFace) {
 }
 
 TEST(GaussianOverlap, InsideTheWaistIsOneMinusExpMinusTwo) {
-    const Mesh mesh = build(Axisymmetric{.radius = {{.to = 0.003, .cells = 3}, {.to = 0.04, .cells = 7}}, .stack = stack});
+    const Mesh mesh =
+        build(Axisymmetric{.radius = {{.to = 0.003, .cells = 3}, {.to = 0.04, .cells = 7}}, .stack = stack});
     const std::vector<double> share = gaussian_overlap(mesh, mesh.find_patch("top"), 0.003);
     EXPECT_NEAR(share[0] + share[1] + share[2], 1.0 - std::exp(-2.0), 1e-14);
 }

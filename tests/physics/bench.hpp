@@ -36,7 +36,8 @@ struct Bench {
     }
 
     /// What the effect says at `temperature` under `inputs`. The terms keep a view of `temperature`.
-    [[nodiscard]] Terms said(const ActiveEffect& effect, const Inputs& inputs, const std::vector<double>& temperature) const {
+    [[nodiscard]] Terms said(const ActiveEffect& effect, const Inputs& inputs,
+                             const std::vector<double>& temperature) const {
         std::vector<double> intensities(static_cast<std::size_t>(effect.effect->n_intensities));
         if (effect.effect->drive != nullptr) {
             effect.effect->drive(effect, tire, inputs, intensities);
@@ -56,7 +57,9 @@ struct Bench {
         return terms;
     }
 
-    [[nodiscard]] double watts(const ActiveEffect& effect, const Inputs& inputs) const { return said(effect, inputs, T).watts[0]; }
+    [[nodiscard]] double watts(const ActiveEffect& effect, const Inputs& inputs) const {
+        return said(effect, inputs, T).watts[0];
+    }
 };
 
 inline Material rubber() {
@@ -68,8 +71,10 @@ inline Material rubber() {
 inline Bench two_nodes() {
     Bench bench;
     const double volume = bench.tire.band_mass() / bench.tire.density;
-    bench.mesh = mesh::build(mesh::TwoNode{.area = bench.tire.outer_area(), .surface_volume = 0.15 * volume,
-                                           .bulk_volume = 0.85 * volume, .bulk_depth = 0.010});
+    bench.mesh = mesh::build(mesh::TwoNode{.area = bench.tire.outer_area(),
+                                           .surface_volume = 0.15 * volume,
+                                           .bulk_volume = 0.85 * volume,
+                                           .bulk_depth = 0.010});
     bench.materials.assign(2, rubber());
     bench.link_laws = {Curve::quadratic_about(293.15, 0.29, 0.00943, 0.0)};
     bench.T = {308.15, 328.15};
@@ -79,7 +84,8 @@ inline Bench two_nodes() {
 /// A quarter of a specimen of two layers under a laser, at 300 K.
 inline Bench specimen() {
     Bench bench;
-    bench.mesh = mesh::build(mesh::Block{.x = {{.to = 0.03, .cells = 6}}, .y = {{.to = 0.03, .cells = 5}},
+    bench.mesh = mesh::build(mesh::Block{.x = {{.to = 0.03, .cells = 6}},
+                                         .y = {{.to = 0.03, .cells = 5}},
                                          .stack = {{.name = "tread", .thickness = 0.003, .cells = 2},
                                                    {.name = "bulk", .thickness = 0.012, .cells = 3}}});
     bench.materials.assign(2, rubber());

@@ -37,7 +37,8 @@ TEST(Conduction, FollowsTheDirectionOfTheFace) {
     const Terms terms = bench.said(bench.active("conduction"), {}, bench.T);
     for (std::size_t f = 0; f < bench.mesh.faces.size(); ++f) {
         const mesh::Face& face = bench.mesh.faces[f];
-        if (bench.mesh.layer[static_cast<std::size_t>(face.a)] == 0 && bench.mesh.layer[static_cast<std::size_t>(face.b)] == 0) {
+        if (bench.mesh.layer[static_cast<std::size_t>(face.a)] == 0 &&
+            bench.mesh.layer[static_cast<std::size_t>(face.b)] == 0) {
             const double k = 1.0 + static_cast<double>(face.axis);
             EXPECT_NEAR(terms.face_G[f], k * face.area / (face.half_a + face.half_b), 1e-12);
         }
@@ -102,7 +103,8 @@ TEST(AirConvectionEffect, AddsForcedAndExponentialCoefficients) {
     // forced = 0.025 / L * 434.9 = 64.8; exponential at 308.15 K: 8.59e-11 exp(27.0864) = 49.8 W/m2K.
     const Bench bench = two_nodes();
     const double L = 1.0 / (1.0 / 0.6616 + 1.0 / 0.225);
-    const double h = 0.025 / L * 0.318 * std::pow(100.0 / 3.6 * L / 1.5e-5, 0.571) + 8.59e-11 * std::exp(0.0879 * 308.15);
+    const double h =
+        0.025 / L * 0.318 * std::pow(100.0 / 3.6 * L / 1.5e-5, 0.571) + 8.59e-11 * std::exp(0.0879 * 308.15);
     EXPECT_NEAR(h, 64.8 + 49.8, 0.2);
     const double area = bench.tire.outer_area() - 2.333e-6 * 4000.0;
     const Terms terms = bench.said(bench.active("air_convection"), rolling(), bench.T);
@@ -136,8 +138,8 @@ TEST(AirConvectionEffect, ClampHoldsTheExponential) {
     ActiveEffect off = effect;
     off.choices = {1};
     const double area = bench.tire.outer_area() - 2.333e-6 * 4000.0;
-    EXPECT_NEAR(bench.said(effect, rolling(), bench.T).node_G[0] - bench.said(off, rolling(), bench.T).node_G[0], held * area,
-                1e-9 * held);
+    EXPECT_NEAR(bench.said(effect, rolling(), bench.T).node_G[0] - bench.said(off, rolling(), bench.T).node_G[0],
+                held * area, 1e-9 * held);
 }
 
 TEST(RoadContactEffect, IsHcTimesTheContactArea) {

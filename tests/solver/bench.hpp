@@ -11,10 +11,14 @@
 namespace tiretherm::solver {
 
 inline physics::Material material(const physics::Curve& k) {
-    return {.name = "rubber", .density = 1100.0, .heat_capacity = physics::Curve::constant(1800.0), .conductivity = {k, k, k}};
+    return {.name = "rubber",
+            .density = 1100.0,
+            .heat_capacity = physics::Curve::constant(1800.0),
+            .conductivity = {k, k, k}};
 }
 
-inline void act(Problem& problem, std::string_view id, std::initializer_list<std::pair<std::string_view, double>> values = {}) {
+inline void act(Problem& problem, std::string_view id,
+                std::initializer_list<std::pair<std::string_view, double>> values = {}) {
     physics::ActiveEffect active = physics::activate(*physics::find_effect(id), problem.mesh);
     for (const auto& [key, value] : values) {
         active.parameters[static_cast<std::size_t>(physics::find_parameter(*active.effect, key))] = value;
@@ -32,7 +36,8 @@ inline void hold(Problem& problem, std::string_view signal, double value) {
 /// A strip of rubber, 10 mm thick, 1 m2, cooled on both sides with h = 20 W/m2K to 300 K; 300 K at the start.
 inline Problem strip(int cells) {
     Problem problem;
-    problem.mesh = mesh::build(mesh::Layers{.area = 1.0, .stack = {{.name = "rubber", .thickness = 0.01, .cells = cells}}});
+    problem.mesh =
+        mesh::build(mesh::Layers{.area = 1.0, .stack = {{.name = "rubber", .thickness = 0.01, .cells = cells}}});
     problem.materials = {material(physics::Curve::constant(0.29))};
     act(problem, "conduction");
     act(problem, "still_air", {{"h", 20.0}});
@@ -55,8 +60,10 @@ inline Problem heated_strip(int cells, double watts_per_m3 = 1e5) {
 inline Problem two_node_tire() {
     Problem problem;
     const double volume = problem.tire.band_mass() / problem.tire.density;
-    problem.mesh = mesh::build(mesh::TwoNode{.area = problem.tire.outer_area(), .surface_volume = 0.15 * volume,
-                                             .bulk_volume = 0.85 * volume, .bulk_depth = 0.010});
+    problem.mesh = mesh::build(mesh::TwoNode{.area = problem.tire.outer_area(),
+                                             .surface_volume = 0.15 * volume,
+                                             .bulk_volume = 0.85 * volume,
+                                             .bulk_depth = 0.010});
     problem.materials.assign(2, material(physics::Curve::constant(0.29)));
     problem.link_laws = {physics::Curve::quadratic_about(293.15, 0.29, 0.00943, 0.0)};
     for (const char* id : {"conduction", "strain_energy_loss", "sliding_friction", "air_convection", "road_contact"}) {

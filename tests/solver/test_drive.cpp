@@ -39,7 +39,8 @@ TEST(Series, JumpHasAValueBeforeAndAValueAfter) {
 TEST(Drive, ScheduleStopsTheStepAndALoggerOnlyWhereItJumps) {
     Drive drive;
     drive.add({.signal = &power(), .time = {0.0, 10.0, 30.0}, .value = {0.0, 1.0, 1.0}});
-    drive.add({.signal = &speed(), .time = {0.0, 1.0, 2.0, 2.0, 3.0}, .value = {0.0, 1.0, 2.0, 5.0, 5.0}, .logged = true});
+    drive.add(
+        {.signal = &speed(), .time = {0.0, 1.0, 2.0, 2.0, 3.0}, .value = {0.0, 1.0, 2.0, 5.0, 5.0}, .logged = true});
     EXPECT_EQ(drive.stops(), (std::vector<double>{0.0, 2.0, 10.0, 30.0}));
     EXPECT_EQ(drive.samples(), (std::vector<double>{0.0, 1.0, 2.0, 3.0}));
     EXPECT_TRUE(drive.gives(power()));
@@ -71,7 +72,8 @@ TEST(Window, KeepsMeanAndFirstMomentOfALoggedSeries) {
     //   piece (m, v0 -> v1, width w, centre s_m): w s_m (v0+v1)/2 + w^2 (v1-v0)/12
     //   -1.5*1.5 + 1/12 = -2.1667;  -0.5*3 + 2/12 = -1.3333;  2*1*3.5 + 4*(-1)/12 = 6.6667;  sum 3.1667
     // The line mean + slope s / 4 has the moment slope/4 * 64/12 = 4/3 slope: slope = 2.375.
-    const Problem problem = lit_strip({.signal = &power(), .time = {0.0, 1.0, 2.0, 4.0, 9.0}, .value = {1.0, 2.0, 4.0, 3.0, 3.0}, .logged = true});
+    const Problem problem = lit_strip(
+        {.signal = &power(), .time = {0.0, 1.0, 2.0, 4.0, 9.0}, .value = {1.0, 2.0, 4.0, 3.0, 3.0}, .logged = true});
     const System system(problem);
     Window window(system, problem.drive, tr_bdf2);
     window.open(0.0, 4.0);
@@ -85,7 +87,8 @@ TEST(Window, KeepsMeanAndFirstMomentOfALoggedSeries) {
 TEST(Window, OfAnUnlimitedSlopeHasTheExactMoment) {
     // A gentle series far from its bounds at the ends is not limited: values 0, 3, 1, 4 at 0..3 s.
     // Mean: (1.5 + 2 + 2.5)/3 = 2. Moment: -1*1.5 + 3/12 + 0 - 2/12 + 1*2.5 + 3/12 = 4/3. slope * 27/12/3 = 4/3: 16/9.
-    const Problem problem = lit_strip({.signal = &power(), .time = {0.0, 1.0, 2.0, 3.0, 9.0}, .value = {0.0, 3.0, 1.0, 4.0, 4.0}, .logged = true});
+    const Problem problem = lit_strip(
+        {.signal = &power(), .time = {0.0, 1.0, 2.0, 3.0, 9.0}, .value = {0.0, 3.0, 1.0, 4.0, 4.0}, .logged = true});
     const System system(problem);
     Window window(system, problem.drive, tr_bdf2);
     window.open(0.0, 3.0);
@@ -96,7 +99,10 @@ TEST(Window, OfAnUnlimitedSlopeHasTheExactMoment) {
 TEST(Window, SaysHowMuchALineLeavesOut) {
     // A triangle wave 0, 2, 0, 2, 0 about its mean 1: the running integral of what is left out swings by a quarter of a
     // period's area, 0.25 s * 1 / 2 * ... = 0.25 at most for a period of 2 s, divided by the step of 4 s.
-    const Problem problem = lit_strip({.signal = &power(), .time = {0.0, 1.0, 2.0, 3.0, 4.0, 9.0}, .value = {0.0, 2.0, 0.0, 2.0, 0.0, 0.0}, .logged = true});
+    const Problem problem = lit_strip({.signal = &power(),
+                                       .time = {0.0, 1.0, 2.0, 3.0, 4.0, 9.0},
+                                       .value = {0.0, 2.0, 0.0, 2.0, 0.0, 0.0},
+                                       .logged = true});
     const System system(problem);
     Window window(system, problem.drive, tr_bdf2);
     window.open(0.0, 4.0);

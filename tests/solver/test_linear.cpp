@@ -148,7 +148,8 @@ TEST(MakeFactor, TakesCholeskyForAPlaneAndIterationForABlock) {
     const std::vector<mesh::Layer> stack{{.name = "a", .thickness = 0.01, .cells = 22}};
     const mesh::Mesh plane = mesh::build(mesh::Axisymmetric{.radius = side, .stack = stack});
     const mesh::Mesh block = mesh::build(mesh::Block{.x = side, .y = side, .stack = stack});
-    EXPECT_NE(make_factor(pattern_of(plane), LinearSolver::automatic)->description().find("CHOLMOD"), std::string::npos);
+    EXPECT_NE(make_factor(pattern_of(plane), LinearSolver::automatic)->description().find("CHOLMOD"),
+              std::string::npos);
     const Pattern pattern = pattern_of(block);
     EXPECT_NE(make_factor(pattern, LinearSolver::automatic)->description().find("incomplete"), std::string::npos);
     EXPECT_NE(make_factor(pattern, LinearSolver::cholesky)->description().find("CHOLMOD"), std::string::npos);

@@ -58,9 +58,22 @@ void speak_square_without(const physics::Moment& m, physics::Terms& terms) {
 }
 
 physics::Effect effect(std::string_view id, void (*speak)(const physics::Moment&, physics::Terms&), bool derivatives) {
-    return {.id = id, .kind = physics::Kind::source, .on = false, .equation = "", .source = "", .meaning = "", .parameters = {},
-            .choices = {}, .reads = {}, .needs_tire = false, .patches = {}, .n_intensities = 0, .place = nullptr,
-            .drive = nullptr, .speak = speak, .gives_derivatives = derivatives};
+    return {.id = id,
+            .kind = physics::Kind::source,
+            .on = false,
+            .equation = "",
+            .source = "",
+            .meaning = "",
+            .parameters = {},
+            .choices = {},
+            .reads = {},
+            .needs_tire = false,
+            .patches = {},
+            .n_intensities = 0,
+            .place = nullptr,
+            .drive = nullptr,
+            .speak = speak,
+            .gives_derivatives = derivatives};
 }
 
 Problem with(const physics::Effect& extra) {
@@ -123,7 +136,8 @@ TEST(Run, LandsOnEveryPointOfASchedule) {
     Problem problem = heated_strip(5);
     const physics::Signal& air = *physics::find_signal("air_temperature");
     problem.drive = {};
-    problem.drive.add({.signal = &air, .time = {0.0, 123.4, 123.4, 555.5, 1000.0}, .value = {300.0, 300.0, 280.0, 290.0, 290.0}});
+    problem.drive.add(
+        {.signal = &air, .time = {0.0, 123.4, 123.4, 555.5, 1000.0}, .value = {300.0, 300.0, 280.0, 290.0, 290.0}});
     Rows rows;  // output_interval 0: a row for every step
     ASSERT_TRUE(collect(problem, rows).status.ok());
     for (const double stop : {123.4, 555.5, 1000.0}) {
@@ -136,7 +150,9 @@ TEST(Run, SurfaceFollowsAJumpAtOnceAndTheInsideDoesNot) {
     Problem problem = strip(40);
     problem.channels = {{.name = "surface", .meaning = "", .where = problem.mesh.regions[0].mean}};
     problem.drive = {};
-    problem.drive.add({.signal = physics::find_signal("air_temperature"), .time = {0.0, 500.0, 500.0, 1000.0}, .value = {300.0, 300.0, 250.0, 250.0}});
+    problem.drive.add({.signal = physics::find_signal("air_temperature"),
+                       .time = {0.0, 500.0, 500.0, 1000.0},
+                       .value = {300.0, 300.0, 250.0, 250.0}});
     problem.settings.output_interval = 1.0;
     Rows rows;
     ASSERT_TRUE(collect(problem, rows).status.ok());
