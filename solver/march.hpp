@@ -35,6 +35,7 @@ struct Report {
     std::vector<double> joules;   ///< [n_effects] J
     double stored = 0.0;          ///< J
     double energy_closure = 0.0;  ///< |stored - sum of joules| over the heat turned over (sum of |watts| dt)
+    double effective_link = 0.0;  ///< W/K at the end, see Stepper::effective_link; NaN where it has no meaning
     struct Extreme {
         double temperature = 0.0;  ///< K
         double time = 0.0;         ///< s

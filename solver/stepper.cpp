@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace tiretherm::solver {
@@ -213,6 +214,44 @@ Status Stepper::solve_steady(double t) {
     }
     time_ = step_begin_ = t;
     return {};
+}
+
+double Stepper::effective_link() {
+    const mesh::Mesh& mesh = problem_->mesh;
+    const int surface = mesh.find_region("surface");
+    const int bulk = mesh.find_region("bulk");
+    if (surface < 0 || bulk < 0) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    const std::vector<double>& T = T_[0];
+    const double above = mesh.regions[at(bulk)].mean(T) - mesh.regions[at(surface)].mean(T);
+    if (std::abs(above) < 1e-3) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    // Heat counts when it leaves for another layer or for the outer surface, not for the inner one.
+    enum : char { elsewhere, inside_bulk, inner_surface };
+    std::vector<char> place(T.size(), elsewhere);
+    for (std::size_t n = at(mesh.n_cells); n < T.size(); ++n) {
+        place[n] = inner_surface;
+    }
+    for (const int node : mesh.regions[at(surface)].mean.nodes) {
+        place[at(node)] = elsewhere;
+    }
+    for (const int node : mesh.regions[at(bulk)].mean.nodes) {
+        place[at(node)] = inside_bulk;
+    }
+    system_.evaluate(T, window_.stage(tableau_->stages - 1));
+    double leaving = 0.0;
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        const mesh::Face& face = mesh.faces[f];
+        const double flux = system_.terms().face_G[f] * (T[at(face.a)] - T[at(face.b)]);
+        if (place[at(face.a)] == inside_bulk && place[at(face.b)] == elsewhere) {
+            leaving += flux;
+        } else if (place[at(face.b)] == inside_bulk && place[at(face.a)] == elsewhere) {
+            leaving -= flux;
+        }
+    }
+    return leaving / above;
 }
 
 double Stepper::energy_closure() const {

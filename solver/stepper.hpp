@@ -32,6 +32,10 @@ public:
     /// Largest rate of change at the present state under the drive just after `time()`. @returns K/s
     [[nodiscard]] double steepest_rate();
 
+    /// Heat that leaves the bulk by conduction over the difference of the two regions' mean temperatures: what the link
+    /// of a two-node model would have to be to carry it. NaN without these regions or without a difference. @returns W/K
+    [[nodiscard]] double effective_link();
+
     [[nodiscard]] double time() const { return time_; }
     [[nodiscard]] std::span<const double> temperature() const { return T_.front(); }
     /// State inside the last accepted step, by the parabola through its stages. @param t s, within that step

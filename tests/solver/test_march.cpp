@@ -264,6 +264,39 @@ TEST(Run, FindsTheHottestAndTheColdestPlace) {
     EXPECT_DOUBLE_EQ(report.coldest.time, 0.0);
 }
 
+TEST(Run, EffectiveLinkOfTwoNodesIsTheLink) {
+    // k(T_bulk) / dZ * S_tot at the end of the run.
+    const Problem problem = two_node_tire();
+    const Report report = quiet(problem);
+    const double k = problem.link_laws[0].value(report.channel_final[1]);
+    EXPECT_NEAR(report.effective_link, k / 0.010 * problem.tire.outer_area(), 1e-9);
+}
+
+TEST(Run, EffectiveLinkOfASlabIsThreeConductivitiesOverItsThickness) {
+    // A bulk of thickness L heated uniformly, cooled through a thin layer above it: its mean is q L / (3 k) above its
+    // outer face, q the flux that leaves: link 3 k A / L = 3 * 0.29 / 0.01 = 87 W/K, and the tread's 0.1 mm in series
+    // makes 1 / (1/87 + 1e-4/0.29) = 84.46 W/K; the surface region is the outer surface. 60 cells: second order, 0.02 %.
+    Problem problem = heated_strip(1);
+    problem.mesh = mesh::build(mesh::Layers{.area = 1.0,
+                                            .stack = {{.name = "skin", .thickness = 1e-4, .cells = 1},
+                                                      {.name = "bulk", .thickness = 0.01, .cells = 60}}});
+    problem.materials.assign(2, material(physics::Curve::constant(0.29)));
+    problem.effects[1].patches = {0};  // cooled outside only
+    problem.initial.assign(static_cast<std::size_t>(problem.mesh.n_nodes), 300.0);
+    problem.channels.clear();
+    problem.settings.steady = true;
+    const double skin_share = 0.5 * 1e-4 / 0.01;  // the skin's own heat passes half the skin only
+    EXPECT_NEAR(quiet(problem).effective_link, 84.46, 84.46 * (0.0003 + 0.03 * skin_share));
+}
+
+TEST(Run, EffectiveLinkOfOneLayerIsToItsOuterSurface) {
+    // The same without the skin: 3 k A / L = 87 W/K, of which 60 cells leave 1/(2 n^2) of the mean's rise: 0.02 %.
+    Problem problem = heated_strip(60);
+    problem.effects[1].patches = {0};
+    problem.settings.steady = true;
+    EXPECT_NEAR(quiet(problem).effective_link, 87.0, 87.0 * 0.0003);
+}
+
 TEST(Defects, ListsAllThatIsWrongWithAProblem) {
     Problem problem = heated_strip(3);
     problem.materials.clear();
