@@ -35,8 +35,12 @@ private:
 /// Everything of a run that is not the stepping itself: outputs, extremes, the report.
 class Run {
 public:
-    Run(const Problem& problem, const Observer& observer)
-        : problem_(problem), observer_(observer), stepper_(problem), field_(problem.initial) {
+    Run(const Problem& problem, const Observer& observer, const Continuation& continuation)
+        : problem_(problem),
+          observer_(observer),
+          continuation_(continuation),
+          stepper_(problem),
+          field_(problem.initial) {
         channels_.resize(problem.channels.size());
         joules_.resize(problem.effects.size());
         report_.hottest.temperature = -std::numeric_limits<double>::infinity();
@@ -51,10 +55,11 @@ public:
                 watch();
                 emit(settings.end, stepper_.temperature(), stepper_.joules(), stepper_.stored(), true);
             }
+        } else if (continuation_.from != nullptr) {
+            watch();
+            report_.status = resume(*continuation_.from) ? march() : foreign();
         } else {
             watch();
-            next_output_ = settings.start;
-            next_field_ = settings.start;
             // The first row shows the state before the drive acts.
             report_.status = emit_at_start() ? march() : stopped();
         }
@@ -68,26 +73,66 @@ private:
                 fmt::format("stopped at t = {:.6g} s of {:.6g} s", stepper_.time(), problem_.settings.end)};
     }
 
+    [[nodiscard]] Status foreign() const {
+        return {Outcome::foreign_checkpoint,
+                "the checkpoint belongs to another case: it holds another number of values"};
+    }
+
+    /// Everything that the rest of the run depends on, in one order for writing and reading.
+    void visit(Archive& archive) {
+        stepper_.visit(archive);
+        for (double* number : {&wanted_, &next_output_, &next_field_}) {
+            archive(*number);
+        }
+        archive.whole(fresh_);
+        archive.whole(outputs_);
+        archive.whole(report_.steps);
+        archive.whole(report_.rejected);
+        for (Report::Extreme* extreme : {&report_.hottest, &report_.coldest}) {
+            archive(extreme->temperature);
+            archive(extreme->time);
+            archive.whole(extreme->node);
+        }
+        for (std::vector<double>* values : {&report_.channel_final, &report_.channel_min, &report_.channel_max}) {
+            archive(*values);
+        }
+    }
+
+    [[nodiscard]] bool resume(const Checkpoint& checkpoint) {
+        Archive archive = Archive::reading(checkpoint.numbers);
+        visit(archive);
+        return archive.complete();
+    }
+
+    void leave_checkpoint() {
+        if (continuation_.every <= 0 || report_.steps % continuation_.every != 0 || !continuation_.keep) {
+            return;
+        }
+        checkpoint_.numbers.clear();
+        Archive archive = Archive::writing(checkpoint_.numbers);
+        visit(archive);
+        continuation_.keep(checkpoint_);
+    }
+
     Status march() {
         const Settings& settings = problem_.settings;
         const StepControl control(settings, tableau(settings.method).order);
         const double smallest = 1e-12 * std::max(1.0, std::abs(settings.end));
-        double wanted = settings.fixed_step.value_or(0.0);
-        bool fresh = true;  // at the start and after a jump the step is chosen anew
+        wanted_ = settings.fixed_step.value_or(wanted_);
         while (stepper_.time() < settings.end - smallest) {
             const double t = stepper_.time();
             const double stop = next_stop(t);
-            if (fresh && !settings.fixed_step) {
+            if (fresh_ && !settings.fixed_step) {
                 // Ten tolerances of change, were the present rate to last.
                 const double rate = stepper_.steepest_rate();
                 const double first = rate > 0.0 ? 10.0 * settings.tolerance / rate : stop - t;
-                wanted = wanted > 0.0 ? std::min(wanted, first) : first;
+                wanted_ = wanted_ > 0.0 ? std::min(wanted_, first) : first;
             }
-            fresh = false;
-            double t1 = t + wanted;
+            fresh_ = false;
+            double t1 = t + wanted_;
             if (t1 > stop - smallest) {
                 t1 = stop;
-            } else if (!settings.fixed_step && t1 + wanted > stop) {
+            } else if (!settings.fixed_step && t1 + wanted_ > stop) {
                 t1 = 0.5 * (t + stop);  // two equal steps rather than a whole one and a sliver
             }
             Stepper::Attempt attempt = stepper_.attempt(t1);
@@ -96,25 +141,25 @@ private:
                 if (settings.fixed_step || t1 - t < 1e3 * smallest || !mendable(attempt.status.outcome)) {
                     return std::move(attempt.status);
                 }
-                wanted = 0.25 * (t1 - t);
+                wanted_ = 0.25 * (t1 - t);
                 continue;
             }
             if (!settings.fixed_step) {
                 const double factor = control.factor(attempt.error);
                 if (!control.accepts(attempt.error)) {
                     ++report_.rejected;
-                    wanted = std::min(factor, 0.8) * (t1 - t);
-                    if (wanted < smallest) {
+                    wanted_ = std::min(factor, 0.8) * (t1 - t);
+                    if (wanted_ < smallest) {
                         return {
                             Outcome::step_too_small,
                             fmt::format(
                                 "the step shrank to {:.1e} s at t = {:.6g} s without reaching the tolerance of {} K",
-                                wanted, t, settings.tolerance)};
+                                wanted_, t, settings.tolerance)};
                     }
                     continue;
                 }
                 // A step cut short by a stop says nothing against the size that was wanted.
-                wanted = std::max(factor * (t1 - t), t1 - t < wanted ? wanted : 0.0);
+                wanted_ = std::max(factor * (t1 - t), t1 - t < wanted_ ? wanted_ : 0.0);
             }
             stepper_.accept();
             ++report_.steps;
@@ -122,7 +167,8 @@ private:
             if (!emit_until(stepper_.time())) {
                 return stopped();
             }
-            fresh = jumps_at(stepper_.time());
+            fresh_ = jumps_at(stepper_.time());
+            leave_checkpoint();
         }
         return {};
     }
@@ -138,6 +184,7 @@ private:
             case Outcome::done:
             case Outcome::step_too_small:
             case Outcome::stopped:
+            case Outcome::foreign_checkpoint:
                 return false;
         }
         return false;
@@ -195,8 +242,8 @@ private:
 
     bool emit_at_start() {
         const Settings& settings = problem_.settings;
-        next_output_ += settings.output_interval;
-        next_field_ += settings.field_interval;
+        next_output_ = settings.start + settings.output_interval;
+        next_field_ = settings.start + settings.field_interval;
         return emit(settings.start, stepper_.temperature(), joules_, 0.0, true);
     }
 
@@ -272,8 +319,12 @@ private:
 
     const Problem& problem_;
     const Observer& observer_;
+    const Continuation& continuation_;
     Stepper stepper_;
     Report report_;
+    Checkpoint checkpoint_;
+    double wanted_ = 0.0;  ///< s, size of the next step
+    bool fresh_ = true;    ///< at the start and after a jump the step is chosen anew
     std::vector<double> channels_;
     std::vector<double> field_;
     std::vector<double> joules_;
@@ -285,7 +336,9 @@ private:
 
 }  // namespace
 
-Report run(const Problem& problem, const Observer& observer) { return Run(problem, observer).go(); }
+Report run(const Problem& problem, const Observer& observer, const Continuation& continuation) {
+    return Run(problem, observer, continuation).go();
+}
 
 std::vector<std::string> defects(const Problem& problem) {
     std::vector<std::string> found = mesh::defects(problem.mesh);

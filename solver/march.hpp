@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/checkpoint.hpp"
 #include "solver/problem.hpp"
 #include "solver/status.hpp"
 
@@ -54,7 +55,9 @@ struct Report {
 using Observer = std::function<bool(const Snapshot&)>;
 
 /// Runs a problem from its start to its end, or to its steady state.
-[[nodiscard]] Report run(const Problem& problem, const Observer& observer);
+/// @param continuation checkpoints; a steady state has none. A resumed run does not report rows again that were
+///        reported before its checkpoint.
+[[nodiscard]] Report run(const Problem& problem, const Observer& observer, const Continuation& continuation = {});
 
 /// What is wrong with a problem, a sentence each; empty when it can be run.
 [[nodiscard]] std::vector<std::string> defects(const Problem& problem);

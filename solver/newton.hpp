@@ -45,6 +45,9 @@ public:
     /// x = A^-1 b, to one digit: filters the error estimate of a step into kelvin.
     void filter(std::span<const double> b, std::span<double> x);
 
+    /// The next solve makes a new factor.
+    void forget_factor() { factored_s_ = 0.0; }
+
     [[nodiscard]] const Counters& counters() const { return counters_; }
     [[nodiscard]] std::string linear_solver() const { return factor_->description(); }
 

@@ -13,7 +13,8 @@ enum class Outcome : std::uint8_t {
     negative_conductance,
     not_positive_definite,
     step_too_small,
-    stopped
+    stopped,
+    foreign_checkpoint
 };
 
 struct Status {

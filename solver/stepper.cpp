@@ -216,6 +216,21 @@ Status Stepper::solve_steady(double t) {
     return {};
 }
 
+void Stepper::visit(Archive& archive) {
+    for (double* number : {&time_, &step_begin_, &stored_, &stored_before_, &turnover_}) {
+        archive(*number);
+    }
+    archive.whole(has_history_);
+    archive(T_[0]);
+    for (std::vector<double>& stage : last_) {
+        archive(stage);
+    }
+    for (std::vector<double>* ledger : {&watts_, &joules_, &joules_before_}) {
+        archive(*ledger);
+    }
+    newton_.forget_factor();
+}
+
 double Stepper::effective_link() {
     const mesh::Mesh& mesh = problem_->mesh;
     const int surface = mesh.find_region("surface");

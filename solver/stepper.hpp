@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "solver/checkpoint.hpp"
 #include "solver/newton.hpp"
 #include "solver/window.hpp"
 
@@ -31,6 +32,9 @@ public:
 
     /// Largest rate of change at the present state under the drive just after `time()`. @returns K/s
     [[nodiscard]] double steepest_rate();
+
+    /// Writes or reads the state. The next step starts with a new factor either way, so that both ways go on alike.
+    void visit(Archive& archive);
 
     /// Heat that leaves the bulk by conduction over the difference of the two regions' mean temperatures: what the link
     /// of a two-node model would have to be to carry it. NaN without these regions or without a difference. @returns W/K

@@ -277,9 +277,9 @@ TEST(Run, EffectiveLinkOfASlabIsThreeConductivitiesOverItsThickness) {
     // outer face, q the flux that leaves: link 3 k A / L = 3 * 0.29 / 0.01 = 87 W/K, and the tread's 0.1 mm in series
     // makes 1 / (1/87 + 1e-4/0.29) = 84.46 W/K; the surface region is the outer surface. 60 cells: second order, 0.02 %.
     Problem problem = heated_strip(1);
-    problem.mesh = mesh::build(mesh::Layers{.area = 1.0,
-                                            .stack = {{.name = "skin", .thickness = 1e-4, .cells = 1},
-                                                      {.name = "bulk", .thickness = 0.01, .cells = 60}}});
+    problem.mesh = mesh::build(mesh::Layers{
+        .area = 1.0,
+        .stack = {{.name = "skin", .thickness = 1e-4, .cells = 1}, {.name = "bulk", .thickness = 0.01, .cells = 60}}});
     problem.materials.assign(2, material(physics::Curve::constant(0.29)));
     problem.effects[1].patches = {0};  // cooled outside only
     problem.initial.assign(static_cast<std::size_t>(problem.mesh.n_nodes), 300.0);
