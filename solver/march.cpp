@@ -1,12 +1,12 @@
 #include "solver/march.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
 
+#include "solver/rows.hpp"
 #include "solver/stepper.hpp"
 
 namespace tiretherm::solver {
@@ -32,17 +32,11 @@ private:
     double exponent_;
 };
 
-/// Everything of a run that is not the stepping itself: outputs, extremes, the report.
+/// A run from its start to its end: chooses the steps, leaves checkpoints, fills the report.
 class Run {
 public:
     Run(const Problem& problem, const Observer& observer, const Continuation& continuation)
-        : problem_(problem),
-          observer_(observer),
-          continuation_(continuation),
-          stepper_(problem),
-          field_(problem.initial) {
-        channels_.resize(problem.channels.size());
-        joules_.resize(problem.effects.size());
+        : problem_(problem), continuation_(continuation), stepper_(problem), rows_(problem, observer, stepper_) {
         report_.hottest.temperature = -std::numeric_limits<double>::infinity();
         report_.coldest.temperature = std::numeric_limits<double>::infinity();
     }
@@ -52,16 +46,15 @@ public:
         if (settings.steady) {
             report_.status = stepper_.solve_steady(settings.end);
             if (report_.status.ok()) {
-                watch();
-                emit(settings.end, stepper_.temperature(), stepper_.joules(), stepper_.stored(), true);
+                rows_.watch(report_);
+                report_.status = rows_.show() ? Status{} : stopped();
             }
         } else if (continuation_.from != nullptr) {
-            watch();
+            rows_.watch(report_);
             report_.status = resume(*continuation_.from) ? march() : foreign();
         } else {
-            watch();
-            // The first row shows the state before the drive acts.
-            report_.status = emit_at_start() ? march() : stopped();
+            rows_.watch(report_);
+            report_.status = rows_.show() ? march() : stopped();
         }
         finish();
         return std::move(report_);
@@ -81,11 +74,9 @@ private:
     /// Everything that the rest of the run depends on, in one order for writing and reading.
     void visit(Archive& archive) {
         stepper_.visit(archive);
-        for (double* number : {&wanted_, &next_output_, &next_field_}) {
-            archive(*number);
-        }
+        rows_.visit(archive);
+        archive(wanted_);
         archive.whole(fresh_);
-        archive.whole(outputs_);
         archive.whole(report_.steps);
         archive.whole(report_.rejected);
         for (Report::Extreme* extreme : {&report_.hottest, &report_.coldest}) {
@@ -163,8 +154,8 @@ private:
             }
             stepper_.accept();
             ++report_.steps;
-            watch();
-            if (!emit_until(stepper_.time())) {
+            rows_.watch(report_);
+            if (!rows_.advance()) {
                 return stopped();
             }
             fresh_ = jumps_at(stepper_.time());
@@ -200,97 +191,6 @@ private:
         return problem_.drive.at(t, Limit::before) != problem_.drive.at(t, Limit::after);
     }
 
-    /// Looks at the state for the extremes.
-    void watch() {
-        const std::span<const double> T = stepper_.temperature();
-        for (std::size_t n = 0; n < T.size(); ++n) {
-            if (T[n] > report_.hottest.temperature) {
-                report_.hottest = {T[n], stepper_.time(), static_cast<int>(n)};
-            }
-            if (T[n] < report_.coldest.temperature) {
-                report_.coldest = {T[n], stepper_.time(), static_cast<int>(n)};
-            }
-        }
-        for (std::size_t c = 0; c < channels_.size(); ++c) {
-            channels_[c] = problem_.channels[c].where(T);
-        }
-        if (report_.channel_final.empty()) {
-            report_.channel_min = report_.channel_max = channels_;
-        }
-        report_.channel_final = channels_;
-        for (std::size_t c = 0; c < channels_.size(); ++c) {
-            report_.channel_min[c] = std::min(report_.channel_min[c], channels_[c]);
-            report_.channel_max[c] = std::max(report_.channel_max[c], channels_[c]);
-        }
-    }
-
-    bool emit(double t, std::span<const double> T, std::span<const double> joules, double stored, bool field) {
-        const auto begin = std::chrono::steady_clock::now();
-        for (std::size_t c = 0; c < channels_.size(); ++c) {
-            channels_[c] = problem_.channels[c].where(T);
-        }
-        const bool go_on = observer_ == nullptr || observer_({.time = t,
-                                                              .temperature = T,
-                                                              .channels = channels_,
-                                                              .watts = stepper_.watts(),
-                                                              .joules = joules,
-                                                              .stored = stored,
-                                                              .field = field});
-        output_seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-        return go_on;
-    }
-
-    bool emit_at_start() {
-        const Settings& settings = problem_.settings;
-        next_output_ = settings.start + settings.output_interval;
-        next_field_ = settings.start + settings.field_interval;
-        return emit(settings.start, stepper_.temperature(), joules_, 0.0, true);
-    }
-
-    /// Reports every output time up to t, interpolated inside the step, and the end of the run itself.
-    bool emit_until(double t) {
-        const Settings& settings = problem_.settings;
-        const double slack = 1e-9 * std::max(settings.output_interval, 1e-3);
-        const bool at_end = t >= settings.end;
-        if (settings.output_interval <= 0.0) {
-            return emit(t, stepper_.temperature(), stepper_.joules(), stepper_.stored(), field_due(t) || at_end);
-        }
-        while (next_output_ < t - slack) {
-            const double share = (next_output_ - stepper_.step_begin()) / (t - stepper_.step_begin());
-            stepper_.interpolate(next_output_, field_);
-            for (std::size_t e = 0; e < joules_.size(); ++e) {
-                joules_[e] = stepper_.joules_before()[e] + share * (stepper_.joules()[e] - stepper_.joules_before()[e]);
-            }
-            const double stored = stepper_.stored_before() + share * (stepper_.stored() - stepper_.stored_before());
-            if (!emit(next_output_, field_, joules_, stored, field_due(next_output_))) {
-                return false;
-            }
-            next_output_ = output_time(++outputs_);
-        }
-        if (at_end || next_output_ <= t + slack) {
-            if (next_output_ <= t + slack) {
-                next_output_ = output_time(++outputs_);
-            }
-            return emit(t, stepper_.temperature(), stepper_.joules(), stepper_.stored(), field_due(t) || at_end);
-        }
-        return true;
-    }
-
-    /// Multiplied out, not summed up, so that late output times do not drift.
-    [[nodiscard]] double output_time(long index) const {
-        return problem_.settings.start + static_cast<double>(index + 1) * problem_.settings.output_interval;
-    }
-
-    bool field_due(double t) {
-        const double interval = problem_.settings.field_interval;
-        if (interval <= 0.0 || t < next_field_ - 1e-9 * interval) {
-            return false;
-        }
-        next_field_ =
-            problem_.settings.start + interval * (std::floor((t - problem_.settings.start) / interval + 1e-9) + 1.0);
-        return true;
-    }
-
     void finish() {
         const Counters& counters = stepper_.newton().counters();
         report_.simulated = stepper_.time() - problem_.settings.start;
@@ -298,7 +198,7 @@ private:
         report_.linear_iterations = counters.linear_iterations;
         report_.factorisations = counters.factorisations;
         report_.linear_solver = stepper_.newton().linear_solver();
-        report_.seconds = {counters.assembly_seconds, counters.factor_seconds, counters.solve_seconds, output_seconds_};
+        report_.seconds = {counters.assembly_seconds, counters.factor_seconds, counters.solve_seconds, rows_.seconds()};
         report_.watts.assign(stepper_.watts().begin(), stepper_.watts().end());
         report_.joules.assign(stepper_.joules().begin(), stepper_.joules().end());
         report_.stored = stepper_.stored();
@@ -318,50 +218,19 @@ private:
     }
 
     const Problem& problem_;
-    const Observer& observer_;
     const Continuation& continuation_;
     Stepper stepper_;
+    Rows rows_;
     Report report_;
     Checkpoint checkpoint_;
     double wanted_ = 0.0;  ///< s, size of the next step
     bool fresh_ = true;    ///< at the start and after a jump the step is chosen anew
-    std::vector<double> channels_;
-    std::vector<double> field_;
-    std::vector<double> joules_;
-    double next_output_ = 0.0;
-    double next_field_ = 0.0;
-    long outputs_ = 0;
-    double output_seconds_ = 0.0;
 };
 
 }  // namespace
 
 Report run(const Problem& problem, const Observer& observer, const Continuation& continuation) {
     return Run(problem, observer, continuation).go();
-}
-
-std::vector<std::string> defects(const Problem& problem) {
-    std::vector<std::string> found = mesh::defects(problem.mesh);
-    const auto expect = [&](bool holds, std::string_view sentence) {
-        if (!holds) {
-            found.emplace_back(sentence);
-        }
-    };
-    const auto n = static_cast<std::size_t>(problem.mesh.n_nodes);
-    expect(problem.materials.size() == problem.mesh.layers.size(), "every layer of the mesh needs a material");
-    expect(problem.link_laws.size() == problem.mesh.links.size(), "every link of the mesh needs a conductivity");
-    expect(problem.initial.size() == n, "every node needs an initial temperature");
-    expect(problem.settings.steady || problem.settings.end > problem.settings.start,
-           "the run must end after it starts");
-    expect(problem.settings.tolerance > 0.0, "the tolerance of a step must be positive");
-    expect(!problem.settings.fixed_step || *problem.settings.fixed_step > 0.0, "a fixed step must be positive");
-    for (const double T : problem.initial) {
-        if (!(T > 0.0) || !std::isfinite(T)) {
-            found.push_back(fmt::format("an initial temperature is {} K", T));
-            break;
-        }
-    }
-    return found;
 }
 
 }  // namespace tiretherm::solver

@@ -59,7 +59,4 @@ using Observer = std::function<bool(const Snapshot&)>;
 ///        reported before its checkpoint.
 [[nodiscard]] Report run(const Problem& problem, const Observer& observer, const Continuation& continuation = {});
 
-/// What is wrong with a problem, a sentence each; empty when it can be run.
-[[nodiscard]] std::vector<std::string> defects(const Problem& problem);
-
 }  // namespace tiretherm::solver

@@ -63,4 +63,7 @@ struct Problem {
     double symmetry = 1.0;  ///< the tire or specimen is this many times the mesh (4 for a quarter)
 };
 
+/// What is wrong with a problem, a sentence each; empty when it can be run.
+[[nodiscard]] std::vector<std::string> defects(const Problem& problem);
+
 }  // namespace tiretherm::solver

@@ -1,0 +1,33 @@
+#include "solver/problem.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace tiretherm::solver {
+
+std::vector<std::string> defects(const Problem& problem) {
+    std::vector<std::string> found = mesh::defects(problem.mesh);
+    const auto expect = [&](bool holds, std::string_view sentence) {
+        if (!holds) {
+            found.emplace_back(sentence);
+        }
+    };
+    const auto n = static_cast<std::size_t>(problem.mesh.n_nodes);
+    expect(problem.materials.size() == problem.mesh.layers.size(), "every layer of the mesh needs a material");
+    expect(problem.link_laws.size() == problem.mesh.links.size(), "every link of the mesh needs a conductivity");
+    expect(problem.initial.size() == n, "every node needs an initial temperature");
+    expect(problem.settings.steady || problem.settings.end > problem.settings.start,
+           "the run must end after it starts");
+    expect(problem.settings.tolerance > 0.0, "the tolerance of a step must be positive");
+    expect(!problem.settings.fixed_step || *problem.settings.fixed_step > 0.0, "a fixed step must be positive");
+    for (const double T : problem.initial) {
+        if (!(T > 0.0) || !std::isfinite(T)) {
+            found.push_back(fmt::format("an initial temperature is {} K", T));
+            break;
+        }
+    }
+    return found;
+}
+
+}  // namespace tiretherm::solver

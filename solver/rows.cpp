@@ -1,0 +1,119 @@
+#include "solver/rows.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace tiretherm::solver {
+
+Rows::Rows(const Problem& problem, const Observer& observer, const Stepper& stepper)
+    : problem_(&problem),
+      observer_(&observer),
+      stepper_(&stepper),
+      channels_(problem.channels.size()),
+      field_(problem.initial),
+      joules_(problem.effects.size()),
+      next_output_(output_time(1)),
+      next_field_(problem.settings.start + problem.settings.field_interval) {}
+
+void Rows::measure(std::span<const double> T) {
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+        channels_[c] = problem_->channels[c].where(T);
+    }
+}
+
+void Rows::watch(Report& report) {
+    const std::span<const double> T = stepper_->temperature();
+    for (std::size_t n = 0; n < T.size(); ++n) {
+        if (T[n] > report.hottest.temperature) {
+            report.hottest = {T[n], stepper_->time(), static_cast<int>(n)};
+        }
+        if (T[n] < report.coldest.temperature) {
+            report.coldest = {T[n], stepper_->time(), static_cast<int>(n)};
+        }
+    }
+    measure(T);
+    if (report.channel_final.empty()) {
+        report.channel_min = report.channel_max = channels_;
+    }
+    report.channel_final = channels_;
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+        report.channel_min[c] = std::min(report.channel_min[c], channels_[c]);
+        report.channel_max[c] = std::max(report.channel_max[c], channels_[c]);
+    }
+}
+
+bool Rows::emit(double t, std::span<const double> T, std::span<const double> joules, double stored, bool field) {
+    const auto begin = std::chrono::steady_clock::now();
+    measure(T);
+    const bool go_on = *observer_ == nullptr || (*observer_)({.time = t,
+                                                              .temperature = T,
+                                                              .channels = channels_,
+                                                              .watts = stepper_->watts(),
+                                                              .joules = joules,
+                                                              .stored = stored,
+                                                              .field = field});
+    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return go_on;
+}
+
+bool Rows::emit_state(bool field) {
+    return emit(stepper_->time(), stepper_->temperature(), stepper_->joules(), stepper_->stored(), field);
+}
+
+bool Rows::show() { return emit_state(true); }
+
+bool Rows::emit_inside_step(double t) {
+    const double share = (t - stepper_->step_begin()) / (stepper_->time() - stepper_->step_begin());
+    stepper_->interpolate(t, field_);
+    for (std::size_t e = 0; e < joules_.size(); ++e) {
+        const double before = stepper_->joules_before()[e];
+        joules_[e] = before + share * (stepper_->joules()[e] - before);
+    }
+    const double stored = stepper_->stored_before() + share * (stepper_->stored() - stepper_->stored_before());
+    return emit(t, field_, joules_, stored, field_due(t));
+}
+
+bool Rows::advance() {
+    const Settings& settings = problem_->settings;
+    const double t = stepper_->time();
+    const bool at_end = t >= settings.end;
+    if (settings.output_interval <= 0.0) {
+        return emit_state(field_due(t) || at_end);
+    }
+    const double slack = 1e-9 * settings.output_interval;
+    while (next_output_ < t - slack) {
+        if (!emit_inside_step(next_output_)) {
+            return false;
+        }
+        next_output_ = output_time(++outputs_);
+    }
+    const bool due = next_output_ <= t + slack;
+    if (due) {
+        next_output_ = output_time(++outputs_);
+    }
+    return !(due || at_end) || emit_state(field_due(t) || at_end);
+}
+
+/// Multiplied out, not summed up, so that late output times do not drift.
+double Rows::output_time(long index) const {
+    return problem_->settings.start + static_cast<double>(index) * problem_->settings.output_interval;
+}
+
+bool Rows::field_due(double t) {
+    const Settings& settings = problem_->settings;
+    const double interval = settings.field_interval;
+    if (interval <= 0.0 || t < next_field_ - 1e-9 * interval) {
+        return false;
+    }
+    next_field_ = settings.start + interval * (std::floor((t - settings.start) / interval + 1e-9) + 1.0);
+    return true;
+}
+
+void Rows::visit(Archive& archive) {
+    archive(next_output_);
+    archive(next_field_);
+    archive.whole(outputs_);
+}
+
+}  // namespace tiretherm::solver
