@@ -1,0 +1,18 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+/// The command line: a file for each command.
+namespace tiretherm::app {
+
+/// How a call ends, for the shell.
+enum Exit : int { done = 0, mistake = 1, numerical_failure = 2, interrupted = 130 };
+
+/// Each adds a command to the program; called by the user, it leaves its exit code in `exit_code`.
+void add_run_command(CLI::App& program, int& exit_code);
+void add_check_command(CLI::App& program, int& exit_code);
+void add_effects_command(CLI::App& program, int& exit_code);
+
+}  // namespace tiretherm::app

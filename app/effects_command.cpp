@@ -1,0 +1,143 @@
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.hpp"
+#include "app/messages.hpp"
+#include "cases/words.hpp"
+#include "physics/effect.hpp"
+#include "post/table.hpp"
+
+namespace tiretherm::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string kind_name(physics::Kind kind) {
+    switch (kind) {
+        case physics::Kind::source: return "source";
+        case physics::Kind::loss: return "loss";
+        case physics::Kind::property: return "property";
+    }
+    return "";
+}
+
+std::string origin(const physics::Effect& effect) { return effect.on ? "thesis, on by default" : "off by default"; }
+
+std::string unit_text(std::string_view unit) { return unit == "1" ? std::string("-") : std::string(unit); }
+
+/// The sentence up to its full stop.
+std::string first_sentence(std::string_view text) {
+    const auto stop = text.find(". ");
+    return std::string(stop == std::string_view::npos ? text : text.substr(0, stop + 1));
+}
+
+void print_list() {
+    for (const physics::Effect* effect : physics::catalogue()) {
+        fmt::print("{} ({}, {})\n", effect->id, kind_name(effect->kind), origin(*effect));
+        fmt::print("{}", post::wrap(first_sentence(effect->meaning), 4));
+        fmt::print("{}", post::wrap(std::string(effect->equation), 6));
+    }
+    fmt::print("\nOne of them in full: tiretherm effects NAME\n");
+}
+
+void print_section(const char* name, std::string_view text) {
+    if (!text.empty()) {
+        fmt::print("\n{}\n{}", name, post::wrap(std::string(text), 4));
+    }
+}
+
+void print_one(const physics::Effect& effect) {
+    fmt::print("{} ({}, {})\n", effect.id, kind_name(effect.kind), origin(effect));
+    fmt::print("{}", post::wrap(std::string(effect.meaning), 4));
+    print_section("Equation", effect.equation);
+    print_section("Source", effect.source);
+    if (!effect.parameters.empty()) {
+        post::Table table({true, false, false, false, true, true});
+        table.add({"name", "default", "from", "to", "unit", "meaning"});
+        for (const physics::Parameter& p : effect.parameters) {
+            table.add({std::string(p.key), fmt::format("{:g}", p.standard), fmt::format("{:g}", p.low),
+                       fmt::format("{:g}", p.high), unit_text(p.unit), std::string(p.meaning)});
+        }
+        fmt::print("\nParameters\n{}\n", fmt::join(table.lines(4), "\n"));
+    }
+    if (!effect.choices.empty()) {
+        post::Table table({true, true, true});
+        for (const physics::Choice& choice : effect.choices) {
+            table.add({std::string(choice.key), fmt::format("{}", fmt::join(choice.options, " | ")), std::string(choice.meaning)});
+        }
+        fmt::print("\nChoices, the first is the default\n{}\n", fmt::join(table.lines(4), "\n"));
+    }
+    print_section("Reads the signals", fmt::format("{}", fmt::join(effect.reads, ", ")));
+    print_section("Acts on the patches", fmt::format("{}", fmt::join(effect.patches, ", ")));
+    print_section("Needs", effect.needs_tire ? "a [tire]" : "");
+}
+
+Json as_json(const physics::Effect& effect) {
+    Json json{{"name", effect.id},         {"kind", kind_name(effect.kind)}, {"on", effect.on},
+              {"equation", effect.equation}, {"source", effect.source},        {"meaning", effect.meaning},
+              {"parameters", Json::array()}, {"choices", Json::array()},       {"reads", effect.reads},
+              {"patches", effect.patches},   {"needs_tire", effect.needs_tire}};
+    for (const physics::Parameter& p : effect.parameters) {
+        json["parameters"].push_back({{"key", p.key}, {"unit", p.unit}, {"default", p.standard},
+                                      {"low", p.low}, {"high", p.high}, {"meaning", p.meaning}});
+    }
+    for (const physics::Choice& choice : effect.choices) {
+        json["choices"].push_back({{"key", choice.key}, {"options", choice.options}, {"meaning", choice.meaning}});
+    }
+    return json;
+}
+
+int show(const std::string& name, bool json) {
+    if (name.empty()) {
+        if (!json) {
+            print_list();
+            return Exit::done;
+        }
+        Json all{{"effects", Json::array()}};
+        for (const physics::Effect* effect : physics::catalogue()) {
+            all["effects"].push_back(as_json(*effect));
+        }
+        fmt::print("{}\n", all.dump(2));
+        return Exit::done;
+    }
+    const physics::Effect* effect = physics::find_effect(name);
+    if (effect == nullptr) {
+        std::vector<std::string> known;
+        for (const physics::Effect* one : physics::catalogue()) {
+            known.emplace_back(one->id);
+        }
+        tell_error(fmt::format("there is no effect \"{}\"", name), cases::suggest(name, known, "effects"), json);
+        return Exit::mistake;
+    }
+    if (json) {
+        fmt::print("{}\n", as_json(*effect).dump(2));
+    } else {
+        print_one(*effect);
+    }
+    return Exit::done;
+}
+
+}  // namespace
+
+void add_effects_command(CLI::App& program, int& exit_code) {
+    struct Options {
+        std::string name;
+        bool json = false;
+    };
+    CLI::App* command = program.add_subcommand("effects", "The catalogue of physical causes");
+    const auto options = std::make_shared<Options>();
+    command->add_option("NAME", options->name, "Name of an effect; without it all are listed")->option_text(" ");
+    command->add_flag("--json", options->json, "One JSON object");
+    command->footer(
+        "Example:\n"
+        "  tiretherm effects\n"
+        "  tiretherm effects air_convection");
+    command->callback([options, &exit_code] { exit_code = show(options->name, options->json); });
+}
+
+}  // namespace tiretherm::app

@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <exception>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "app/commands.hpp"
+#include "app/messages.hpp"
+#include "cases/words.hpp"
+
+namespace {
+
+using namespace tiretherm;
+
+/// Names of what may stand on the command line: commands of the program, or options of a command.
+std::vector<std::string> command_names(const CLI::App& program) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+        names.push_back(command->get_name());
+    }
+    return names;
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options()) {
+        for (const std::string& name : option->get_lnames()) {
+            names.push_back("--" + name);
+        }
+    }
+    return names;
+}
+
+/// Says what is wrong with a call that CLI11 refused.
+void tell_wrong_call(const CLI::App& program, const CLI::ParseError& error, bool json) {
+    const std::vector<CLI::App*> chosen = program.get_subcommands();
+    const CLI::App& command = chosen.empty() ? program : *chosen.front();
+    const std::vector<std::string> extra = program.remaining(true);
+    const std::string help = fmt::format("see tiretherm {}--help", chosen.empty() ? "" : command.get_name() + " ");
+    const auto is_option = [](const std::string& argument) { return argument.starts_with('-'); };
+    const auto option = std::find_if(extra.begin(), extra.end(), is_option);
+    const auto word = std::find_if_not(extra.begin(), extra.end(), is_option);
+    if (chosen.empty() && word != extra.end()) {
+        app::tell_error(fmt::format("there is no command \"{}\"", *word),
+                        cases::suggest(*word, command_names(program), "commands"), json);
+    } else if (option != extra.end()) {
+        app::tell_error(fmt::format("there is no option \"{}\"", *option),
+                        cases::suggest(*option, option_names(command), "options"), json);
+    } else if (chosen.empty()) {
+        app::tell_error(fmt::format("no command; the commands are {}", cases::listed(command_names(program))), help, json);
+    } else if (!extra.empty()) {
+        app::tell_error(fmt::format("one argument too many: \"{}\"", extra.front()), help, json);
+    } else {
+        app::tell_error(error.what(), help, json);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    int exit_code = app::Exit::done;
+    CLI::App program{"tiretherm: temperature field of a tire, held against measured data", "tiretherm"};
+    program.set_version_flag("--version", "tiretherm " TIRETHERM_VERSION);
+    program.require_subcommand(1);
+    app::add_run_command(program, exit_code);
+    app::add_check_command(program, exit_code);
+    app::add_effects_command(program, exit_code);
+    program.footer(
+        "Examples:\n"
+        "  tiretherm run cases/laser/one_watt.toml\n"
+        "  tiretherm check cases/laser/one_watt.toml\n"
+        "  tiretherm effects air_convection\n\n"
+        "Help for a command: tiretherm COMMAND --help");
+
+    const std::span<char*> arguments(argv, static_cast<std::size_t>(argc));
+    const bool json = std::any_of(arguments.begin(), arguments.end(), [](const char* a) { return std::string(a) == "--json"; });
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::Success& help) {
+        return program.exit(help);
+    } catch (const CLI::ParseError& error) {
+        tell_wrong_call(program, error, json);
+        return app::Exit::mistake;
+    } catch (const std::exception& error) {
+        app::tell_error(error.what(), "", json);
+        return app::Exit::mistake;
+    }
+    return exit_code;
+}

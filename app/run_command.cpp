@@ -1,0 +1,130 @@
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "app/commands.hpp"
+#include "app/messages.hpp"
+#include "app/stop_signal.hpp"
+#include "cases/reader.hpp"
+#include "post/file.hpp"
+#include "post/progress.hpp"
+#include "post/run_files.hpp"
+#include "post/summary.hpp"
+#include "solver/march.hpp"
+
+namespace tiretherm::app {
+
+namespace {
+
+struct Options {
+    std::string case_file;
+    std::string directory;
+    double field_interval = 0.0;  ///< s; 0: as the case says
+    bool json = false;
+    bool quiet = false;
+    bool no_vtk = false;
+    bool no_pictures = false;
+};
+
+using Clock = std::chrono::steady_clock;
+
+/// Marches through the case; stops where the user asks for it, with the field of that moment.
+solver::Report march(const solver::Problem& problem, post::RunFiles& files, const Options& options) {
+    const bool watched = on_terminal(stdout) && on_terminal(stderr) && !options.quiet && !problem.settings.steady;
+    post::Progress progress(stderr, watched, problem.name, problem.settings.start, problem.settings.end);
+    return solver::run(problem, [&](const solver::Snapshot& snapshot) {
+        const bool stop = stop_requested();
+        solver::Snapshot seen = snapshot;
+        seen.field = seen.field || stop;
+        files.take(seen);
+        progress.update(seen.time, seen.temperature);
+        return !stop;
+    });
+}
+
+int run(const Options& options) {
+    cases::Reading reading = cases::read_case(options.case_file);
+    if (!reading.problem) {
+        tell_mistakes(reading, "nothing was run", options.json);
+        return Exit::mistake;
+    }
+    solver::Problem& problem = *reading.problem;
+    if (options.field_interval > 0.0) {
+        problem.settings.field_interval = options.field_interval;
+    }
+    if (const std::vector<std::string> defects = solver::defects(problem); !defects.empty()) {
+        tell_error(fmt::format("{}: {}", options.case_file, fmt::join(defects, "; ")), "nothing was run", options.json);
+        return Exit::mistake;
+    }
+
+    const std::string directory = options.directory.empty() ? "out/" + problem.name : options.directory;
+    const post::Origin origin{.version = TIRETHERM_VERSION,
+                              .case_file = options.case_file,
+                              .case_text = post::read_text(options.case_file)};
+    std::optional<post::RunFiles> files;
+    try {
+        files.emplace(directory, problem, origin, post::FileChoice{.vtk = !options.no_vtk, .pictures = !options.no_pictures});
+    } catch (const post::FileError& error) {
+        tell_error(error.what(), "nothing was run; choose another directory with --out", options.json);
+        return Exit::mistake;
+    }
+    heed_stop_signals();
+    const Clock::time_point begin = Clock::now();
+    const solver::Report report = march(problem, *files, options);
+    const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    files->finish();
+
+    const post::RunRecord record{.problem = problem,
+                                 .report = report,
+                                 .history = files->history(),
+                                 .origin = origin,
+                                 .seconds = seconds,
+                                 .warnings = reading.warnings,
+                                 .files = files->written()};
+    if (options.json) {
+        fmt::print("{}", post::summary_json(record));
+    } else if (!options.quiet) {
+        fmt::print("{}", post::summary_text(record, may_be_bold()));
+    }
+    if (report.status.ok()) {
+        return Exit::done;
+    }
+    if (!options.json) {
+        std::fflush(stdout);
+        tell_error(report.status.message, "the results so far are in " + directory, false);
+    }
+    return report.status.outcome == solver::Outcome::stopped ? Exit::interrupted : Exit::numerical_failure;
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& program, int& exit_code) {
+    CLI::App* command = program.add_subcommand("run", "Simulate a case: progress, summary, files");
+    const auto options = std::make_shared<Options>();
+    command->add_option("CASE", options->case_file, "Case file (TOML)")->required()->option_text(" ");
+    command->add_option("--out", options->directory,
+                        "Where the files go; files of an earlier run there are replaced. Default: out/<case name>")
+        ->option_text("DIR");
+    command->add_option("--fields", options->field_interval, "Store the field this often, whatever the case says")
+        ->option_text("SECONDS")
+        ->check(CLI::PositiveNumber);
+    command->add_flag("--no-vtk", options->no_vtk, "No field_*.vtu and field.pvd for ParaView");
+    command->add_flag("--no-pictures", options->no_pictures, "No picture.png and channels.png");
+    command->add_flag("--quiet", options->quiet, "No summary and no progress");
+    command->add_flag("--json", options->json, "One JSON object instead of the summary");
+    command->footer(
+        "Files: results.h5 (everything, SI units), channels.csv, field.pvd with field_*.vtu (ParaView),\n"
+        "picture.png (temperature across the thickness), channels.png (channels against time).\n"
+        "Ctrl-C ends a run early and keeps what it has.\n\n"
+        "Exit code: 0 done, 1 a mistake in the call or the case, 2 the solver failed, 130 interrupted.\n\n"
+        "Example:\n"
+        "  tiretherm run cases/laser/one_watt.toml --out /tmp/laser --fields 60");
+    command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace tiretherm::app

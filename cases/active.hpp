@@ -1,0 +1,15 @@
+#pragma once
+
+#include "cases/draft.hpp"
+#include "physics/effect.hpp"
+
+namespace tiretherm::cases {
+
+/// An effect with the numbers, words and patches of its table, standard where the table says nothing:
+///     [effects.still_air]
+///     h = "10 W/m2K"
+///     patches = ["top", "bottom"]
+///     h_by_patch = { top = "60 W/m2K" }
+[[nodiscard]] physics::ActiveEffect read_active(Section& section, const physics::Effect& effect, const Draft& draft);
+
+}  // namespace tiretherm::cases

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cases/section.hpp"
+#include "mesh/builders.hpp"
+#include "solver/problem.hpp"
+
+/// The readers of a case's tables. Each reads one table into the draft, reports what is wrong with it and leaves
+/// something harmless in its place, so that the tables after it are read as well.
+namespace tiretherm::cases {
+
+/// A material of the case, whether or not a layer is made of it.
+struct Stock {
+    physics::Material material;
+    const Node* table = nullptr;
+    bool used = false;
+};
+
+/// A case as far as it has been read.
+struct Draft {
+    solver::Problem problem;
+    bool has_tire = false;
+    bool has_tire_density = false;  ///< given in [tire], not only by a material
+    bool has_mesh = false;          ///< false after a mistake in [mesh]: names of patches and layers are unknown
+    std::vector<Stock> stock;
+    std::map<std::string, Place, std::less<>> given;  ///< signals of [drive], rightly or wrongly written
+    std::optional<double> logged_from;                ///< s, first sample of any log
+    std::optional<double> logged_to;                  ///< s, last sample of any log
+};
+
+void read_tire(Section& root, Draft& draft);
+void read_materials(Section& root, Draft& draft);
+void read_mesh(Section& root, Draft& draft);
+void read_drive(Section& root, Draft& draft);
+void read_effects(Section& root, Draft& draft);
+void read_initial(Section& root, Draft& draft);
+void read_times(Section& root, Draft& draft);
+void read_sensors(Section& root, Draft& draft);
+void read_measured(Section& root, Draft& draft);
+
+/// Laws must be positive wherever the run is sure to go: between the coldest and the hottest temperature that the case
+/// gives. Where they would fail on the way up to 150 degC, a warning.
+void check_laws(Section& root, const Draft& draft);
+
+/// Parts of [mesh], by kind. @returns false after a mistake
+bool read_two_node(Section& mesh, Draft& draft);
+bool read_layers(Section& mesh, Draft& draft);
+bool read_block(Section& mesh, Draft& draft);
+bool read_axisymmetric(Section& mesh, Draft& draft);
+
+/// The list [[mesh.layer]]: name, thickness, cells, ratio, material; fills problem.materials.
+[[nodiscard]] std::vector<mesh::Layer> read_stack(Section& mesh, Draft& draft);
+
+/// The material that a key names, null after a mistake.
+[[nodiscard]] const physics::Material* read_material(Section& section, std::string_view key, Draft& draft);
+
+/// One [[drive.file]]: a logger's CSV.
+void read_logged(Section& section, Draft& draft);
+
+/// Whether a signal is new; a second one is a mistake at `place`.
+bool claim_signal(std::string_view name, const Place& place, Draft& draft, Mistakes& mistakes);
+
+}  // namespace tiretherm::cases

@@ -1,0 +1,155 @@
+#include "cases/probes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "cases/wanted.hpp"
+#include "cases/words.hpp"
+#include "mesh/probe.hpp"
+
+namespace tiretherm::cases {
+
+namespace {
+
+/// What the surface of a mesh looks like: a sensor is placed by other keys on each.
+enum class Plan { lumps, strip, disc, block };
+
+Plan plan_of(const mesh::Mesh& mesh) {
+    if (!mesh.grid) {
+        return Plan::lumps;
+    }
+    if (mesh.kind == "layers") {
+        return Plan::strip;
+    }
+    return mesh.grid->metric == mesh::Metric::axisymmetric ? Plan::disc : Plan::block;
+}
+
+std::string millimetres(double metres) { return fmt::format("{:.6g} mm", metres * 1e3); }
+
+/// The extent of the mesh in words, for a point that lies outside.
+std::string extent(const mesh::Mesh& mesh) {
+    const auto span = [&](std::string_view name, std::size_t axis) {
+        const std::vector<double>& edge = mesh.grid->edge[axis];
+        return fmt::format("{} from {:.6g} to {}", name, edge.front() * 1e3, millimetres(edge.back()));
+    };
+    const std::string depth = "the mesh has " + span("depth", 2);
+    switch (plan_of(mesh)) {
+        case Plan::lumps:
+        case Plan::strip:
+            return depth;
+        case Plan::disc:
+            return fmt::format("{}, {}", depth, span("radius", 0));
+        case Plan::block:
+            return fmt::format("{}, {}, {}", depth, span("x", 0), span("y", 1));
+    }
+    return depth;
+}
+
+/// "3 mm below the outer surface".
+std::string level(double depth, const mesh::Mesh& mesh) {
+    const double bottom = mesh.grid->edge[2].back();
+    if (depth == 0.0) {
+        return "outer surface";
+    }
+    return std::abs(depth - bottom) < 1e-9 * bottom ? "inner surface" : millimetres(depth) + " below the outer surface";
+}
+
+/// Index of the part of the mesh that a key names, or a mistake.
+std::optional<int> read_part(Section& sensor, std::string_view key, std::string_view plural,
+                             const std::vector<std::string>& known) {
+    const std::optional<std::string> name = sensor.text(key, Need::required);
+    if (!name) {
+        return std::nullopt;
+    }
+    const auto found = std::find(known.begin(), known.end(), *name);
+    if (found == known.end()) {
+        sensor.mistake(key, fmt::format("the mesh has no {} \"{}\"", key, *name), suggest(*name, known, plural));
+        return std::nullopt;
+    }
+    return static_cast<int>(found - known.begin());
+}
+
+solver::Channel channel(std::string meaning, mesh::Functional where) {
+    return {.name = {}, .meaning = std::move(meaning), .where = std::move(where)};
+}
+
+}  // namespace
+
+Where read_point(Section& sensor, const mesh::Mesh& mesh) {
+    const Plan plan = plan_of(mesh);
+    if (plan == Plan::lumps) {
+        sensor.mistake("kind", "a lump has no points", "take kind = \"layer\" and the lump's name: layer = \"bulk\"");
+        sensor.forgive();
+        return std::nullopt;
+    }
+    mesh::Point point{0.0, 0.0, sensor.quantity("depth", wanted::depth, Need::required).value_or(0.0)};
+    std::string across;
+    if (plan == Plan::disc) {
+        point[0] = sensor.quantity("radius", wanted::depth).value_or(0.0);
+        across = point[0] == 0.0 ? ", on the axis" : fmt::format(", {} from the axis", millimetres(point[0]));
+    } else if (plan == Plan::block) {
+        point[0] = sensor.quantity("x", wanted::coordinate).value_or(0.0);
+        point[1] = sensor.quantity("y", wanted::coordinate).value_or(0.0);
+        across = fmt::format(", x = {}, y = {}", millimetres(point[0]), millimetres(point[1]));
+    }
+    if (!mesh::contains(mesh, point)) {
+        sensor.mistakes().add(sensor.place(), "the sensor lies outside of the mesh", extent(mesh));
+        return std::nullopt;
+    }
+    return channel(level(point[2], mesh) + across, mesh::at_point(mesh, point));
+}
+
+Where read_spot(Section& sensor, const mesh::Mesh& mesh) {
+    const std::optional<double> radius = sensor.quantity("radius", wanted::length, Need::required);
+    const std::optional<int> patch = read_part(sensor, "patch", "patches", names_of(mesh.patches));
+    const Plan plan = plan_of(mesh);
+    if (plan == Plan::lumps || plan == Plan::strip) {
+        sensor.mistake("kind", "this mesh has no extent along its surface, so there is no spot",
+                       "take kind = \"patch\"");
+        return std::nullopt;
+    }
+    if (!radius || !patch) {
+        return std::nullopt;
+    }
+    const std::string& name = mesh.patches[static_cast<std::size_t>(*patch)].name;
+    if (name != "top" && name != "bottom") {
+        sensor.mistake("patch", fmt::format("a spot lies on top or bottom, not on {}", name), "take kind = \"patch\"");
+        return std::nullopt;
+    }
+    const mesh::Grid& grid = *mesh.grid;
+    const double room = plan == Plan::disc ? grid.edge[0].back() : std::min(grid.edge[0].back(), grid.edge[1].back());
+    if (*radius > room * (1.0 + 1e-9)) {
+        sensor.mistake("radius", "the spot is larger than the mesh", extent(mesh));
+        return std::nullopt;
+    }
+    return channel(fmt::format("{}, mean over a disc of {} radius", name, millimetres(*radius)),
+                   mesh::over_disc(mesh, *patch, *radius));
+}
+
+Where read_patch(Section& sensor, const mesh::Mesh& mesh) {
+    const std::vector<std::string> names = names_of(mesh.patches);
+    const std::optional<int> patch = read_part(sensor, "patch", "patches", names);
+    return patch ? Where(channel("mean over the patch " + names[static_cast<std::size_t>(*patch)],
+                                 mesh::over_patch(mesh, *patch)))
+                 : std::nullopt;
+}
+
+Where read_layer(Section& sensor, const mesh::Mesh& mesh) {
+    const std::optional<int> layer = read_part(sensor, "layer", "layers", mesh.layers);
+    return layer ? Where(channel("mean over the layer " + mesh.layers[static_cast<std::size_t>(*layer)],
+                                 mesh::over_layer(mesh, *layer)))
+                 : std::nullopt;
+}
+
+Where read_region(Section& sensor, const mesh::Mesh& mesh) {
+    const std::optional<int> region = read_part(sensor, "region", "regions", names_of(mesh.regions));
+    if (!region) {
+        return std::nullopt;
+    }
+    const mesh::Region& found = mesh.regions[static_cast<std::size_t>(*region)];
+    return channel("mean over the region " + found.name, found.mean);
+}
+
+}  // namespace tiretherm::cases

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+
+#include "cases/section.hpp"
+#include "mesh/mesh.hpp"
+#include "solver/problem.hpp"
+
+namespace tiretherm::cases {
+
+/// Where a sensor reads, with a sentence that says which temperature it is. Nothing after a mistake.
+using Where = std::optional<solver::Channel>;
+
+/// A point: depth, and x, y or radius where the mesh extends along them.
+[[nodiscard]] Where read_point(Section& sensor, const mesh::Mesh& mesh);
+/// The mean over a disc about the centre of the outer or the inner surface: patch, radius.
+[[nodiscard]] Where read_spot(Section& sensor, const mesh::Mesh& mesh);
+/// The mean over a patch, a layer or a region.
+[[nodiscard]] Where read_patch(Section& sensor, const mesh::Mesh& mesh);
+[[nodiscard]] Where read_layer(Section& sensor, const mesh::Mesh& mesh);
+[[nodiscard]] Where read_region(Section& sensor, const mesh::Mesh& mesh);
+
+}  // namespace tiretherm::cases

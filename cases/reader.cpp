@@ -1,0 +1,81 @@
+#include "cases/reader.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "cases/document.hpp"
+#include "cases/draft.hpp"
+
+namespace tiretherm::cases {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "laser/one_watt" for .../cases/laser/one_watt.toml, otherwise the file's stem.
+std::string name_of(const fs::path& file) {
+    std::error_code error;
+    const fs::path whole = fs::absolute(file, error).lexically_normal();
+    fs::path below;
+    bool found = false;
+    for (const fs::path& part : whole.parent_path()) {
+        if (part == "cases") {
+            found = true;
+            below.clear();
+        } else if (found) {
+            below /= part;
+        }
+    }
+    return ((found ? below : fs::path()) / whole.stem()).generic_string();
+}
+
+void read_tables(Section& root, Draft& draft) {
+    solver::Problem& problem = draft.problem;
+    problem.title = root.text("title").value_or(problem.name);
+    for (const Word& source : root.texts("sources")) {
+        problem.sources.push_back(source.text);
+    }
+    // A later table may speak about an earlier one: patches and layers of the mesh, channels, the end of the run.
+    read_tire(root, draft);
+    read_materials(root, draft);
+    read_mesh(root, draft);
+    read_drive(root, draft);
+    read_effects(root, draft);
+    read_initial(root, draft);
+    read_times(root, draft);
+    read_sensors(root, draft);
+    read_measured(root, draft);
+    check_laws(root, draft);
+}
+
+}  // namespace
+
+Reading read_case(const fs::path& file) {
+    Mistakes mistakes;
+    Draft draft;
+    draft.problem.name = name_of(file);
+    if (const std::optional<Node> document = read_document(file, mistakes)) {
+        Section root(*document, "the case", mistakes);
+        root.know({"include"});
+        read_tables(root, draft);
+    }
+    Reading reading{.problem = std::nullopt, .mistakes = mistakes.in_order(), .warnings = mistakes.warnings()};
+    if (reading.mistakes.empty()) {
+        reading.problem = std::move(draft.problem);
+    }
+    return reading;
+}
+
+std::string render(const Reading& reading) {
+    std::string text;
+    for (const Mistake& mistake : reading.mistakes) {
+        text += render(mistake);
+    }
+    for (const std::string& warning : reading.warnings) {
+        text += fmt::format("warning: {}\n", warning);
+    }
+    return text;
+}
+
+}  // namespace tiretherm::cases

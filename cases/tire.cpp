@@ -1,0 +1,150 @@
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <regex>
+
+#include <fmt/format.h>
+
+#include "cases/draft.hpp"
+#include "cases/law.hpp"
+#include "cases/wanted.hpp"
+#include "cases/words.hpp"
+
+namespace tiretherm::cases {
+
+namespace {
+
+using physics::Tire;
+
+struct Key {
+    std::string_view key;
+    double Tire::*member;
+    Wanted wanted;
+};
+
+constexpr Wanted radius{.unit = "m", .low = 0.01, .high = 5.0, .usual_low = 0.1, .usual_high = 2.0};
+constexpr Wanted width{.unit = "m", .low = 0.005, .high = 3.0, .usual_low = 0.05, .usual_high = 1.0};
+
+constexpr std::array keys{
+    Key{"width", &Tire::width, width},
+    Key{"section_height", &Tire::section_height, width},
+    Key{"unloaded_radius", &Tire::unloaded_radius, radius},
+    Key{"tread_thickness", &Tire::tread_thickness, wanted::thickness},
+    Key{"sidewall_thickness", &Tire::sidewall_thickness, wanted::thickness},
+    Key{"density", &Tire::density, wanted::density},
+    Key{"minimum_load", &Tire::minimum_load, wanted::load},
+    Key{"contact_length_limit", &Tire::contact_length_limit, wanted::length},
+    Key{"contact_length_slope",
+        &Tire::contact_length_slope,
+        {.unit = "kN-1", .low = 0.0, .high = 100.0, .above = true}},
+    Key{"contact_area_at_zero", &Tire::contact_area_at_zero, {.unit = "m2", .low = 0.0, .high = 1.0}},
+    Key{"contact_area_slope", &Tire::contact_area_slope, {.unit = "m2 N-1", .low = 0.0, .high = 1e-3}},
+    Key{"loaded_radius_at_zero", &Tire::loaded_radius_at_zero, radius},
+    Key{"loaded_radius_slope", &Tire::loaded_radius_slope, {.unit = "m N-1", .low = -1e-3, .high = 0.0}},
+    Key{"rolling_radius_factor", &Tire::rolling_radius_factor, radius},
+    Key{"rolling_radius_exponent", &Tire::rolling_radius_exponent, {.unit = "1", .low = -1.0, .high = 1.0}},
+};
+
+/// A law of the load: its table, and the numbers that describe it otherwise.
+struct Law {
+    std::string_view table;
+    std::optional<physics::Curve> Tire::*member;
+    Wanted value;
+    std::string_view numbers;  ///< one of the keys above
+};
+
+const std::array laws{
+    Law{"contact_length", &Tire::contact_length_table, {.unit = "m", .low = 0.0, .high = 5.0}, "contact_length_limit"},
+    Law{"contact_area", &Tire::contact_area_table, {.unit = "m2", .low = 0.0, .high = 5.0}, "contact_area_slope"},
+    Law{"loaded_radius", &Tire::loaded_radius_table, radius, "loaded_radius_slope"},
+    Law{"rolling_radius", &Tire::rolling_radius_table, radius, "rolling_radius_factor"},
+};
+
+/// "225/50 R17", with or without what is printed before and after it on a sidewall: width in mm, aspect ratio in %, rim in inches.
+void read_size(Section& tire, Tire& into) {
+    const std::optional<std::string> size = tire.text("size", Need::required);
+    if (!size) {
+        return;
+    }
+    static const std::regex pattern(
+        R"(\s*(?:P|LT|T)?\s*(\d{2,3})\s*/\s*(\d{2,3})\s*-?\s*(?:ZR|R|B|D|-)\s*(\d{2}(?:\.5)?)\s*C?(?:\s+.*)?)",
+        std::regex::icase);
+    std::smatch parts;
+    if (!std::regex_match(*size, parts, pattern)) {
+        tire.mistake("size", fmt::format("size is \"{}\", not the size of a tire", *size),
+                     "write width in mm / aspect ratio in %, R, rim in inches: \"225/50 R17\"");
+        return;
+    }
+    const double width_mm = std::stod(parts[1]);
+    const double aspect = std::stod(parts[2]);
+    const double rim = std::stod(parts[3]) * 0.0254;
+    if (width_mm < 20.0 || aspect < 15.0 || aspect > 110.0 || rim < 0.2) {
+        tire.mistake("size",
+                     fmt::format("size is \"{}\": {} mm wide, aspect ratio {} %, rim {} in", *size, width_mm, aspect,
+                                 parts[3].str()),
+                     "write width in mm / aspect ratio in %, R, rim in inches: \"225/50 R17\"");
+        return;
+    }
+    into.name = *size;
+    into.width = width_mm * 1e-3;
+    into.section_height = into.width * aspect * 1e-2;
+    into.unloaded_radius = 0.5 * rim + into.section_height;
+}
+
+void check(const Section& tire, const Tire& read, double nominal_radius) {
+    if (read.tread_thickness >= read.section_height) {
+        tire.mistake("tread_thickness", "the tread is thicker than the section is high");
+    }
+    if (2.0 * read.sidewall_thickness >= read.width) {
+        tire.mistake("sidewall_thickness", "two sidewalls are thicker than the tire is wide");
+    }
+    if (!read.loaded_radius_table && read.loaded_radius_at_zero > read.unloaded_radius * (1.0 + 1e-9)) {
+        tire.mistake("loaded_radius_at_zero", "the loaded radius at zero load is larger than the unloaded radius");
+    }
+    if (std::abs(read.unloaded_radius / nominal_radius - 1.0) > 0.05) {
+        tire.mistakes().warn(tire.place("unloaded_radius"),
+                             fmt::format("unloaded_radius is {:.1f} mm, but a {} has about {:.1f} mm",
+                                         read.unloaded_radius * 1e3, read.name, nominal_radius * 1e3));
+    }
+}
+
+}  // namespace
+
+void read_tire(Section& root, Draft& draft) {
+    Section tire = root.section("tire");
+    draft.has_tire = tire.exists();
+    if (!tire.exists()) {
+        return;
+    }
+    draft.has_tire_density = tire.has("density");
+    Tire& into = draft.problem.tire;
+    const std::size_t before = tire.mistakes().count();
+    read_size(tire, into);
+    const double nominal_radius = into.unloaded_radius;
+    for (const Key& key : keys) {
+        into.*key.member = tire.quantity(key.key, key.wanted).value_or(into.*key.member);
+    }
+    if (!tire.has("loaded_radius_at_zero")) {
+        into.loaded_radius_at_zero = into.unloaded_radius;
+    }
+    std::vector<std::string> borrowed;
+    for (const Law& law : laws) {
+        into.*law.member = read_curve(tire, law.table, wanted::load, law.value);
+        if (!tire.has(law.table) && !tire.has(law.numbers)) {
+            borrowed.emplace_back(law.table);
+        }
+    }
+    if (tire.mistakes().count() > before) {
+        return;
+    }
+    check(tire, into, nominal_radius);
+    const bool thesis_size = into.name.starts_with("225/50 R17") || into.name.starts_with("225/50R17");
+    if (!thesis_size && !borrowed.empty()) {
+        tire.mistakes().warn(tire.place(),
+                             fmt::format("{} of the {} taken from the thesis's 225/50 R17: give {}", listed(borrowed),
+                                         into.name + (borrowed.size() > 1 ? " are" : " is"),
+                                         borrowed.size() > 1 ? "its own laws" : "its own law"));
+    }
+}
+
+}  // namespace tiretherm::cases

@@ -1,0 +1,21 @@
+# `cmake --install`: program, libraries, headers, case library and the package files of find_package(tiretherm).
+# Each library has its own export, so that whoever asks for the core alone needs neither VTK nor HDF5.
+include(CMakePackageConfigHelpers)
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/tiretherm)
+
+install(TARGETS tiretherm)
+foreach(part core files)
+    install(TARGETS tiretherm_${part} EXPORT tiretherm_${part})
+    install(EXPORT tiretherm_${part} NAMESPACE tiretherm:: FILE tiretherm_${part}.cmake DESTINATION ${package_dir})
+endforeach()
+install(DIRECTORY mesh physics solver cases post DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tiretherm
+    FILES_MATCHING PATTERN "*.hpp")
+# cases/ holds the reader beside the library of cases; only the latter is data.
+install(DIRECTORY cases/ DESTINATION ${CMAKE_INSTALL_DATADIR}/tiretherm/cases
+    PATTERN "*.cpp" EXCLUDE PATTERN "*.hpp" EXCLUDE)
+
+configure_package_config_file(cmake/tirethermConfig.cmake.in ${PROJECT_BINARY_DIR}/tirethermConfig.cmake
+    INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/tirethermConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/tirethermConfig.cmake ${PROJECT_BINARY_DIR}/tirethermConfigVersion.cmake
+    cmake/FindCHOLMOD.cmake cmake/FindUDUNITS2.cmake cmake/FindCairo.cmake DESTINATION ${package_dir})

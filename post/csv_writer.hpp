@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+
+#include "post/file.hpp"
+#include "solver/march.hpp"
+
+namespace tiretherm::post {
+
+/// channels.csv: `time [s],surface_temperature [degC],...`, a row at each output time, written as the run goes.
+/// Temperatures carry four decimals: a tenth of a millikelvin, below every error that a run has.
+class CsvWriter {
+public:
+    /// @errors FileError
+    CsvWriter(const std::filesystem::path& path, const solver::Problem& problem);
+
+    /// @errors FileError
+    void take(const solver::Snapshot& snapshot);
+
+private:
+    AppendFile file_;
+};
+
+}  // namespace tiretherm::post

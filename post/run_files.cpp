@@ -1,0 +1,68 @@
+#include "post/run_files.hpp"
+
+#include <system_error>
+#include <utility>
+
+#include "post/file.hpp"
+#include "post/picture.hpp"
+
+namespace tiretherm::post {
+
+namespace {
+
+std::filesystem::path created(std::filesystem::path directory) {
+    std::error_code error;
+    std::filesystem::create_directories(directory, error);
+    if (error) {
+        throw FileError("create the directory", directory, error.message());
+    }
+    return directory;
+}
+
+}  // namespace
+
+RunFiles::RunFiles(std::filesystem::path directory, const solver::Problem& problem, const Origin& origin,
+                   const FileChoice& choice)
+    : directory_(created(std::move(directory))),
+      problem_(problem),
+      choice_(choice),
+      hdf5_(add("results.h5"), problem, origin),
+      csv_(add("channels.csv"), problem) {
+    std::error_code ignored;  // pictures of an earlier run must not outlive its results
+    std::filesystem::remove(directory_ / "picture.png", ignored);
+    std::filesystem::remove(directory_ / "channels.png", ignored);
+    if (choice.vtk) {
+        vtk_.emplace(directory_, problem.mesh);
+        written_.push_back(vtk_->series());
+    }
+}
+
+std::filesystem::path RunFiles::add(const char* name) { return written_.emplace_back(directory_ / name); }
+
+void RunFiles::take(const solver::Snapshot& snapshot) {
+    history_.take(snapshot);
+    csv_.take(snapshot);
+    hdf5_.take(snapshot);
+    if (snapshot.field) {
+        if (vtk_) {
+            vtk_->write(snapshot.time, snapshot.temperature);
+        }
+        last_field_time_ = snapshot.time;
+        last_field_.assign(snapshot.temperature.begin(), snapshot.temperature.end());
+    }
+}
+
+void RunFiles::finish() {
+    hdf5_.finish();
+    if (!choice_.pictures) {
+        return;
+    }
+    if (has_section(problem_.mesh) && !last_field_.empty()) {
+        draw_field(add("picture.png"), problem_, last_field_time_, last_field_);
+    }
+    if (history_.rows() > 1 && !problem_.channels.empty()) {
+        draw_channels(add("channels.png"), problem_, history_);
+    }
+}
+
+}  // namespace tiretherm::post

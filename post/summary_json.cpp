@@ -1,0 +1,119 @@
+#include <algorithm>
+#include <array>
+
+#include <nlohmann/json.hpp>
+
+#include "post/celsius.hpp"
+#include "post/comparison.hpp"
+#include "post/place.hpp"
+#include "post/summary.hpp"
+
+namespace tiretherm::post {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json channels(const RunRecord& run) {
+    Json list = Json::array();
+    for (std::size_t c = 0; c < run.problem.channels.size(); ++c) {
+        list.push_back({{"name", run.problem.channels[c].name},
+                        {"unit", "degC"},
+                        {"final", celsius(run.report.channel_final[c])},
+                        {"min", celsius(run.report.channel_min[c])},
+                        {"max", celsius(run.report.channel_max[c])},
+                        {"meaning", run.problem.channels[c].meaning}});
+    }
+    return list;
+}
+
+Json budget(const RunRecord& run) {
+    Json list = Json::array();
+    for (std::size_t e = 0; e < run.problem.effects.size(); ++e) {
+        list.push_back({{"effect", run.problem.effects[e].effect->id},
+                        {"watts_final", run.problem.symmetry * run.report.watts[e]},
+                        {"joules", run.problem.symmetry * run.report.joules[e]}});
+    }
+    return list;
+}
+
+Json extreme(const RunRecord& run, const solver::Report::Extreme& found) {
+    const Place place = place_of(run.problem.mesh, found.node);
+    Json position;  // null for a lump
+    if (place.position) {
+        const auto [x, y, depth] = *place.position;
+        position = {{"x", 1e3 * x}, {"y", 1e3 * y}, {"depth", 1e3 * depth}, {"unit", "mm"}};
+    }
+    return {{"temperature", celsius(found.temperature)},
+            {"unit", "degC"},
+            {"time", found.time},
+            {"layer", place.layer},
+            {"zone", nullptr},  // no mesh has zones along the meridian yet
+            {"patch", place.patch},
+            {"position", position}};
+}
+
+Json measured(const RunRecord& run) {
+    Json list = Json::array();
+    for (const Comparison& c : compare(run.problem, run.history)) {
+        list.push_back({{"channel", run.problem.channels[c.channel].name},
+                        {"time", c.time},
+                        {"unit", "degC"},
+                        {"low", celsius(c.low)},
+                        {"high", celsius(c.high)},
+                        {"simulated", celsius(c.simulated)},
+                        {"difference", c.difference},
+                        {"source", c.source}});
+    }
+    return list;
+}
+
+}  // namespace
+
+std::string summary_json(const RunRecord& run) {
+    const solver::Report& report = run.report;
+    Json json;
+    json["case"] = run.problem.name;
+    json["title"] = run.problem.title;
+    json["version"] = run.origin.version;
+    json["cells"] = run.problem.mesh.n_cells;
+    json["steps"] = report.steps;
+    json["rejected"] = report.rejected;
+    json["factorisations"] = report.factorisations;
+    json["newton_iterations"] = report.newton_iterations;
+    json["linear_iterations"] = report.linear_iterations;
+    json["linear_solver"] = report.linear_solver;
+    json["seconds"] = run.seconds;
+    constexpr std::array parts{"assembly", "factor", "solve", "output"};
+    for (std::size_t i = 0; i < std::min(parts.size(), report.seconds.size()); ++i) {
+        json["seconds_by_part"][parts[i]] = report.seconds[i];
+    }
+    json["simulated_seconds"] = report.simulated;
+    json["energy_closure"] = report.energy_closure;
+    json["effective_link"] = run.problem.symmetry * report.effective_link;  // W/K; null where it has no meaning
+    if (run.history.rows() > 0) {
+        json["channels"] = channels(run);
+        json["measured"] = measured(run);
+        json["budget"] = budget(run);
+        json["stored_joules"] = run.problem.symmetry * report.stored;
+        json["symmetry"] = run.problem.symmetry;
+        json["hottest"] = extreme(run, report.hottest);
+        json["coldest"] = extreme(run, report.coldest);
+    }
+    json["warnings"] = run.warnings;
+    for (const std::string& warning : report.warnings) {
+        json["warnings"].push_back(warning);
+    }
+    json["sources"] = run.problem.sources;
+    json["outputs"] = Json::array();
+    for (const std::filesystem::path& file : run.files) {
+        json["outputs"].push_back(file.string());
+    }
+    if (!report.status.ok()) {
+        json["error"] = report.status.message;
+        json["mistakes"] = Json::array();
+    }
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace tiretherm::post

@@ -1,0 +1,155 @@
+#include "post/vtk_writer.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include "mesh/probe.hpp"
+#include "post/celsius.hpp"
+#include "post/file.hpp"
+
+namespace tiretherm::post {
+
+namespace {
+
+constexpr const char* temperature_name = "temperature [degC]";
+
+std::string field_name(std::size_t index) { return fmt::format("field_{:04}.vtu", index); }
+
+int cell_type(mesh::Shape shape) {
+    switch (shape) {
+        case mesh::Shape::vertex: return VTK_VERTEX;
+        case mesh::Shape::line: return VTK_LINE;
+        case mesh::Shape::quadrilateral: return VTK_QUAD;
+        case mesh::Shape::hexahedron: return VTK_HEXAHEDRON;
+    }
+    return VTK_EMPTY_CELL;
+}
+
+vtkNew<vtkUnstructuredGrid> drawing(const mesh::Mesh& mesh) {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (const mesh::Point& point : mesh.drawing.points) {
+        points->InsertNextPoint(point.data());
+    }
+    vtkNew<vtkUnstructuredGrid> grid;
+    grid->SetPoints(points);
+    const int n = mesh::corners_per_cell(mesh.drawing.shape);
+    grid->Allocate(mesh.n_cells);
+    std::vector<vtkIdType> corners(static_cast<std::size_t>(n));
+    for (auto next = mesh.drawing.corners.begin(); next != mesh.drawing.corners.end(); next += n) {
+        std::copy_n(next, n, corners.begin());
+        grid->InsertNextCell(cell_type(mesh.drawing.shape), n, corners.data());
+    }
+    vtkNew<vtkIntArray> layer;
+    layer->SetName("layer");
+    vtkNew<vtkStringArray> names;
+    names->SetName("layer names");
+    for (int cell = 0; cell < mesh.n_cells; ++cell) {
+        layer->InsertNextValue(mesh.layer[static_cast<std::size_t>(cell)]);
+    }
+    for (const std::string& name : mesh.layers) {
+        names->InsertNextValue(name);
+    }
+    grid->GetCellData()->AddArray(layer);
+    grid->GetFieldData()->AddArray(names);
+    return grid;
+}
+
+/// The file's bytes are made in memory, so that writing them fails with the system's reason.
+std::string file_text(vtkUnstructuredGrid* grid) {
+    vtkNew<vtkXMLUnstructuredGridWriter> writer;
+    writer->SetInputData(grid);
+    writer->SetDataModeToAppended();
+    writer->EncodeAppendedDataOff();
+    writer->SetCompressorTypeToZLib();
+    writer->WriteToOutputStringOn();
+    writer->Write();
+    return writer->GetOutputString();
+}
+
+}  // namespace
+
+VtkWriter::AtPoints VtkWriter::at_points(const mesh::Mesh& mesh) {
+    AtPoints all;
+    if (!mesh.grid) {
+        return all;
+    }
+    all.first.push_back(0);
+    for (const mesh::Point& point : mesh.drawing.points) {
+        const mesh::Functional one = mesh::at_point(mesh, {point[0], point[1], -point[2]});
+        all.nodes.insert(all.nodes.end(), one.nodes.begin(), one.nodes.end());
+        all.weights.insert(all.weights.end(), one.weights.begin(), one.weights.end());
+        all.first.push_back(all.nodes.size());
+    }
+    return all;
+}
+
+VtkWriter::VtkWriter(std::filesystem::path directory, const mesh::Mesh& mesh)
+    : directory_(std::move(directory)), mesh_(mesh), at_points_(at_points(mesh)) {
+    std::error_code error;
+    std::filesystem::remove(series(), error);
+    for (std::size_t index = 0; std::filesystem::remove(directory_ / field_name(index), error); ++index) {
+    }
+    if (error) {
+        throw FileError("replace the fields in", directory_, error.message());
+    }
+}
+
+void VtkWriter::write(double time, std::span<const double> temperature) {
+    const vtkNew<vtkUnstructuredGrid> grid = drawing(mesh_);
+    vtkNew<vtkDoubleArray> in_cells;
+    in_cells->SetName(temperature_name);
+    for (int cell = 0; cell < mesh_.n_cells; ++cell) {
+        in_cells->InsertNextValue(celsius(temperature[static_cast<std::size_t>(cell)]));
+    }
+    grid->GetCellData()->SetScalars(in_cells);
+    if (!at_points_.first.empty()) {
+        vtkNew<vtkDoubleArray> in_points;
+        in_points->SetName(temperature_name);
+        for (std::size_t point = 0; point + 1 < at_points_.first.size(); ++point) {
+            double sum = 0.0;
+            for (std::size_t i = at_points_.first[point]; i < at_points_.first[point + 1]; ++i) {
+                sum += at_points_.weights[i] * temperature[static_cast<std::size_t>(at_points_.nodes[i])];
+            }
+            in_points->InsertNextValue(celsius(sum));
+        }
+        grid->GetPointData()->SetScalars(in_points);
+    }
+    vtkNew<vtkDoubleArray> moment;
+    moment->SetName("TimeValue");  // the name under which readers look for it
+    moment->InsertNextValue(time);
+    grid->GetFieldData()->AddArray(moment);
+
+    replace_file(directory_ / field_name(times_.size()), file_text(grid));
+    times_.push_back(time);
+    write_series();
+}
+
+void VtkWriter::write_series() const {
+    std::string text =
+        "<?xml version=\"1.0\"?>\n"
+        "<VTKFile type=\"Collection\" version=\"0.1\">\n"
+        "  <Collection>\n";
+    for (std::size_t index = 0; index < times_.size(); ++index) {
+        fmt::format_to(std::back_inserter(text), "    <DataSet timestep=\"{:.12g}\" file=\"{}\"/>\n", times_[index],
+                       field_name(index));
+    }
+    text += "  </Collection>\n</VTKFile>\n";
+    replace_file(series(), text);
+}
+
+}  // namespace tiretherm::post

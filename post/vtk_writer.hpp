@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mesh/mesh.hpp"
+
+namespace tiretherm::post {
+
+/// A series of fields for ParaView: field_0000.vtu, field_0001.vtu ... and field.pvd with their times.
+///
+/// Cells carry "temperature [degC]" and "layer"; a mesh with a grid carries "temperature [degC]" at its points too,
+/// interpolated as the channels are, so that the surface shows the temperature of the surface and not that of the
+/// outermost cells. z is upwards, the outer surface at 0. An axisymmetric mesh is the half plane x = radius:
+/// ParaView's filter "Rotational Extrusion" makes the body of it.
+///
+/// Each file is renamed into place when it is whole, and field.pvd names only files that are.
+class VtkWriter {
+public:
+    /// Removes the series of an earlier run from the directory.
+    /// @param mesh must outlive the writer   @errors FileError
+    VtkWriter(std::filesystem::path directory, const mesh::Mesh& mesh);
+
+    /// @param time s  @param temperature [n_nodes] K   @errors FileError
+    void write(double time, std::span<const double> temperature);
+
+    [[nodiscard]] std::filesystem::path series() const { return directory_ / "field.pvd"; }
+
+private:
+    void write_series() const;
+
+    /// The interpolation that makes the temperature of each corner point, all in one piece of memory.
+    struct AtPoints {
+        std::vector<std::size_t> first;  ///< [points + 1] into nodes and weights; empty without a grid
+        std::vector<int> nodes;
+        std::vector<double> weights;
+    };
+    [[nodiscard]] static AtPoints at_points(const mesh::Mesh& mesh);
+
+    std::filesystem::path directory_;
+    const mesh::Mesh& mesh_;
+    AtPoints at_points_;
+    std::vector<double> times_;
+};
+
+}  // namespace tiretherm::post

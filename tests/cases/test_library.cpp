@@ -1,0 +1,189 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "cases/written.hpp"
+
+// The library's cases in SI: the numbers that a user wrote must arrive.
+namespace tiretherm::cases {
+
+namespace {
+
+constexpr double zero = 273.15;
+constexpr double pi = std::numbers::pi;
+
+solver::Problem read(std::string_view name) {
+    Reading reading = read_case(source_folder() / "cases" / (std::string(name) + ".toml"));
+    EXPECT_TRUE(reading.problem.has_value()) << render(reading);
+    EXPECT_TRUE(reading.warnings.empty()) << render(reading);
+    solver::Problem problem = reading.problem ? std::move(*reading.problem) : solver::Problem{};
+    EXPECT_EQ(problem.name, name);
+    EXPECT_FALSE(problem.sources.empty());
+    EXPECT_NE(problem.title, problem.name);
+    return problem;
+}
+
+std::vector<std::string> effects(const solver::Problem& problem) {
+    std::vector<std::string> ids;
+    for (const physics::ActiveEffect& active : problem.effects) {
+        ids.emplace_back(active.effect->id);
+    }
+    return ids;
+}
+
+std::vector<std::string> channels(const solver::Problem& problem) {
+    std::vector<std::string> names;
+    for (const solver::Channel& channel : problem.channels) {
+        names.push_back(channel.name);
+        EXPECT_FALSE(channel.meaning.empty()) << channel.name;
+        double sum = 0.0;
+        for (const double weight : channel.where.weights) {
+            sum += weight;
+        }
+        EXPECT_NEAR(sum, 1.0, 1e-12) << channel.name;
+    }
+    return names;
+}
+
+const physics::ActiveEffect& effect(const solver::Problem& problem, std::string_view id) {
+    const auto found = std::find_if(problem.effects.begin(), problem.effects.end(),
+                                    [&](const physics::ActiveEffect& active) { return active.effect->id == id; });
+    EXPECT_NE(found, problem.effects.end()) << id;
+    return *found;
+}
+
+}  // namespace
+
+// Thesis-notes section 2: S_tot = 2 pi 0.3308 0.225 = 0.46766 m2, m = 1100 S_tot 0.012 = 6.173 kg, of which 15 % outside.
+TEST(Library, TwoNodeIsTheThesissTire) {
+    const solver::Problem problem = read("two_node/4000N_100kmh");
+    const double area = 2.0 * pi * 0.3308 * 0.225;
+    EXPECT_NEAR(problem.tire.outer_area(), area, 1e-12);
+    EXPECT_NEAR(problem.tire.band_mass(), 6.173, 0.0005);
+    EXPECT_EQ(problem.tire, physics::Tire{});  // whose defaults are the thesis's
+    ASSERT_EQ(problem.mesh.n_cells, 2);
+    EXPECT_NEAR(problem.mesh.volume[0] * 1100.0, 0.15 * 6.173, 1e-4);
+    EXPECT_NEAR(problem.mesh.volume[1] * 1100.0, 0.85 * 6.173, 5e-4);
+    EXPECT_NEAR(problem.mesh.links.at(0).length, 0.010, 1e-15);
+    ASSERT_EQ(problem.link_laws.size(), 1U);
+    EXPECT_NEAR(problem.link_laws[0].value(zero + 20.0), 0.29, 1e-12);
+    EXPECT_NEAR(problem.link_laws[0].value(zero + 90.0), 0.29 + 70.0 * 0.00943, 1e-12);
+    ASSERT_EQ(problem.materials.size(), 2U);
+    EXPECT_DOUBLE_EQ(problem.materials[1].density, 1100.0);
+    EXPECT_DOUBLE_EQ(problem.materials[1].heat_capacity.value(300.0), 1800.0);
+    EXPECT_EQ(effects(problem), (std::vector<std::string>{"conduction", "strain_energy_loss", "sliding_friction", "air_convection", "road_contact"}));
+    EXPECT_EQ(channels(problem), (std::vector<std::string>{"surface_temperature", "bulk_temperature"}));
+    EXPECT_EQ(problem.channels[1].where.nodes, std::vector<int>{1});
+    EXPECT_EQ(problem.initial, (std::vector<double>{zero + 23.0, zero + 23.0}));
+    EXPECT_DOUBLE_EQ(problem.settings.end, 3600.0);
+    EXPECT_DOUBLE_EQ(problem.settings.output_interval, 10.0);
+    EXPECT_DOUBLE_EQ(problem.symmetry, 1.0);
+}
+
+// 100 km/h = 27.778 m/s, 150 km/h = 41.667 m/s; the measured bulk of thesis III.2.5.
+TEST(Library, TwoNodeCasesDifferInLoadSpeedAndMeasurement) {
+    struct Row {
+        std::string_view name;
+        double load;
+        double speed;
+        double bulk;
+    };
+    for (const Row& row : {Row{"two_node/4000N_100kmh", 4000.0, 100.0 / 3.6, 50.0}, Row{"two_node/7000N_100kmh", 7000.0, 100.0 / 3.6, 70.0},
+                           Row{"two_node/7500N_150kmh", 7500.0, 150.0 / 3.6, 80.0}}) {
+        const solver::Problem problem = read(row.name);
+        const physics::Inputs inputs = problem.drive.at(1800.0, solver::Limit::after);
+        EXPECT_NEAR(inputs.speed, row.speed, 1e-13);
+        EXPECT_DOUBLE_EQ(inputs.vertical_load, row.load);
+        EXPECT_DOUBLE_EQ(inputs.air_temperature, zero + 23.0);
+        EXPECT_DOUBLE_EQ(inputs.road_temperature, zero + 23.0);
+        ASSERT_EQ(problem.measured.size(), 1U);
+        EXPECT_EQ(problem.measured[0].channel, "bulk_temperature");
+        EXPECT_DOUBLE_EQ(problem.measured[0].low, zero + row.bulk);
+        EXPECT_DOUBLE_EQ(problem.measured[0].high, zero + row.bulk);
+        EXPECT_DOUBLE_EQ(problem.measured[0].time, 3600.0);
+    }
+}
+
+// The effect's nodes share the power on 1 cm2: the shares sum to 1 where the whole spot is meshed.
+TEST(Library, LaserCasesAreAxisymmetricWithTwoLayers) {
+    for (const auto& [name, power, low, high] : {std::tuple("laser/one_watt", 1.0, 40.0, 50.0), std::tuple("laser/three_watts", 3.0, 60.0, 80.0)}) {
+        const solver::Problem problem = read(name);
+        ASSERT_TRUE(problem.mesh.grid.has_value());
+        EXPECT_EQ(problem.mesh.grid->metric, mesh::Metric::axisymmetric);
+        EXPECT_NEAR(problem.mesh.grid->edge[0].back(), 0.060, 1e-15);
+        EXPECT_NEAR(problem.mesh.grid->edge[2].back(), 0.012, 1e-15);
+        EXPECT_EQ(problem.mesh.layers, (std::vector<std::string>{"tread", "bulk"}));
+        EXPECT_NEAR(problem.mesh.total_volume(), pi * 0.06 * 0.06 * 0.012, 1e-12);
+        const physics::Curve& K1 = problem.materials[0].along(mesh::Axis::through);
+        const physics::Curve& K2 = problem.materials[1].along(mesh::Axis::meridian);
+        EXPECT_NEAR(K1.value(zero + 20.0), 0.29, 1e-12);
+        EXPECT_NEAR(K1.value(zero + 90.0), 0.95, 1e-12);
+        EXPECT_NEAR(K2.value(zero + 20.0), 0.06, 1e-12);
+        EXPECT_NEAR(K2.value(zero + 90.0), 0.075, 1e-12);
+        EXPECT_EQ(effects(problem), (std::vector<std::string>{"conduction", "laser", "still_air"}));
+        EXPECT_NEAR(effect(problem, "laser")[0], std::sqrt(1e-4 / pi), 1e-7);
+        double shares = 0.0;
+        for (const double weight : effect(problem, "laser").weights) {
+            shares += weight;
+        }
+        EXPECT_NEAR(shares, 1.0, 1e-12);
+        EXPECT_DOUBLE_EQ(effect(problem, "still_air")[0], 10.0);
+        EXPECT_DOUBLE_EQ(problem.drive.at(0.0, solver::Limit::after).laser_power, power);
+        EXPECT_EQ(channels(problem), (std::vector<std::string>{"spot_centre_temperature", "spot_mean_temperature", "inner_liner_temperature"}));
+        EXPECT_DOUBLE_EQ(problem.settings.end, 1800.0);
+        ASSERT_EQ(problem.measured.size(), 2U);
+        EXPECT_DOUBLE_EQ(problem.measured[1].low, zero + low);
+        EXPECT_DOUBLE_EQ(problem.measured[1].high, zero + high);
+    }
+}
+
+// Performance page, section 1: 30 x 30 x 15 mm of a quarter, K1 above 3 mm; K1(40) = 0.29 + 0.0094 20 = 0.478,
+// K2(40) = 0.060 + 0.0002 20 = 0.064.
+TEST(Library, SlabsAreTheReferenceProblem) {
+    const solver::Problem linear = read("reference/slab_linear");
+    EXPECT_EQ(linear.mesh.n_cells, 20 * 20 * 51);
+    EXPECT_DOUBLE_EQ(linear.symmetry, 4.0);
+    EXPECT_NEAR(linear.mesh.total_volume(), 0.03 * 0.03 * 0.015, 1e-15);
+    EXPECT_NEAR(linear.mesh.grid->edge[2][18], 0.003, 1e-15);
+    EXPECT_TRUE(linear.materials[0].conductivity[0].is_constant());
+    EXPECT_DOUBLE_EQ(linear.materials[0].conductivity[0].value(300.0), 0.478);
+    EXPECT_DOUBLE_EQ(linear.materials[1].conductivity[2].value(300.0), 0.064);
+    EXPECT_EQ(channels(linear), (std::vector<std::string>{"top", "bottom", "centre"}));
+    // A quarter of the disc lies on the mesh.
+    double shares = 0.0;
+    for (const double weight : effect(linear, "laser").weights) {
+        shares += weight;
+    }
+    EXPECT_NEAR(shares, 0.25, 1e-12);
+
+    const solver::Problem nonlinear = read("reference/slab_nonlinear");
+    EXPECT_NEAR(nonlinear.materials[0].conductivity[2].value(zero + 100.0), 0.29 + 0.0094 * 80.0, 1e-12);
+    EXPECT_NEAR(nonlinear.materials[1].conductivity[2].value(zero + 100.0), 0.060 + 0.0002 * 80.0, 1e-12);
+    EXPECT_DOUBLE_EQ(nonlinear.settings.end, 600.0);
+
+    const solver::Problem round = read("reference/slab_axisymmetric");
+    EXPECT_EQ(round.materials, nonlinear.materials);
+    EXPECT_NEAR(round.mesh.total_volume(), 0.06 * 0.06 * 0.015, 1e-9);
+    EXPECT_DOUBLE_EQ(round.symmetry, 1.0);
+}
+
+// Performance page, section 2. A metre along y, so that joules are those per metre.
+TEST(Library, SectionHasItsOwnCoefficientOnEachSide) {
+    const solver::Problem problem = read("reference/section");
+    EXPECT_EQ(problem.mesh.n_cells, 450 * 60);
+    EXPECT_NEAR(problem.mesh.total_volume(), 0.225 * 0.015, 1e-12);
+    EXPECT_DOUBLE_EQ(effect(problem, "uniform_source")[0], 1e5);
+    const physics::ActiveEffect& air = effect(problem, "still_air");
+    ASSERT_EQ(air.patches.size(), 4U);
+    const std::vector<double> expected{60.0, 10.0, 20.0, 20.0};
+    const std::vector<std::string> names{"top", "bottom", "left", "right"};
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(problem.mesh.patches[static_cast<std::size_t>(air.patches[i])].name, names[i]);
+        EXPECT_DOUBLE_EQ(air.on_patch(0, i), expected[i]);
+    }
+    EXPECT_EQ(channels(problem), (std::vector<std::string>{"top", "bottom", "centre", "top_corner"}));
+}
+
+}  // namespace tiretherm::cases
