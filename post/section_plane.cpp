@@ -104,7 +104,7 @@ void cut_quiet_rim(SectionPlane& plane) {
         return;
     }
     const auto [low, high] = std::minmax_element(plane.kelvin.begin(), plane.kelvin.end());
-    const double slight = 0.02 * (*high - *low);
+    const double slight = 0.05 * (*high - *low);
     const std::size_t width = plane.x.size();
     std::size_t kept = 1;
     for (std::size_t i = 0; i < plane.kelvin.size(); ++i) {

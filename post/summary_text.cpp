@@ -119,7 +119,10 @@ std::string budget(const RunRecord& run) {
     std::string text = joined(table.lines(2));
     text += fmt::format("  energy closure {:.1e}: {} over the heat turned over\n", report.energy_closure,
                         steady ? "sum" : "stored less sum,");
-    if (std::isfinite(report.effective_link)) {
+    const std::vector<physics::ActiveEffect>& effects = run.problem.effects;
+    const bool is_tire = std::any_of(effects.begin(), effects.end(),
+                                     [](const physics::ActiveEffect& active) { return active.effect->needs_tire; });
+    if (is_tire && std::isfinite(report.effective_link)) {
         text += fmt::format("  as a two-node model, its link would be {:.4g} W/K\n", run.problem.symmetry * report.effective_link);
     }
     return text;

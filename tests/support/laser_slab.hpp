@@ -12,16 +12,16 @@
 
 namespace tiretherm::support {
 
-/// The linear problem "laser slab" of performance.md, section 1: a square slab 2 X wide of layers, insulated at its sides,
-/// with Robin faces and a flux q on a disc of radius a at the middle of its top.
+/// The linear problem "laser slab" of performance.md, section 1: a square slab 2 X wide of layers, insulated at its
+/// sides, with Robin faces and a flux q on a disc of radius a at the middle of its top.
 ///
 /// On the quarter [0, X] x [0, X] the disc's flux is the cosine series
 ///     sum over m, n of e_m e_n (q pi a^2/(4 X^2)) 2 J1(l a)/(l a) cos(m pi x/X) cos(n pi y/X),
 ///     l^2 = (m^2 + n^2) pi^2/X^2,  e_0 = 1, else 2,
 /// and each mode is a LayeredSlab of wave number l under a flux at its top. At the disc's centre that sum converges
-/// slowly, so the insulated half-space of the top layer's material is taken out of each mode, 1/(k l) erf(l sqrt(alpha t)),
-/// and added again as a whole: the disc and its mirror images, at all even multiples of X, on a half-space. What is left
-/// falls off as l^-3.5, by the film's h/(k l)^2 and by exp(-2 l d) of the top layer's depth d.
+/// slowly, so the insulated half-space of the top layer's material is taken out of each mode, 1/(k l) erf(l sqrt(alpha
+/// t)), and added again as a whole: the disc and its mirror images, at all even multiples of X, on a half-space. What
+/// is left falls off as l^-3.5, by the film's h/(k l)^2 and by exp(-2 l d) of the top layer's depth d.
 class LaserSlab {
 public:
     LaserSlab(LayeredSlab depth, double half_width, double radius, double power)

@@ -40,7 +40,8 @@ solver::Problem slab(int refinement, double ratio) {
 
 TEST(CompositeSlab, ModesAreOrthogonalInEnergy) {
     // Eigenfunctions of a Sturm-Liouville problem are orthogonal with the weight C: the integral of C Z_i Z_j, here by
-    // the midpoint rule on 40000 pieces, whose error is of the square of a piece's share of a wave: 1e-6 beside the norm.
+    // the midpoint rule on 40000 pieces, whose error is of the square of a piece's share of a wave: 1e-6 beside the
+    // norm.
     const support::LayeredSlab exact = exact_slab();
     std::vector<support::LayeredSlab::Mode> modes;
     for (int j = 0; j < 6; ++j) {
@@ -62,10 +63,10 @@ TEST(CompositeSlab, ModesAreOrthogonalInEnergy) {
 }
 
 TEST(CompositeSlab, CoolsAtSecondOrderEverywhere) {
-    // From 103 C everywhere into air of 23 C, 240 s: T = T_air + 80 K sum c_j Z_j(z) exp(-mu_j t) with the eigenvalues of
-    // both layers together. Conductivities differ by 12.7 at the interface: a scheme that averages k instead of adding
-    // half resistances falls to first order. Cells grade by 2 towards the faces, with a jump of width at the interface.
-    // Looked at: both surfaces, the root mean square over all cells by volume, and the heat given off.
+    // From 103 C everywhere into air of 23 C, 240 s: T = T_air + 80 K sum c_j Z_j(z) exp(-mu_j t) with the eigenvalues
+    // of both layers together. Conductivities differ by 12.7 at the interface: a scheme that averages k instead of
+    // adding half resistances falls to first order. Cells grade by 2 towards the faces, with a jump of width at the
+    // interface. Looked at: both surfaces, the root mean square over all cells by volume, and the heat given off.
     const support::LayeredSlab exact = exact_slab();
     const auto modes = exact.modes(240.0);
     const double capacity = 0.008 * 1100.0 * 1800.0 + 0.004 * 1250.0 * 1500.0;  // J/(m2 K)

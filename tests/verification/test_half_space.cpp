@@ -57,10 +57,10 @@ TEST(HalfSpace, FormulaTendsToItsTwoLimits) {
 }
 
 TEST(HalfSpace, CentreOfTheDiscConvergesAtSecondOrderAboutTheAxis) {
-    // T(0,0,t) = 2 q sqrt(alpha t)/k [1/sqrt(pi) - ierfc(a/(2 sqrt(alpha t)))] = 51.7 K at 60 s. The disc ends on an edge
-    // between cells, where the flux jumps and the scheme is poor; the centre does not see it. Order 2 within 0.1. (Half
-    // distances that are logarithmic in the radius would lose it: a regular field is not a line source, the error on the
-    // axis becomes h^2 ln(1/h) and the observed order 1.8.)
+    // T(0,0,t) = 2 q sqrt(alpha t)/k [1/sqrt(pi) - ierfc(a/(2 sqrt(alpha t)))] = 51.7 K at 60 s. The disc ends on an
+    // edge between cells, where the flux jumps and the scheme is poor; the centre does not see it. Order 2 within 0.1.
+    // (Half distances that are logarithmic in the radius would lose it: a regular field is not a line source, the error
+    // on the axis becomes h^2 ln(1/h) and the observed order 1.8.)
     const support::DiscSource exact = exact_source();
     std::vector<double> errors;
     for (const int refinement : {1, 2, 4, 8}) {
@@ -89,8 +89,8 @@ TEST(HalfSpace, BlockAndAxisymmetricMeshBothWarmUpAsCarslawAndJaeger) {
 }
 
 TEST(HalfSpace, WholeBlockEqualsItsQuarter) {
-    // Symmetry about x = 0 and y = 0: a whole block with the mirrored grid holds the same numbers, to the tolerance of the
-    // linear solution (a hundredth of the 1e-6 K of a step, some tens of steps), and four times the heat.
+    // Symmetry about x = 0 and y = 0: a whole block with the mirrored grid holds the same numbers, to the tolerance of
+    // the linear solution (a hundredth of the 1e-6 K of a step, some tens of steps), and four times the heat.
     solver::Problem quarter =
         heated(mesh::build(mesh::Block{.x = across(1), .y = across(1), .stack = depth(1), .quarter = true}), 60.0);
     mesh::Block whole{.x = {}, .y = {}, .stack = depth(1), .quarter = false};

@@ -113,8 +113,9 @@ void expect_all_below(const std::array<double, 9>& found, std::string_view of, d
 }
 
 TEST(LaserSlab, TableOfTheLinearProblemIsItsSeries) {
-    // The double cosine series times the modes of two layers, laser_slab.hpp, computed here and held against the printed
-    // table: its temperatures are good to 0.0005 K, its heats are printed to 1e-5 J, and the series is cut at 1e-4 K.
+    // The double cosine series times the modes of two layers, laser_slab.hpp, computed here and held against the
+    // printed table: its temperatures are good to 0.0005 K, its heats are printed to 1e-5 J, and the series is cut at
+    // 1e-4 K.
     const support::LaserSlab exact(
         {.layers = {{0.003, 0.478, 1.98e6}, {0.012, 0.064, 1.98e6}}, .h_top = 10.0, .h_bottom = 10.0}, 0.030, spot,
         1.0);
@@ -150,9 +151,9 @@ TEST(LaserSlab, RoundSlabsOfEqualAreaAreWithinAFifthOfAPercent) {
 }
 
 TEST(LaserSlab, PlaceOfTheRimHardlyMatters) {
-    // The circle inside the square (30 mm) and the one through its corners (42.4 mm) hold the square between them. At the
-    // probes they differ by less than a tenth of what the problem is judged by: sqrt(alpha t) of the tread is 12 mm after
-    // 600 s, and the faces let go of heat on its way out.
+    // The circle inside the square (30 mm) and the one through its corners (42.4 mm) hold the square between them. At
+    // the probes they differ by less than a tenth of what the problem is judged by: sqrt(alpha t) of the tread is 12 mm
+    // after 600 s, and the faces let go of heat on its way out.
     const support::History inscribed = support::record(round(true, 0.030));
     const support::History circumscribed = support::record(round(true, 0.030 * std::numbers::sqrt2));
     ASSERT_EQ(inscribed.time.size(), circumscribed.time.size());

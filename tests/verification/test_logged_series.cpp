@@ -81,7 +81,8 @@ TEST(LoggedSeries, LaserEnergyIsTheIntegralOfItsSamples) {
         for (const double fixed : {0.0, 7.3}) {
             solver::Problem problem = strip();
             support::log(problem, "laser_power", power.time, power.value);
-            // 1 kW/m2 to and fro at 1 Hz move the surface by half a kelvin: at 2 K the error control lets steps span it.
+            // 1 kW/m2 to and fro at 1 Hz move the surface by half a kelvin: at 2 K the error control lets steps span
+            // it.
             problem.settings.tolerance = 2.0;
             if (fixed > 0.0) {
                 problem.settings.fixed_step = fixed;
@@ -124,8 +125,9 @@ TEST(LoggedSeries, ProductOfTwoLoggedInputsIsIntegratedExactly) {
 
 TEST(LoggedSeries, StagesOfAStepCarryTheMeanAndTheFirstMoment) {
     // A step that spans samples sees the straight line with the same mean and first moment. Its value is mean + slope
-    // (x - 1/2) at x = 0 and 1 of the step, and the moment of that about the middle is slope dt^2/12. The noise is wider
-    // than the trend, so that the line stays inside the extremes of the samples; steps begin on samples and between them.
+    // (x - 1/2) at x = 0 and 1 of the step, and the moment of that about the middle is slope dt^2/12. The noise is
+    // wider than the trend, so that the line stays inside the extremes of the samples; steps begin on samples and
+    // between them.
     std::mt19937_64 engine(11);
     std::uniform_real_distribution<double> noise(-3.0, 3.0);
     const Samples walk = sampled(100.0, 1.0, [&](double t) { return 5.0 + 0.03 * t + noise(engine); });
@@ -172,8 +174,8 @@ TEST(LoggedSeries, LineOfAStepStaysInsideTheSamples) {
 }
 
 TEST(LoggedSeries, TemperaturesOfLongStepsAreThoseOfTheSamples) {
-    // Truth: the same samples as a schedule, whose every point is a step, to 1e-5 K. Logged, the run makes far fewer steps
-    // than there are samples and stays within three tolerances, in front and behind, every minute.
+    // Truth: the same samples as a schedule, whose every point is a step, to 1e-5 K. Logged, the run makes far fewer
+    // steps than there are samples and stays within three tolerances, in front and behind, every minute.
     const Samples load =
         sampled(600.0, 1.0, [](double t) { return 0.5 + 0.02 * std::sin(2.0 * std::numbers::pi * t / 5.0); });
     solver::Problem logged = strip();
@@ -206,9 +208,9 @@ std::vector<double> step_ends(solver::Problem problem) {
 }
 
 TEST(Schedule, JumpsAndPointsAreLandedOnExactly) {
-    // The observer sees every step when the output interval is 0. Points of a schedule, jumps of a schedule and jumps of a
-    // logged series must be among them, to the last bit, with error control and with fixed steps that do not divide them;
-    // samples of the logged series need not be.
+    // The observer sees every step when the output interval is 0. Points of a schedule, jumps of a schedule and jumps
+    // of a logged series must be among them, to the last bit, with error control and with fixed steps that do not
+    // divide them; samples of the logged series need not be.
     const double third = 100.0 / 3.0;
     for (const double fixed : {0.0, 7.0}) {
         solver::Problem problem = strip();

@@ -164,8 +164,9 @@ std::array<double, 2> errors(const solver::Problem& problem) {
 }
 
 TEST(ManufacturedField, SourceBalancesTheField) {
-    // The derivation above against central differences: rho c T_t - div(k grad T) with steps of 1e-5 m and 1e-3 s, whose
-    // error of the square of the step times fourth derivatives is 1e-6 of the terms, and round-off 1e-16/1e-10 = 1e-6.
+    // The derivation above against central differences: rho c T_t - div(k grad T) with steps of 1e-5 m and 1e-3 s,
+    // whose error of the square of the step times fourth derivatives is 1e-6 of the terms, and round-off 1e-16/1e-10 =
+    // 1e-6.
     const mesh::Point at{0.004, -0.003, 0.005};
     const double t = 25.0;
     const auto T = [](const mesh::Point& p, double time) { return chosen::field(p, time).T; };
@@ -189,8 +190,8 @@ TEST(ManufacturedField, SourceBalancesTheField) {
 }
 
 TEST(ManufacturedField, ConvergesAtSecondOrderInSpaceAndTimeTogether) {
-    // Cells and steps halve together, so that either falling to first order would show. Cells graded by 2 (x, z) and 1/2
-    // (y): order 2 within 0.15, as grading adds terms of third order.
+    // Cells and steps halve together, so that either falling to first order would show. Cells graded by 2 (x, z) and
+    // 1/2 (y): order 2 within 0.15, as grading adds terms of third order.
     std::vector<double> cells;
     std::vector<double> sides;
     for (const int n : {6, 12, 24}) {
@@ -226,8 +227,9 @@ std::vector<double> differences(solver::Method method, const std::vector<double>
 }
 
 TEST(ManufacturedField, StepsAloneConvergeAtTheOrderOfTheirMethod) {
-    // On one coarse mesh the solution in time is that of a system of equations: T(dt) - T(dt/2) shrinks with the order of
-    // the method, whatever the mesh's own error. Laws of k(T) and c(T) are converged in each step, or the order is lost.
+    // On one coarse mesh the solution in time is that of a system of equations: T(dt) - T(dt/2) shrinks with the order
+    // of the method, whatever the mesh's own error. Laws of k(T) and c(T) are converged in each step, or the order is
+    // lost.
     support::expect_order("tr_bdf2", differences(solver::Method::tr_bdf2, {16.0, 8.0, 4.0, 2.0, 1.0}), 1.9, 2.1);
     support::expect_order("backward_euler", differences(solver::Method::backward_euler, {4.0, 2.0, 1.0, 0.5}), 0.9,
                           1.1);

@@ -60,8 +60,8 @@ std::array<double, 4> errors(const solver::Problem& problem) {
 }
 
 TEST(RobinSlab, SeriesStartsUniformAndLosesWhatItsFacesGiveOff) {
-    // The exact solution is examined first. At t -> 0 it is 1 inside; between two times the heat lost equals what leaves
-    // through both faces, integrated by Simpson's rule over 200 intervals (error of h^4, below 1e-9).
+    // The exact solution is examined first. At t -> 0 it is 1 inside; between two times the heat lost equals what
+    // leaves through both faces, integrated by Simpson's rule over 200 intervals (error of h^4, below 1e-9).
     const support::LayeredSlab exact = exact_slab();
     const auto many = exact.modes(0.05);
     EXPECT_NEAR(exact.cooling(many, 0.5 * thickness, 0.05), 1.0, 1e-12);
@@ -179,9 +179,9 @@ const physics::Effect surroundings{.id = "surroundings",
                                    .gives_derivatives = true};
 
 TEST(RobinSlab, SurfaceSettlesAt333K) {
-    // 1/12.5 outside, 0.012/0.3 in the rubber, 1/25 inside: 0.08 + 0.04 + 0.04 = 0.16 m2K/W between 293.15 and 373.15 K.
-    // Half of it lies outside, so the outer surface stands at 293.15 + 40 = 333.15 K and the inner at 353.15 K, for any
-    // number of cells: the scheme is exact for a straight profile, up to the round-off of 1e-9 K.
+    // 1/12.5 outside, 0.012/0.3 in the rubber, 1/25 inside: 0.08 + 0.04 + 0.04 = 0.16 m2K/W between 293.15 and 373.15
+    // K. Half of it lies outside, so the outer surface stands at 293.15 + 40 = 333.15 K and the inner at 353.15 K, for
+    // any number of cells: the scheme is exact for a straight profile, up to the round-off of 1e-9 K.
     for (const int cells : {1, 2, 7}) {
         solver::Problem problem;
         problem.title = "steady Robin slab";

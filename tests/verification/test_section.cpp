@@ -32,8 +32,8 @@ constexpr std::array<Row, 4> table{{{26.0182, 24.9942, 25.7965, 24.7201, 19141.4
                                     {45.1567, 33.6764, 44.3372, 30.2918, 132373.1},
                                     {55.1029, 37.9194, 54.3807, 32.3300, 189686.2}}};
 
-/// With X_i of the width and Z_j of the depth (each a LayeredSlab of one layer) the uniform source S has the coefficients
-/// S/C (int X_i / int X_i^2) (int Z_j / int Z_j^2), and every product decays on its own:
+/// With X_i of the width and Z_j of the depth (each a LayeredSlab of one layer) the uniform source S has the
+/// coefficients S/C (int X_i / int X_i^2) (int Z_j / int Z_j^2), and every product decays on its own:
 ///
 ///     T = sum_ij S/C a_i b_j X_i(x) Z_j(z) (1 - exp(-(mu_i + mu_j) t)) / (mu_i + mu_j).
 ///
@@ -128,8 +128,8 @@ solver::Problem section(int nx, int nz) {
 }
 
 TEST(Section, TableIsItsDoubleSeries) {
-    // Printed to four places and to 0.1 J: half a unit of the last, and as much for the table's own series, whose corner
-    // is 7e-5 K short.
+    // Printed to four places and to 0.1 J: half a unit of the last, and as much for the table's own series, whose
+    // corner is 7e-5 K short.
     const Series series;
     for (std::size_t i = 0; i < times.size(); ++i) {
         const Row row = exact(series, times[i]);
@@ -142,9 +142,9 @@ TEST(Section, TableIsItsDoubleSeries) {
 }
 
 TEST(Section, ProbesAndStoredHeatAreWithinAFifthOfAPercent) {
-    // 150 x 60 cells, steps to 0.002 K, against the series: every probe of its own rise, and the heat, at all four times,
-    // on which steps end as on points of a schedule. The corner has no node: it is extrapolated along the top, and at 60 s
-    // its own rise is 1.7 K.
+    // 150 x 60 cells, steps to 0.002 K, against the series: every probe of its own rise, and the heat, at all four
+    // times, on which steps end as on points of a schedule. The corner has no node: it is extrapolated along the top,
+    // and at 60 s its own rise is 1.7 K.
     solver::Problem problem = section(30, 60);
     problem.settings.tolerance = 0.002;
     support::schedule(problem, "road_temperature", {0.0, 60.0, 300.0, 600.0}, {296.15, 296.15, 296.15, 296.15});

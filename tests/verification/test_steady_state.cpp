@@ -66,10 +66,10 @@ TEST(SteadyState, LaserSpotWithRadiationEqualsItsLongTransient) {
 }
 
 TEST(SteadyState, VaryingConductivityIsKirchhoffsIntegralOnAnyGrid) {
-    // 1500 W/m2 enter at the inner surface, pass 12 mm of k(T) and leave through 25 W/m2K: the outer surface stands 60 K
-    // above the air, and the inner one where the integral of k dT between them is q d (Kirchhoff's transform; Carslaw and
-    // Jaeger, section 1.6): one root, by bisection. The scheme takes the mean of k between the temperatures of a face,
-    // which sums to that integral over any grid; 1e-8 K is Newton's share of the tolerance below.
+    // 1500 W/m2 enter at the inner surface, pass 12 mm of k(T) and leave through 25 W/m2K: the outer surface stands 60
+    // K above the air, and the inner one where the integral of k dT between them is q d (Kirchhoff's transform; Carslaw
+    // and Jaeger, section 1.6): one root, by bisection. The scheme takes the mean of k between the temperatures of a
+    // face, which sums to that integral over any grid; 1e-8 K is Newton's share of the tolerance below.
     constexpr double q = 1500.0;
     constexpr double outer = 60.0;  // K above 293.15 K, as all temperatures here
     const auto integral = [](double T) { return T * (0.29 + T * (0.5 * 0.0094 - T * 1e-5)); };

@@ -66,8 +66,9 @@ double difference(const solver::Problem& problem) {
 TEST(TwoBlocks, TendToTheTwoNodeModelAtFirstOrderInTheirResistance) {
     // A block of thickness d that conducts with k adds a resistance of order d/k to the path of its heat, beside the
     // link's dZ/k_link = 0.01/0.5 and the film's 1/70. The difference from lumps is c1/k + c2/k^2 + ...: order 1 within
-    // 0.1 once d/k of the bulk, 0.0102/k, is a tenth of the link. Both models make the same steps, so that the steps' error
-    // cancels up to its own share of 1/k. Biot number of the link against the film: h dZ/k_link = 70 * 0.01/0.5, of order one.
+    // 0.1 once d/k of the bulk, 0.0102/k, is a tenth of the link. Both models make the same steps, so that the steps'
+    // error cancels up to its own share of 1/k. Biot number of the link against the film: h dZ/k_link = 70 * 0.01/0.5,
+    // of order one.
     std::vector<double> differences;
     for (const double k : {8.0, 16.0, 32.0, 64.0, 128.0}) {
         differences.push_back(difference(blocks(k, 8)));
@@ -76,9 +77,10 @@ TEST(TwoBlocks, TendToTheTwoNodeModelAtFirstOrderInTheirResistance) {
 }
 
 TEST(TwoBlocks, EqualTheTwoNodeModelWhenTheyHardlyResist) {
-    // The difference is 3.5 K W/mK / k by the test above: 3.5e-7 K at k = 1e7 W/mK. Round-off does not forbid it: between
-    // cells joined by 2e10 W/K the sixteenth digit of 300 K moves kilowatts to and fro, but what the blocks hold as a
-    // whole is the balance of the mesh, which must be booked to its last digits however small the scaled residual is.
+    // The difference is 3.5 K W/mK / k by the test above: 3.5e-7 K at k = 1e7 W/mK. Round-off does not forbid it:
+    // between cells joined by 2e10 W/K the sixteenth digit of 300 K moves kilowatts to and fro, but what the blocks
+    // hold as a whole is the balance of the mesh, which must be booked to its last digits however small the scaled
+    // residual is.
     support::expect_below("at_1e7", difference(blocks(1e7, 4)), 1e-6);
 }
 

@@ -88,8 +88,8 @@ TEST(TwoNodes, FlowsAreThoseOfEquation31AtAThousandRandomStates) {
 }
 
 TEST(TwoNodes, CapacitiesAreTheThesisMassesTimesItsSpecificHeat) {
-    // m = rho 2 pi R0 W h = 6.173 kg (68); 15 % and 85 % of it times 1800 J/kgK are 1666.8 and 9445.1 J/K. One kelvin of
-    // enthalpy is a difference of two numbers of 5e5 and 3e6 J: 1e-9 relative is a hundred roundings.
+    // m = rho 2 pi R0 W h = 6.173 kg (68); 15 % and 85 % of it times 1800 J/kgK are 1666.8 and 9445.1 J/K. One kelvin
+    // of enthalpy is a difference of two numbers of 5e5 and 3e6 J: 1e-9 relative is a hundred roundings.
     const solver::Problem problem = support::two_node_problem({});
     const solver::System system(problem);
     std::vector<double> cold(2);

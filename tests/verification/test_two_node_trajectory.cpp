@@ -121,8 +121,8 @@ double fixed_step_error(solver::Method method, double step) {
 }
 
 TEST(TwoNodes, TrBdf2FollowsCvodeAtSecondOrder) {
-    // Steps from a tenth down to a hundredth of the 25 s in which the surface follows a jump. The order is 2 with a next
-    // term of third order: within 0.1 there, from above. The largest error stands just after the jumps of 15 K.
+    // Steps from a tenth down to a hundredth of the 25 s in which the surface follows a jump. The order is 2 with a
+    // next term of third order: within 0.1 there, from above. The largest error stands just after the jumps of 15 K.
     std::vector<double> errors;
     for (const double step : {2.5, 1.25, 0.625, 0.3125}) {
         errors.push_back(fixed_step_error(solver::Method::tr_bdf2, step));
@@ -141,8 +141,8 @@ TEST(TwoNodes, BackwardEulerFollowsCvodeAtFirstOrder) {
 }
 
 TEST(TwoNodes, ErrorControlKeepsAFewTolerances) {
-    // The tolerance bounds what one step adds, e = C dt^3; what stands at one time is the sum over the tau/dt steps that
-    // the nodes remember, which is e tau/dt, proportional to tolerance^(2/3). So the error in tolerances grows by
+    // The tolerance bounds what one step adds, e = C dt^3; what stands at one time is the sum over the tau/dt steps
+    // that the nodes remember, which is e tau/dt, proportional to tolerance^(2/3). So the error in tolerances grows by
     // 10^(1/3) a decade: from one at the standard 0.01 K to less than five at 0.001 K, and its exponent is 2/3 within
     // 0.15 once the steps resolve the jumps. Outputs every 30 s lie off the steps: interpolation is held to the same.
     const auto states = truth();
