@@ -76,6 +76,9 @@ struct Effect {
                   std::span<double> intensities);  ///< may be null
     void (*speak)(const Moment& moment, Terms& terms);
     bool gives_derivatives;  ///< otherwise they are taken by difference, for local dependence only
+    /// A sentence for the user when the temperatures that its patches saw leave the range its law is known for, or an
+    /// empty one. May be null. @param coldest, hottest K
+    std::string (*caution)(const ActiveEffect& active, double coldest, double hottest) = nullptr;
 };
 
 /// An effect switched on, with its numbers.

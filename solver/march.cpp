@@ -202,6 +202,7 @@ private:
         report_.watts.assign(stepper_.watts().begin(), stepper_.watts().end());
         report_.joules.assign(stepper_.joules().begin(), stepper_.joules().end());
         report_.stored = stepper_.stored();
+        report_.warnings = rows_.cautions();
         report_.effective_link = stepper_.effective_link();
         report_.energy_closure = problem_.settings.steady ? steady_closure() : stepper_.energy_closure();
     }

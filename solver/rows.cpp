@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace tiretherm::solver {
 
@@ -13,6 +15,8 @@ Rows::Rows(const Problem& problem, const Observer& observer, const Stepper& step
       channels_(problem.channels.size()),
       field_(problem.initial),
       joules_(problem.effects.size()),
+      coldest_(problem.effects.size(), std::numeric_limits<double>::infinity()),
+      hottest_(problem.effects.size(), -std::numeric_limits<double>::infinity()),
       next_output_(output_time(1)),
       next_field_(problem.settings.start + problem.settings.field_interval) {}
 
@@ -32,6 +36,18 @@ void Rows::watch(Report& report) {
             report.coldest = {T[n], stepper_->time(), static_cast<int>(n)};
         }
     }
+    for (std::size_t e = 0; e < problem_->effects.size(); ++e) {
+        const physics::ActiveEffect& active = problem_->effects[e];
+        if (active.effect->caution == nullptr) {
+            continue;
+        }
+        for (const int patch : active.patches) {
+            for (const mesh::PatchFace& face : problem_->mesh.patches[static_cast<std::size_t>(patch)].faces) {
+                coldest_[e] = std::min(coldest_[e], T[static_cast<std::size_t>(face.node)]);
+                hottest_[e] = std::max(hottest_[e], T[static_cast<std::size_t>(face.node)]);
+            }
+        }
+    }
     measure(T);
     if (report.channel_final.empty()) {
         report.channel_min = report.channel_max = channels_;
@@ -41,6 +57,19 @@ void Rows::watch(Report& report) {
         report.channel_min[c] = std::min(report.channel_min[c], channels_[c]);
         report.channel_max[c] = std::max(report.channel_max[c], channels_[c]);
     }
+}
+
+std::vector<std::string> Rows::cautions() const {
+    std::vector<std::string> sentences;
+    for (std::size_t e = 0; e < problem_->effects.size(); ++e) {
+        const physics::ActiveEffect& active = problem_->effects[e];
+        if (active.effect->caution != nullptr) {
+            if (std::string sentence = active.effect->caution(active, coldest_[e], hottest_[e]); !sentence.empty()) {
+                sentences.push_back(std::move(sentence));
+            }
+        }
+    }
+    return sentences;
 }
 
 bool Rows::emit(double t, std::span<const double> T, std::span<const double> joules, double stored, bool field) {
@@ -114,6 +143,8 @@ void Rows::visit(Archive& archive) {
     archive(next_output_);
     archive(next_field_);
     archive.whole(outputs_);
+    archive(coldest_);
+    archive(hottest_);
 }
 
 }  // namespace tiretherm::solver

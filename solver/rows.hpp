@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "solver/march.hpp"
@@ -21,6 +22,9 @@ public:
     /// Looks at the state for the extremes; writes them into the report.
     void watch(Report& report);
 
+    /// What the effects have to say about the temperatures that their patches saw.
+    [[nodiscard]] std::vector<std::string> cautions() const;
+
     void visit(Archive& archive);
     [[nodiscard]] double seconds() const { return seconds_; }  ///< spent in the observer
 
@@ -38,6 +42,8 @@ private:
     std::vector<double> channels_;
     std::vector<double> field_;
     std::vector<double> joules_;
+    std::vector<double> coldest_;  ///< [n_effects] K, on the patches of an effect that may caution
+    std::vector<double> hottest_;
     double next_output_;
     double next_field_;
     long outputs_ = 1;  ///< rows at output times so far, the start included

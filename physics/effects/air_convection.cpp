@@ -2,6 +2,8 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "physics/effect.hpp"
 
 namespace tiretherm::physics::effects {
@@ -83,6 +85,20 @@ void speak(const Moment& m, Terms& terms) {
     }
 }
 
+/// The exponential was fitted between 0 and 100 degC; beyond, it doubles every 8 K.
+std::string caution(const ActiveEffect& active, double coldest, double hottest) {
+    constexpr double zero_celsius = 273.15;
+    const bool too_hot = hottest > zero_celsius + 100.0 && active[clamp_high] > zero_celsius + 100.0;
+    const bool too_cold = coldest < zero_celsius && active[clamp_low] < zero_celsius;
+    if (active.choices[exponential] != 0 || !(too_hot || too_cold)) {
+        return {};
+    }
+    return fmt::format(
+        "air_convection: the outer surface was between {:.1f} and {:.1f} degC, and the exponential of (33) "
+        "is an extrapolation outside 0 to 100 degC; hold it with clamp_low and clamp_high",
+        coldest - zero_celsius, hottest - zero_celsius);
+}
+
 }  // namespace
 
 extern const Effect air_convection;
@@ -107,6 +123,7 @@ const Effect air_convection{
     .drive = drive,
     .speak = speak,
     .gives_derivatives = true,
+    .caution = caution,
 };
 
 }  // namespace tiretherm::physics::effects

@@ -72,7 +72,8 @@ TEST(BadFile, ThatIsNotThere) {
 }
 
 TEST(BadFile, ThatIsADirectory) {
-    EXPECT_EQ(relative(render(read_case(folder() / "good"))), "good: the file is a directory\n    remedy: give a file\n");
+    EXPECT_EQ(relative(render(read_case(folder() / "good"))),
+              "good: the file is a directory\n    remedy: give a file\n");
 }
 
 TEST(BadFile, ThatMayNotBeRead) {

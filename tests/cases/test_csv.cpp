@@ -54,28 +54,36 @@ TEST(Csv, TabsAndNoNewlineAtTheEnd) {
     expect_samples(read_log("time [s]\tspeed [km/h]\troad_temperature [degC]\n0\t0\t23\n2\t36\t24\n5\t54\t25"));
 }
 TEST(Csv, ByteOrderMarkAndCarriageReturns) {
-    expect_samples(read_log("\xEF\xBB\xBFtime [s],speed [km/h],road_temperature [degC]\r\n0,0,23\r\n2,36,24\r\n5,54,25\r\n"));
+    expect_samples(
+        read_log("\xEF\xBB\xBFtime [s],speed [km/h],road_temperature [degC]\r\n0,0,23\r\n2,36,24\r\n5,54,25\r\n"));
 }
 TEST(Csv, QuotesBlanksAndEmptyLines) {
-    expect_samples(read_log("\n\"time [s]\" , \"speed [km/h]\" , road_temperature[degC]\n\n 0 , \"0\", 23\n2, 36,24 \n\n5,54,+25\n\n"));
+    expect_samples(read_log(
+        "\n\"time [s]\" , \"speed [km/h]\" , road_temperature[degC]\n\n 0 , \"0\", 23\n2, 36,24 \n\n5,54,+25\n\n"));
 }
 TEST(Csv, TrailingSeparators) {
     expect_samples(read_log("time [s],speed [km/h],road_temperature [degC]\n0,0,23,\n2,36,24,\n5,54,25,\n"));
     expect_samples(read_log("time [s],speed [km/h],road_temperature [degC],\n0,0,23,\n2,36,24,\n5,54,25,\n"));
 }
 TEST(Csv, OtherUnits) {
-    expect_samples(read_log("time [min],speed [m/s],road_temperature [degF]\n0,0,73.4\n0.033333333333333333,10,75.2\n0.083333333333333333,15,77\n"));
-    expect_samples(read_log("time [ms],speed [kph],road_temperature [\xB0""C]\n0,0,23\n2000,36,24\n5000,54,25\n"));
+    expect_samples(
+        read_log("time [min],speed [m/s],road_temperature "
+                 "[degF]\n0,0,73.4\n0.033333333333333333,10,75.2\n0.083333333333333333,15,77\n"));
+    expect_samples(
+        read_log("time [ms],speed [kph],road_temperature [\xB0"
+                 "C]\n0,0,23\n2000,36,24\n5000,54,25\n"));
 }
 TEST(Csv, ColumnsMayBeRenamedAndIgnored) {
-    expect_samples(read_log("t [s],V [km/h],road_temperature [degC],vertical_load [N]\n0,0,23,\n2,36,24,x\n5,54,25,nan\n",
-                            "columns = { t = \"time\", V = \"speed\" }\nignore = [\"vertical_load\"]\n"));
+    expect_samples(
+        read_log("t [s],V [km/h],road_temperature [degC],vertical_load [N]\n0,0,23,\n2,36,24,x\n5,54,25,nan\n",
+                 "columns = { t = \"time\", V = \"speed\" }\nignore = [\"vertical_load\"]\n"));
 }
 
 // Channels and signals unknown to the tire may hold anything: they are not read here.
 TEST(Csv, ColumnsThatAreNoInputsAreNotRead) {
-    expect_samples(read_log("time [s],speed [km/h],throttle,road_temperature [degC],bulk_temperature [degC]\n"
-                            "0,0,a,23,\n2,36,,24,nan\n5,54,1,25,x\n"));
+    expect_samples(
+        read_log("time [s],speed [km/h],throttle,road_temperature [degC],bulk_temperature [degC]\n"
+                 "0,0,a,23,\n2,36,,24,nan\n5,54,1,25,x\n"));
 }
 
 TEST(Csv, TheRunLastsAsLongAsTheLogUnlessTheCaseSaysMore) {

@@ -28,8 +28,8 @@ const Node& at(const Node& node, std::initializer_list<std::string_view> keys) {
 }
 
 std::string place(const Mistakes& mistakes, const Node& node) {
-    return std::filesystem::path(mistakes.file(node.place.file)).filename().string() + ":" + std::to_string(node.place.line) + ":" +
-           std::to_string(node.place.column);
+    return std::filesystem::path(mistakes.file(node.place.file)).filename().string() + ":" +
+           std::to_string(node.place.line) + ":" + std::to_string(node.place.column);
 }
 
 }  // namespace
@@ -66,8 +66,11 @@ TEST(Include, ALaterFileWinsOverAnEarlierOneAndPathsAreRelativeToTheirFile) {
 
 TEST(Include, ListsAndTablesInBracesAreValues) {
     const Written written;
-    written.add("base.toml", "list = [1, 2, 3]\n[t]\nlaw = { at = 1, value = 2 }\n[[t.layer]]\nname = \"a\"\n[[t.layer]]\nname = \"b\"\n");
-    written.add("case.toml", "include = \"base.toml\"\nlist = [4]\n[t]\nlaw = { through = 5 }\n[[t.layer]]\nname = \"a\"\n");
+    written.add(
+        "base.toml",
+        "list = [1, 2, 3]\n[t]\nlaw = { at = 1, value = 2 }\n[[t.layer]]\nname = \"a\"\n[[t.layer]]\nname = \"b\"\n");
+    written.add("case.toml",
+                "include = \"base.toml\"\nlist = [4]\n[t]\nlaw = { through = 5 }\n[[t.layer]]\nname = \"a\"\n");
     Mistakes mistakes;
     const Node merged = document(written, mistakes);
     EXPECT_EQ(at(merged, {"list"}).items.size(), 1U);
@@ -78,7 +81,8 @@ TEST(Include, ListsAndTablesInBracesAreValues) {
 TEST(Include, NamedListsAtTheTopAreMergedByName) {
     const Written written;
     written.add("base.toml", "[[material]]\nname = \"a\"\nx = 1\ny = 1\n[[material]]\nname = \"b\"\nx = 1\n");
-    written.add("case.toml", "include = \"base.toml\"\n[[material]]\nname = \"c\"\nx = 3\n[[material]]\nname = \"a\"\nx = 2\n");
+    written.add("case.toml",
+                "include = \"base.toml\"\n[[material]]\nname = \"c\"\nx = 3\n[[material]]\nname = \"a\"\nx = 2\n");
     Mistakes mistakes;
     const Node merged = document(written, mistakes);
     const std::vector<Node>& list = at(merged, {"material"}).items;

@@ -30,8 +30,8 @@ TEST(Law, AConstant) {
 
 // 0.29 + 0.00943 (90 - 20) + 1e-5 (90 - 20)^2 = 0.9991; the law's own variable is kelvin, which costs some digits.
 TEST(Law, AQuadraticAboutATemperature) {
-    const physics::Curve law =
-        conductivity(R"({ at = "20 degC", value = "0.29 W/mK", slope = "0.00943 W/mK/K", curvature = "1e-5 W/mK/K2" })");
+    const physics::Curve law = conductivity(
+        R"({ at = "20 degC", value = "0.29 W/mK", slope = "0.00943 W/mK/K", curvature = "1e-5 W/mK/K2" })");
     EXPECT_NEAR(law.value(zero + 20.0), 0.29, 1e-13);
     EXPECT_NEAR(law.value(zero + 90.0), 0.9991, 1e-13);
     EXPECT_NEAR(law.slope(zero + 20.0), 0.00943, 1e-15);
@@ -39,8 +39,10 @@ TEST(Law, AQuadraticAboutATemperature) {
 
 // A degree Celsius in a slope is a difference: no offset. 1 degF is 5/9 K.
 TEST(Law, SlopesPerDegree) {
-    EXPECT_NEAR(conductivity(R"({ at = "20 degC", value = "1 W/mK", slope = "0.01 W/m/K/degC" })").slope(300.0), 0.01, 1e-15);
-    EXPECT_NEAR(conductivity(R"({ at = "20 degC", value = "1 W/mK", slope = "0.01 W/m/K/degF" })").slope(300.0), 0.018, 1e-15);
+    EXPECT_NEAR(conductivity(R"({ at = "20 degC", value = "1 W/mK", slope = "0.01 W/m/K/degC" })").slope(300.0), 0.01,
+                1e-15);
+    EXPECT_NEAR(conductivity(R"({ at = "20 degC", value = "1 W/mK", slope = "0.01 W/m/K/degF" })").slope(300.0), 0.018,
+                1e-15);
 }
 
 // Slope (0.95 - 0.29)/70 = 0.0094286 W/mK/K.
@@ -61,8 +63,8 @@ TEST(Law, AParabolaThroughThreePoints) {
 }
 
 TEST(Law, ATableIsStraightBetweenItsRowsAndHeldBeyond) {
-    const physics::Curve law =
-        conductivity(R"({ columns = ["temperature [degC]", "k [mW/mK]"], rows = [[20, 290], [60, 500], [90, 950.0]] })");
+    const physics::Curve law = conductivity(
+        R"({ columns = ["temperature [degC]", "k [mW/mK]"], rows = [[20, 290], [60, 500], [90, 950.0]] })");
     EXPECT_TRUE(law.is_table());
     EXPECT_NEAR(law.value(zero + 40.0), 0.395, 1e-14);
     EXPECT_NEAR(law.value(zero + 75.0), 0.725, 1e-14);
@@ -104,7 +106,9 @@ TEST(Law, WarnsWhereHeatingCouldLeadToANegativeConductivity) {
     EXPECT_TRUE(warnings(R"({ at = "20 degC", value = "0.29 W/mK", slope = "0.00943 W/mK/K" })").empty());
     const auto found = warnings(R"({ at = "23 degC", value = "0.99 W/mK", slope = "-0.01 W/mK/K" })");
     ASSERT_EQ(found.size(), 1U);
-    EXPECT_NE(found[0].find("the conductivity of rubber is not positive everywhere between 23.0 and 150 degC"), std::string::npos) << found[0];
+    EXPECT_NE(found[0].find("the conductivity of rubber is not positive everywhere between 23.0 and 150 degC"),
+              std::string::npos)
+        << found[0];
 }
 
 }  // namespace tiretherm::cases

@@ -62,7 +62,12 @@ TEST(Library, TwoNodeIsTheThesissTire) {
     const double area = 2.0 * pi * 0.3308 * 0.225;
     EXPECT_NEAR(problem.tire.outer_area(), area, 1e-12);
     EXPECT_NEAR(problem.tire.band_mass(), 6.173, 0.0005);
-    EXPECT_EQ(problem.tire, physics::Tire{});  // whose defaults are the thesis's
+    // Its members are by default the thesis's. 330.8 mm is one ulp from 0.3308.
+    const physics::Tire thesis;
+    EXPECT_DOUBLE_EQ(problem.tire.unloaded_radius, thesis.unloaded_radius);
+    EXPECT_DOUBLE_EQ(problem.tire.area_ratio(), thesis.area_ratio());
+    EXPECT_DOUBLE_EQ(physics::strain_power(problem.tire, 27.0, 4500.0), physics::strain_power(thesis, 27.0, 4500.0));
+    EXPECT_DOUBLE_EQ(problem.tire.contact_area(4500.0), thesis.contact_area(4500.0));
     ASSERT_EQ(problem.mesh.n_cells, 2);
     EXPECT_NEAR(problem.mesh.volume[0] * 1100.0, 0.15 * 6.173, 1e-4);
     EXPECT_NEAR(problem.mesh.volume[1] * 1100.0, 0.85 * 6.173, 5e-4);
@@ -73,7 +78,8 @@ TEST(Library, TwoNodeIsTheThesissTire) {
     ASSERT_EQ(problem.materials.size(), 2U);
     EXPECT_DOUBLE_EQ(problem.materials[1].density, 1100.0);
     EXPECT_DOUBLE_EQ(problem.materials[1].heat_capacity.value(300.0), 1800.0);
-    EXPECT_EQ(effects(problem), (std::vector<std::string>{"conduction", "strain_energy_loss", "sliding_friction", "air_convection", "road_contact"}));
+    EXPECT_EQ(effects(problem), (std::vector<std::string>{"conduction", "strain_energy_loss", "sliding_friction",
+                                                          "air_convection", "road_contact"}));
     EXPECT_EQ(channels(problem), (std::vector<std::string>{"surface_temperature", "bulk_temperature"}));
     EXPECT_EQ(problem.channels[1].where.nodes, std::vector<int>{1});
     EXPECT_EQ(problem.initial, (std::vector<double>{zero + 23.0, zero + 23.0}));
@@ -90,7 +96,8 @@ TEST(Library, TwoNodeCasesDifferInLoadSpeedAndMeasurement) {
         double speed;
         double bulk;
     };
-    for (const Row& row : {Row{"two_node/4000N_100kmh", 4000.0, 100.0 / 3.6, 50.0}, Row{"two_node/7000N_100kmh", 7000.0, 100.0 / 3.6, 70.0},
+    for (const Row& row : {Row{"two_node/4000N_100kmh", 4000.0, 100.0 / 3.6, 50.0},
+                           Row{"two_node/7000N_100kmh", 7000.0, 100.0 / 3.6, 70.0},
                            Row{"two_node/7500N_150kmh", 7500.0, 150.0 / 3.6, 80.0}}) {
         const solver::Problem problem = read(row.name);
         const physics::Inputs inputs = problem.drive.at(1800.0, solver::Limit::after);
@@ -108,7 +115,8 @@ TEST(Library, TwoNodeCasesDifferInLoadSpeedAndMeasurement) {
 
 // The effect's nodes share the power on 1 cm2: the shares sum to 1 where the whole spot is meshed.
 TEST(Library, LaserCasesAreAxisymmetricWithTwoLayers) {
-    for (const auto& [name, power, low, high] : {std::tuple("laser/one_watt", 1.0, 40.0, 50.0), std::tuple("laser/three_watts", 3.0, 60.0, 80.0)}) {
+    for (const auto& [name, power, low, high] :
+         {std::tuple("laser/one_watt", 1.0, 40.0, 50.0), std::tuple("laser/three_watts", 3.0, 60.0, 80.0)}) {
         const solver::Problem problem = read(name);
         ASSERT_TRUE(problem.mesh.grid.has_value());
         EXPECT_EQ(problem.mesh.grid->metric, mesh::Metric::axisymmetric);
@@ -131,7 +139,8 @@ TEST(Library, LaserCasesAreAxisymmetricWithTwoLayers) {
         EXPECT_NEAR(shares, 1.0, 1e-12);
         EXPECT_DOUBLE_EQ(effect(problem, "still_air")[0], 10.0);
         EXPECT_DOUBLE_EQ(problem.drive.at(0.0, solver::Limit::after).laser_power, power);
-        EXPECT_EQ(channels(problem), (std::vector<std::string>{"spot_centre_temperature", "spot_mean_temperature", "inner_liner_temperature"}));
+        EXPECT_EQ(channels(problem), (std::vector<std::string>{"spot_centre_temperature", "spot_mean_temperature",
+                                                               "inner_liner_temperature"}));
         EXPECT_DOUBLE_EQ(problem.settings.end, 1800.0);
         ASSERT_EQ(problem.measured.size(), 2U);
         EXPECT_DOUBLE_EQ(problem.measured[1].low, zero + low);
@@ -146,7 +155,7 @@ TEST(Library, SlabsAreTheReferenceProblem) {
     EXPECT_EQ(linear.mesh.n_cells, 20 * 20 * 51);
     EXPECT_DOUBLE_EQ(linear.symmetry, 4.0);
     EXPECT_NEAR(linear.mesh.total_volume(), 0.03 * 0.03 * 0.015, 1e-15);
-    EXPECT_NEAR(linear.mesh.grid->edge[2][18], 0.003, 1e-15);
+    EXPECT_NEAR(linear.mesh.grid->edge[2][12], 0.003, 1e-15);
     EXPECT_TRUE(linear.materials[0].conductivity[0].is_constant());
     EXPECT_DOUBLE_EQ(linear.materials[0].conductivity[0].value(300.0), 0.478);
     EXPECT_DOUBLE_EQ(linear.materials[1].conductivity[2].value(300.0), 0.064);
@@ -165,7 +174,7 @@ TEST(Library, SlabsAreTheReferenceProblem) {
 
     const solver::Problem round = read("reference/slab_axisymmetric");
     EXPECT_EQ(round.materials, nonlinear.materials);
-    EXPECT_NEAR(round.mesh.total_volume(), 0.06 * 0.06 * 0.015, 1e-9);
+    EXPECT_NEAR(round.mesh.total_volume(), 0.06 * 0.06 * 0.015, 3e-5 * 5.4e-5);  // the radius is rounded to 1e-5
     EXPECT_DOUBLE_EQ(round.symmetry, 1.0);
 }
 

@@ -15,7 +15,9 @@ double value(std::string_view text, const Wanted& wanted) {
     return judged.value;
 }
 
-Fault fault(std::string_view text, const Wanted& wanted) { return quantity(text, wanted, "x").fault.value_or(Fault{"none", ""}); }
+Fault fault(std::string_view text, const Wanted& wanted) {
+    return quantity(text, wanted, "x").fault.value_or(Fault{"none", ""});
+}
 
 }  // namespace
 
@@ -64,7 +66,8 @@ TEST(Quantity, UnusualIsRemarkedButAccepted) {
     const Judged judged = quantity("50 kg/m3", wanted::density, "density");
     EXPECT_FALSE(judged.fault);
     EXPECT_DOUBLE_EQ(judged.value, 50.0);
-    EXPECT_EQ(judged.remark, R"(density is "50 kg/m3", which is unusual: it is mostly between 100 kg/m3 and 10000 kg/m3)");
+    EXPECT_EQ(judged.remark,
+              R"(density is "50 kg/m3", which is unusual: it is mostly between 100 kg/m3 and 10000 kg/m3)");
     EXPECT_EQ(quantity("1100 kg/m3", wanted::density, "density").remark, "");
 }
 

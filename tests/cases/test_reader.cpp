@@ -55,7 +55,8 @@ TEST(Reader, TheExampleOfTheReadmeIsSound) {
     const Written written;
     written.add("drum/load.csv", "time [s],Fz [N],speed [km/h]\n0,4000,1\n1200,4500,1\n");
     written.add("tires/thesis_225_50_R17.toml", "[tire]\nunloaded_radius = \"330.8 mm\"\n");
-    const Reading reading = read_case(written.add("drum/case.toml", text.substr(start, text.find("```", start) - start)));
+    const Reading reading =
+        read_case(written.add("drum/case.toml", text.substr(start, text.find("```", start) - start)));
     ASSERT_TRUE(reading.problem.has_value()) << complaints(reading);
     EXPECT_TRUE(reading.warnings.empty()) << complaints(reading);
     EXPECT_EQ(reading.problem->mesh.n_cells, 24);
@@ -71,7 +72,8 @@ output = "10 s"
 fields = "60 s"
 method = "backward_euler"
 linear_solver = "conjugate_gradient"
-steady = false)")).settings;
+steady = false)"))
+                                          .settings;
     EXPECT_DOUBLE_EQ(settings.start, 60.0);
     EXPECT_DOUBLE_EQ(settings.end, 3600.0);
     EXPECT_DOUBLE_EQ(settings.fixed_step.value(), 2.0);
@@ -81,9 +83,7 @@ steady = false)")).settings;
     EXPECT_EQ(settings.linear_solver, solver::LinearSolver::conjugate_gradient);
 }
 
-TEST(Reader, ASteadyCaseNeedsNoEnd) {
-    EXPECT_TRUE(sound(replaced("end = \"60 s\"", "steady = true")).settings.steady);
-}
+TEST(Reader, ASteadyCaseNeedsNoEnd) { EXPECT_TRUE(sound(replaced("end = \"60 s\"", "steady = true")).settings.steady); }
 
 // Surface nodes start with their layer.
 TEST(Reader, LayersMayStartApart) {
@@ -140,15 +140,18 @@ layer = "bulk"
     EXPECT_NEAR(problem.tire.unloaded_radius, 0.3284, 1e-12);
     EXPECT_NEAR(problem.tire.loaded_radius_at_zero, 0.3284, 1e-12);
     EXPECT_TRUE(warnings(tire).empty());  // sliding friction can do without the slip angle, but it reads it
-    const auto unread = warnings(tire + "[[drive.schedule]]\ncolumns = [\"time [s]\", \"laser_power [W]\"]\nrows = [[0, 1]]\n");
+    const auto unread =
+        warnings(tire + "[[drive.schedule]]\ncolumns = [\"time [s]\", \"laser_power [W]\"]\nrows = [[0, 1]]\n");
     ASSERT_EQ(unread.size(), 1U);
     EXPECT_NE(unread[0].find("no active effect uses laser_power"), std::string::npos);
 }
 
 TEST(Reader, SizesAsTheyStandOnSidewalls) {
-    for (const std::string_view size : {"225/50 R17", "225/50R17", "225/50 R 17", "P225/50 R17 94V", "225/50 ZR17", "225/50-17", "225/50 R17C"}) {
+    for (const std::string_view size :
+         {"225/50 R17", "225/50R17", "225/50 R 17", "P225/50 R17 94V", "225/50 ZR17", "225/50-17", "225/50 R17C"}) {
         const Written written;
-        const Reading reading = read_case(written.add("case.toml", with("[tire]\nsize = \"" + std::string(size) + "\"\n")));
+        const Reading reading =
+            read_case(written.add("case.toml", with("[tire]\nsize = \"" + std::string(size) + "\"\n")));
         for (const Mistake& mistake : reading.mistakes) {
             EXPECT_EQ(mistake.what.find("size"), std::string::npos) << size << ": " << mistake.what;
         }
@@ -156,10 +159,14 @@ TEST(Reader, SizesAsTheyStandOnSidewalls) {
 }
 
 TEST(Reader, AnotherSizeWithTheThesissLawsIsWarnedAbout) {
-    const auto found = warnings(with("[tire]\nsize = \"205/55 R16\"\nunloaded_radius = \"250 mm\"\ncontact_length_limit = \"150 mm\"\n"));
+    const auto found = warnings(
+        with("[tire]\nsize = \"205/55 R16\"\nunloaded_radius = \"250 mm\"\ncontact_length_limit = \"150 mm\"\n"));
     ASSERT_EQ(found.size(), 2U);
-    EXPECT_NE(found[0].find("unloaded_radius is 250.0 mm, but a 205/55 R16 has about 315.9 mm"), std::string::npos) << found[0];
-    EXPECT_NE(found[1].find("contact_area, loaded_radius and rolling_radius of the 205/55 R16 are taken from"), std::string::npos) << found[1];
+    EXPECT_NE(found[0].find("unloaded_radius is 250.0 mm, but a 205/55 R16 has about 315.9 mm"), std::string::npos)
+        << found[0];
+    EXPECT_NE(found[1].find("contact_area, loaded_radius and rolling_radius of the 205/55 R16 are taken from"),
+              std::string::npos)
+        << found[1];
 }
 
 TEST(Reader, ALinkBelowALayer) {
@@ -169,8 +176,11 @@ thickness = "2 mm"
 cells = 1
 material = "rubber"
 )");
-    text.replace(text.find("kind = \"block\"\nx = [{ to = \"10 mm\", cells = 1 }]\ny = [{ to = \"10 mm\", cells = 1 }]"), 85,
-                 "kind = \"layers\"\narea = \"0.4 m2\"\nlink_below = \"rubber\"\nlink_length = \"10 mm\"\nlink_conductivity = \"0.3 W/mK\"");
+    const std::string_view block =
+        "kind = \"block\"\nx = [{ to = \"10 mm\", cells = 1 }]\ny = [{ to = \"10 mm\", cells = 1 }]";
+    text.replace(text.find(block), block.size(),
+                 "kind = \"layers\"\narea = \"0.4 m2\"\nlink_below = \"rubber\"\nlink_length = \"10 "
+                 "mm\"\nlink_conductivity = \"0.3 W/mK\"");
     const solver::Problem problem = sound(text);
     ASSERT_EQ(problem.mesh.links.size(), 1U);
     EXPECT_DOUBLE_EQ(problem.mesh.links[0].length, 0.01);

@@ -27,23 +27,33 @@ TEST(Words, OnlyNearWordsAreSuggested) {
 }
 
 TEST(Render, ShowsPlaceLineCaretAndRemedy) {
-    const Mistake mistake{.file = "a.toml", .line = 3, .column = 7, .length = 4, .what = "no", .remedy = "yes", .source = "\tkey = 1234 # x"};
+    const Mistake mistake{.file = "a.toml",
+                          .line = 3,
+                          .column = 7,
+                          .length = 4,
+                          .what = "no",
+                          .remedy = "yes",
+                          .source = "\tkey = 1234 # x"};
     EXPECT_EQ(render(mistake), "a.toml:3:7: no\n    \tkey = 1234 # x\n    \t     ^~~~\n    remedy: yes\n");
 }
 
 TEST(Render, AMistakeOfAWholeFileHasNoLine) {
-    EXPECT_EQ(render({.file = "a.toml", .what = "the file is empty", .remedy = {}, .source = {}}), "a.toml: the file is empty\n");
+    EXPECT_EQ(render({.file = "a.toml", .what = "the file is empty", .remedy = {}, .source = {}}),
+              "a.toml: the file is empty\n");
 }
 
 TEST(Render, CaretsCountCharactersNotBytes) {
-    const Mistake mistake{.file = "a", .line = 1, .column = 4, .length = 2, .what = "w", .remedy = {}, .source = "\u00B5\u00B0\u03A9ab"};
+    const Mistake mistake{
+        .file = "a", .line = 1, .column = 4, .length = 2, .what = "w", .remedy = {}, .source = "\u00B5\u00B0\u03A9ab"};
     EXPECT_EQ(render(mistake), "a:1:4: w\n    \u00B5\u00B0\u03A9ab\n       ^~\n");
 }
 
 // Places from outside of a line must not crash the one who reports them.
 TEST(Render, SurvivesPlacesBeyondTheLine) {
-    EXPECT_EQ(render({.file = "a", .line = 1, .column = 99, .length = 9, .what = "w", .remedy = {}, .source = "ab"}), "a:1:99: w\n    ab\n      ^\n");
-    EXPECT_EQ(render({.file = "a", .line = 1, .column = 1, .length = 99, .what = "w", .remedy = {}, .source = ""}), "a:1:1: w\n");
+    EXPECT_EQ(render({.file = "a", .line = 1, .column = 99, .length = 9, .what = "w", .remedy = {}, .source = "ab"}),
+              "a:1:99: w\n    ab\n      ^\n");
+    EXPECT_EQ(render({.file = "a", .line = 1, .column = 1, .length = 99, .what = "w", .remedy = {}, .source = ""}),
+              "a:1:1: w\n");
 }
 
 TEST(Mistakes, AreOrderedByPlaceAndNeverTwice) {

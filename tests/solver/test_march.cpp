@@ -297,6 +297,19 @@ TEST(Run, EffectiveLinkOfOneLayerIsToItsOuterSurface) {
     EXPECT_NEAR(quiet(problem).effective_link, 87.0, 87.0 * 0.0003);
 }
 
+TEST(Run, WarnsWhenTheSurfaceLeavesTheRangeOfTheConvectionLaw) {
+    // Started at 120 degC, the outer surface is beyond the 100 degC of the fit; a clamp there answers the warning.
+    Problem problem = two_node_tire();
+    EXPECT_TRUE(quiet(problem).warnings.empty());
+    problem.initial.assign(2, 393.15);
+    const Report hot = quiet(problem);
+    ASSERT_EQ(hot.warnings.size(), 1U);
+    EXPECT_NE(hot.warnings[0].find("120.0 degC"), std::string::npos) << hot.warnings[0];
+    physics::ActiveEffect& air = problem.effects[3];
+    air.parameters[static_cast<std::size_t>(physics::find_parameter(*air.effect, "clamp_high"))] = 373.15;
+    EXPECT_TRUE(quiet(problem).warnings.empty());
+}
+
 TEST(Defects, ListsAllThatIsWrongWithAProblem) {
     Problem problem = heated_strip(3);
     problem.materials.clear();

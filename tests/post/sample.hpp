@@ -1,0 +1,129 @@
+#pragma once
+
+#include <unistd.h>
+
+#include <atomic>
+#include <filesystem>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "mesh/builders.hpp"
+#include "post/summary.hpp"
+#include "solver/march.hpp"
+
+/// What the tests of post/ share: a small case and moments of it that no solver made.
+namespace tiretherm::sample {
+
+/// A directory of its own for a test, removed at its end.
+class Scratch {
+public:
+    Scratch() {
+        static std::atomic<int> next = 0;
+        path_ = std::filesystem::temp_directory_path() / fmt::format("tiretherm_{}_{}", getpid(), next++);
+        std::filesystem::create_directories(path_);
+    }
+    ~Scratch() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+
+    [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+inline mesh::Mesh axisymmetric() {
+    return mesh::build(mesh::Axisymmetric{
+        .radius = {{.to = 0.02, .cells = 4}},
+        .stack = {{.name = "tread", .thickness = 0.008, .cells = 4}, {.name = "bulk", .thickness = 0.004, .cells = 2}}});
+}
+
+/// Two layers under a laser, 24 cells, two channels with a measured value each.
+inline solver::Problem problem(mesh::Mesh mesh = axisymmetric()) {
+    solver::Problem problem;
+    problem.name = "sample/spot";
+    problem.title = "A warm spot";
+    problem.sources = {"A thesis, chapter III", "A paper"};
+    problem.mesh = std::move(mesh);
+    problem.materials.resize(problem.mesh.layers.size());
+    for (physics::Material& material : problem.materials) {
+        material.conductivity.fill(physics::Curve::constant(0.3));
+    }
+    for (const char* id : {"conduction", "laser", "still_air"}) {
+        problem.effects.push_back(physics::activate(*physics::find_effect(id), problem.mesh));
+    }
+    problem.settings.end = 60.0;
+    problem.channels = {{.name = "spot", .meaning = "outer surface, mean over the spot", .where = {{0}, {1.0}}},
+                        {.name = "liner", .meaning = "", .where = {{1}, {1.0}}}};
+    problem.measured = {{.channel = "spot", .time = 60.0, .low = 358.15, .high = 358.15, .source = "camera"},
+                        {.channel = "liner", .time = 30.0, .low = 310.15, .high = 320.15, .source = "thermocouple"}};
+    return problem;
+}
+
+/// 26.85 degC at the outer surface, 2 K more each millimetre deeper, and one more each second: straight in depth, so
+/// that interpolation is exact.
+inline double warmth(double depth, double time) { return 300.0 + 2000.0 * depth + time; }
+
+/// A moment and the arrays that its spans look at.
+class Moment {
+public:
+    Moment(const solver::Problem& problem, double time, std::vector<double> channels, bool field)
+        : channels_(std::move(channels)), watts_{0.0, 1.0, -0.25}, joules_{0.0, time, -0.1 * time} {
+        for (const mesh::Point& centre : problem.mesh.centre) {
+            temperature_.push_back(warmth(centre[2], time));
+        }
+        snapshot = {.time = time, .temperature = temperature_, .channels = channels_, .watts = watts_,
+                    .joules = joules_, .stored = 0.9 * time, .field = field};
+    }
+    Moment(const Moment&) = delete;
+    Moment& operator=(const Moment&) = delete;
+
+    solver::Snapshot snapshot;
+
+private:
+    std::vector<double> temperature_;
+    std::vector<double> channels_;
+    std::vector<double> watts_;
+    std::vector<double> joules_;
+};
+
+/// Rows at 0, 30 and 60 s.
+inline post::History history(const solver::Problem& problem) {
+    post::History history;
+    history.take(Moment(problem, 0.0, {296.15, 296.15}, true).snapshot);
+    history.take(Moment(problem, 30.0, {353.15, 303.15}, false).snapshot);
+    history.take(Moment(problem, 60.0, {370.65, 313.15}, true).snapshot);
+    return history;
+}
+
+inline solver::Report report() {
+    solver::Report report;
+    report.simulated = 60.0;
+    report.steps = 1234;
+    report.rejected = 5;
+    report.factorisations = 6;
+    report.linear_solver = "CHOLMOD simplicial, 99 entries in the factor";
+    report.watts = {0.0, 1.0, -0.25};
+    report.joules = {0.0, 60.0, -6.0};
+    report.stored = 54.0;
+    report.energy_closure = 1.25e-13;
+    report.effective_link = 0.125;
+    report.hottest = {.temperature = 370.65, .time = 60.0, .node = 24};  // first node of the outer surface
+    report.coldest = {.temperature = 296.15, .time = 0.0, .node = 23};   // last cell
+    report.channel_final = {370.65, 313.15};
+    report.channel_min = {296.15, 296.15};
+    report.channel_max = {370.65, 313.15};
+    report.warnings = {"air_convection: the surface left the range of its correlation"};
+    report.seconds = {0.001, 0.002, 0.003, 0.004};
+    return report;
+}
+
+}  // namespace tiretherm::sample
