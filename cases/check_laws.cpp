@@ -57,11 +57,13 @@ double lowest_place(const Curve& law, const Span& span) {
     return lowest;
 }
 
-void check_law(Mistakes& mistakes, const Curve& law, const std::string& what, const Place& place, const Span& sure) {
+/// @param unit as users write it
+void check_law(Mistakes& mistakes, const Curve& law, const std::string& what, std::string_view unit, const Place& place,
+               const Span& sure) {
     if (!(law.minimum(sure.low, sure.high) > 0.0)) {
         const double T = lowest_place(law, sure);
         mistakes.add(place,
-                     fmt::format("{} is {:.3g} at {:.1f} degC, a temperature of this case", what, law.value(T),
+                     fmt::format("{} is {:.3g} {} at {:.1f} degC, a temperature of this case", what, law.value(T), unit,
                                  T - celsius_zero),
                      "correct the law: conductivity and heat capacity must be positive");
     } else if (!(law.minimum(sure.low, std::max(sure.high, usual_limit)) > 0.0)) {
@@ -87,7 +89,9 @@ void check_laws(Section& root, const Draft& draft) {
         const auto check = [&](const Curve& law, std::string_view key, std::string_view what) {
             const Node* value = stock.table->find(key);
             if (value != nullptr) {
-                check_law(root.mistakes(), law, fmt::format("the {} of {}", what, material.name), value->place, sure);
+                const std::string_view unit = key == "heat_capacity" ? "J/kgK" : "W/mK";
+                check_law(root.mistakes(), law, fmt::format("the {} of {}", what, material.name), unit, value->place,
+                          sure);
             }
         };
         check(material.heat_capacity, "heat_capacity", "heat capacity");
@@ -98,7 +102,8 @@ void check_laws(Section& root, const Draft& draft) {
     }
     const Node* link = root.table().find("mesh")->find("link_conductivity");
     if (link != nullptr && !draft.problem.link_laws.empty()) {
-        check_law(root.mistakes(), draft.problem.link_laws.front(), "the conductivity of the link", link->place, sure);
+        check_law(root.mistakes(), draft.problem.link_laws.front(), "the conductivity of the link", "W/mK", link->place,
+                  sure);
     }
 }
 

@@ -18,14 +18,15 @@ inline constexpr double text = 24.0;   ///< px
 inline constexpr double tick = 8.0;    ///< px
 }  // namespace look
 
-/// A straight axis: from the value `low` at pixel `from` to the value `high` at pixel `to`.
+/// A straight axis: from the value `low` at pixel `from` to the value `high` at pixel `to`; where both values are equal,
+/// all is at `from`.
 struct Scale {
     double low = 0.0;
     double high = 1.0;
     double from = 0.0;
     double to = 1.0;
 
-    [[nodiscard]] double px(double value) const { return from + (value - low) / (high - low) * (to - from); }
+    [[nodiscard]] double px(double value) const { return high > low ? from + (value - low) / (high - low) * (to - from) : from; }
 };
 
 /// Ticks, numbers and a name below a horizontal axis at height y.

@@ -28,9 +28,10 @@ RunFiles::RunFiles(std::filesystem::path directory, const solver::Problem& probl
       choice_(choice),
       hdf5_(add("results.h5"), problem, origin),
       csv_(add("channels.csv"), problem) {
-    std::error_code ignored;  // pictures of an earlier run must not outlive its results
+    std::error_code ignored;  // pictures and fields of an earlier run must not outlive its results
     std::filesystem::remove(directory_ / "picture.png", ignored);
     std::filesystem::remove(directory_ / "channels.png", ignored);
+    VtkWriter::remove_series(directory_);
     if (choice.vtk) {
         vtk_.emplace(directory_, problem.mesh);
         written_.push_back(vtk_->series());

@@ -106,13 +106,19 @@ void cut_quiet_rim(SectionPlane& plane) {
     const auto [low, high] = std::minmax_element(plane.kelvin.begin(), plane.kelvin.end());
     const double slight = 0.05 * (*high - *low);
     const std::size_t width = plane.x.size();
-    std::size_t kept = 1;
+    const double deep = plane.depth.back() - plane.depth.front();
+    const auto wide = std::lower_bound(plane.x.begin(), plane.x.end(), deep) - plane.x.begin();
+    std::size_t kept = 0;
     for (std::size_t i = 0; i < plane.kelvin.size(); ++i) {
         const double at_end = plane.kelvin[i / width * width + width - 1];
         if (std::abs(plane.kelvin[i] - at_end) >= slight) {
             kept = std::max(kept, i % width + 2);
         }
     }
+    if (kept == 0) {
+        return;  // nothing changes along x, so no part is quieter than another
+    }
+    kept = std::max(kept, static_cast<std::size_t>(wide) + 1);
     if (kept >= width || plane.x[kept - 1] > 2.0 / 3.0 * plane.x.back()) {
         return;
     }

@@ -128,14 +128,10 @@ std::string budget(const RunRecord& run) {
     return text;
 }
 
-/// "done", or why the run ended early.
+/// Why the run ended early, if it did.
 std::string ending(const RunRecord& run) {
-    const solver::Settings& settings = run.problem.settings;
-    if (run.report.status.ok()) {
-        return "";
-    }
-    const std::string reached = settings.steady ? std::string() : fmt::format(" of {:.6g} s", settings.end - settings.start);
-    return fmt::format("  ended early, after {:.6g} s{}: {}\n", run.report.simulated, reached, run.report.status.message);
+    const solver::Status& status = run.report.status;
+    return status.ok() ? "" : wrap("ended early: " + status.message, 2);
 }
 
 std::string cost(const RunRecord& run) {

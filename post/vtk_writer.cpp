@@ -25,6 +25,7 @@ namespace tiretherm::post {
 
 namespace {
 
+constexpr const char* series_name = "field.pvd";
 constexpr const char* temperature_name = "temperature [degC]";
 
 std::string field_name(std::size_t index) { return fmt::format("field_{:04}.vtu", index); }
@@ -100,12 +101,16 @@ VtkWriter::AtPoints VtkWriter::at_points(const mesh::Mesh& mesh) {
 
 VtkWriter::VtkWriter(std::filesystem::path directory, const mesh::Mesh& mesh)
     : directory_(std::move(directory)), mesh_(mesh), at_points_(at_points(mesh)) {
+    remove_series(directory_);
+}
+
+void VtkWriter::remove_series(const std::filesystem::path& directory) {
     std::error_code error;
-    std::filesystem::remove(series(), error);
-    for (std::size_t index = 0; std::filesystem::remove(directory_ / field_name(index), error); ++index) {
+    std::filesystem::remove(directory / series_name, error);
+    for (std::size_t index = 0; std::filesystem::remove(directory / field_name(index), error); ++index) {
     }
     if (error) {
-        throw FileError("replace the fields in", directory_, error.message());
+        throw FileError("remove the earlier fields in", directory, error.message());
     }
 }
 
@@ -138,6 +143,8 @@ void VtkWriter::write(double time, std::span<const double> temperature) {
     times_.push_back(time);
     write_series();
 }
+
+std::filesystem::path VtkWriter::series() const { return directory_ / series_name; }
 
 void VtkWriter::write_series() const {
     std::string text =

@@ -23,10 +23,13 @@ public:
     /// @param mesh must outlive the writer   @errors FileError
     VtkWriter(std::filesystem::path directory, const mesh::Mesh& mesh);
 
+    /// Removes field.pvd and all field_*.vtu of an earlier run. @errors FileError
+    static void remove_series(const std::filesystem::path& directory);
+
     /// @param time s  @param temperature [n_nodes] K   @errors FileError
     void write(double time, std::span<const double> temperature);
 
-    [[nodiscard]] std::filesystem::path series() const { return directory_ / "field.pvd"; }
+    [[nodiscard]] std::filesystem::path series() const;
 
 private:
     void write_series() const;

@@ -1,3 +1,5 @@
+#include <gtest/gtest.h>
+
 #include "cases/csv.hpp"
 #include "post/celsius.hpp"
 #include "post/csv_writer.hpp"

@@ -1,8 +1,8 @@
 #include <sys/wait.h>
 
 #include <csignal>
-#include <map>
 
+#include <gtest/gtest.h>
 #include <hdf5.h>
 
 #include "post/file.hpp"

@@ -1,5 +1,7 @@
 #include <cmath>
 
+#include <gtest/gtest.h>
+
 #include "post/celsius.hpp"
 #include "post/file.hpp"
 #include "post/isotherms.hpp"

@@ -1,6 +1,8 @@
 #include <cstdio>
 #include <thread>
 
+#include <gtest/gtest.h>
+
 #include "post/file.hpp"
 #include "post/progress.hpp"
 #include "tests/post/sample.hpp"

@@ -1,3 +1,5 @@
+#include <gtest/gtest.h>
+
 #include "post/comparison.hpp"
 #include "post/file.hpp"
 #include "post/place.hpp"

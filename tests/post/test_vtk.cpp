@@ -1,3 +1,4 @@
+#include <gtest/gtest.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkDataArray.h>

@@ -43,9 +43,9 @@ TEST(CompositeSlab, ModesAreOrthogonalInEnergy) {
     // the midpoint rule on 40000 pieces, whose error is of the square of a piece's share of a wave: 1e-6 beside the
     // norm.
     const support::LayeredSlab exact = exact_slab();
-    std::vector<support::LayeredSlab::Mode> modes;
+    std::vector<support::LayeredSlab::Mode> modes(6);
     for (int j = 0; j < 6; ++j) {
-        modes.push_back(exact.mode(j));
+        modes[static_cast<std::size_t>(j)] = exact.mode(j);
     }
     constexpr int pieces = 40000;
     for (std::size_t i = 0; i < modes.size(); ++i) {

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "post/file.hpp"
+#include "tests/post/scratch.hpp"
+
+/// The real program, called as a user calls it.
+namespace tiretherm::app_test {
+
+/// What a call left behind.
+struct Call {
+    int exit_code = -1;
+    std::string out;
+    std::string err;
+};
+
+/// Runs `tiretherm ARGUMENTS`, given as to a shell, in a directory.
+inline Call call(const std::string& arguments, const std::filesystem::path& directory = ".") {
+    const sample::Scratch scratch;
+    const std::string line = fmt::format("cd '{}' && '{}' {} >'{}' 2>'{}' </dev/null", directory.string(), TIRETHERM_PROGRAM,
+                                         arguments, (scratch / "out").string(), (scratch / "err").string());
+    const int status = std::system(line.c_str());
+    return {.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+            .out = post::read_text(scratch / "out"),
+            .err = post::read_text(scratch / "err")};
+}
+
+inline const std::string two_node = TIRETHERM_SOURCE_DIR "/cases/two_node/4000N_100kmh.toml";
+
+/// A strip that nothing holds back: 1e12 W/m3 heat it in one step of 50 s to where the radiation does not settle.
+inline const std::string exploding = R"(
+title = "A strip that burns"
+[mesh]
+kind = "layers"
+area = "1 m2"
+[[mesh.layer]]
+name = "tread"
+thickness = "10 mm"
+cells = 10
+material = "rubber"
+[[material]]
+name = "rubber"
+density = "1100 kg/m3"
+heat_capacity = "1800 J/kgK"
+conductivity = "0.3 W/mK"
+[effects.uniform_source]
+power_density = "1e12 W/m3"
+[effects.radiation]
+patches = ["outside"]
+[drive]
+air_temperature = "23 degC"
+[initial]
+temperature = "23 degC"
+[time]
+end = "100 s"
+step = "50 s"
+[[sensor]]
+name = "inside"
+kind = "layer"
+layer = "tread"
+)";
+
+/// The two-node tire at so small a step that the run takes minutes.
+inline const std::string slow = "include = [\"" + two_node + R"("]
+[time]
+end = "1e6 s"
+step = "0.01 s"
+output = "1 s"
+)";
+
+}  // namespace tiretherm::app_test

@@ -1,0 +1,122 @@
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "physics/effect.hpp"
+#include "tests/app/program.hpp"
+
+namespace tiretherm::app_test {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST(Call, HelpOfTheProgramAndOfEachCommandHasAnExample) {
+    for (const std::string command : {"", "run ", "check ", "effects "}) {
+        const Call help = call(command + "--help");
+        EXPECT_EQ(help.exit_code, 0) << command;
+        EXPECT_EQ(help.err, "");
+        EXPECT_NE(help.out.find("Example"), std::string::npos) << command;
+        EXPECT_NE(help.out.find("  tiretherm " + command), std::string::npos) << command;
+    }
+}
+
+TEST(Call, HelpOfRunSaysWhatIsOverwritten) {
+    const std::string help = call("run --help").out;
+    EXPECT_NE(help.find("files of an earlier run there are replaced"), std::string::npos) << help;
+    EXPECT_NE(help.find("out/<case name>"), std::string::npos) << help;
+}
+
+TEST(Call, VersionIsOneLine) {
+    const Call version = call("--version");
+    EXPECT_EQ(version.exit_code, 0);
+    EXPECT_TRUE(version.out.starts_with("tiretherm 0.")) << version.out;
+    EXPECT_EQ(version.out.find('\n'), version.out.size() - 1);
+}
+
+TEST(Call, UnknownCommandIsAnsweredWithTheNearestOne) {
+    const Call wrong = call("chekc " + two_node);
+    EXPECT_EQ(wrong.exit_code, 1);
+    EXPECT_EQ(wrong.out, "");
+    EXPECT_EQ(wrong.err, "tiretherm: there is no command \"chekc\"; did you mean `check`?\n");
+    EXPECT_EQ(call("rum --json").exit_code, 1);
+    EXPECT_EQ(Json::parse(call("rum --json").out)["error"], "there is no command \"rum\"; did you mean `run`?");
+}
+
+TEST(Call, UnknownOptionIsAnsweredWithTheNearestOne) {
+    const Call wrong = call("run " + two_node + " --ouput x");
+    EXPECT_EQ(wrong.exit_code, 1);
+    EXPECT_EQ(wrong.err, "tiretherm: there is no option \"--ouput\"; did you mean `--out`?\n");
+}
+
+TEST(Call, SecondCaseIsRefused) {
+    const Call wrong = call("run " + two_node + " other.toml");
+    EXPECT_EQ(wrong.exit_code, 1);
+    EXPECT_EQ(wrong.err, "tiretherm: one argument too many: \"other.toml\"; see tiretherm run --help\n");
+}
+
+TEST(Call, MissingCaseAndMissingCommandAreMistakes) {
+    EXPECT_EQ(call("run").exit_code, 1);
+    EXPECT_EQ(call("run").err, "tiretherm: CASE is required; see tiretherm run --help\n");
+    EXPECT_EQ(call("").exit_code, 1);
+    EXPECT_EQ(call("").err, "tiretherm: no command; the commands are run, check and effects; see tiretherm --help\n");
+}
+
+TEST(Check, SoundCaseIsToldInAFewLines) {
+    const Call check = call("check " + two_node);
+    EXPECT_EQ(check.exit_code, 0);
+    EXPECT_EQ(check.err, "");
+    EXPECT_TRUE(check.out.starts_with("two_node/4000N_100kmh: no mistakes\n")) << check.out;
+    EXPECT_NE(check.out.find("channels  surface_temperature, bulk_temperature\n"), std::string::npos) << check.out;
+    const Json json = Json::parse(call("check --json " + two_node).out);
+    EXPECT_EQ(json["mistakes"], Json::array());
+    EXPECT_EQ(json["cells"], 2);
+}
+
+TEST(Check, RunsNothing) {
+    const sample::Scratch scratch;
+    EXPECT_EQ(call("check " + two_node, scratch.path()).exit_code, 0);
+    EXPECT_TRUE(std::filesystem::is_empty(scratch.path()));
+}
+
+TEST(Check, CaseWithMistakesCannotBeRun) {
+    const Call check = call("check many_mistakes.toml", TIRETHERM_SOURCE_DIR "/tests/bad_cases");
+    EXPECT_EQ(check.exit_code, 1);
+    EXPECT_NE(check.err.find("many_mistakes.toml:"), std::string::npos);
+    EXPECT_NE(check.err.find(" mistakes; the case cannot be run\n"), std::string::npos) << check.err;
+}
+
+TEST(Effects, ListNamesTheWholeCatalogue) {
+    const Call list = call("effects");
+    EXPECT_EQ(list.exit_code, 0);
+    const Json json = Json::parse(call("effects --json").out);
+    ASSERT_EQ(json["effects"].size(), physics::catalogue().size());
+    for (std::size_t i = 0; i < physics::catalogue().size(); ++i) {
+        const std::string name(physics::catalogue()[i]->id);
+        EXPECT_NE(list.out.find("\n" + name + " ("), list.out.starts_with(name + " (") ? 0 : std::string::npos) << name;
+        EXPECT_EQ(json["effects"][i]["name"], name);
+    }
+}
+
+TEST(Effects, OneIsToldWithEquationSourceAndBounds) {
+    const physics::Effect& laser = *physics::find_effect("laser");
+    const Call one = call("effects laser");
+    EXPECT_EQ(one.exit_code, 0);
+    EXPECT_NE(one.out.find(std::string(laser.equation)), std::string::npos) << one.out;
+    EXPECT_NE(one.out.find(std::string(laser.source)), std::string::npos) << one.out;
+    EXPECT_NE(one.out.find("absorptivity          1      0   1  -     share of the light that is absorbed"), std::string::npos) << one.out;
+    const Json json = Json::parse(call("effects laser --json").out);
+    EXPECT_EQ(json["parameters"][1]["key"], "absorptivity");
+    EXPECT_EQ(json["parameters"][1]["default"], 1.0);
+    EXPECT_EQ(json["parameters"][1]["low"], 0.0);
+    EXPECT_EQ(json["parameters"][1]["high"], 1.0);
+    EXPECT_EQ(json["parameters"][0]["unit"], "m");
+}
+
+TEST(Effects, UnknownNameIsAnsweredWithTheNearestOne) {
+    const Call wrong = call("effects lasr");
+    EXPECT_EQ(wrong.exit_code, 1);
+    EXPECT_EQ(wrong.err, "tiretherm: there is no effect \"lasr\"; did you mean `laser`?\n");
+    EXPECT_EQ(Json::parse(call("effects lasr --json").out)["mistakes"], Json::array());
+}
+
+}  // namespace
+}  // namespace tiretherm::app_test
