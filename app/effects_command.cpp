@@ -1,8 +1,8 @@
 #include <memory>
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
@@ -19,9 +19,12 @@ using Json = nlohmann::ordered_json;
 
 std::string kind_name(physics::Kind kind) {
     switch (kind) {
-        case physics::Kind::source: return "source";
-        case physics::Kind::loss: return "loss";
-        case physics::Kind::property: return "property";
+        case physics::Kind::source:
+            return "source";
+        case physics::Kind::loss:
+            return "loss";
+        case physics::Kind::property:
+            return "property";
     }
     return "";
 }
@@ -68,7 +71,8 @@ void print_one(const physics::Effect& effect) {
     if (!effect.choices.empty()) {
         post::Table table({true, true, true});
         for (const physics::Choice& choice : effect.choices) {
-            table.add({std::string(choice.key), fmt::format("{}", fmt::join(choice.options, " | ")), std::string(choice.meaning)});
+            table.add({std::string(choice.key), fmt::format("{}", fmt::join(choice.options, " | ")),
+                       std::string(choice.meaning)});
         }
         fmt::print("\nChoices, the first is the default\n{}\n", fmt::join(table.lines(4), "\n"));
     }
@@ -78,13 +82,17 @@ void print_one(const physics::Effect& effect) {
 }
 
 Json as_json(const physics::Effect& effect) {
-    Json json{{"name", effect.id},         {"kind", kind_name(effect.kind)}, {"on", effect.on},
+    Json json{{"name", effect.id},           {"kind", kind_name(effect.kind)}, {"on", effect.on},
               {"equation", effect.equation}, {"source", effect.source},        {"meaning", effect.meaning},
               {"parameters", Json::array()}, {"choices", Json::array()},       {"reads", effect.reads},
               {"patches", effect.patches},   {"needs_tire", effect.needs_tire}};
     for (const physics::Parameter& p : effect.parameters) {
-        json["parameters"].push_back({{"key", p.key}, {"unit", p.unit}, {"default", p.standard},
-                                      {"low", p.low}, {"high", p.high}, {"meaning", p.meaning}});
+        json["parameters"].push_back({{"key", p.key},
+                                      {"unit", p.unit},
+                                      {"default", p.standard},
+                                      {"low", p.low},
+                                      {"high", p.high},
+                                      {"meaning", p.meaning}});
     }
     for (const physics::Choice& choice : effect.choices) {
         json["choices"].push_back({{"key", choice.key}, {"options", choice.options}, {"meaning", choice.meaning}});

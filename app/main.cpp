@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
 #include "app/messages.hpp"
@@ -50,7 +50,8 @@ void tell_wrong_call(const CLI::App& program, const CLI::ParseError& error, bool
         app::tell_error(fmt::format("there is no option \"{}\"", *option),
                         cases::suggest(*option, option_names(command), "options"), json);
     } else if (chosen.empty()) {
-        app::tell_error(fmt::format("no command; the commands are {}", cases::listed(command_names(program))), help, json);
+        app::tell_error(fmt::format("no command; the commands are {}", cases::listed(command_names(program))), help,
+                        json);
     } else if (!extra.empty()) {
         app::tell_error(fmt::format("one argument too many: \"{}\"", extra.front()), help, json);
     } else {
@@ -76,7 +77,8 @@ int main(int argc, char** argv) {
         "Help for a command: tiretherm COMMAND --help");
 
     const std::span<char*> arguments(argv, static_cast<std::size_t>(argc));
-    const bool json = std::any_of(arguments.begin(), arguments.end(), [](const char* a) { return std::string(a) == "--json"; });
+    const bool json =
+        std::any_of(arguments.begin(), arguments.end(), [](const char* a) { return std::string(a) == "--json"; });
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& help) {

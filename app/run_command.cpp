@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
 #include "app/messages.hpp"
@@ -63,12 +63,12 @@ int run(const Options& options) {
     }
 
     const std::string directory = options.directory.empty() ? "out/" + problem.name : options.directory;
-    const post::Origin origin{.version = TIRETHERM_VERSION,
-                              .case_file = options.case_file,
-                              .case_text = post::read_text(options.case_file)};
+    const post::Origin origin{
+        .version = TIRETHERM_VERSION, .case_file = options.case_file, .case_text = post::read_text(options.case_file)};
     std::optional<post::RunFiles> files;
     try {
-        files.emplace(directory, problem, origin, post::FileChoice{.vtk = !options.no_vtk, .pictures = !options.no_pictures});
+        files.emplace(directory, problem, origin,
+                      post::FileChoice{.vtk = !options.no_vtk, .pictures = !options.no_pictures});
     } catch (const post::FileError& error) {
         tell_error(error.what(), "nothing was run; choose another directory with --out", options.json);
         return Exit::mistake;
@@ -107,8 +107,9 @@ void add_run_command(CLI::App& program, int& exit_code) {
     CLI::App* command = program.add_subcommand("run", "Simulate a case: progress, summary, files");
     const auto options = std::make_shared<Options>();
     command->add_option("CASE", options->case_file, "Case file (TOML)")->required()->option_text(" ");
-    command->add_option("--out", options->directory,
-                        "Where the files go; files of an earlier run there are replaced. Default: out/<case name>")
+    command
+        ->add_option("--out", options->directory,
+                     "Where the files go; files of an earlier run there are replaced. Default: out/<case name>")
         ->option_text("DIR");
     command->add_option("--fields", options->field_interval, "Store the field this often, whatever the case says")
         ->option_text("SECONDS")

@@ -50,6 +50,7 @@ std::vector<Column> read_columns(Section& section) {
         return {};
     }
     std::vector<Column> columns;
+    columns.reserve(headings.size());
     for (const Word& heading : headings) {
         columns.push_back({read_heading(heading.text), heading.place, {}});
     }

@@ -84,6 +84,7 @@ private:
 std::vector<std::vector<double>> Csv::read(const std::vector<Request>& requests, Mistakes& mistakes) const {
     const std::size_t before = mistakes.count();
     std::vector<ColumnReader> readings;
+    readings.reserve(requests.size());
     for (const Request& request : requests) {
         readings.emplace_back(*this, request, mistakes);
     }

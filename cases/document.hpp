@@ -42,7 +42,7 @@ struct Entry {
 [[nodiscard]] std::string shown(const Node& node);
 
 /// The text of a file.
-/// @param shown path as messages show it  @param mentioned where the path was written; its file is -1 for the user's own
+/// @param mentioned where the path was written; its file is -1 for the one that the user named
 /// @returns the file's number in `mistakes` and its text, or nothing after a mistake
 struct TextFile {
     int number = -1;
@@ -54,10 +54,10 @@ struct TextFile {
 /// The tables of one TOML file, or nothing after a mistake.
 [[nodiscard]] std::optional<Node> parse_toml(const TextFile& file, Mistakes& mistakes);
 
-/// A case file and what it includes, merged: tables key by key, the including file's values win, a later included file
-/// wins over an earlier one. Lists and tables in braces are values and replaced as a whole; only the lists at the top of
-/// a file whose tables have a `name` ([[material]], [[sensor]]) are merged by that name. A table that changes its `kind`
-/// is replaced as well. Nothing when a file could not be read.
+/// A case file and what it includes, merged: tables key by key, the including file's values win, a later included
+/// file wins over an earlier one. Lists and tables in braces are values and replaced as a whole; only the lists at the
+/// top of a file whose tables have a `name` ([[material]], [[sensor]]) are merged by that name. A table that changes
+/// its `kind` is replaced as well. Nothing when a file could not be read.
 [[nodiscard]] std::optional<Node> read_document(const std::filesystem::path& path, Mistakes& mistakes);
 
 }  // namespace tiretherm::cases

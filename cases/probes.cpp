@@ -34,7 +34,7 @@ std::string extent(const mesh::Mesh& mesh) {
         const std::vector<double>& edge = mesh.grid->edge[axis];
         return fmt::format("{} from {:.6g} to {}", name, edge.front() * 1e3, millimetres(edge.back()));
     };
-    const std::string depth = "the mesh has " + span("depth", 2);
+    std::string depth = "the mesh has " + span("depth", 2);
     switch (plan_of(mesh)) {
         case Plan::lumps:
         case Plan::strip:

@@ -38,7 +38,8 @@ struct Judged {
 [[nodiscard]] Judged judge(double written, const Conversion& unit_conversion, std::string_view unit,
                            const Wanted& wanted, std::string_view name, std::string_view shown);
 
-/// The conversion from a unit as written, or what is wrong with it. @param subject start of the sentence: speed is "100 km"
+/// The conversion from a unit as written, or what is wrong with it.
+/// @param subject start of the sentence: speed is "100 km"
 struct UnitRead {
     Conversion conversion;
     std::optional<Fault> fault;

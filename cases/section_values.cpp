@@ -42,7 +42,7 @@ std::optional<std::string> Section::text(std::string_view key, Need need) {
 }
 
 std::optional<std::string> Section::name(std::string_view key, Need need) {
-    const std::optional<std::string> name = text(key, need);
+    std::optional<std::string> name = text(key, need);
     if (!name) {
         return std::nullopt;
     }

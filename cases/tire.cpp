@@ -60,7 +60,7 @@ const std::array laws{
     Law{"rolling_radius", &Tire::rolling_radius_table, radius, "rolling_radius_factor"},
 };
 
-/// "225/50 R17", with or without what is printed before and after it on a sidewall: width in mm, aspect ratio in %, rim in inches.
+/// "225/50 R17": width in mm, aspect ratio in %, rim in inches; with or without what sidewalls add to it.
 void read_size(Section& tire, Tire& into) {
     const std::optional<std::string> size = tire.text("size", Need::required);
     if (!size) {

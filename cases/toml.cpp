@@ -34,7 +34,7 @@ Node convert(const toml::node& from, int file) {
             to.kind = Kind::table;
             for (const auto& [key, item] : value) {
                 Entry entry{std::string(key.str()), place_of(key.source(), file), convert(item, file)};
-                // A table in braces follows its key; the heading [a.b] begins before, and the a of `a.b = 1` with its key.
+                // A table in braces follows its key; a heading [a.b] begins before it, the a of `a.b = 1` with it.
                 entry.value.in_braces = entry.value.kind == Kind::table && follows(entry.value.place, entry.place);
                 to.entries.push_back(std::move(entry));
             }

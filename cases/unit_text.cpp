@@ -57,7 +57,7 @@ bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }  // namespace
 
 std::string spelt_out(std::string_view written) {
-    const std::string text(meaning(whole, trim(written)));
+    std::string text(meaning(whole, trim(written)));
     const std::size_t slash = text.find('/');
     if (slash == std::string::npos || !is_power_or_energy(trim(std::string_view(text).substr(0, slash)))) {
         return text;

@@ -9,8 +9,8 @@ namespace tiretherm::cases {
 /// spelt out. `W/mK` is watts per metre and kelvin here; UDUNITS takes it for watts per millikelvin.
 [[nodiscard]] std::string spelt_out(std::string_view written);
 
-/// Whether a unit holds a number that is neither an exponent nor a 1 that is divided. UDUNITS would read "mm 3" as three
-/// millimetres and "K @ 5" as a shifted kelvin.
+/// Whether a unit holds a number that is neither an exponent nor a 1 that is divided. UDUNITS would read "mm 3" as
+/// three millimetres and "K @ 5" as a shifted kelvin.
 [[nodiscard]] bool has_number(std::string_view unit);
 
 }  // namespace tiretherm::cases

@@ -18,6 +18,7 @@ namespace tiretherm::cases {
 template <typename Items>
 [[nodiscard]] std::vector<std::string> names_of(const Items& items) {
     std::vector<std::string> names;
+    names.reserve(items.size());
     for (const auto& item : items) {
         names.emplace_back(item.name);
     }

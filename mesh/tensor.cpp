@@ -37,14 +37,11 @@ struct Metrics {
         return breadth * width(2, k);
     }
 
-    /// Distance from a cell's centre to a face at `position`. In a ring it is the length that makes
-    /// area / distance the exact conductance 2 pi dz / ln(r_face / r_centre), referred to the face's area.
+    /// Distance from a cell's centre to a face at `position`. Plain also along a radius: a field that is regular on
+    /// the axis goes with r^2, for which the flux through r = (r1 + r2)/2 is exactly (T2 - T1)/(r2 - r1); the logarithm
+    /// of a tube would spoil the order there.
     [[nodiscard]] double half(int axis, int i, double position) const {
-        const double middle = grid.centre[at(axis)][at(i)];
-        if (axis == 0 && grid.metric == Metric::axisymmetric) {
-            return position * std::abs(std::log(position / middle));
-        }
-        return std::abs(position - middle);
+        return std::abs(position - grid.centre[at(axis)][at(i)]);
     }
 };
 

@@ -26,7 +26,9 @@ struct Scale {
     double from = 0.0;
     double to = 1.0;
 
-    [[nodiscard]] double px(double value) const { return high > low ? from + (value - low) / (high - low) * (to - from) : from; }
+    [[nodiscard]] double px(double value) const {
+        return high > low ? from + (value - low) / (high - low) * (to - from) : from;
+    }
 };
 
 /// Ticks, numbers and a name below a horizontal axis at height y.

@@ -24,88 +24,93 @@ std::uint32_t pixel(const Colour& c) {
 
 }  // namespace
 
-void Canvas::Closer::operator()(_cairo* context) const { cairo_destroy(context); }
+struct Canvas::Page {
+    cairo_t* context;
+    ~Page() { cairo_destroy(context); }
+};
+
+Canvas::~Canvas() = default;
 
 Canvas::Canvas(int width, int height, const Colour& background) {
     cairo_surface_t* surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
-    context_.reset(cairo_create(surface));
+    page_.reset(new Page{cairo_create(surface)});
     cairo_surface_destroy(surface);  // the context keeps it
     use(background);
-    cairo_paint(context_.get());
-    cairo_set_line_join(context_.get(), CAIRO_LINE_JOIN_ROUND);
+    cairo_paint(page_->context);
+    cairo_set_line_join(page_->context, CAIRO_LINE_JOIN_ROUND);
 }
 
 void Canvas::use(const Colour& ink) const {
-    cairo_set_source_rgba(context_.get(), ink.red, ink.green, ink.blue, ink.alpha);
+    cairo_set_source_rgba(page_->context, ink.red, ink.green, ink.blue, ink.alpha);
 }
 
 void Canvas::use(const Writing& writing) const {
-    cairo_select_font_face(context_.get(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
+    cairo_select_font_face(page_->context, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
                            writing.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(context_.get(), writing.size);
+    cairo_set_font_size(page_->context, writing.size);
 }
 
 void Canvas::line(std::span<const Dot> dots, const Colour& ink, double width, bool dashed) {
     for (const Dot& dot : dots) {
-        cairo_line_to(context_.get(), dot.x, dot.y);
+        cairo_line_to(page_->context, dot.x, dot.y);
     }
     const double dash[] = {4.0 * width, 3.0 * width};
-    cairo_set_dash(context_.get(), dash, dashed ? 2 : 0, 0.0);
+    cairo_set_dash(page_->context, dash, dashed ? 2 : 0, 0.0);
     use(ink);
-    cairo_set_line_width(context_.get(), width);
-    cairo_stroke(context_.get());
-    cairo_set_dash(context_.get(), nullptr, 0, 0.0);
+    cairo_set_line_width(page_->context, width);
+    cairo_stroke(page_->context);
+    cairo_set_dash(page_->context, nullptr, 0, 0.0);
 }
 
 void Canvas::rectangle(const Dot& corner, double width, double height, const Colour& fill) {
-    cairo_rectangle(context_.get(), corner.x, corner.y, width, height);
+    cairo_rectangle(page_->context, corner.x, corner.y, width, height);
     use(fill);
-    cairo_fill(context_.get());
+    cairo_fill(page_->context);
 }
 
 void Canvas::frame(const Dot& corner, double width, double height, const Colour& ink, double line_width) {
-    cairo_rectangle(context_.get(), corner.x, corner.y, width, height);
+    cairo_rectangle(page_->context, corner.x, corner.y, width, height);
     use(ink);
-    cairo_set_line_width(context_.get(), line_width);
-    cairo_stroke(context_.get());
+    cairo_set_line_width(page_->context, line_width);
+    cairo_stroke(page_->context);
 }
 
 void Canvas::disc(const Dot& centre, double radius, const Colour& fill, const Colour& rim, double rim_width) {
-    cairo_new_sub_path(context_.get());
-    cairo_arc(context_.get(), centre.x, centre.y, radius, 0.0, 2.0 * std::numbers::pi);
+    cairo_new_sub_path(page_->context);
+    cairo_arc(page_->context, centre.x, centre.y, radius, 0.0, 2.0 * std::numbers::pi);
     use(fill);
-    cairo_fill_preserve(context_.get());
+    cairo_fill_preserve(page_->context);
     use(rim);
-    cairo_set_line_width(context_.get(), rim_width);
-    cairo_stroke(context_.get());
+    cairo_set_line_width(page_->context, rim_width);
+    cairo_stroke(page_->context);
 }
 
 double Canvas::width_of(const std::string& text, const Writing& writing) const {
     use(writing);
     cairo_text_extents_t extents{};
-    cairo_text_extents(context_.get(), text.c_str(), &extents);
+    cairo_text_extents(page_->context, text.c_str(), &extents);
     return extents.x_advance;
 }
 
 void Canvas::write(const Dot& at, const std::string& text, const Writing& writing) {
     const double width = width_of(text, writing);
     const double back = writing.align == Align::left ? 0.0 : writing.align == Align::centre ? 0.5 * width : width;
-    cairo_save(context_.get());
-    cairo_translate(context_.get(), at.x, at.y);
+    cairo_save(page_->context);
+    cairo_translate(page_->context, at.x, at.y);
     if (writing.upwards) {
-        cairo_rotate(context_.get(), -0.5 * std::numbers::pi);
+        cairo_rotate(page_->context, -0.5 * std::numbers::pi);
     }
     // Figures of DejaVu Sans are 0.73 of its size high.
-    cairo_move_to(context_.get(), -back, 0.365 * writing.size);
-    cairo_text_path(context_.get(), text.c_str());
+    cairo_move_to(page_->context, -back, 0.365 * writing.size);
+    cairo_text_path(page_->context, text.c_str());
     if (writing.halo.alpha > 0.0) {
         use(writing.halo);
-        cairo_set_line_width(context_.get(), 0.35 * writing.size);
-        cairo_stroke_preserve(context_.get());
+        cairo_set_line_width(page_->context, 0.35 * writing.size);
+        cairo_stroke_preserve(page_->context);
     }
     use(writing.ink);
-    cairo_fill(context_.get());
-    cairo_restore(context_.get());
+    cairo_fill(page_->context);
+    cairo_restore(page_->context);
 }
 
 void Canvas::image(const Dot& corner, int width, int height, std::span<const Colour> image) {
@@ -121,15 +126,15 @@ void Canvas::image(const Dot& corner, int width, int height, std::span<const Col
         }
     }
     cairo_surface_mark_dirty(surface);
-    cairo_set_source_surface(context_.get(), surface, corner.x, corner.y);
-    cairo_paint(context_.get());
+    cairo_set_source_surface(page_->context, surface, corner.x, corner.y);
+    cairo_paint(page_->context);
     cairo_surface_destroy(surface);
 }
 
 void Canvas::save(const std::filesystem::path& path) const {
     std::string bytes;
     if (const cairo_status_t status =
-            cairo_surface_write_to_png_stream(cairo_get_target(context_.get()), &append, &bytes);
+            cairo_surface_write_to_png_stream(cairo_get_target(page_->context), &append, &bytes);
         status != CAIRO_STATUS_SUCCESS) {
         throw FileError("write", path, cairo_status_to_string(status));
     }

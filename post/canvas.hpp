@@ -8,8 +8,6 @@
 
 #include "post/colour.hpp"
 
-struct _cairo;  // the C library's own name; its header stays in canvas.cpp
-
 namespace tiretherm::post {
 
 /// A place on a canvas, px from the upper left corner.
@@ -25,7 +23,7 @@ struct Writing {
     Colour ink = {};
     Align align = Align::left;
     bool bold = false;
-    bool upwards = false;   ///< turned to read from below
+    bool upwards = false;                                                 ///< turned to read from below
     Colour halo = {.red = 0.0, .green = 0.0, .blue = 0.0, .alpha = 0.0};  ///< drawn round the letters
 };
 
@@ -33,6 +31,9 @@ struct Writing {
 class Canvas {
 public:
     Canvas(int width, int height, const Colour& background);
+    ~Canvas();
+    Canvas(const Canvas&) = delete;
+    Canvas& operator=(const Canvas&) = delete;
 
     void line(std::span<const Dot> dots, const Colour& ink, double width, bool dashed = false);
     void rectangle(const Dot& corner, double width, double height, const Colour& fill);
@@ -48,13 +49,11 @@ public:
     void save(const std::filesystem::path& path) const;
 
 private:
-    struct Closer {
-        void operator()(_cairo* context) const;
-    };
+    struct Page;  ///< cairo's handle
     void use(const Colour& ink) const;
     void use(const Writing& writing) const;
 
-    std::unique_ptr<_cairo, Closer> context_;
+    std::unique_ptr<Page> page_;
 };
 
 }  // namespace tiretherm::post

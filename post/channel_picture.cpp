@@ -46,12 +46,16 @@ Scale temperature_scale(const solver::Problem& problem, const History& history) 
     const double step = ticks(low, low + least, 8).values.size() > 1
                             ? ticks(low, low + least, 8).values[1] - ticks(low, low + least, 8).values[0]
                             : least;
-    return {.low = std::floor(low / step) * step, .high = std::ceil((low + least) / step) * step, .from = bottom, .to = top};
+    return {.low = std::floor(low / step) * step,
+            .high = std::ceil((low + least) / step) * step,
+            .from = bottom,
+            .to = top};
 }
 
 Colour line_colour(std::size_t channel) { return line_colours()[channel % line_colours().size()]; }
 
-void draw_measured(Canvas& canvas, const solver::Problem& problem, const Scale& time, const Scale& temperature, TimeUnit unit) {
+void draw_measured(Canvas& canvas, const solver::Problem& problem, const Scale& time, const Scale& temperature,
+                   TimeUnit unit) {
     for (const solver::Measured& measured : problem.measured) {
         for (std::size_t c = 0; c < problem.channels.size(); ++c) {
             const double t = measured.time / unit.seconds;
@@ -69,7 +73,8 @@ void draw_measured(Canvas& canvas, const solver::Problem& problem, const Scale& 
 }
 
 /// Names at the right ends of the lines, pushed apart where they would cover one another.
-void draw_names(Canvas& canvas, const solver::Problem& problem, const History& history, double x, const Scale& temperature) {
+void draw_names(Canvas& canvas, const solver::Problem& problem, const History& history, double x,
+                const Scale& temperature) {
     struct Name {
         std::size_t channel;
         double y;
@@ -107,7 +112,10 @@ void draw_channels(const std::filesystem::path& path, const solver::Problem& pro
     Canvas canvas(page_width, page_height, look::paper);
     const double right = page_width - widest_name(canvas, problem) - 50.0;
     const TimeUnit unit = time_unit(history.time().back() - history.time().front());
-    const Scale time{.low = history.time().front() / unit.seconds, .high = history.time().back() / unit.seconds, .from = left, .to = right};
+    const Scale time{.low = history.time().front() / unit.seconds,
+                     .high = history.time().back() / unit.seconds,
+                     .from = left,
+                     .to = right};
     const Scale temperature = temperature_scale(problem, history);
     const Ticks time_ticks = ticks(time.low, time.high, 10);
     const Ticks temperature_ticks = ticks(temperature.low, temperature.high, 8);
@@ -133,7 +141,8 @@ void draw_channels(const std::filesystem::path& path, const solver::Problem& pro
     if (!problem.measured.empty()) {
         const Writing writing{.size = look::text, .ink = look::faint, .align = Align::right};
         canvas.write({right, top - 26.0}, "measured", writing);
-        canvas.disc({right - canvas.width_of("measured", writing) - 20.0, top - 26.0}, 8.0, look::paper, look::faint, 4.0);
+        canvas.disc({right - canvas.width_of("measured", writing) - 20.0, top - 26.0}, 8.0, look::paper, look::faint,
+                    4.0);
     }
     draw_axis_below(canvas, time, time_ticks, bottom, fmt::format("time [{}]", unit.name));
     draw_axis_left(canvas, temperature, temperature_ticks, left, "temperature [°C]");

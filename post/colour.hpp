@@ -29,7 +29,9 @@ struct Colour {
 }
 
 /// How bright a colour looks, 0 to 1 (Rec. 709).
-[[nodiscard]] constexpr double luminance(const Colour& c) { return 0.2126 * c.red + 0.7152 * c.green + 0.0722 * c.blue; }
+[[nodiscard]] constexpr double luminance(const Colour& c) {
+    return 0.2126 * c.red + 0.7152 * c.green + 0.0722 * c.blue;
+}
 
 /// "Inferno" of matplotlib (N. J. Smith, S. van der Walt, 2015; CC0): equal differences of temperature look equally
 /// large, in grey and to colour-blind eyes too.   @param share 0 coldest, 1 hottest; clamped

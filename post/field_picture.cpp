@@ -1,69 +1,19 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <fmt/format.h>
 
 #include "post/axes.hpp"
 #include "post/celsius.hpp"
-#include "post/isotherms.hpp"
+#include "post/field_layout.hpp"
 #include "post/picture.hpp"
 
 namespace tiretherm::post {
 
 namespace {
 
-constexpr int page_width = 1600;  // px
-constexpr int left_margin = 120;
-constexpr int right_margin = 60;
-constexpr int top_margin = 165;
-constexpr int tallest_plot = 900;
-constexpr int below_plot = 215;
+constexpr int below_plot = 215;  // px
 constexpr double bar_height = 26.0;
-constexpr double millimetre = 1e-3;
-
-/// Where the plane lies on the page.
-struct Layout {
-    int x = 0;
-    int width = 0;
-    int height = 0;
-    Scale across;  ///< mm
-    Scale depth;   ///< mm
-
-    [[nodiscard]] double bottom() const { return top_margin + height; }
-};
-
-Layout lay_out(const SectionPlane& plane, double stretch) {
-    const double wide = plane.right() - plane.left();
-    const double deep = stretch * (plane.depth.back() - plane.depth.front());
-    const int room = page_width - left_margin - right_margin;
-    const double px = std::min(room / wide, tallest_plot / deep);
-    Layout layout{.x = 0, .width = static_cast<int>(px * wide), .height = std::max(2, static_cast<int>(px * deep)), .across = {}, .depth = {}};
-    layout.x = left_margin + (room - layout.width) / 2;
-    layout.across = {.low = plane.left() / millimetre, .high = plane.right() / millimetre,
-                     .from = static_cast<double>(layout.x), .to = static_cast<double>(layout.x + layout.width)};
-    layout.depth = {.low = plane.depth.front() / millimetre, .high = plane.depth.back() / millimetre,
-                    .from = top_margin, .to = layout.bottom()};
-    return layout;
-}
-
-/// The field at the middle of each pixel. degC
-Raster rasterise(const SectionPlane& plane, const Layout& layout) {
-    std::vector<double> x;
-    std::vector<double> depth;
-    for (int i = 0; i < layout.width; ++i) {
-        x.push_back(plane.left() + (i + 0.5) / layout.width * (plane.right() - plane.left()));
-    }
-    for (int k = 0; k < layout.height; ++k) {
-        depth.push_back(plane.depth.front() + (k + 0.5) / layout.height * (plane.depth.back() - plane.depth.front()));
-    }
-    Raster raster{.width = layout.width, .height = layout.height, .value = plane.sample(x, depth)};
-    std::transform(raster.value.begin(), raster.value.end(), raster.value.begin(), celsius);
-    const auto [low, high] = std::minmax_element(plane.kelvin.begin(), plane.kelvin.end());
-    raster.low = celsius(*low);
-    raster.high = celsius(*high);
-    return raster;
-}
 
 /// Round temperatures strictly between coldest and hottest.
 Ticks isotherm_levels(const Raster& raster) {
@@ -84,10 +34,12 @@ void draw_layers(Canvas& canvas, const mesh::Mesh& mesh, const Layout& layout) {
         const double above = layout.depth.px(grid.edge[2][static_cast<std::size_t>(first)] / millimetre);
         const double below = layout.depth.px(grid.edge[2][static_cast<std::size_t>(k)] / millimetre);
         if (k < grid.size(2)) {
-            canvas.line(std::array{Dot{layout.across.from, below}, Dot{layout.across.to, below}}, colour(0xffffff, 0.7), 1.8, true);
+            canvas.line(std::array{Dot{layout.across.from, below}, Dot{layout.across.to, below}}, colour(0xffffff, 0.7),
+                        1.8, true);
         }
         if (mesh.layers.size() > 1 && below - above > 1.3 * look::text) {
-            canvas.write({layout.across.from + 14.0, 0.5 * (above + below)}, mesh.layers[static_cast<std::size_t>(layer_at(first))],
+            canvas.write({layout.across.from + 14.0, 0.5 * (above + below)},
+                         mesh.layers[static_cast<std::size_t>(layer_at(first))],
                          {.size = look::text, .ink = colour(0xffffff), .halo = colour(0x000000, 0.45)});
         }
         first = k;
@@ -97,21 +49,24 @@ void draw_layers(Canvas& canvas, const mesh::Mesh& mesh, const Layout& layout) {
 void draw_level_marks(Canvas& canvas, const Raster& raster, const Ticks& levels, const Layout& layout) {
     constexpr double size = 19.0;
     for (const LevelMark& mark : level_marks(raster, levels.values, 2.0 * size)) {
-        canvas.write({layout.x + mark.place.x, top_margin + mark.place.y}, levels.label(mark.level),
-                     {.size = size, .ink = level_ink(raster, mark.level), .align = Align::centre,
+        canvas.write({layout.x + mark.place.x, look::top_margin + mark.place.y}, levels.label(mark.level),
+                     {.size = size,
+                      .ink = level_ink(raster, mark.level),
+                      .align = Align::centre,
                       .halo = heat_colour(raster.share(mark.level))});
     }
 }
 
 /// A ring at the hottest place of the plane; its temperature above the surface, or beside it where that is inside.
 void draw_hottest(Canvas& canvas, const SectionPlane& plane, const Layout& layout) {
-    const auto hottest = static_cast<std::size_t>(std::max_element(plane.kelvin.begin(), plane.kelvin.end()) - plane.kelvin.begin());
+    const auto hottest =
+        static_cast<std::size_t>(std::max_element(plane.kelvin.begin(), plane.kelvin.end()) - plane.kelvin.begin());
     const Dot place{layout.across.px(plane.x[hottest % plane.x.size()] / millimetre),
                     layout.depth.px(plane.depth[hottest / plane.x.size()] / millimetre)};
     canvas.disc(place, 7.0, colour(0xffffff, 0.9), look::ink, 2.0);
     const std::string text = fmt::format("{:.1f} °C", celsius(plane.kelvin[hottest]));
-    if (place.y < top_margin + 12.0) {
-        canvas.write({place.x, top_margin - 26.0}, text,
+    if (place.y < look::top_margin + 12.0) {
+        canvas.write({place.x, look::top_margin - 26.0}, text,
                      {.size = look::text, .ink = look::ink, .align = Align::centre, .bold = true});
     } else {
         canvas.write({place.x + 18.0, place.y}, text,
@@ -121,7 +76,7 @@ void draw_hottest(Canvas& canvas, const SectionPlane& plane, const Layout& layou
 
 void draw_colour_bar(Canvas& canvas, const Raster& raster, const Ticks& levels, double y) {
     const int width = 900;
-    const int x = (page_width + left_margin - right_margin - width) / 2;
+    const int x = (look::page_width + look::left_margin - look::right_margin - width) / 2;
     std::vector<Colour> colours;
     for (int row = 0; row < static_cast<int>(bar_height); ++row) {
         for (int i = 0; i < width; ++i) {
@@ -130,10 +85,12 @@ void draw_colour_bar(Canvas& canvas, const Raster& raster, const Ticks& levels, 
     }
     canvas.image({static_cast<double>(x), y}, width, static_cast<int>(bar_height), colours);
     canvas.frame({static_cast<double>(x), y}, width, bar_height, look::ink, 1.5);
-    const Scale scale{.low = raster.low, .high = raster.high, .from = static_cast<double>(x), .to = static_cast<double>(x + width)};
+    const Scale scale{
+        .low = raster.low, .high = raster.high, .from = static_cast<double>(x), .to = static_cast<double>(x + width)};
     draw_axis_below(canvas, scale, levels, y + bar_height, "temperature [°C]");
     const double middle = y + 0.5 * bar_height;
-    canvas.write({scale.from - 14.0, middle}, fmt::format("{:.1f}", raster.low), {.size = look::text, .ink = look::ink, .align = Align::right});
+    canvas.write({scale.from - 14.0, middle}, fmt::format("{:.1f}", raster.low),
+                 {.size = look::text, .ink = look::ink, .align = Align::right});
     canvas.write({scale.to + 14.0, middle}, fmt::format("{:.1f}", raster.high), {.size = look::text, .ink = look::ink});
 }
 
@@ -154,8 +111,8 @@ void draw_field(const std::filesystem::path& path, const solver::Problem& proble
     const bool lines = plane.shading == Shading::smooth;
     const bool round = problem.mesh.grid->metric == mesh::Metric::axisymmetric;
 
-    Canvas canvas(page_width, top_margin + layout.height + below_plot, look::paper);
-    const double left = left_margin;
+    Canvas canvas(look::page_width, look::top_margin + layout.height + below_plot, look::paper);
+    const double left = look::left_margin;
     canvas.write({left, 40.0}, problem.title.empty() ? problem.name : problem.title,
                  {.size = look::title, .ink = look::ink, .bold = true});
     std::string subtitle = when(problem.settings, time) + ", outer surface above";
@@ -167,20 +124,22 @@ void draw_field(const std::filesystem::path& path, const solver::Problem& proble
     }
     canvas.write({left, 88.0}, subtitle, {.size = look::text, .ink = look::faint});
 
-    canvas.image({static_cast<double>(layout.x), static_cast<double>(top_margin)}, raster.width, raster.height,
+    canvas.image({static_cast<double>(layout.x), static_cast<double>(look::top_margin)}, raster.width, raster.height,
                  shade(raster, lines ? std::span<const double>(levels.values) : std::span<const double>{}));
     draw_layers(canvas, problem.mesh, layout);
     if (lines) {
         draw_level_marks(canvas, raster, levels, layout);
     }
-    canvas.frame({static_cast<double>(layout.x), static_cast<double>(top_margin)}, layout.width, layout.height, look::ink, 1.5);
+    canvas.frame({static_cast<double>(layout.x), static_cast<double>(look::top_margin)}, layout.width, layout.height,
+                 look::ink, 1.5);
     if (lines) {
         draw_hottest(canvas, plane, layout);
     }
     draw_axis_below(canvas, layout.across, ticks(layout.across.low, layout.across.high, 12), layout.bottom(),
                     round ? "x through the axis [mm]" : "x [mm]");
     const int depth_ticks = std::max(2, layout.height / 60);
-    draw_axis_left(canvas, layout.depth, ticks(layout.depth.low, layout.depth.high, depth_ticks), layout.x, "depth [mm]");
+    draw_axis_left(canvas, layout.depth, ticks(layout.depth.low, layout.depth.high, depth_ticks), layout.x,
+                   "depth [mm]");
     draw_colour_bar(canvas, raster, levels, layout.bottom() + 105.0);
     canvas.save(path);
 }

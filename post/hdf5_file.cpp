@@ -3,32 +3,14 @@
 #include <array>
 #include <type_traits>
 
-#include <hdf5.h>
-
 #include "post/file.hpp"
+#include "post/hdf5_handle.hpp"
 
 namespace tiretherm::post {
 
 static_assert(std::is_same_v<hid_t, std::int64_t>);
 
 namespace {
-
-/// Closes a handle of HDF5 at the end of a scope; the kind is known to the library.
-class Scoped {
-public:
-    explicit Scoped(hid_t handle) : handle_(handle) {}
-    ~Scoped() {
-        if (handle_ >= 0) {
-            H5Idec_ref(handle_);
-        }
-    }
-    Scoped(const Scoped&) = delete;
-    Scoped& operator=(const Scoped&) = delete;
-    operator hid_t() const { return handle_; }
-
-private:
-    hid_t handle_;
-};
 
 /// The deepest entry of HDF5's error stack says what the system said.
 herr_t keep_deepest(unsigned depth, const H5E_error2_t* entry, void* text) {
@@ -55,16 +37,6 @@ hid_t string_type() {
     H5Tset_cset(type, H5T_CSET_UTF8);
     return type;
 }
-
-/// Without times of creation, so that equal runs describe themselves equally.
-hid_t creation(hid_t list_class) {
-    const hid_t list = H5Pcreate(list_class);
-    H5Pset_obj_track_times(list, false);
-    return list;
-}
-
-constexpr std::uint64_t compressed_from = 4096;  // bytes a row
-constexpr std::uint64_t chunk_bytes = 16384;     // of rows that are not compressed
 
 }  // namespace
 
@@ -179,46 +151,6 @@ void Hdf5File::write(const std::string& path, std::span<const std::string> value
 void Hdf5File::write(const std::string& path, const std::string& text, const Label& label) {
     const char* one = text.c_str();
     write_strings(path, {&one, 1}, true, label);
-}
-
-Hdf5File::Rows Hdf5File::add_rows(const std::string& path, std::size_t width, const Label& label) {
-    const bool flat = width == 0;
-    const std::uint64_t values = flat ? 1 : width;
-    const std::uint64_t bytes = values * sizeof(double);
-    const bool compressed = bytes >= compressed_from;
-    const std::array<hsize_t, 2> size{0, values};
-    const std::array<hsize_t, 2> limit{H5S_UNLIMITED, values};
-    const std::array<hsize_t, 2> chunk{compressed || bytes > chunk_bytes ? 1 : chunk_bytes / bytes, values};
-    const Scoped space(H5Screate_simple(flat ? 1 : 2, size.data(), limit.data()));
-    const Scoped list(creation(H5P_DATASET_CREATE));
-    H5Pset_chunk(list, flat ? 1 : 2, chunk.data());
-    if (compressed) {
-        H5Pset_shuffle(list);
-        H5Pset_deflate(list, 4);
-    }
-    const std::string doing = "write " + path + " to";
-    const Handle dataset = check(
-        H5Dcreate2(file_, path.c_str(), H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, list, H5P_DEFAULT), doing);
-    growing_.push_back({.dataset = dataset, .width = values, .rows = 0, .flat = flat});
-    attach(dataset, label);
-    return static_cast<Rows>(growing_.size() - 1);
-}
-
-void Hdf5File::append(Rows rows, std::span<const double> values) {
-    if (values.empty()) {
-        return;
-    }
-    Growing& to = growing_[static_cast<std::size_t>(rows)];
-    const int rank = to.flat ? 1 : 2;
-    const std::array<hsize_t, 2> start{to.rows, 0};
-    const std::array<hsize_t, 2> count{values.size() / to.width, to.width};
-    const std::array<hsize_t, 2> size{to.rows + count[0], to.width};
-    check(H5Dset_extent(to.dataset, size.data()), "extend");
-    const Scoped in_memory(H5Screate_simple(rank, count.data(), nullptr));
-    const Scoped in_file(H5Dget_space(to.dataset));
-    check(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), "extend");
-    check(H5Dwrite(to.dataset, H5T_NATIVE_DOUBLE, in_memory, in_file, H5P_DEFAULT, values.data()), "write to");
-    to.rows = size[0];
 }
 
 void Hdf5File::flush() { check(H5Fflush(file_, H5F_SCOPE_LOCAL), "write to"); }

@@ -93,9 +93,11 @@ void Hdf5Writer::add_columns() {
     const std::string whole = "the whole specimen, positive into it";
     ledger_.push_back(column("/ledger/watts", effects.size(),
                              label("W", "heat booked to each effect, of " + whole, "/channels/time /ledger/effect")));
-    ledger_.push_back(column("/ledger/joules", effects.size(),
-                             label("J", "heat of each effect since the start, of " + whole, "/channels/time /ledger/effect")));
-    ledger_.push_back(column("/ledger/stored", 0, label("J", "heat stored since the start in " + whole, "/channels/time")));
+    ledger_.push_back(
+        column("/ledger/joules", effects.size(),
+               label("J", "heat of each effect since the start, of " + whole, "/channels/time /ledger/effect")));
+    ledger_.push_back(
+        column("/ledger/stored", 0, label("J", "heat stored since the start in " + whole, "/channels/time")));
 
     file_.add_group("/field");
     field_.push_back(column("/field/time", 0, label("s", "time of each stored field", "")));

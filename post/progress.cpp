@@ -18,7 +18,8 @@ constexpr std::chrono::milliseconds interval{100};
 /// A longer line would wrap, and then it could not be rewritten.
 std::string cut_to_width(const std::string& line, std::FILE* stream) {
     winsize size{};
-    const std::size_t width = ioctl(fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col - 1u : 120u;
+    const std::size_t width =
+        ioctl(fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col - 1u : 120u;
     std::size_t seen = 0;
     for (std::size_t byte = 0; byte < line.size(); ++byte) {
         const bool starts_character = (static_cast<unsigned char>(line[byte]) & 0xC0) != 0x80;
@@ -34,9 +35,9 @@ std::string cut_to_width(const std::string& line, std::FILE* stream) {
 std::string progress_line(const std::string& name, const Advance& advance) {
     const double done = advance.time - advance.start;
     const double whole = advance.end - advance.start;
-    std::string line = fmt::format("{}  {:.0f} %  t = {:.0f} s of {:.0f} s  hottest {:.1f} °C", name,
-                                   whole > 0.0 ? 100.0 * done / whole : 100.0, advance.time, advance.end,
-                                   celsius(advance.hottest));
+    std::string line =
+        fmt::format("{}  {:.0f} %  t = {:.0f} s of {:.0f} s  hottest {:.1f} °C", name,
+                    whole > 0.0 ? 100.0 * done / whole : 100.0, advance.time, advance.end, celsius(advance.hottest));
     if (done > 0.0) {
         line += fmt::format("  {} x real time  {:.1f} s left", grouped(done / advance.elapsed),
                             advance.elapsed * (whole - done) / done);
@@ -45,7 +46,13 @@ std::string progress_line(const std::string& name, const Advance& advance) {
 }
 
 Progress::Progress(std::FILE* stream, bool shown, std::string name, double start, double end)
-    : stream_(stream), shown_(shown), name_(std::move(name)), start_(start), end_(end), begun_(Clock::now()), written_(begun_) {}
+    : stream_(stream),
+      shown_(shown),
+      name_(std::move(name)),
+      start_(start),
+      end_(end),
+      begun_(Clock::now()),
+      written_(begun_) {}
 
 Progress::~Progress() {
     if (line_stands_) {

@@ -22,7 +22,8 @@ class RunFiles {
 public:
     /// Creates the directory and opens the files, so that whatever is wrong with them shows before the run.
     /// @param problem must outlive this   @errors FileError
-    RunFiles(std::filesystem::path directory, const solver::Problem& problem, const Origin& origin, const FileChoice& choice);
+    RunFiles(std::filesystem::path directory, const solver::Problem& problem, const Origin& origin,
+             const FileChoice& choice);
 
     /// @errors FileError
     void take(const solver::Snapshot& snapshot);

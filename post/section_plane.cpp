@@ -45,7 +45,8 @@ void add_interfaces(SectionPlane& plane, const solver::Problem& problem) {
     const mesh::Grid& grid = *problem.mesh.grid;
     const std::size_t width = plane.x.size();
     const auto material = [&](int k) -> const physics::Material& {
-        return problem.materials[static_cast<std::size_t>(problem.mesh.layer[static_cast<std::size_t>(grid.cell(0, 0, k))])];
+        return problem
+            .materials[static_cast<std::size_t>(problem.mesh.layer[static_cast<std::size_t>(grid.cell(0, 0, k))])];
     };
     // From below, so that the rows above keep their numbers: row k + 1 holds the cells k.
     for (int k = grid.size(2) - 2; k >= 0 && problem.mesh.links.empty(); --k) {
@@ -59,7 +60,8 @@ void add_interfaces(SectionPlane& plane, const solver::Problem& problem) {
             const double above = plane.kelvin[row * width + i];
             const double below = plane.kelvin[(row + 1) * width + i];
             const double G_above = material(k).along(mesh::Axis::through).value(above) / (depth - plane.depth[row]);
-            const double G_below = material(k + 1).along(mesh::Axis::through).value(below) / (plane.depth[row + 1] - depth);
+            const double G_below =
+                material(k + 1).along(mesh::Axis::through).value(below) / (plane.depth[row + 1] - depth);
             between.push_back((G_above * above + G_below * below) / (G_above + G_below));
         }
         const auto at = static_cast<std::ptrdiff_t>(row + 1);

@@ -27,7 +27,8 @@ struct SectionPlane {
 };
 
 /// @param temperature [n_nodes] K   @pre has_section(problem.mesh)
-[[nodiscard]] SectionPlane section_plane(const solver::Problem& problem, std::span<const double> temperature, Shading shading);
+[[nodiscard]] SectionPlane section_plane(const solver::Problem& problem, std::span<const double> temperature,
+                                         Shading shading);
 
 /// Cuts off the outer part of a mirrored plane where, at each depth, it differs from its outer end by less than 5 % of
 /// the plane's range: a specimen is made wide so that its rim does not matter. Nothing is cut for less than a third, and

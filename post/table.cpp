@@ -14,8 +14,8 @@ void Table::add(std::vector<std::string> cells) { rows_.push_back(std::move(cell
 std::vector<std::string> Table::lines(std::size_t indent) const {
     // fmt pads by characters as they are seen, not by bytes; so widths are counted with it too.
     const auto seen = [](const std::string& text) {
-        return static_cast<std::size_t>(
-            std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+        return static_cast<std::size_t>(std::count_if(
+            text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
     };
     std::vector<std::size_t> width(left_.size());
     for (const std::vector<std::string>& row : rows_) {
@@ -28,12 +28,21 @@ std::vector<std::string> Table::lines(std::size_t indent) const {
         std::string line(indent, ' ');
         for (std::size_t c = 0; c < row.size(); ++c) {
             const std::string gap = c == 0 ? "" : "  ";
-            line += left_[c] ? fmt::format("{}{:<{}}", gap, row[c], width[c]) : fmt::format("{}{:>{}}", gap, row[c], width[c]);
+            line += left_[c] ? fmt::format("{}{:<{}}", gap, row[c], width[c])
+                             : fmt::format("{}{:>{}}", gap, row[c], width[c]);
         }
         line.erase(line.find_last_not_of(' ') + 1);
         result.push_back(std::move(line));
     }
     return result;
+}
+
+std::string Table::text(std::size_t indent) const {
+    std::string all;
+    for (const std::string& line : lines(indent)) {
+        all += line + "\n";
+    }
+    return all;
 }
 
 std::string wrap(const std::string& text, std::size_t indent, std::size_t width) {

@@ -16,6 +16,8 @@ public:
 
     /// @param indent blanks before each line  @returns a line for each row, without its end
     [[nodiscard]] std::vector<std::string> lines(std::size_t indent) const;
+    /// The same in one piece, each line ended by a newline.
+    [[nodiscard]] std::string text(std::size_t indent) const;
 
 private:
     std::vector<bool> left_;

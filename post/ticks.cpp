@@ -20,7 +20,11 @@ Ticks ticks(double low, double high, int about) {
     const double rough = (high - low) / about;
     const double power = std::pow(10.0, std::floor(std::log10(rough)));
     const double mantissa = rough / power;
-    const double round = mantissa <= 1.0 ? 1.0 : mantissa <= 2.0 ? 2.0 : mantissa <= 2.5 ? 2.5 : mantissa <= 5.0 ? 5.0 : 10.0;
+    const double round = mantissa <= 1.0   ? 1.0
+                         : mantissa <= 2.0 ? 2.0
+                         : mantissa <= 2.5 ? 2.5
+                         : mantissa <= 5.0 ? 5.0
+                                           : 10.0;
     const double step = round * power;
     const double slack = 1e-9 * step;
     const int digits = round == 2.5 ? 1 : 0;

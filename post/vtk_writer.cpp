@@ -32,10 +32,14 @@ std::string field_name(std::size_t index) { return fmt::format("field_{:04}.vtu"
 
 int cell_type(mesh::Shape shape) {
     switch (shape) {
-        case mesh::Shape::vertex: return VTK_VERTEX;
-        case mesh::Shape::line: return VTK_LINE;
-        case mesh::Shape::quadrilateral: return VTK_QUAD;
-        case mesh::Shape::hexahedron: return VTK_HEXAHEDRON;
+        case mesh::Shape::vertex:
+            return VTK_VERTEX;
+        case mesh::Shape::line:
+            return VTK_LINE;
+        case mesh::Shape::quadrilateral:
+            return VTK_QUAD;
+        case mesh::Shape::hexahedron:
+            return VTK_HEXAHEDRON;
     }
     return VTK_EMPTY_CELL;
 }
@@ -43,8 +47,10 @@ int cell_type(mesh::Shape shape) {
 vtkNew<vtkUnstructuredGrid> drawing(const mesh::Mesh& mesh) {
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
-    for (const mesh::Point& point : mesh.drawing.points) {
-        points->InsertNextPoint(point.data());
+    // The mesh draws its half plane in the middle of its cells; turned about z it must stand at y = 0.
+    const bool round = mesh.grid && mesh.grid->metric == mesh::Metric::axisymmetric;
+    for (const auto& [x, y, z] : mesh.drawing.points) {
+        points->InsertNextPoint(x, round ? 0.0 : y, z);
     }
     vtkNew<vtkUnstructuredGrid> grid;
     grid->SetPoints(points);

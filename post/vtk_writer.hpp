@@ -13,8 +13,8 @@ namespace tiretherm::post {
 ///
 /// Cells carry "temperature [degC]" and "layer"; a mesh with a grid carries "temperature [degC]" at its points too,
 /// interpolated as the channels are, so that the surface shows the temperature of the surface and not that of the
-/// outermost cells. z is upwards, the outer surface at 0. An axisymmetric mesh is the half plane x = radius:
-/// ParaView's filter "Rotational Extrusion" makes the body of it.
+/// outermost cells. z is upwards, the outer surface at 0. An axisymmetric mesh is the half plane y = 0, x = radius:
+/// ParaView's filters "Extract Surface" and then "Rotational Extrusion" make the body of it.
 ///
 /// Each file is renamed into place when it is whole, and field.pvd names only files that are.
 class VtkWriter {

@@ -108,7 +108,7 @@ private:
     Status march() {
         const Settings& settings = problem_.settings;
         const StepControl control(settings, tableau(settings.method).order);
-        const double smallest = 1e-12 * std::max(1.0, std::abs(settings.end));
+        const double smallest = 1e-10 * (settings.end - settings.start);
         wanted_ = settings.fixed_step.value_or(wanted_);
         while (stepper_.time() < settings.end - smallest) {
             const double t = stepper_.time();
@@ -129,7 +129,7 @@ private:
             Stepper::Attempt attempt = stepper_.attempt(t1);
             if (!attempt.status.ok()) {
                 ++report_.rejected;
-                if (settings.fixed_step || t1 - t < 1e3 * smallest || !mendable(attempt.status.outcome)) {
+                if (settings.fixed_step || t1 - t < 10.0 * smallest || !mendable(attempt.status.outcome)) {
                     return std::move(attempt.status);
                 }
                 wanted_ = 0.25 * (t1 - t);

@@ -16,8 +16,8 @@ constexpr int most_iterations = 25;
 constexpr double forcing = 1e-3;
 /// The share of the heat turned over in a stage that it may fail to book.
 constexpr double energy_closure = 1e-12;
-/// A scaled residual [K] this small is round-off of temperatures around 300 K.
-constexpr double round_off = 1e-13 * 300.0;
+/// Corrections after which a balance that is solved but not booked to the last digit is taken as it is.
+constexpr int patience = 8;
 
 class Stopwatch {
 public:
@@ -142,7 +142,7 @@ Status Newton::solve(const Stage& stage, std::span<double> T) {
             // The correction just made was for `before`; what is left of it shrank as the residual did.
             const double error = before > 0.0 ? correction * now / before : 0.0;
             const bool small = solved || error <= stage.tolerance;
-            if ((small && is_booked(stage)) || now <= round_off) {
+            if (small && (is_booked(stage) || iteration > patience)) {
                 return {};
             }
             assemble(stage);

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace tiretherm::solver {
@@ -93,13 +94,9 @@ bool Rows::emit_state(bool field) {
 bool Rows::show() { return emit_state(true); }
 
 bool Rows::emit_inside_step(double t) {
-    const double share = (t - stepper_->step_begin()) / (stepper_->time() - stepper_->step_begin());
     stepper_->interpolate(t, field_);
-    for (std::size_t e = 0; e < joules_.size(); ++e) {
-        const double before = stepper_->joules_before()[e];
-        joules_[e] = before + share * (stepper_->joules()[e] - before);
-    }
-    const double stored = stepper_->stored_before() + share * (stepper_->stored() - stepper_->stored_before());
+    stepper_->interpolate_joules(t, joules_);
+    const double stored = std::accumulate(joules_.begin(), joules_.end(), 0.0);
     return emit(t, field_, joules_, stored, field_due(t));
 }
 

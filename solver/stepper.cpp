@@ -149,7 +149,6 @@ double Stepper::estimate_error(double dt) {
 void Stepper::accept() {
     const double dt = tried_ - time_;
     joules_before_ = joules_;
-    stored_before_ = stored_;
     for (int i = 0; i < tableau_->stages; ++i) {
         for (std::size_t e = 0; e < joules_.size(); ++e) {
             const double joules = dt * tableau_->weight(i) * booked_[at(i)][e];
@@ -186,6 +185,18 @@ void Stepper::interpolate(double t, std::span<double> T) const {
     }
 }
 
+void Stepper::interpolate_joules(double t, std::span<double> joules) const {
+    const double dt = time_ - step_begin_;
+    const double x = (t - step_begin_) / dt;
+    std::copy(joules_before_.begin(), joules_before_.end(), joules.begin());
+    for (int i = 0; i < tableau_->stages; ++i) {
+        const double weight = dt * tableau_->weight_at(i, x);
+        for (std::size_t e = 0; e < joules.size(); ++e) {
+            joules[e] += weight * booked_[at(i)][e];
+        }
+    }
+}
+
 Status Stepper::solve_steady(double t) {
     window_.open(t, t);
     std::fill(known_.begin(), known_.end(), 0.0);
@@ -217,7 +228,7 @@ Status Stepper::solve_steady(double t) {
 }
 
 void Stepper::visit(Archive& archive) {
-    for (double* number : {&time_, &step_begin_, &stored_, &stored_before_, &turnover_}) {
+    for (double* number : {&time_, &step_begin_, &stored_, &turnover_}) {
         archive(*number);
     }
     archive.whole(has_history_);
@@ -225,7 +236,7 @@ void Stepper::visit(Archive& archive) {
     for (std::vector<double>& stage : last_) {
         archive(stage);
     }
-    for (std::vector<double>* ledger : {&watts_, &joules_, &joules_before_}) {
+    for (std::vector<double>* ledger : {&watts_, &joules_}) {
         archive(*ledger);
     }
     newton_.forget_factor();

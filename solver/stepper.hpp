@@ -44,12 +44,11 @@ public:
     [[nodiscard]] std::span<const double> temperature() const { return T_.front(); }
     /// State inside the last accepted step, by the parabola through its stages. @param t s, within that step
     void interpolate(double t, std::span<double> T) const;
-    [[nodiscard]] double step_begin() const { return step_begin_; }
+    /// Heat booked to each effect until a moment inside the last accepted step. @param joules out, [n_effects] J
+    void interpolate_joules(double t, std::span<double> joules) const;
     [[nodiscard]] std::span<const double> watts() const { return watts_; }    ///< [n_effects] W at the state
     [[nodiscard]] std::span<const double> joules() const { return joules_; }  ///< [n_effects] J since the start
-    [[nodiscard]] std::span<const double> joules_before() const { return joules_before_; }
-    [[nodiscard]] double stored() const { return stored_; }  ///< J since the start
-    [[nodiscard]] double stored_before() const { return stored_before_; }
+    [[nodiscard]] double stored() const { return stored_; }                   ///< J since the start
     /// |stored - sum of joules| over the heat turned over (sum of |watts| dt) since the start; 0 before the first step.
     [[nodiscard]] double energy_closure() const;
     [[nodiscard]] const Newton& newton() const { return newton_; }
@@ -83,7 +82,6 @@ private:
     std::vector<double> joules_;
     std::vector<double> joules_before_;
     double stored_ = 0.0;
-    double stored_before_ = 0.0;
     double turnover_ = 0.0;
 };
 

@@ -18,6 +18,15 @@ struct Tableau {
     std::array<double, most_stages> error;  ///< b_i - b^_i: weights of the error estimate
     double diagonal;
 
+    /// Weight of a stage's heat in the heat since the start of the step, at the share x of the step: a continuous
+    /// extension of the method's own order that ends in weight(stage).
+    [[nodiscard]] double weight_at(int stage, double x) const {
+        if (order == 1) {
+            return x * weight(stage);
+        }
+        return stage == 0 ? x + (weight(0) - 1.0) * x * x : weight(stage) * x * x;
+    }
+
     [[nodiscard]] double weight(int stage) const {
         return a[static_cast<std::size_t>(stages) - 1][static_cast<std::size_t>(stage)];
     }

@@ -23,8 +23,9 @@ struct Call {
 /// Runs `tiretherm ARGUMENTS`, given as to a shell, in a directory.
 inline Call call(const std::string& arguments, const std::filesystem::path& directory = ".") {
     const sample::Scratch scratch;
-    const std::string line = fmt::format("cd '{}' && '{}' {} >'{}' 2>'{}' </dev/null", directory.string(), TIRETHERM_PROGRAM,
-                                         arguments, (scratch / "out").string(), (scratch / "err").string());
+    const std::string line =
+        fmt::format("cd '{}' && '{}' {} >'{}' 2>'{}' </dev/null", directory.string(), TIRETHERM_PROGRAM, arguments,
+                    (scratch / "out").string(), (scratch / "err").string());
     const int status = std::system(line.c_str());
     return {.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
             .out = post::read_text(scratch / "out"),

@@ -102,7 +102,9 @@ TEST(Effects, OneIsToldWithEquationSourceAndBounds) {
     EXPECT_EQ(one.exit_code, 0);
     EXPECT_NE(one.out.find(std::string(laser.equation)), std::string::npos) << one.out;
     EXPECT_NE(one.out.find(std::string(laser.source)), std::string::npos) << one.out;
-    EXPECT_NE(one.out.find("absorptivity          1      0   1  -     share of the light that is absorbed"), std::string::npos) << one.out;
+    EXPECT_NE(one.out.find("absorptivity          1      0   1  -     share of the light that is absorbed"),
+              std::string::npos)
+        << one.out;
     const Json json = Json::parse(call("effects laser --json").out);
     EXPECT_EQ(json["parameters"][1]["key"], "absorptivity");
     EXPECT_EQ(json["parameters"][1]["default"], 1.0);

@@ -36,7 +36,8 @@ TEST(Run, LeavesTheFilesThatItNames) {
     for (const std::string file : json["outputs"]) {
         EXPECT_GT(std::filesystem::file_size(file), 100u) << file;
     }
-    EXPECT_TRUE(post::read_text(scratch / "channels.csv").starts_with("time [s],surface_temperature [degC],bulk_temperature [degC]\n"));
+    EXPECT_TRUE(post::read_text(scratch / "channels.csv")
+                    .starts_with("time [s],surface_temperature [degC],bulk_temperature [degC]\n"));
 }
 
 TEST(Run, JsonIsOneObjectWithTheAgreedKeys) {
@@ -93,8 +94,10 @@ TEST(Run, UnwritableDirectoryIsAMistakeBeforeTheRun) {
     const Call run = call("run " + two_node + " --out " + directory);
     EXPECT_EQ(run.exit_code, 1);
     EXPECT_EQ(run.out, "");
-    EXPECT_EQ(run.err, fmt::format("tiretherm: cannot create the directory {}: Not a directory; nothing was run; choose another "
-                                   "directory with --out\n", directory));
+    EXPECT_EQ(run.err,
+              fmt::format("tiretherm: cannot create the directory {}: Not a directory; nothing was run; choose another "
+                          "directory with --out\n",
+                          directory));
 }
 
 TEST(Run, MistakesAreAllToldAtOnceAndCounted) {
@@ -118,7 +121,8 @@ TEST(Run, MistakesAreAllToldAtOnceAndCounted) {
 TEST(Run, MissingFileIsAMistake) {
     const Call text = call("run nowhere.toml");
     EXPECT_EQ(text.exit_code, 1);
-    EXPECT_EQ(text.err, "nowhere.toml: the file cannot be read: No such file or directory\n1 mistake; nothing was run\n");
+    EXPECT_EQ(text.err,
+              "nowhere.toml: the file cannot be read: No such file or directory\n1 mistake; nothing was run\n");
     const Call json = call("run nowhere.toml --json");
     EXPECT_EQ(json.exit_code, 1);
     EXPECT_EQ(json.err, "");
@@ -157,7 +161,9 @@ TEST(Run, CtrlCEndsItAfterTheStepWithWholeFiles) {
     // The third row shows that the march is under way.
     const auto rows = [&] {
         std::error_code error;
-        const std::string text = std::filesystem::exists(directory + "/channels.csv", error) ? post::read_text(directory + "/channels.csv") : "";
+        const std::string text = std::filesystem::exists(directory + "/channels.csv", error)
+                                     ? post::read_text(directory + "/channels.csv")
+                                     : "";
         return std::count(text.begin(), text.end(), '\n');
     };
     for (int i = 0; i < 1000 && rows() < 4; ++i) {

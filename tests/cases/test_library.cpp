@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -56,7 +57,23 @@ const physics::ActiveEffect& effect(const solver::Problem& problem, std::string_
 
 }  // namespace
 
-// Thesis-notes section 2: S_tot = 2 pi 0.3308 0.225 = 0.46766 m2, m = 1100 S_tot 0.012 = 6.173 kg, of which 15 % outside.
+// Whatever stands in the library can be run; files that only hold a common part say so by their name or folder.
+TEST(Library, EveryCaseIsSound) {
+    std::size_t count = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(source_folder() / "cases")) {
+        const std::filesystem::path& file = entry.path();
+        const bool part = file.stem().string().ends_with("common") || file.parent_path().filename() == "tires";
+        if (file.extension() == ".toml" && !part) {
+            const Reading reading = read_case(file);
+            EXPECT_TRUE(reading.problem.has_value()) << render(reading);
+            EXPECT_TRUE(reading.warnings.empty()) << render(reading);
+            ++count;
+        }
+    }
+    EXPECT_GE(count, 9U);
+}
+
+// Thesis-notes section 2: S_tot = 2 pi 0.3308 0.225 = 0.46766 m2, m = 1100 S_tot 0.012 = 6.173 kg, 15 % of it outside.
 TEST(Library, TwoNodeIsTheThesissTire) {
     const solver::Problem problem = read("two_node/4000N_100kmh");
     const double area = 2.0 * pi * 0.3308 * 0.225;

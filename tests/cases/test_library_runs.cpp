@@ -43,8 +43,8 @@ TEST(LibraryRuns, TwoNodeAgreesWithAnIndependentIntegrator) {
     expect_near(run("two_node/7500N_150kmh"), {46.6, 93.5}, 0.06);
 }
 
-// Thesis-notes section 4: spot centre 100.8 and 182.3, inner face 47.3 and 82.0 degC (0.05 K of rounding); the grid adds
-// 0.03 K, the rim 0.02 and 0.07 K. The mean over the spot is from this code with six times the cells, 92.33 and 167.30.
+// Thesis-notes section 4: spot centre 100.8 and 182.3, inner face 47.3 and 82.0 degC (0.05 K of rounding); the grid
+// adds 0.03 K, the rim 0.02 and 0.07 K. The mean over the spot is from this code on a fine grid, 92.33 and 167.30.
 TEST(LibraryRuns, LaserSettlesWhereAnIndependentModelDoes) {
     expect_near(run("laser/one_watt", true), {100.8, 92.33, 47.3}, 0.1);
     expect_near(run("laser/three_watts", true), {182.3, 167.30, 82.0}, 0.15);

@@ -26,7 +26,7 @@ public:
     Written& operator=(const Written&) = delete;
 
     std::filesystem::path add(const std::string& name, std::string_view text) const {
-        const std::filesystem::path file = folder_ / name;
+        std::filesystem::path file = folder_ / name;
         std::filesystem::create_directories(file.parent_path());
         std::ofstream(file, std::ios::binary) << text;
         return file;

@@ -13,9 +13,9 @@
 namespace tiretherm::sample {
 
 inline mesh::Mesh axisymmetric() {
-    return mesh::build(mesh::Axisymmetric{
-        .radius = {{.to = 0.02, .cells = 4}},
-        .stack = {{.name = "tread", .thickness = 0.008, .cells = 4}, {.name = "bulk", .thickness = 0.004, .cells = 2}}});
+    return mesh::build(mesh::Axisymmetric{.radius = {{.to = 0.02, .cells = 4}},
+                                          .stack = {{.name = "tread", .thickness = 0.008, .cells = 4},
+                                                    {.name = "bulk", .thickness = 0.004, .cells = 2}}});
 }
 
 /// Two layers under a laser, 24 cells, two channels with a measured value each.
@@ -52,8 +52,13 @@ public:
         for (const mesh::Point& centre : problem.mesh.centre) {
             temperature_.push_back(warmth(centre[2], time));
         }
-        snapshot = {.time = time, .temperature = temperature_, .channels = channels_, .watts = watts_,
-                    .joules = joules_, .stored = 0.9 * time, .field = field};
+        snapshot = {.time = time,
+                    .temperature = temperature_,
+                    .channels = channels_,
+                    .watts = watts_,
+                    .joules = joules_,
+                    .stored = 0.9 * time,
+                    .field = field};
     }
     Moment(const Moment&) = delete;
     Moment& operator=(const Moment&) = delete;

@@ -37,9 +37,13 @@ TEST(Csv, ReaderOfCasesTakesTheFileBackInKelvin) {
     ASSERT_TRUE(file);
     const auto csv = cases::Csv::open(*file, mistakes);
     ASSERT_TRUE(csv);
-    const auto values = csv->read({{.column = csv->find("time"), .name = "time", .wanted = {.unit = "s", .low = 0.0, .high = 1e9}, .ascending = true},
-                                   {.column = csv->find("liner"), .name = "liner", .wanted = {.unit = "K", .low = 0.0, .high = 1e3}}},
-                                  mistakes);
+    const auto values =
+        csv->read({{.column = csv->find("time"),
+                    .name = "time",
+                    .wanted = {.unit = "s", .low = 0.0, .high = 1e9},
+                    .ascending = true},
+                   {.column = csv->find("liner"), .name = "liner", .wanted = {.unit = "K", .low = 0.0, .high = 1e3}}},
+                  mistakes);
     ASSERT_EQ(mistakes.count(), 0u);
     EXPECT_EQ(values[0], (std::vector<double>{0.0, 30.5}));
     EXPECT_NEAR(values[1][0], 296.15, 1e-9);

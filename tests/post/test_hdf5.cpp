@@ -209,7 +209,8 @@ TEST(Hdf5, FailureNamesTheFileAndTheReasonOfTheSystem) {
         const Hdf5Writer writer(scratch / "file/results.h5", problem, origin);
         FAIL() << "a file below a file was created";
     } catch (const FileError& error) {
-        EXPECT_EQ(error.what(), fmt::format("cannot create {}: Not a directory", (scratch / "file/results.h5").string()));
+        EXPECT_EQ(error.what(),
+                  fmt::format("cannot create {}: Not a directory", (scratch / "file/results.h5").string()));
     }
 }
 

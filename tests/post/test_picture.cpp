@@ -48,7 +48,8 @@ TEST(SectionPlane, LeftHalfMirrorsTheRight) {
         problem, field(problem, [](const mesh::Point& p) { return 300.0 + 1e5 * p[0] * p[0]; }), Shading::smooth);
     EXPECT_EQ(plane.left(), -0.02);
     EXPECT_EQ(plane.right(), 0.02);
-    const std::vector<double> shown = plane.sample(std::vector<double>{-0.013, 0.013, 0.002}, std::vector<double>{0.004});
+    const std::vector<double> shown =
+        plane.sample(std::vector<double>{-0.013, 0.013, 0.002}, std::vector<double>{0.004});
     EXPECT_EQ(shown[0], shown[1]);
     EXPECT_GT(shown[1], shown[2] + 10.0);
 }
@@ -67,7 +68,8 @@ TEST(SectionPlane, FlatShadingShowsTheCellsThemselves) {
     const solver::Problem problem = sample::problem();
     const SectionPlane plane = section_plane(
         problem, field(problem, [](const mesh::Point& p) { return sample::warmth(p[2], 0.0); }), Shading::cells);
-    const std::vector<double> shown = plane.sample(std::vector<double>{0.001}, std::vector<double>{0.0, 0.0019, 0.0021});
+    const std::vector<double> shown =
+        plane.sample(std::vector<double>{0.001}, std::vector<double>{0.0, 0.0019, 0.0021});
     EXPECT_EQ(shown[0], sample::warmth(0.001, 0.0));
     EXPECT_EQ(shown[1], shown[0]);
     EXPECT_EQ(shown[2], sample::warmth(0.003, 0.0));
@@ -77,24 +79,25 @@ TEST(SectionPlane, RimWithoutChangeIsCutAndAHotOneIsNot) {
     const solver::Problem problem = sample::problem(mesh::build(mesh::Axisymmetric{
         .radius = {{.to = 0.06, .cells = 60}}, .stack = {{.name = "tread", .thickness = 0.008, .cells = 4}}}));
     SectionPlane spot = section_plane(
-        problem, field(problem, [](const mesh::Point& p) { return 300.0 + 80.0 * std::exp(-1e4 * p[0] * p[0]); }), Shading::smooth);
+        problem, field(problem, [](const mesh::Point& p) { return 300.0 + 80.0 * std::exp(-1e4 * p[0] * p[0]); }),
+        Shading::smooth);
     cut_quiet_rim(spot);
     // 5 % of the range is left at sqrt(ln 20) cm = 17.3 mm; the next column is 1 mm further at most.
     EXPECT_NEAR(spot.right(), 0.0178, 0.0007);
     EXPECT_EQ(spot.kelvin.size(), spot.x.size() * spot.depth.size());
 
-    SectionPlane slope = section_plane(
-        problem, field(problem, [](const mesh::Point& p) { return 300.0 + 1e3 * p[0]; }), Shading::smooth);
+    SectionPlane slope = section_plane(problem, field(problem, [](const mesh::Point& p) { return 300.0 + 1e3 * p[0]; }),
+                                       Shading::smooth);
     cut_quiet_rim(slope);
     EXPECT_EQ(slope.right(), 0.06);
 }
 
 TEST(SectionPlane, NeedsASecondDimension) {
     EXPECT_TRUE(has_section(sample::axisymmetric()));
-    EXPECT_FALSE(has_section(mesh::build(
-        mesh::Layers{.area = 1.0, .stack = {{.name = "tread", .thickness = 0.012, .cells = 3}}})));
-    EXPECT_FALSE(has_section(mesh::build(
-        mesh::TwoNode{.area = 1.0, .surface_volume = 1e-3, .bulk_volume = 1e-2, .bulk_depth = 0.01})));
+    EXPECT_FALSE(has_section(
+        mesh::build(mesh::Layers{.area = 1.0, .stack = {{.name = "tread", .thickness = 0.012, .cells = 3}}})));
+    EXPECT_FALSE(has_section(
+        mesh::build(mesh::TwoNode{.area = 1.0, .surface_volume = 1e-3, .bulk_volume = 1e-2, .bulk_depth = 0.01})));
 }
 
 /// 0 at the left to 100 at the right.

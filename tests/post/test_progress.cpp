@@ -37,7 +37,8 @@ std::size_t count(const std::string& text, const std::string& part) {
 
 TEST(Progress, LineTellsShareTimeHottestSpeedAndRest) {
     // 900 s of 1800 s in 0.5 s: 1 800 times real time, and as long again.
-    EXPECT_EQ(progress_line("laser/one_watt", {.start = 0.0, .end = 1800.0, .time = 900.0, .hottest = 371.25, .elapsed = 0.5}),
+    EXPECT_EQ(progress_line("laser/one_watt",
+                            {.start = 0.0, .end = 1800.0, .time = 900.0, .hottest = 371.25, .elapsed = 0.5}),
               "laser/one_watt  50 %  t = 900 s of 1800 s  hottest 98.1 °C  1 800 x real time  0.5 s left");
 }
 

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-
 #include "post/summary.hpp"
 #include "tests/post/sample.hpp"
 
@@ -16,9 +15,13 @@ struct Told {
     solver::Report report = sample::report();
 
     [[nodiscard]] RunRecord record(const History& history) const {
-        return {.problem = problem, .report = report, .history = history,
-                .origin = {.version = "9.9", .case_file = "", .case_text = ""}, .seconds = 0.02,
-                .warnings = {"spot.toml:3: 8 m is an unusual thickness"}, .files = {"out/results.h5", "out/channels.csv"}};
+        return {.problem = problem,
+                .report = report,
+                .history = history,
+                .origin = {.version = "9.9", .case_file = "", .case_text = ""},
+                .seconds = 0.02,
+                .warnings = {"spot.toml:3: 8 m is an unusual thickness"},
+                .files = {"out/results.h5", "out/channels.csv"}};
     }
     [[nodiscard]] std::string text() const {
         const History history = sample::history(problem);
@@ -106,8 +109,7 @@ TEST(Summary, SteadyStateHasNoSumsOverTime) {
 TEST(Summary, EarlyEndIsToldFirst) {
     Told told;
     told.report.status = {.outcome = solver::Outcome::not_converged, .message = "cell 3 did not settle"};
-    EXPECT_TRUE(told.text().starts_with(
-        "A warm spot (sample/spot)\n  ended early: cell 3 did not settle\n"))
+    EXPECT_TRUE(told.text().starts_with("A warm spot (sample/spot)\n  ended early: cell 3 did not settle\n"))
         << told.text();
     EXPECT_EQ(told.json()["error"], "cell 3 did not settle");
 }
@@ -119,6 +121,20 @@ TEST(Summary, RunThatFailedBeforeItsFirstRowStillHasASummary) {
     const History nothing;
     EXPECT_NE(summary_text(told.record(nothing), false).find("no steady state"), std::string::npos);
     EXPECT_EQ(nlohmann::json::parse(summary_json(told.record(nothing)))["error"], "no steady state");
+}
+
+TEST(Summary, CaseWithoutATitleIsNamedOnce) {
+    Told told;
+    told.problem.title = told.problem.name;
+    EXPECT_TRUE(told.text().starts_with("sample/spot\n\n")) << told.text();
+}
+
+TEST(Summary, HeadingsAreBoldOnATerminalOnly) {
+    const Told told;
+    const History history = sample::history(told.problem);
+    EXPECT_TRUE(
+        summary_text(told.record(history), true).starts_with("\033[1mA warm spot (sample/spot)\033[0m\n\n\033[1mTemp"));
+    EXPECT_EQ(told.text().find('\033'), std::string::npos);
 }
 
 TEST(Summary, JsonHasTheAgreedKeys) {
@@ -150,7 +166,8 @@ TEST(Summary, JsonHasTheAgreedKeys) {
 TEST(Summary, TireIsComparedWithATwoNodeModelWhereThatHasAMeaning) {
     Told told;
     told.problem.effects[2] = physics::activate(*physics::find_effect("air_convection"), told.problem.mesh);
-    EXPECT_NE(told.text().find("  as a two-node model, its link would be 0.125 W/K\n"), std::string::npos) << told.text();
+    EXPECT_NE(told.text().find("  as a two-node model, its link would be 0.125 W/K\n"), std::string::npos)
+        << told.text();
     EXPECT_EQ(told.json()["effective_link"], 0.125);
     told.report.effective_link = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(told.text().find("two-node"), std::string::npos);
@@ -159,7 +176,8 @@ TEST(Summary, TireIsComparedWithATwoNodeModelWhereThatHasAMeaning) {
 
 TEST(Summary, LumpHasALayerButNoPosition) {
     Told told;
-    told.problem.mesh = mesh::build(mesh::TwoNode{.area = 1.0, .surface_volume = 1e-3, .bulk_volume = 1e-2, .bulk_depth = 0.01});
+    told.problem.mesh =
+        mesh::build(mesh::TwoNode{.area = 1.0, .surface_volume = 1e-3, .bulk_volume = 1e-2, .bulk_depth = 0.01});
     told.report.hottest.node = 1;
     EXPECT_NE(told.text().find("hottest  97.50 degC  at 60 s  bulk\n"), std::string::npos) << told.text();
     EXPECT_TRUE(told.json()["hottest"]["position"].is_null());

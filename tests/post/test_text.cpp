@@ -70,8 +70,8 @@ TEST(Comparison, DifferenceIsMeasuredLessSimulatedToTheNearerEnd) {
 
 TEST(Place, OfABlockHasThreeCoordinates) {
     const std::vector<mesh::Segment> side{{.to = 0.02, .cells = 2}};
-    const mesh::Mesh block = mesh::build(
-        mesh::Block{.x = side, .y = side, .stack = {{.name = "tread", .thickness = 0.012, .cells = 3}}});
+    const mesh::Mesh block =
+        mesh::build(mesh::Block{.x = side, .y = side, .stack = {{.name = "tread", .thickness = 0.012, .cells = 3}}});
     EXPECT_EQ(describe_place(block, 0), "tread, x 5.00 mm, y 5.00 mm, depth 2.00 mm");
     EXPECT_EQ(describe_place(block, -1), "");
 }

@@ -85,6 +85,7 @@ TEST(Vtk, PointsOfTheSurfaceShowTheSurfaceNotTheOutermostCells) {
     for (vtkIdType i = 0; i < points->GetNumberOfTuples(); ++i) {
         const double depth = -reader->GetOutput()->GetPoint(i)[2];
         EXPECT_NEAR(points->GetTuple1(i), celsius(sample::warmth(depth, 0.0)), 1e-10);
+        EXPECT_EQ(reader->GetOutput()->GetPoint(i)[1], 0.0);  // or turning the half plane about z would make a tube
     }
 }
 
@@ -122,7 +123,8 @@ TEST(Vtk, EveryShapeOfCellIsWritten) {
     const std::vector<mesh::Layer> stack{{.name = "tread", .thickness = 0.012, .cells = 3}};
     const std::vector<mesh::Segment> side{{.to = 0.02, .cells = 2}};
     const std::vector<std::pair<mesh::Mesh, int>> meshes{
-        {mesh::build(mesh::TwoNode{.area = 1.0, .surface_volume = 1e-3, .bulk_volume = 1e-2, .bulk_depth = 0.01}), VTK_VERTEX},
+        {mesh::build(mesh::TwoNode{.area = 1.0, .surface_volume = 1e-3, .bulk_volume = 1e-2, .bulk_depth = 0.01}),
+         VTK_VERTEX},
         {mesh::build(mesh::Layers{.area = 1.0, .stack = stack}), VTK_LINE},
         {mesh::build(mesh::Axisymmetric{.radius = side, .stack = stack}), VTK_QUAD},
         {mesh::build(mesh::Block{.x = side, .y = side, .stack = stack}), VTK_HEXAHEDRON}};
@@ -145,8 +147,8 @@ TEST(Vtk, FullOrMissingDirectoryIsAnErrorWithItsPath) {
         writer.write(0.0, sample::Moment(problem, 0.0, {}, true).snapshot.temperature);
         FAIL() << "a field was written into a directory that is gone";
     } catch (const FileError& error) {
-        EXPECT_EQ(error.what(),
-                  fmt::format("cannot create {}: No such file or directory", (scratch / "field_0000.vtu.part").string()));
+        EXPECT_EQ(error.what(), fmt::format("cannot create {}: No such file or directory",
+                                            (scratch / "field_0000.vtu.part").string()));
     }
 }
 

@@ -42,7 +42,7 @@ void speak_nan(const physics::Moment& m, physics::Terms& terms) {
     terms.heat(0, m.temperature[0] > 310.0 ? std::nan("") : 500.0);
 }
 void speak_jumping(const physics::Moment& m, physics::Terms& terms) {
-    terms.heat(0, m.temperature[0] > 310.0 ? -5e6 : 5e6);
+    terms.heat(0, m.temperature[0] > 310.0 ? -5e12 : 5e12);
 }
 void speak_negative(const physics::Moment& m, physics::Terms& terms) {
     terms.exchange(0, m.temperature[0] > 310.0 ? -1.0 : 5.0, 400.0);

@@ -1,0 +1,68 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "post/summary_parts.hpp"
+#include "post/table.hpp"
+
+namespace tiretherm::post {
+
+namespace {
+
+/// Five figures at the largest of the values, so that a column shows what adds up to what.
+int decimals_for(const std::vector<double>& values) {
+    double largest = 0.0;
+    for (const double value : values) {
+        largest = std::max(largest, std::abs(value));
+    }
+    const int before_point = largest >= 1.0 ? static_cast<int>(std::floor(std::log10(largest))) + 1 : 1;
+    return std::clamp(5 - before_point, 1, 4);
+}
+
+}  // namespace
+
+std::string heat_budget_text(const RunRecord& run) {
+    const solver::Report& report = run.report;
+    std::vector<double> watts;
+    std::vector<double> kilojoules;
+    std::vector<std::string> names;
+    for (std::size_t e = 0; e < run.problem.effects.size(); ++e) {
+        const physics::Effect& effect = *run.problem.effects[e].effect;
+        // A property moves heat inside; only sources and losses have a line in the budget.
+        if (effect.kind != physics::Kind::property || report.joules[e] != 0.0) {
+            names.emplace_back(effect.id);
+            watts.push_back(run.problem.symmetry * report.watts[e]);
+            kilojoules.push_back(run.problem.symmetry * report.joules[e] / 1e3);
+        }
+    }
+    const int of_watts = decimals_for(watts);
+    const int of_kilojoules = decimals_for(kilojoules);
+    names.emplace_back("sum");
+    watts.push_back(std::accumulate(watts.begin(), watts.end(), 0.0));
+    kilojoules.push_back(std::accumulate(kilojoules.begin(), kilojoules.end(), 0.0));
+    const bool steady = run.problem.settings.steady;  // no time passes, so nothing is summed up or stored
+    Table table({true, false, false});
+    table.add({"heat into it", steady ? "W" : "W at the end", steady ? "" : "kJ in all"});
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        table.add({names[i], fmt::format("{:.{}f}", watts[i], of_watts),
+                   steady ? "" : fmt::format("{:.{}f}", kilojoules[i], of_kilojoules)});
+    }
+    if (!steady) {
+        table.add({"stored", "", fmt::format("{:.{}f}", run.problem.symmetry * report.stored / 1e3, of_kilojoules)});
+    }
+    std::string text = table.text(2);
+    text += fmt::format("  energy closure {:.1e}: {} over the heat turned over\n", report.energy_closure,
+                        steady ? "sum" : "stored less sum,");
+    const std::vector<physics::ActiveEffect>& effects = run.problem.effects;
+    const bool is_tire = std::any_of(effects.begin(), effects.end(),
+                                     [](const physics::ActiveEffect& active) { return active.effect->needs_tire; });
+    if (is_tire && std::isfinite(report.effective_link)) {
+        text += fmt::format("  as a two-node model, its link would be {:.4g} W/K\n",
+                            run.problem.symmetry * report.effective_link);
+    }
+    return text;
+}
+
+}  // namespace tiretherm::post
