@@ -141,11 +141,9 @@ private:
                     ++report_.rejected;
                     wanted_ = std::min(factor, 0.8) * (t1 - t);
                     if (wanted_ < smallest) {
-                        return {
-                            Outcome::step_too_small,
-                            fmt::format(
-                                "the step shrank to {:.1e} s at t = {:.6g} s without reaching the tolerance of {} K",
-                                wanted_, t, settings.tolerance)};
+                        return stepper_.blame_error(
+                            fmt::format("the step shrank to {:.1e} s without reaching the tolerance of {} K", wanted_,
+                                        settings.tolerance));
                     }
                     continue;
                 }

@@ -121,11 +121,10 @@ Stepper::Attempt Stepper::attempt_in_window(double t1) {
 double Stepper::estimate_error(double dt) {
     const auto largest_filtered = [&] {
         newton_.filter(error_heat_, error_);
-        double most = 0.0;
-        for (const double e : error_) {
-            most = std::max(most, std::abs(e));
-        }
-        return most;
+        const auto most = std::max_element(error_.begin(), error_.end(),
+                                           [](double a, double b) { return std::abs(a) < std::abs(b); });
+        worst_node_ = static_cast<int>(most - error_.begin());
+        return std::abs(*most);
     };
     for (std::size_t n = 0; n < error_heat_.size(); ++n) {
         double sum = 0.0;
@@ -144,6 +143,10 @@ double Stepper::estimate_error(double dt) {
         error = std::max(error, largest_filtered());
     }
     return error;
+}
+
+Status Stepper::blame_error(std::string_view why) {
+    return system_.blame(Outcome::step_too_small, why, worst_node_, time_, T_[0], window_.stage(0));
 }
 
 void Stepper::accept() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "solver/checkpoint.hpp"
@@ -26,6 +27,8 @@ public:
     /// The same with inputs that go straight from `from` to `to`, whatever the problem's drive says.
     [[nodiscard]] Attempt attempt(double t1, const physics::Inputs& from, const physics::Inputs& to);
     void accept();
+    /// A failure at the place of the largest error of the last attempt.
+    [[nodiscard]] Status blame_error(std::string_view why);
 
     /// Solves q(T) = 0 for the drive at a time, from the present state as a guess.
     [[nodiscard]] Status solve_steady(double t);
@@ -69,6 +72,7 @@ private:
     double step_begin_ = 0.0;
     double tried_ = 0.0;
     bool has_history_ = false;
+    int worst_node_ = 0;
     std::vector<std::vector<double>> T_;       ///< [stages + 1][n]: the state, then the stages of the attempt
     std::vector<std::vector<double>> q_;       ///< [stages][n] W
     std::vector<std::vector<double>> booked_;  ///< [stages][n_effects] W
