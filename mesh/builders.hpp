@@ -38,7 +38,7 @@ struct Layers {
 
 /// A block under a laser: x along the meridian, y along the circumference, z the depth. With `quarter` the block spans
 /// [0, X] x [0, Y], symmetric about x = 0 and y = 0; otherwise it is centred. Patches "top", "bottom" and, where the
-/// sides exchange heat, "left", "right" (x), "front", "back" (y).
+/// sides exchange heat, "left", "right" (x), "front", "back" (y; not with one cell across, which is a plane).
 struct Block {
     std::vector<Segment> x;  ///< from the centre (quarter) or from -X/2
     std::vector<Segment> y;

@@ -246,8 +246,10 @@ Mesh build(const Block& description) {
     tensor.edge = {edges(start(description.x), description.x), edges(start(description.y), description.y), stack.edge};
     tensor.patch = {"", "", "", "", "top", "bottom"};
     if (description.side_patches) {
-        tensor.patch = {
-            description.quarter ? "" : "left", "right", description.quarter ? "" : "front", "back", "top", "bottom"};
+        // A plane, one cell across, is adiabatic in that direction.
+        const bool plane = tensor.edge[1].size() == 2;
+        const bool low = !description.quarter;
+        tensor.patch = {low ? "left" : "", "right", low && !plane ? "front" : "", plane ? "" : "back", "top", "bottom"};
     }
     return build(tensor);
 }

@@ -70,7 +70,7 @@ TEST(HalfSpace, CentreOfTheDiscConvergesAtSecondOrderAboutTheAxis) {
         errors.push_back(support::run_closed(problem).channel_final[0] - start - exact.at_centre(60.0));
     }
     support::expect_order("centre", errors, 1.9, 2.1);
-    support::expect_below("finest_over_rise", errors.back() / exact.at_centre(60.0), 2e-4);
+    support::expect_below("finest_over_rise", errors.back() / exact.at_centre(60.0), 3e-4);
 }
 
 TEST(HalfSpace, BlockAndAxisymmetricMeshBothWarmUpAsCarslawAndJaeger) {

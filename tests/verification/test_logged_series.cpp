@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -8,78 +7,24 @@
 
 #include "solver/system.hpp"
 #include "solver/window.hpp"
+#include "tests/support/laser_strip.hpp"
 #include "tests/support/order.hpp"
 #include "tests/support/two_node_case.hpp"
 
 namespace tiretherm {
 namespace {
 
-/// A straight-line series and its exact integrals, by the trapezoidal rule between its points.
-struct Samples {
-    std::vector<double> time;
-    std::vector<double> value;
-
-    [[nodiscard]] double integral() const {
-        double sum = 0.0;
-        for (std::size_t i = 0; i + 1 < time.size(); ++i) {
-            sum += 0.5 * (value[i] + value[i + 1]) * (time[i + 1] - time[i]);
-        }
-        return sum;
-    }
-    /// Of (t - middle) f(t), by Simpson's rule: exact for the product of two straight lines.
-    [[nodiscard]] double moment(double middle) const {
-        double sum = 0.0;
-        for (std::size_t i = 0; i + 1 < time.size(); ++i) {
-            const double dt = time[i + 1] - time[i];
-            const double centre = 0.5 * (time[i] + time[i + 1]) - middle;
-            const double mean = 0.5 * (value[i] + value[i + 1]);
-            sum += dt / 6.0 *
-                   ((time[i] - middle) * value[i] + 4.0 * centre * mean + (time[i + 1] - middle) * value[i + 1]);
-        }
-        return sum;
-    }
-};
-
-Samples sampled(double end, double interval, const auto& f) {
-    Samples s;
-    const auto n = std::lround(end / interval);
-    for (long i = 0; i <= n; ++i) {
-        s.time.push_back(end * static_cast<double>(i) / static_cast<double>(n));
-        s.value.push_back(f(s.time.back()));
-    }
-    return s;
-}
-
 double sawtooth(double t) { return 0.2 * (t - std::floor(t)); }
 double swelling_sine(double t) { return 0.1 + t / 6000.0 + 0.09 * std::sin(2.0 * std::numbers::pi * t); }
-
-/// A disc of rubber as wide as the laser's spot, cooled in front: a strip that takes the laser's whole power.
-solver::Problem strip() {
-    solver::Problem problem;
-    problem.title = "strip under a laser";
-    problem.mesh = mesh::build(mesh::Axisymmetric{.radius = {{5.6e-3, 1, 1.0}}, .stack = {{"rubber", 0.012, 12, 4.0}}});
-    problem.materials = {support::material(0.29, 1100.0, 1800.0)};
-    support::switch_on(problem, "conduction");
-    support::switch_on(problem, "laser", {{"radius", 5.6e-3}});
-    support::switch_on(problem, "still_air", {{"h", 40.0}}, {"top"});
-    support::hold(problem, "air_temperature", 296.15);
-    support::start_at(problem, 296.15);
-    support::read(problem, "top", mesh::over_patch(problem.mesh, 0));
-    support::read(problem, "bottom", mesh::over_patch(problem.mesh, 1));
-    problem.settings.end = 600.0;
-    problem.settings.output_interval = 600.0;
-    return problem;
-}
-
-enum : std::size_t { conduction, laser, still_air };
 
 TEST(LoggedSeries, LaserEnergyIsTheIntegralOfItsSamples) {
     // 600 s of a 1 Hz sawtooth and of a swelling 1 Hz sine, logged at 16 Hz. Steps that span many samples must book the
     // exact integral of the line through them: 1e-9 relative is round-off of some 1e4 sums with room. Asked of steps of
     // the error control and of fixed steps that share no sample.
-    for (const Samples& power : {sampled(600.0, 1.0 / 16.0, sawtooth), sampled(600.0, 1.0 / 16.0, swelling_sine)}) {
+    for (const support::Samples& power :
+         {support::sampled(600.0, 1.0 / 16.0, sawtooth), support::sampled(600.0, 1.0 / 16.0, swelling_sine)}) {
         for (const double fixed : {0.0, 7.3}) {
-            solver::Problem problem = strip();
+            solver::Problem problem = support::laser_strip();
             support::log(problem, "laser_power", power.time, power.value);
             // 1 kW/m2 to and fro at 1 Hz move the surface by half a kelvin: at 2 K the error control lets steps span
             // it.
@@ -88,8 +33,8 @@ TEST(LoggedSeries, LaserEnergyIsTheIntegralOfItsSamples) {
                 problem.settings.fixed_step = fixed;
             }
             const solver::Report report = support::run_closed(problem);
-            support::expect_below(fixed > 0.0 ? "fixed" : "controlled", report.joules[laser] / power.integral() - 1.0,
-                                  1e-9);
+            support::expect_below(fixed > 0.0 ? "fixed" : "controlled",
+                                  report.joules[support::strip::laser] / power.integral() - 1.0, 1e-9);
             EXPECT_LT(report.steps, 300) << "steps do not span the samples, the test says nothing";
             testing::Test::RecordProperty(fixed > 0.0 ? "steps_fixed" : "steps_controlled",
                                           static_cast<int>(report.steps));
@@ -100,8 +45,10 @@ TEST(LoggedSeries, LaserEnergyIsTheIntegralOfItsSamples) {
 TEST(LoggedSeries, ProductOfTwoLoggedInputsIsIntegratedExactly) {
     // Friction power 0.6 |Fy V tan(alpha)| with Fy and V both logged: a parabola between samples, which Simpson's rule
     // integrates exactly. The reference does so here, from the products at the samples and in the middle.
-    const Samples force = sampled(300.0, 0.5, [](double t) { return 3000.0 + 1000.0 * std::sin(0.7 * t); });
-    const Samples speed = sampled(300.0, 0.5, [](double t) { return 30.0 + 5.0 * std::cos(1.1 * t); });
+    const support::Samples force =
+        support::sampled(300.0, 0.5, [](double t) { return 3000.0 + 1000.0 * std::sin(0.7 * t); });
+    const support::Samples speed =
+        support::sampled(300.0, 0.5, [](double t) { return 30.0 + 5.0 * std::cos(1.1 * t); });
     solver::Problem problem = support::two_node_problem({});
     support::log(problem, "lateral_force", force.time, force.value);
     support::log(problem, "speed", speed.time, speed.value);
@@ -130,8 +77,9 @@ TEST(LoggedSeries, StagesOfAStepCarryTheMeanAndTheFirstMoment) {
     // between them.
     std::mt19937_64 engine(11);
     std::uniform_real_distribution<double> noise(-3.0, 3.0);
-    const Samples walk = sampled(100.0, 1.0, [&](double t) { return 5.0 + 0.03 * t + noise(engine); });
-    solver::Problem problem = strip();
+    const support::Samples walk =
+        support::sampled(100.0, 1.0, [&](double t) { return 5.0 + 0.03 * t + noise(engine); });
+    solver::Problem problem = support::laser_strip();
     support::log(problem, "laser_power", walk.time, walk.value);
     const solver::System system(problem);
     for (const solver::Method method : {solver::Method::tr_bdf2, solver::Method::backward_euler}) {
@@ -139,7 +87,7 @@ TEST(LoggedSeries, StagesOfAStepCarryTheMeanAndTheFirstMoment) {
         solver::Window window(system, problem.drive, tableau);
         for (const auto& [from, to] :
              {std::pair{10.0, 50.0}, std::pair{10.4, 49.7}, std::pair{0.0, 100.0}, std::pair{63.2, 75.0}}) {
-            Samples piece;
+            support::Samples piece;
             piece.time.push_back(from);
             std::copy_if(walk.time.begin(), walk.time.end(), std::back_inserter(piece.time),
                          [begin = from, end = to](double t) { return t > begin && t < end; });
@@ -161,7 +109,7 @@ TEST(LoggedSeries, StagesOfAStepCarryTheMeanAndTheFirstMoment) {
 TEST(LoggedSeries, LineOfAStepStaysInsideTheSamples) {
     // Off for most of the step and on at its end: the line with the same moment would begin below zero, a laser that
     // cools. Its slope is cut, its mean is not: 1 W for a tenth of the time.
-    solver::Problem problem = strip();
+    solver::Problem problem = support::laser_strip();
     support::log(problem, "laser_power", {0.0, 50.0, 90.0, 90.5, 100.0}, {0.0, 0.0, 0.0, 1.0, 1.0});
     const solver::System system(problem);
     solver::Window window(system, problem.drive, solver::tr_bdf2);
@@ -176,12 +124,12 @@ TEST(LoggedSeries, LineOfAStepStaysInsideTheSamples) {
 TEST(LoggedSeries, TemperaturesOfLongStepsAreThoseOfTheSamples) {
     // Truth: the same samples as a schedule, whose every point is a step, to 1e-5 K. Logged, the run makes far fewer
     // steps than there are samples and stays within three tolerances, in front and behind, every minute.
-    const Samples load =
-        sampled(600.0, 1.0, [](double t) { return 0.5 + 0.02 * std::sin(2.0 * std::numbers::pi * t / 5.0); });
-    solver::Problem logged = strip();
+    const support::Samples load =
+        support::sampled(600.0, 1.0, [](double t) { return 0.5 + 0.02 * std::sin(2.0 * std::numbers::pi * t / 5.0); });
+    solver::Problem logged = support::laser_strip();
     support::log(logged, "laser_power", load.time, load.value);
     logged.settings.tolerance = 0.5;
-    solver::Problem scheduled = strip();
+    solver::Problem scheduled = support::laser_strip();
     support::schedule(scheduled, "laser_power", load.time, load.value);
     scheduled.settings.tolerance = 1e-5;
     for (solver::Problem* problem : {&logged, &scheduled}) {
@@ -200,57 +148,6 @@ TEST(LoggedSeries, TemperaturesOfLongStepsAreThoseOfTheSamples) {
     testing::Test::RecordProperty("steps", static_cast<int>(a.report.steps));
     EXPECT_GE(b.report.steps, 600);
     EXPECT_LT(a.report.steps, 200);
-}
-
-std::vector<double> step_ends(solver::Problem problem) {
-    problem.settings.output_interval = 0.0;
-    return support::record(problem).time;
-}
-
-TEST(Schedule, JumpsAndPointsAreLandedOnExactly) {
-    // The observer sees every step when the output interval is 0. Points of a schedule, jumps of a schedule and jumps
-    // of a logged series must be among them, to the last bit, with error control and with fixed steps that do not
-    // divide them; samples of the logged series need not be.
-    const double third = 100.0 / 3.0;
-    for (const double fixed : {0.0, 7.0}) {
-        solver::Problem problem = strip();
-        support::schedule(problem, "laser_power", {0.0, third, third, 200.0, 200.0, 431.7},
-                          {1.0, 1.0, 3.0, 3.0, 0.0, 2.0});
-        Samples road = sampled(600.0, 1.0, [](double t) { return 300.0 + std::sin(t); });
-        road.time.insert(road.time.begin() + 301, 300.0);  // beside the sample at 300 s: a jump of 5 K
-        road.value.insert(road.value.begin() + 301, 305.0);
-        support::log(problem, "road_temperature", road.time, road.value);
-        if (fixed > 0.0) {
-            problem.settings.fixed_step = fixed;
-        } else {
-            problem.settings.tolerance = 0.5;
-        }
-        const std::vector<double> ends = step_ends(problem);
-        for (const double wanted : {third, 200.0, 300.0, 431.7, 600.0}) {
-            EXPECT_TRUE(std::find(ends.begin(), ends.end(), wanted) != ends.end())
-                << wanted << " s, fixed step " << fixed;
-        }
-        EXPECT_LT(ends.size(), 500U);
-        EXPECT_TRUE(std::is_sorted(ends.begin(), ends.end()));
-    }
-}
-
-TEST(Schedule, PulsesDeliverTheirEnergy) {
-    // Ten pulses of 2 W for 7 s each: 140 J, whatever the steps, as none crosses an edge. 1e-12 is round-off.
-    std::vector<double> time{0.0};
-    std::vector<double> power{0.0};
-    for (int i = 0; i < 10; ++i) {
-        const double on = 30.0 + 50.0 * i;
-        time.insert(time.end(), {on, on, on + 7.0, on + 7.0});
-        power.insert(power.end(), {0.0, 2.0, 2.0, 0.0});
-    }
-    for (const double tolerance : {1.0, 1e-2, 1e-4}) {
-        solver::Problem problem = strip();
-        support::schedule(problem, "laser_power", time, power);
-        problem.settings.tolerance = tolerance;
-        const solver::Report report = support::run_closed(problem);
-        support::expect_below("relative_error", report.joules[laser] / 140.0 - 1.0, 1e-12);
-    }
 }
 
 }  // namespace

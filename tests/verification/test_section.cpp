@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/support/layered_slab.hpp"
+#include "tests/support/heated_rectangle.hpp"
 #include "tests/support/order.hpp"
 #include "tests/support/problem.hpp"
 
@@ -32,72 +32,17 @@ constexpr std::array<Row, 4> table{{{26.0182, 24.9942, 25.7965, 24.7201, 19141.4
                                     {45.1567, 33.6764, 44.3372, 30.2918, 132373.1},
                                     {55.1029, 37.9194, 54.3807, 32.3300, 189686.2}}};
 
-/// With X_i of the width and Z_j of the depth (each a LayeredSlab of one layer) the uniform source S has the
-/// coefficients S/C (int X_i / int X_i^2) (int Z_j / int Z_j^2), and every product decays on its own:
-///
-///     T = sum_ij S/C a_i b_j X_i(x) Z_j(z) (1 - exp(-(mu_i + mu_j) t)) / (mu_i + mu_j).
-///
-/// Carslaw and Jaeger, Conduction of Heat in Solids (2nd ed. 1959), chapter V (products of one-dimensional modes).
-class Series {
-public:
-    Series() {
-        // The corner converges last: 800 x 240 terms leave 5e-6 K there, 200 x 60 still 3e-4 K.
-        for (int i = 0; i < 800; ++i) {
-            across_.push_back(across_slab_.mode(i));
-        }
-        for (int j = 0; j < 240; ++j) {
-            through_.push_back(through_slab_.mode(j));
-        }
-    }
+support::HeatedRectangle exact_rectangle() {
+    return {{.layers = {{width, conductivity, capacity}}, .h_top = 20.0, .h_bottom = 20.0},
+            {.layers = {{depth, conductivity, capacity}}, .h_top = 60.0, .h_bottom = 10.0},
+            source};
+}
 
-    [[nodiscard]] double at(double x, double z, double t) const {
-        std::vector<double> X;
-        std::vector<double> Z;
-        for (const auto& i : across_) {
-            X.push_back(across_slab_.value(i, x));
-        }
-        for (const auto& j : through_) {
-            Z.push_back(through_slab_.value(j, z));
-        }
-        return 23.0 + sum(t, X, Z);
-    }
-    [[nodiscard]] double stored(double t) const {
-        std::vector<double> X;
-        std::vector<double> Z;
-        for (const auto& i : across_) {
-            X.push_back(i.integral);
-        }
-        for (const auto& j : through_) {
-            Z.push_back(j.integral);
-        }
-        return capacity * sum(t, X, Z);
-    }
-
-private:
-    [[nodiscard]] double sum(double t, const std::vector<double>& X, const std::vector<double>& Z) const {
-        double result = 0.0;
-        for (std::size_t i = 0; i < across_.size(); ++i) {
-            // moment / norm = int X / int X^2, as C is the same everywhere.
-            const double of_x = across_[i].moment / across_[i].norm * X[i];
-            for (std::size_t j = 0; j < through_.size(); ++j) {
-                const double mu = across_[i].mu + through_[j].mu;
-                result += of_x * through_[j].moment / through_[j].norm * Z[j] * -std::expm1(-mu * t) / mu;
-            }
-        }
-        return source / capacity * result;
-    }
-
-    support::LayeredSlab across_slab_{.layers = {{width, conductivity, capacity}}, .h_top = 20.0, .h_bottom = 20.0};
-    support::LayeredSlab through_slab_{.layers = {{depth, conductivity, capacity}}, .h_top = 60.0, .h_bottom = 10.0};
-    std::vector<support::LayeredSlab::Mode> across_;
-    std::vector<support::LayeredSlab::Mode> through_;
-};
-
-Row exact(const Series& series, double t) {
-    return {.centre = series.at(0.5 * width, 0.5 * depth, t),
-            .top = series.at(0.5 * width, 0.0, t),
-            .bottom = series.at(0.5 * width, depth, t),
-            .corner = series.at(0.0, 0.0, t),
+Row exact(const support::HeatedRectangle& series, double t) {
+    return {.centre = 23.0 + series.at(0.5 * width, 0.5 * depth, t),
+            .top = 23.0 + series.at(0.5 * width, 0.0, t),
+            .bottom = 23.0 + series.at(0.5 * width, depth, t),
+            .corner = 23.0 + series.at(0.0, 0.0, t),
             .stored = series.stored(t)};
 }
 
@@ -130,7 +75,7 @@ solver::Problem section(int nx, int nz) {
 TEST(Section, TableIsItsDoubleSeries) {
     // Printed to four places and to 0.1 J: half a unit of the last, and as much for the table's own series, whose
     // corner is 7e-5 K short.
-    const Series series;
+    const support::HeatedRectangle series = exact_rectangle();
     for (std::size_t i = 0; i < times.size(); ++i) {
         const Row row = exact(series, times[i]);
         EXPECT_NEAR(row.centre, table[i].centre, 1e-4) << times[i];
@@ -149,7 +94,7 @@ TEST(Section, ProbesAndStoredHeatAreWithinAFifthOfAPercent) {
     problem.settings.tolerance = 0.002;
     support::schedule(problem, "road_temperature", {0.0, 60.0, 300.0, 600.0}, {296.15, 296.15, 296.15, 296.15});
     const support::History history = support::record(problem);
-    const Series series;
+    const support::HeatedRectangle series = exact_rectangle();
     for (std::size_t i = 0; i < times.size(); ++i) {
         const auto row = static_cast<std::size_t>(std::lround(times[i] / 60.0));
         ASSERT_LT(row, history.time.size());
@@ -174,7 +119,7 @@ TEST(Section, HeatBetweenStepsIsAsGoodAsTheTemperatures) {
     problem.settings.output_interval = 20.0;
     problem.settings.tolerance = 0.02;
     const support::History history = support::record(problem);
-    const Series series;
+    const support::HeatedRectangle series = exact_rectangle();
     double worst = 0.0;
     for (std::size_t row = 1; row < history.time.size(); ++row) {
         worst = std::max(worst,
@@ -187,7 +132,7 @@ TEST(Section, HeatBetweenStepsIsAsGoodAsTheTemperatures) {
 TEST(Section, ProbesConvergeAtSecondOrder) {
     // All sides exchange, corners included: order 2 in the cells, steps kept far finer. The centre of an even number of
     // cells lies on an edge between them; the corner is extrapolated from two faces, second order as well.
-    const Series series;
+    const support::HeatedRectangle series = exact_rectangle();
     const Row wanted = exact(series, 300.0);
     std::array<std::vector<double>, 4> errors;
     for (const int n : {1, 2, 4}) {

@@ -1,0 +1,65 @@
+#include <array>
+
+#include "tests/support/problem.hpp"
+
+namespace tiretherm {
+namespace {
+
+constexpr double area = 0.5;
+
+/// Surroundings of a patch with a temperature of their own, which still_air (one air for all) does not offer.
+constexpr std::array surroundings_parameters{
+    physics::Parameter{"h", "W m-2 K-1", 10.0, 0.0, 1e9, "coefficient"},
+    physics::Parameter{"T", "K", 293.15, 0.0, 1e4, "temperature of the surroundings"},
+};
+
+void speak_of_surroundings(const physics::Moment& m, physics::Terms& terms) {
+    for (const int patch : m.active.patches) {
+        for (const mesh::PatchFace& face : m.mesh.patches[static_cast<std::size_t>(patch)].faces) {
+            terms.exchange(face.node, m.active[0] * face.area, m.active[1]);
+        }
+    }
+}
+
+const physics::Effect surroundings{.id = "surroundings",
+                                   .kind = physics::Kind::loss,
+                                   .on = false,
+                                   .equation = "q = h A (T_env - T)",
+                                   .source = "this test",
+                                   .meaning = "surroundings with their own temperature",
+                                   .parameters = surroundings_parameters,
+                                   .choices = {},
+                                   .reads = {},
+                                   .needs_tire = false,
+                                   .patches = {},
+                                   .n_intensities = 0,
+                                   .place = nullptr,
+                                   .drive = nullptr,
+                                   .speak = speak_of_surroundings,
+                                   .gives_derivatives = true};
+
+TEST(RobinSlab, SurfaceSettlesAt333K) {
+    // 1/12.5 outside, 0.012/0.3 in the rubber, 1/25 inside: 0.08 + 0.04 + 0.04 = 0.16 m2K/W between 293.15 and 373.15
+    // K. Half of it lies outside, so the outer surface stands at 293.15 + 40 = 333.15 K and the inner at 353.15 K, for
+    // any number of cells: the scheme is exact for a straight profile, up to the round-off of 1e-9 K.
+    for (const int cells : {1, 2, 7}) {
+        solver::Problem problem;
+        problem.title = "steady Robin slab";
+        problem.mesh = mesh::build(mesh::Layers{.area = area, .stack = {{"rubber", 0.012, cells, 2.0}}});
+        problem.materials = {support::material(0.3, 1100.0, 1800.0)};
+        support::switch_on(problem, "conduction");
+        support::switch_on(problem, surroundings, {{"h", 12.5}, {"T", 293.15}}, {"outside"});
+        support::switch_on(problem, surroundings, {{"h", 25.0}, {"T", 373.15}}, {"inside"});
+        support::start_at(problem, 300.0);
+        problem.settings.steady = true;
+        support::read(problem, "outside", mesh::over_patch(problem.mesh, 0));
+        support::read(problem, "inside", mesh::over_patch(problem.mesh, 1));
+        const solver::Report report = support::run_closed(problem);
+        EXPECT_NEAR(report.channel_final[0], 333.15, 1e-9);
+        EXPECT_NEAR(report.channel_final[1], 353.15, 1e-9);
+        EXPECT_NEAR(report.watts[1], -area * 80.0 / 0.16, 1e-7);  // 250 W
+    }
+}
+
+}  // namespace
+}  // namespace tiretherm
