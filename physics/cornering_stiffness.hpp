@@ -21,11 +21,11 @@ struct WithSlope {
 ///   measured on this tire. It asks for E_eq = 2 CP / l^2 = 26 MPa;
 /// - 15 K about 70 degC change CP by a tenth there, as two procedures of the thesis 15 K apart do;
 /// - the tread has two fifths of the compliance there, so E_T = 66 MPa has to fall by 1.6 % per K, which with the
-///   loss-tangent peak T_g = -8 degC and a transition of 300 K makes it 1.17 GPa deep in the glass (rubber: about 1 GPa)
-///   and 38 MPa when hot;
+///   loss-tangent peak T_g = -8 degC and a transition of 300 K makes it 1.17 GPa deep in the glass (rubber: about
+///   1 GPa) and 38 MPa when hot;
 /// - E_l makes CP against the load follow sin(2 atan(Fz / 8 kN)), Magic Formula sets of car tires having their largest
-///   stiffness at about twice their nominal load: within 8 % from 2 to 7 kN. The slope is negative: a long contact bends
-///   the belt more.
+///   stiffness at about twice their nominal load: within 8 % from 2 to 7 kN. The slope is negative: a long contact
+///   bends the belt more.
 struct EquivalentModulus {
     double E_max = 3.30e8;  ///< Pa, of the belt
     double dE = 3.10e8;     ///< Pa, < E_max; fall of the belt's modulus from short to long contacts
@@ -35,6 +35,8 @@ struct EquivalentModulus {
     double dE_T = 1.13e9;   ///< Pa, < 2 E_mid; from glass to rubber
     double T_g = 265.15;    ///< K, peak of the loss tangent, -8 degC
     double dT = 300.0;      ///< K, > 0; width of the transition
+
+    /// @param contact_length m  @returns Pa
     [[nodiscard]] double belt(double contact_length) const;
     /// @param T_bulk K
     [[nodiscard]] WithSlope tread(double T_bulk) const;
