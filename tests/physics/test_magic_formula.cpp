@@ -80,8 +80,8 @@ TEST(MagicFormula, LateralForceAt3DegreesIsTheHandComputed) {
 
 TEST(MagicFormula, LongitudinalForceAt5PercentIsTheHandComputed) {
     // Fz = 6000 N, df = 0.5: K = 6000 * 22.25 * e^0.1 = 147540.3 N; D = 6000 * 1.05 = 6300 N; B = K / 10080
-    // = 14.636936; E = 0.2 + 0.05 - 0.0125 = 0.2375; B x = 0.731847, atan = 0.631781; argument 0.731847 - 0.2375 * 0.100065
-    // = 0.708081; F = 6300 sin(1.6 atan 0.708081) = 6300 sin(0.985807) = 5252.42 N
+    // = 14.636936; E = 0.2 + 0.05 - 0.0125 = 0.2375; B x = 0.731847, atan = 0.631781; argument 0.731847 - 0.2375
+    // * 0.100065 = 0.708081; F = 6300 sin(1.6 atan 0.708081) = 6300 sin(0.985807) = 5252.42 N
     const PureSlip curve = plain().longitudinal({.load = 6000.0, .slip = 0.05});
     EXPECT_NEAR(curve.stiffness, 147540.3, 0.1);
     EXPECT_NEAR(curve.curvature, 0.2375, 1e-15);
@@ -129,7 +129,8 @@ TEST(MagicFormula, ForceIsNothingWithoutLoad) {
 
 TEST(MagicFormula, CamberActsByItsVersion) {
     // Erratum E14. gamma = 0.1 rad, K(0) = 64000: 1 - 0.5 * 0.1 = 0.95 in 5.2; sin(0.1) = 0.0998334, squared
-    // 0.00996671: 0.99501664 in the book; in 6.1 the bars again, 0.9500833, and pKy5 makes 2.0 into 2.0 + 1.5 * 0.00996671.
+    // 0.00996671: 0.99501664 in the book; in 6.1 the bars again, 0.9500833, and pKy5 makes 2.0 into 2.0 + 1.5
+    // * 0.00996671.
     EXPECT_NEAR(leaning(MagicFormulaVersion::mf52).cornering_stiffness(4000.0, 0.1), 64000.0 * 0.95, 1e-8);
     EXPECT_NEAR(leaning(MagicFormulaVersion::book_2006).cornering_stiffness(4000.0, 0.1), 64000.0 * 0.99501664, 1e-3);
     EXPECT_NEAR(leaning(MagicFormulaVersion::mf61).cornering_stiffness(4000.0, 0.1),
