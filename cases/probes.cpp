@@ -139,7 +139,7 @@ Where read_patch(Section& sensor, const mesh::Mesh& mesh) {
 Where read_layer(Section& sensor, const mesh::Mesh& mesh) {
     const std::optional<int> layer = read_part(sensor, "layer", "layers", mesh.layers);
     return layer ? Where(channel("mean over the layer " + mesh.layers[static_cast<std::size_t>(*layer)],
-                                 mesh::over_layer(mesh, *layer)))
+                                 mesh::over_cells(mesh, *layer)))
                  : std::nullopt;
 }
 

@@ -22,6 +22,7 @@ void read_times(Section& root, Draft& draft) {
     into.steady = time.flag("steady").value_or(false);
     into.start = time.quantity("start", wanted::moment).value_or(draft.logged_from.value_or(0.0));
     const auto end = time.quantity("end", wanted::moment, implied || into.steady ? Need::optional : Need::required);
+    draft.problem.drive.start_at(into.start);
     into.end = end.value_or(draft.logged_to.value_or(into.start));
     into.fixed_step = time.quantity("step", wanted::duration);
     into.tolerance = time.quantity("tolerance", wanted::tolerance).value_or(into.tolerance);

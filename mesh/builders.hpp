@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesh/mesh.hpp"
+#include "mesh/meridian.hpp"
 
 namespace tiretherm::mesh {
 
@@ -35,6 +36,28 @@ struct Layers {
     double link_length = 0.0;  ///< m
 };
 [[nodiscard]] Mesh build(const Layers& description);
+
+/// A stretch of the meridian with one stack of layers. Zones follow each other from outboard to inboard.
+struct Zone {
+    std::string name;
+    double length = 0.0;  ///< m along the meridian
+    int cells = 1;
+    double ratio = 1.0;      ///< inboard end's cell over the outboard end's
+    std::vector<int> stack;  ///< indices into Section::layers, from the outside in
+    bool tread = true;       ///< its outer surface meets the road
+};
+
+/// A cross-section: radial columns along the meridian, unrolled for the metric. A column's cells are rings of the
+/// column's mean radius, whatever their depth. Zones are aligned at their inner surface: where one is thinner, its outer
+/// surface lies deeper, and the step's flank exchanges nothing. Cells of neighbouring columns share a face where their
+/// depths overlap. Patches "outside" (tread), "sidewalls", "inside", "beads"; regions "surface" and "bulk" as of Layers,
+/// in the zones of the tread.
+struct Section {
+    Meridian meridian{1.0, {}};
+    std::vector<Layer> layers;
+    std::vector<Zone> zones;
+};
+[[nodiscard]] Mesh build(const Section& description);
 
 /// A block under a laser: x along the meridian, y along the circumference, z the depth. With `quarter` the block spans
 /// [0, X] x [0, Y], symmetric about x = 0 and y = 0; otherwise it is centred. Patches "top", "bottom" and, where the

@@ -7,6 +7,21 @@
 
 namespace tiretherm::mesh {
 
+namespace {
+
+template <typename Items>
+int find_named(const Items& items, std::string_view name) {
+    const auto found = std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
+    return found == items.end() ? -1 : static_cast<int>(found - items.begin());
+}
+
+int find_word(const std::vector<std::string>& words, std::string_view word) {
+    const auto found = std::find(words.begin(), words.end(), word);
+    return found == words.end() ? -1 : static_cast<int>(found - words.begin());
+}
+
+}  // namespace
+
 void Functional::add(int node, double weight) {
     if (const auto found = std::find(nodes.begin(), nodes.end(), node); found != nodes.end()) {
         weights[static_cast<std::size_t>(found - nodes.begin())] += weight;
@@ -36,10 +51,11 @@ double Patch::area() const {
                            [](double sum, const PatchFace& face) { return sum + face.area; });
 }
 
-int Mesh::add_cell(double cell_volume, const Point& place, int cell_layer) {
+int Mesh::add_cell(double cell_volume, const Point& place, int cell_layer, int cell_zone) {
     volume.push_back(cell_volume);
     centre.push_back(place);
     layer.push_back(cell_layer);
+    zone.push_back(cell_zone);
     ++n_cells;
     return n_nodes++;
 }
@@ -56,6 +72,7 @@ int Mesh::add_patch_face(int patch, int cell, double area, double half_distance,
         volume.push_back(0.0);
         centre.push_back(place);
         layer.push_back(layer[static_cast<std::size_t>(cell)]);
+        zone.push_back(zone[static_cast<std::size_t>(cell)]);
         faces.push_back({.a = cell, .b = node, .area = area, .half_a = half_distance, .half_b = 0.0, .axis = axis});
     }
     patches[static_cast<std::size_t>(patch)].faces.push_back(
@@ -63,14 +80,32 @@ int Mesh::add_patch_face(int patch, int cell, double area, double half_distance,
     return node;
 }
 
-int Mesh::find_patch(std::string_view name) const {
-    const auto found = std::find_if(patches.begin(), patches.end(), [&](const Patch& p) { return p.name == name; });
-    return found == patches.end() ? -1 : static_cast<int>(found - patches.begin());
+int Mesh::append(std::string_view name) {
+    if (const int there = find_appended(name); there >= 0) {
+        return there;
+    }
+    volume.push_back(0.0);
+    centre.push_back({});
+    layer.push_back(-1);
+    zone.push_back(-1);
+    appended.push_back({.name = std::string(name), .node = n_nodes});
+    regions.push_back({.name = std::string(name), .mean = {{n_nodes}, {1.0}}});
+    return n_nodes++;
 }
 
-int Mesh::find_region(std::string_view name) const {
-    const auto found = std::find_if(regions.begin(), regions.end(), [&](const Region& r) { return r.name == name; });
-    return found == regions.end() ? -1 : static_cast<int>(found - regions.begin());
+int Mesh::add_joint(int node, int appended_node, double area) {
+    faces.push_back({.a = node, .b = appended_node, .area = area, .joint = true});
+    return static_cast<int>(faces.size()) - 1;
+}
+
+int Mesh::find_patch(std::string_view name) const { return find_named(patches, name); }
+int Mesh::find_region(std::string_view name) const { return find_named(regions, name); }
+int Mesh::find_zone(std::string_view name) const { return find_word(zones, name); }
+int Mesh::find_layer(std::string_view name) const { return find_word(layers, name); }
+
+int Mesh::find_appended(std::string_view name) const {
+    const int index = find_named(appended, name);
+    return index < 0 ? -1 : appended[static_cast<std::size_t>(index)].node;
 }
 
 double Mesh::total_volume() const { return std::accumulate(volume.begin(), volume.begin() + n_cells, 0.0); }
@@ -92,7 +127,7 @@ std::vector<std::string> defects(const Mesh& mesh) {
             found.push_back(fmt::format("face {} has area {} m2 and half distances {} and {} m", i, face.area,
                                         face.half_a, face.half_b));
         }
-        if (face.half_a + face.half_b == 0.0 && face.link < 0) {
+        if (face.half_a + face.half_b == 0.0 && face.link < 0 && !face.joint) {
             found.push_back(fmt::format("face {} joins two lumps without a link: infinite conductance", i));
         }
         joined[static_cast<std::size_t>(face.a)] = true;

@@ -33,7 +33,8 @@ struct Face {
     double half_a = 0.0;  ///< m, >= 0: from node a to the face; 0 for a lump
     double half_b = 0.0;  ///< m, >= 0
     Axis axis = Axis::through;
-    int link = -1;  ///< index into Mesh::links, or -1
+    int link = -1;       ///< index into Mesh::links, or -1
+    bool joint = false;  ///< leads to an appended node: nothing is conducted but what an effect says
 };
 
 /// An extra resistance between two blocks: `length` / k, with k evaluated at the mean temperature of `region`.
@@ -66,6 +67,27 @@ struct Region {
     Functional mean;
 };
 
+/// A stack of cells through the thickness at one place of the meridian.
+struct Column {
+    double from = 0.0;         ///< m along the meridian, negative outboard
+    double to = 0.0;           ///< m
+    double radius = 0.0;       ///< m, mean distance from the tire's axis
+    int zone = 0;              ///< index into Mesh::zones
+    int first_cell = 0;        ///< the cells of a column are numbered from the outside in
+    std::vector<double> edge;  ///< [cells + 1] m below the column's outer surface
+    int outer = 0;             ///< surface node
+    int inner = 0;             ///< surface node
+
+    [[nodiscard]] int cells() const { return static_cast<int>(edge.size()) - 1; }
+    [[nodiscard]] double middle() const { return 0.5 * (from + to); }
+};
+
+/// A node of its own beside the cells, such as the gas in the cavity or the rim.
+struct Appended {
+    std::string name;
+    int node = 0;
+};
+
 /// How a cell is drawn.
 enum class Shape : std::uint8_t { vertex = 1, line = 2, quadrilateral = 4, hexahedron = 8 };
 
@@ -80,27 +102,38 @@ struct Drawing {
 
 /// Nodes are numbered: cells first, then surface nodes (no volume), then appended nodes such as gas and rim.
 struct Mesh {
-    std::string kind;  ///< "two_node", "layers", "patch"
+    std::string kind;  ///< "two_node", "layers", "section", "patch"
     int n_cells = 0;
     int n_nodes = 0;
     std::vector<double> volume;  ///< [n_nodes] m3; 0 for a surface node
     std::vector<Point> centre;   ///< [n_nodes] m; z is the depth below the outer surface
-    std::vector<int> layer;      ///< [n_nodes] index into layers; a surface node has its cell's
+    std::vector<int> layer;      ///< [n_nodes] index into layers; a surface node has its cell's, an appended one -1
     std::vector<std::string> layers;
+    std::vector<int> zone;  ///< [n_nodes] index into zones, -1 where there is none
+    std::vector<std::string> zones;
     std::vector<Face> faces;
     std::vector<Link> links;
     std::vector<Patch> patches;
     std::vector<Region> regions;
-    std::optional<Grid> grid;  ///< present when the cells are a tensor product
+    std::vector<Appended> appended;
+    std::optional<Grid> grid;     ///< present when the cells are a tensor product
+    std::vector<Column> columns;  ///< of a section, from outboard to inboard
     Drawing drawing;
 
-    int add_cell(double cell_volume, const Point& place, int cell_layer);
+    int add_cell(double cell_volume, const Point& place, int cell_layer, int cell_zone = -1);
     /// Adds `area` of boundary to a patch. With half_distance > 0 a surface node is created between cell and outside.
     int add_patch_face(int patch, int cell, double area, double half_distance, const Point& place, Axis axis);
     int add_patch(std::string_view name);
+    /// A node beside the cells, with a region of the same name; the one that is there when the name is taken.
+    int append(std::string_view name);
+    /// A face by which an effect joins a node to an appended one. @returns its index
+    int add_joint(int node, int appended_node, double area);
 
     [[nodiscard]] int find_patch(std::string_view name) const;   ///< -1 when absent
     [[nodiscard]] int find_region(std::string_view name) const;  ///< -1 when absent
+    [[nodiscard]] int find_appended(std::string_view name) const;  ///< node, -1 when absent
+    [[nodiscard]] int find_zone(std::string_view name) const;      ///< -1 when absent
+    [[nodiscard]] int find_layer(std::string_view name) const;     ///< -1 when absent
     [[nodiscard]] double total_volume() const;                   ///< m3, cells only
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/column_probe.hpp"
+
 namespace tiretherm::mesh {
 
 namespace {
@@ -89,6 +91,9 @@ std::vector<double> integrate(const Mesh& mesh, int patch, Ring ring, Primitive 
 }  // namespace
 
 bool contains(const Mesh& mesh, const Point& point) {
+    if (!mesh.columns.empty()) {
+        return in_columns(mesh, point);
+    }
     if (!mesh.grid) {
         return false;
     }
@@ -103,6 +108,9 @@ bool contains(const Mesh& mesh, const Point& point) {
 }
 
 Functional at_point(const Mesh& mesh, const Point& point) {
+    if (!mesh.columns.empty()) {
+        return at_column_point(mesh, point);
+    }
     const Grid& grid = *mesh.grid;
     const bool top = !grid.surface[static_cast<std::size_t>(Side::z_min)].empty();
     const bool bottom = !grid.surface[static_cast<std::size_t>(Side::z_max)].empty();
@@ -181,10 +189,10 @@ Functional over_patch(const Mesh& mesh, int patch) {
     return mean;
 }
 
-Functional over_layer(const Mesh& mesh, int layer) {
+Functional over_cells(const Mesh& mesh, int layer, int zone) {
     Functional mean;
     for (int cell = 0; cell < mesh.n_cells; ++cell) {
-        if (mesh.layer[at(cell)] == layer) {
+        if ((layer < 0 || mesh.layer[at(cell)] == layer) && (zone < 0 || mesh.zone[at(cell)] == zone)) {
             mean.nodes.push_back(cell);
             mean.weights.push_back(mesh.volume[at(cell)]);
         }

@@ -6,7 +6,8 @@ namespace tiretherm::mesh {
 
 /// Temperature at a point, second order in the cell size: linear between nodes, using surface nodes where the point is
 /// next to one, an even parabola about a plane of symmetry or the axis, linear beyond the outermost nodes.
-/// @param point m; z is the depth. Axisymmetric: x is the radius.   @pre mesh.grid, point inside the mesh
+/// @param point m; z is the depth. Axisymmetric: x is the radius; section: x is the arc length along the meridian.
+/// @pre the mesh has a grid or columns and contains the point
 [[nodiscard]] Functional at_point(const Mesh& mesh, const Point& point);
 
 /// Whether a point lies in the mesh (its boundary included).
@@ -19,8 +20,9 @@ namespace tiretherm::mesh {
 /// Area-weighted mean over a patch.
 [[nodiscard]] Functional over_patch(const Mesh& mesh, int patch);
 
-/// Volume-weighted mean over the cells of a layer.
-[[nodiscard]] Functional over_layer(const Mesh& mesh, int layer);
+/// Volume-weighted mean over the cells of a layer, of a zone, or of a layer within a zone.
+/// @param layer, zone index, -1: any
+[[nodiscard]] Functional over_cells(const Mesh& mesh, int layer, int zone = -1);
 
 /// Area of each face of a patch that a disc about x = y = 0 covers, exactly. @returns [faces of the patch] m2
 [[nodiscard]] std::vector<double> disc_overlap(const Mesh& mesh, int patch, double radius);

@@ -36,16 +36,36 @@ ActiveEffect activate(const Effect& effect, const mesh::Mesh& mesh) {
     }
     active.choices.assign(effect.choices.size(), 0);
     for (const std::string_view name : effect.patches) {
-        if (const int patch = mesh.find_patch(name); patch >= 0) {
+        if (const int patch = mesh.find_patch(name); patch >= 0 && !(effect.one_patch && !active.patches.empty())) {
             active.patches.push_back(patch);
         }
     }
+    active.tables.resize(effect.tables.size());
+    const int n_layers = static_cast<int>(mesh.layers.size());
+    for (int layer = n_layers > 1 ? 1 : 0; effect.on_layers && layer < n_layers; ++layer) {
+        active.layers.push_back(layer);
+    }
     return active;
+}
+
+double ActiveEffect::at(std::size_t parameter, Scope scope, int index) const {
+    const auto found = std::find_if(overrides.begin(), overrides.end(), [&](const Override& o) {
+        return o.scope == scope && o.index == index && o.parameter == parameter;
+    });
+    return found == overrides.end() ? parameters[parameter] : found->value;
+}
+
+const ActiveEffect* Setting::find(std::string_view id) const {
+    const auto found =
+        std::find_if(effects.begin(), effects.end(), [&](const ActiveEffect& e) { return e.effect->id == id; });
+    return found == effects.end() ? nullptr : &*found;
 }
 
 int find_parameter(const Effect& effect, std::string_view key) { return find_key(effect.parameters, key); }
 
 int find_choice(const Effect& effect, std::string_view key) { return find_key(effect.choices, key); }
+
+int find_table(const Effect& effect, std::string_view key) { return find_key(effect.tables, key); }
 
 std::span<const Effect* const> catalogue() { return list; }
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,7 +18,7 @@
 namespace tiretherm::physics {
 
 /// What a cause is, for the reader of the catalogue.
-enum class Kind : std::uint8_t { source, loss, property };
+enum class Kind : std::uint8_t { source, loss, property, input, state, sensor };
 
 /// A number of an effect. `standard` is used where a case says nothing; a value outside [low, high] is refused.
 struct Parameter {
@@ -25,6 +28,9 @@ struct Parameter {
     double low;
     double high;
     std::string_view meaning;
+    bool difference = false;  ///< of two temperatures: converted without the offset of a scale
+    /// The value at which an effect changes nothing; NaN where there is none.
+    double absent = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// A word of an effect.
@@ -34,76 +40,165 @@ struct Choice {
     std::string_view meaning;
 };
 
+/// A table of an effect that replaces one of its weights.
+struct Table {
+    std::string_view key;
+    std::string_view variable_unit;
+    std::string_view value_unit;
+    std::string_view meaning;
+};
+
+/// Where a parameter may differ: `<key>_by_patch = { outside = ... }` in a case.
+enum class Scope : std::uint8_t { patch, layer, zone, channel };
+
 struct ActiveEffect;
+
+/// What a case gives the effects to work with before a run; an effect that amends it changes a property.
+struct Stock {
+    std::vector<Material> materials;  ///< [n_layers]
+    std::vector<Curve> link_laws;     ///< [n_links] k in W/(m K)
+    Tire tire;
+};
 
 /// Where an effect is asked to place itself, once, before the first step.
 struct Setting {
     const mesh::Mesh& mesh;
-    std::span<const Material> materials;  ///< [n_layers]
+    const Stock& stock;
+    std::span<const ActiveEffect> effects;  ///< all that are on
+
+    [[nodiscard]] const ActiveEffect* find(std::string_view id) const;  ///< null when off
+};
+
+/// What law effects make of the thesis's laws at a moment, as far as it follows from the inputs.
+struct Laws {
+    double loss = 1.0;        ///< factor on the strain-energy loss
+    double loss_shift = 0.0;  ///< K, added to the equivalent temperature of its loss tangent
+    double loss_skew = 0.0;   ///< share of the loss that moves from the inside shoulder to the outside one
+    double partition = 1.0;   ///< factor on the share of the friction power that enters the tire
+    double forced = 1.0;      ///< factor on the forced part of the air convection
+};
+
+/// The inputs of a moment, as the drive effects left them, and the laws that hold.
+struct Driving {
     const Tire& tire;
+    const Inputs& inputs;
+    const Laws& laws;
+};
+
+/// A factor on a law that follows a region's mean temperature.
+struct Factor {
+    double value = 1.0;
+    double by_mean = 0.0;  ///< 1/K
+    int region = 0;        ///< index into Mesh::regions
 };
 
 /// Everything an effect may look at when it speaks.
 struct Moment {
     const mesh::Mesh& mesh;
-    std::span<const Material> materials;  ///< [n_layers]
-    std::span<const Curve> link_laws;     ///< [n_links] k in W/(m K)
-    const Tire& tire;
+    const Stock& stock;
     std::span<const double> temperature;  ///< [n_nodes] K
     std::span<const double> region_mean;  ///< [n_regions] K
     const ActiveEffect& active;
-    std::span<const double> intensities;  ///< [n_intensities] of this effect
+    std::span<const double> intensities;    ///< [n_intensities] of this effect
+    std::span<const Factor> loss_factors{};  ///< on the strain-energy loss
 };
 
-/// One physical cause, as plain data. An effect speaks in two steps: `drive` turns the inputs of a moment into a few
-/// numbers, its intensities, which do not depend on temperature and can therefore be integrated exactly along a logged
-/// series; `speak` turns intensities and temperatures into conductances, exchanges and heat.
+/// One physical cause, as plain data. Effects come in four classes, applied in this order; within a class their order
+/// does not matter, but for readings, whose order is that of the catalogue:
+///   - drive effects transform the inputs (`transform`) or the initial state (`start`);
+///   - law effects change properties (`amend`), or laws from the inputs (`bend`) or from temperatures (`scale_loss`);
+///   - heat effects speak, in two steps: `drive` turns the inputs of a moment into a few numbers, its intensities, which
+///     do not depend on temperature and can therefore be integrated exactly along a logged series; `speak` turns
+///     intensities and temperatures into conductances, exchanges and heat;
+///   - reading effects stand between the field and a channel (`read`, `lag`, `delay`, `deeper`).
+/// A function that an effect does not have is null.
 struct Effect {
     std::string_view id;
     Kind kind;
-    bool on;  ///< part of the thesis's model
+    bool on = false;  ///< part of the thesis's model
     std::string_view equation;
     std::string_view source;
     std::string_view meaning;
-    std::span<const Parameter> parameters;
-    std::span<const Choice> choices;
-    std::span<const std::string_view> reads;  ///< names of the signals it needs
-    bool needs_tire;
-    std::span<const std::string_view> patches;  ///< standard patches, or empty if it acts elsewhere
-    int n_intensities;
-    void (*place)(const Setting& setting, ActiveEffect& active);  ///< may be null
-    void (*drive)(const ActiveEffect& active, const Tire& tire, const Inputs& inputs,
-                  std::span<double> intensities);  ///< may be null
-    void (*speak)(const Moment& moment, Terms& terms);
-    bool gives_derivatives;  ///< otherwise they are taken by difference, for local dependence only
+    std::span<const Parameter> parameters{};
+    std::span<const Choice> choices{};
+    std::span<const Table> tables{};
+    std::span<const Scope> scopes{};               ///< where its parameters may differ
+    std::span<const std::string_view> reads{};     ///< names of the signals it needs
+    std::span<const std::string_view> may_read{};  ///< names of signals it uses when they are given
+    bool needs_tire = false;
+    bool needs_grid = false;                      ///< cannot act on lumps
+    std::span<const std::string_view> patches{};  ///< standard patches, or empty if it acts elsewhere
+    bool one_patch = false;                       ///< of these the first that the mesh has, not all
+    bool on_layers = false;                       ///< acts on the layers that a case names
+    bool on_channels = false;                     ///< acts on the channels that a case names
+    bool by_deformation = false;  ///< its heat is work of deformation: what rolling resistance pays for
+    bool before_lag = false;      ///< a reading of what the sensor sees, not of what it gives
+    int n_intensities = 0;
+
+    /// Appends nodes and joints to the mesh, once, when the effect is switched on.
+    void (*extend)(mesh::Mesh& mesh, ActiveEffect& active) = nullptr;
+    /// Heat capacity of the nodes that it appends. @returns J/K, in the order of ActiveEffect::appended
+    double (*capacity)(const ActiveEffect& active, std::size_t index) = nullptr;
+    void (*start)(const ActiveEffect& active, const mesh::Mesh& mesh, std::span<double> temperature) = nullptr;
+    void (*amend)(const ActiveEffect& active, const mesh::Mesh& mesh, Stock& stock) = nullptr;
+    void (*place)(const Setting& setting, ActiveEffect& active) = nullptr;
+    void (*transform)(const ActiveEffect& active, Inputs& inputs) = nullptr;
+    void (*bend)(const ActiveEffect& active, const Tire& tire, const Inputs& inputs, Laws& laws) = nullptr;
+    Factor (*scale_loss)(const Moment& moment) = nullptr;
+    void (*drive)(const ActiveEffect& active, const Driving& driving, std::span<double> intensities) = nullptr;
+    void (*speak)(const Moment& moment, Terms& terms) = nullptr;
+    bool gives_derivatives = true;  ///< otherwise they are taken by difference, for local dependence only
+    /// A reading from the value before. @param position of the channel in ActiveEffect::channels
+    double (*read)(const ActiveEffect& active, std::size_t position, double value, const Inputs& logged) = nullptr;
+    double (*lag)(const ActiveEffect& active, std::size_t position) = nullptr;     ///< time constant, s
+    double (*delay)(const ActiveEffect& active, std::size_t position) = nullptr;   ///< s
+    double (*deeper)(const ActiveEffect& active, std::size_t position) = nullptr;  ///< m below the stated depth
     /// A sentence for the user when the temperatures that its patches saw leave the range its law is known for, or an
-    /// empty one. May be null. @param coldest, hottest K
+    /// empty one. @param coldest, hottest K
     std::string (*caution)(const ActiveEffect& active, double coldest, double hottest) = nullptr;
 };
 
 /// An effect switched on, with its numbers.
 struct ActiveEffect {
+    /// Another value of a parameter on one patch, layer, zone or channel.
+    struct Override {
+        Scope scope = Scope::patch;
+        int index = 0;  ///< into the mesh's patches, layers or zones, or the problem's channels
+        std::size_t parameter = 0;
+        double value = 0.0;
+    };
+
     const Effect* effect = nullptr;
-    std::vector<double> parameters;  ///< in the order of effect->parameters
-    std::vector<int> choices;        ///< index of the option chosen, in the order of effect->choices
-    std::vector<int> patches;        ///< indices into mesh.patches
-    std::vector<double> by_patch;    ///< [patches][parameters], or empty: the same numbers on every patch
-    std::vector<int> nodes;          ///< filled by `place`: where it acts
-    std::vector<double> weights;     ///< filled by `place`: with which share
+    std::vector<double> parameters;             ///< in the order of effect->parameters
+    std::vector<int> choices;                   ///< index of the option chosen, in the order of effect->choices
+    std::vector<std::optional<Curve>> tables;   ///< in the order of effect->tables
+    std::vector<int> patches;                   ///< indices into mesh.patches
+    std::vector<int> layers;                    ///< indices into mesh.layers, of an effect on layers
+    std::vector<int> channels;                  ///< indices into the problem's channels, of a reading
+    std::vector<Override> overrides;
+    std::vector<int> appended;    ///< filled by `extend`: nodes of its own
+    std::vector<int> joints;      ///< filled by `extend`: faces that lead to appended nodes
+    std::vector<int> nodes;       ///< filled by `place`: where it acts
+    std::vector<double> weights;  ///< filled by `place`: with which share
+    std::vector<double> skew;     ///< filled by `place`: how far to the outside shoulder, -1 inside to 1 outside
 
     [[nodiscard]] double operator[](std::size_t parameter) const { return parameters[parameter]; }
+    /// A parameter at a place, as overridden there.
+    [[nodiscard]] double at(std::size_t parameter, Scope scope, int index) const;
     /// A parameter on the patch at this position of `patches`.
     [[nodiscard]] double on_patch(std::size_t parameter, std::size_t position) const {
-        return by_patch.empty() ? parameters[parameter] : by_patch[position * parameters.size() + parameter];
+        return at(parameter, Scope::patch, patches[position]);
     }
 };
 
-/// An effect with its standard numbers on its standard patches (those of them that the mesh has).
+/// An effect with its standard numbers on its standard patches (those of them that the mesh has) or layers (all below
+/// the first, or the only one).
 [[nodiscard]] ActiveEffect activate(const Effect& effect, const mesh::Mesh& mesh);
 
-/// Index of a parameter or choice by its key, -1 when absent.
+/// Index of a parameter, choice or table by its key, -1 when absent.
 [[nodiscard]] int find_parameter(const Effect& effect, std::string_view key);
 [[nodiscard]] int find_choice(const Effect& effect, std::string_view key);
+[[nodiscard]] int find_table(const Effect& effect, std::string_view key);
 
 /// The catalogue, in the order of effects.list.
 [[nodiscard]] std::span<const Effect* const> catalogue();

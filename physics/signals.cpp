@@ -29,6 +29,15 @@ constexpr std::array<Signal, 12> table{{
 
 std::span<const Signal> signals() { return table; }
 
+Inputs between(const Inputs& from, const Inputs& to, double share) {
+    Inputs inputs;
+    inputs.time = from.time + share * (to.time - from.time);
+    for (const Signal& signal : table) {
+        inputs.*signal.member = from.*signal.member + share * (to.*signal.member - from.*signal.member);
+    }
+    return inputs;
+}
+
 const Signal* find_signal(std::string_view name) {
     const auto found = std::find_if(table.begin(), table.end(), [&](const Signal& s) { return s.name == name; });
     return found == table.end() ? nullptr : &*found;

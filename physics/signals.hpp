@@ -8,6 +8,7 @@ namespace tiretherm::physics {
 
 /// The inputs of a tire at one moment, in SI and kelvin, radians.
 struct Inputs {
+    double time = 0.0;                ///< s since the run's start
     double speed = 0.0;               ///< m/s, of the road under the tire
     double vertical_load = 0.0;       ///< N
     double slip_angle = 0.0;          ///< rad
@@ -35,6 +36,8 @@ struct Signal {
 };
 
 [[nodiscard]] std::span<const Signal> signals();
+/// On the straight line from one moment (share 0) to another (share 1).
+[[nodiscard]] Inputs between(const Inputs& from, const Inputs& to, double share);
 [[nodiscard]] const Signal* find_signal(std::string_view name);  ///< null when absent
 
 }  // namespace tiretherm::physics

@@ -49,6 +49,7 @@ bool Drive::gives(const physics::Signal& signal) const {
 
 physics::Inputs Drive::at(double t, Limit limit) const {
     physics::Inputs inputs = constants_;
+    inputs.time = t - start_;
     for (const Series& s : series_) {
         inputs.*(s.signal->member) = s.at(t, limit);
     }

@@ -28,6 +28,9 @@ public:
     void add(const physics::Signal& signal, double constant);
     void add(Series series);
 
+    /// The run's start, from which effects that drift count. @param t s
+    void start_at(double t) { start_ = t; }
+
     [[nodiscard]] bool gives(const physics::Signal& signal) const;
     [[nodiscard]] physics::Inputs at(double t, Limit limit) const;
     /// Times a step must end on: points of schedules, and jumps of logged series. Ascending, unique.
@@ -39,6 +42,7 @@ public:
 
 private:
     physics::Inputs constants_;
+    double start_ = 0.0;
     std::vector<const physics::Signal*> given_;
     std::vector<Series> series_;
     std::vector<double> stops_;

@@ -151,6 +151,7 @@ private:
                 wanted_ = std::max(factor * (t1 - t), t1 - t < wanted_ ? wanted_ : 0.0);
             }
             stepper_.accept();
+            rows_.take_step();
             ++report_.steps;
             rows_.watch(report_);
             if (!rows_.advance()) {

@@ -1,10 +1,40 @@
 #include "solver/problem.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
 namespace tiretherm::solver {
+
+std::string_view unit_of(Quantity quantity) {
+    switch (quantity) {
+        case Quantity::temperature:
+            return "K";
+        case Quantity::drag_force:
+            return "N";
+        case Quantity::rolling_moment:
+            return "N m";
+        case Quantity::loaded_radius:
+            return "m";
+        case Quantity::cornering_stiffness:
+            return "N rad-1";
+        case Quantity::gas_pressure:
+            return "Pa";
+    }
+    return "1";
+}
+
+std::size_t switch_on(Problem& problem, physics::ActiveEffect active, double start) {
+    if (active.effect->extend != nullptr) {
+        active.effect->extend(problem.mesh, active);
+        if (!problem.initial.empty()) {
+            problem.initial.resize(static_cast<std::size_t>(problem.mesh.n_nodes), start);
+        }
+    }
+    problem.effects.push_back(std::move(active));
+    return problem.effects.size() - 1;
+}
 
 std::vector<std::string> defects(const Problem& problem) {
     std::vector<std::string> found = mesh::defects(problem.mesh);

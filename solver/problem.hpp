@@ -3,9 +3,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mesh/mesh.hpp"
+#include "physics/cornering_stiffness.hpp"
 #include "physics/effect.hpp"
 #include "solver/drive.hpp"
 
@@ -29,11 +31,25 @@ struct Settings {
     LinearSolver linear_solver = LinearSolver::automatic;
 };
 
-/// A named reading. For now every channel is a temperature, a linear functional of the nodes.
+/// What a channel reads. Temperatures are functionals of the nodes; the others follow from the tire's laws, the inputs
+/// and, where it says so, the temperature of `where`.
+enum class Quantity : std::uint8_t {
+    temperature,          ///< K
+    drag_force,           ///< N, rolling resistance of all that is lost by deformation (51)
+    rolling_moment,       ///< N m (50)
+    loaded_radius,        ///< m (37)
+    cornering_stiffness,  ///< N/rad, at the temperature of `where` (52)
+    gas_pressure          ///< Pa above the atmosphere, heated at constant volume to the temperature of `where`
+};
+[[nodiscard]] std::string_view unit_of(Quantity quantity);  ///< SI, as UDUNITS reads it
+
+/// A named reading.
 struct Channel {
     std::string name;
     std::string meaning;  ///< says which temperature this is and where ("outer surface, mean over the spot")
     mesh::Functional where;
+    Quantity quantity = Quantity::temperature;
+    std::optional<mesh::Point> point;  ///< m, of a reading at a point
 };
 
 /// A measured value quoted by a source, to stand beside the simulated one.
@@ -54,6 +70,8 @@ struct Problem {
     std::vector<physics::Material> materials;  ///< [n_layers]
     std::vector<physics::Curve> link_laws;     ///< [n_links] W/(m K) against K
     physics::Tire tire;
+    physics::EquivalentModulus modulus;  ///< of the cornering stiffness
+    double lambda_CP = 1.0;              ///< scale of the cornering stiffness
     std::vector<physics::ActiveEffect> effects;
     Drive drive;
     std::vector<double> initial;  ///< [n_nodes] K
@@ -62,6 +80,10 @@ struct Problem {
     std::vector<Measured> measured;
     double symmetry = 1.0;  ///< the tire or specimen is this many times the mesh (4 for a quarter)
 };
+
+/// Switches an effect on: the nodes that it brings are appended to the mesh at the temperature `start`.
+/// @returns its index in problem.effects
+std::size_t switch_on(Problem& problem, physics::ActiveEffect active, double start);
 
 /// What is wrong with a problem, a sentence each; empty when it can be run.
 [[nodiscard]] std::vector<std::string> defects(const Problem& problem);

@@ -13,6 +13,7 @@ Rows::Rows(const Problem& problem, const Observer& observer, const Stepper& step
     : problem_(&problem),
       observer_(&observer),
       stepper_(&stepper),
+      readings_(problem, stepper.system()),
       channels_(problem.channels.size()),
       field_(problem.initial),
       joules_(problem.effects.size()),
@@ -21,10 +22,19 @@ Rows::Rows(const Problem& problem, const Observer& observer, const Stepper& step
       next_output_(output_time(1)),
       next_field_(problem.settings.start + problem.settings.field_interval) {}
 
-void Rows::measure(std::span<const double> T) {
-    for (std::size_t c = 0; c < channels_.size(); ++c) {
-        channels_[c] = problem_->channels[c].where(T);
+void Rows::begin_readings() {
+    const double t = stepper_->time();
+    readings_.begin(t, stepper_->temperature(), stepper_->watts(), problem_->drive.at(t, Limit::after));
+}
+
+void Rows::read(double t) { readings_.at(t, problem_->drive.at(t, Limit::before), channels_); }
+
+void Rows::take_step() {
+    inputs_.clear();
+    for (int i = 0; i < stepper_->stages(); ++i) {
+        inputs_.push_back(problem_->drive.at(stepper_->stage(i).time, i == 0 ? Limit::after : Limit::before));
     }
+    readings_.take_step(*stepper_, inputs_);
 }
 
 void Rows::watch(Report& report) {
@@ -49,7 +59,10 @@ void Rows::watch(Report& report) {
             }
         }
     }
-    measure(T);
+    if (report.channel_final.empty()) {
+        begin_readings();
+    }
+    read(stepper_->time());
     if (report.channel_final.empty()) {
         report.channel_min = report.channel_max = channels_;
     }
@@ -75,7 +88,7 @@ std::vector<std::string> Rows::cautions() const {
 
 bool Rows::emit(double t, std::span<const double> T, std::span<const double> joules, double stored, bool field) {
     const auto begin = std::chrono::steady_clock::now();
-    measure(T);
+    read(t);
     const bool go_on = *observer_ == nullptr || (*observer_)({.time = t,
                                                               .temperature = T,
                                                               .channels = channels_,
@@ -140,6 +153,7 @@ void Rows::visit(Archive& archive) {
     archive(next_output_);
     archive(next_field_);
     archive.whole(outputs_);
+    readings_.visit(archive);
     archive(coldest_);
     archive(hottest_);
 }

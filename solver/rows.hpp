@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/march.hpp"
+#include "solver/readings.hpp"
 #include "solver/stepper.hpp"
 
 namespace tiretherm::solver {
@@ -17,6 +18,8 @@ public:
     /// The present state as a row with its field: at the start, before the drive acts, or of a steady state.
     /// @returns false when the observer wants to stop
     [[nodiscard]] bool show();
+    /// Takes an accepted step into the readings.
+    void take_step();
     /// Every row up to the present time of the stepper, and the end of the run itself. @returns as `show`
     [[nodiscard]] bool advance();
     /// Looks at the state for the extremes; writes them into the report.
@@ -33,12 +36,15 @@ private:
     bool emit_state(bool field);
     bool emit_inside_step(double t);
     bool field_due(double t);
-    void measure(std::span<const double> T);
+    void begin_readings();
+    void read(double t);
     [[nodiscard]] double output_time(long index) const;
 
     const Problem* problem_;
     const Observer* observer_;
     const Stepper* stepper_;
+    Readings readings_;
+    std::vector<physics::Inputs> inputs_;  ///< logged ones at the stages of a step
     std::vector<double> channels_;
     std::vector<double> field_;
     std::vector<double> joules_;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "solver/readings.hpp"
 #include "solver/stepper.hpp"
 
 namespace tiretherm::solver {
@@ -23,7 +24,13 @@ Problem for_real_time(Problem problem) {
 Session::Session(Problem problem, const physics::Inputs& start)
     : problem_(std::make_unique<Problem>(for_real_time(std::move(problem)))),
       stepper_(std::make_unique<Stepper>(*problem_)),
-      inputs_(start) {}
+      readings_(std::make_unique<Readings>(*problem_, stepper_->system())),
+      inputs_(start),
+      stage_inputs_(static_cast<std::size_t>(stepper_->stages())),
+      channels_(problem_->channels.size()) {
+    readings_->begin(0.0, stepper_->temperature(), stepper_->watts(), start);
+    readings_->at(0.0, start, channels_);
+}
 
 Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
@@ -33,10 +40,18 @@ Status Session::advance(double dt, const physics::Inputs& inputs) {
     if (!(dt > 0.0) || !std::isfinite(dt)) {
         return {Outcome::step_too_small, fmt::format("a step of {} s was asked for; a step must be positive", dt)};
     }
-    Stepper::Attempt attempt = stepper_->attempt(stepper_->time() + dt, inputs_, inputs);
+    physics::Inputs at_end = inputs;
+    at_end.time = stepper_->time() + dt;
+    Stepper::Attempt attempt = stepper_->attempt(at_end.time, inputs_, at_end);
     if (attempt.status.ok()) {
         stepper_->accept();
-        inputs_ = inputs;
+        for (std::size_t i = 0; i < stage_inputs_.size(); ++i) {
+            const double t = stepper_->stage(static_cast<int>(i)).time;
+            stage_inputs_[i] = physics::between(inputs_, at_end, (t - inputs_.time) / dt);
+        }
+        readings_->take_step(*stepper_, stage_inputs_);
+        readings_->at(stepper_->time(), at_end, channels_);
+        inputs_ = at_end;
     }
     return std::move(attempt.status);
 }
@@ -45,7 +60,7 @@ double Session::time() const { return stepper_->time(); }
 
 std::span<const double> Session::temperature() const { return stepper_->temperature(); }
 
-double Session::channel(std::size_t index) const { return problem_->channels[index].where(stepper_->temperature()); }
+double Session::channel(std::size_t index) const { return channels_[index]; }
 
 std::span<const double> Session::watts() const { return stepper_->watts(); }
 

@@ -2,12 +2,14 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "solver/problem.hpp"
 #include "solver/status.hpp"
 
 namespace tiretherm::solver {
 
+class Readings;
 class Stepper;
 
 /// A problem advanced in real time: the caller gives a step and the inputs at its end, and reads the temperatures.
@@ -30,14 +32,17 @@ public:
 
     [[nodiscard]] double time() const;                          ///< s since the beginning
     [[nodiscard]] std::span<const double> temperature() const;  ///< [n_nodes] K
-    [[nodiscard]] double channel(std::size_t index) const;      ///< K
+    [[nodiscard]] double channel(std::size_t index) const;      ///< SI
     [[nodiscard]] std::span<const double> watts() const;        ///< [n_effects] W
     [[nodiscard]] double energy_closure() const;                ///< as in Report
 
 private:
     std::unique_ptr<Problem> problem_;
     std::unique_ptr<Stepper> stepper_;
+    std::unique_ptr<Readings> readings_;
     physics::Inputs inputs_;
+    std::vector<physics::Inputs> stage_inputs_;
+    std::vector<double> channels_;
 };
 
 }  // namespace tiretherm::solver

@@ -26,8 +26,9 @@ Stepper::Stepper(const Problem& problem)
     const std::size_t n = at(system_.size());
     const std::size_t stages = at(tableau_->stages);
     const std::size_t effects = problem.effects.size();
-    T_.assign(stages + 1, problem.initial);
-    last_.assign(stages, problem.initial);
+    const std::vector<double> initial = system_.initial();
+    T_.assign(stages + 1, initial);
+    last_.assign(stages, initial);
     q_.assign(stages, std::vector<double>(n));
     booked_.assign(stages, std::vector<double>(effects));
     for (std::vector<double>* v : {&known_, &H_, &H_start_, &error_heat_, &error_}) {
@@ -36,7 +37,7 @@ Stepper::Stepper(const Problem& problem)
     for (std::vector<double>* v : {&watts_, &joules_, &joules_before_}) {
         v->resize(effects);
     }
-    system_.enthalpy(problem.initial, H_start_);
+    system_.enthalpy(initial, H_start_);
 }
 
 void Stepper::book(int stage) {
@@ -172,6 +173,11 @@ void Stepper::accept() {
     has_history_ = true;
 }
 
+Stepper::Stage Stepper::stage(int i) const {
+    const double end = i + 1 == tableau_->stages ? time_ : step_begin_ + tableau_->c[at(i)] * (time_ - step_begin_);
+    return {.time = end, .temperature = last_[at(i)], .watts = booked_[at(i)]};
+}
+
 void Stepper::interpolate(double t, std::span<double> T) const {
     const double x = (t - step_begin_) / (time_ - step_begin_);
     std::fill(T.begin(), T.end(), 0.0);
@@ -297,11 +303,7 @@ double Stepper::steepest_rate() {
     double steepest = 0.0;
     for (std::size_t n = 0; n < q.size(); ++n) {
         if (system_.has_capacity(n)) {
-            const auto layer = at(problem_->mesh.layer[n]);
-            const physics::Material& material = problem_->materials[layer];
-            const double capacity =
-                problem_->mesh.volume[n] * material.density * material.heat_capacity.value(T_[1][n]);
-            steepest = std::max(steepest, std::abs(q[n]) / capacity);
+            steepest = std::max(steepest, std::abs(q[n]) / system_.capacity(n, T_[1][n]));
         }
     }
     return steepest;

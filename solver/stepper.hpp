@@ -54,8 +54,17 @@ public:
     [[nodiscard]] double stored() const { return stored_; }                   ///< J since the start
     /// |stored - sum of joules| over the heat turned over (sum of |watts| dt) since the start; 0 before the first step.
     [[nodiscard]] double energy_closure() const;
+    /// The stages of the last accepted step, its begin and its end among them; one after a steady solve.
+    struct Stage {
+        double time = 0.0;                    ///< s
+        std::span<const double> temperature;  ///< [n_nodes] K
+        std::span<const double> watts;        ///< [n_effects] W
+    };
+    [[nodiscard]] int stages() const { return tableau_->stages; }
+    [[nodiscard]] Stage stage(int i) const;
     [[nodiscard]] const Newton& newton() const { return newton_; }
     [[nodiscard]] System& system() { return system_; }
+    [[nodiscard]] const System& system() const { return system_; }
 
 private:
     [[nodiscard]] Attempt attempt_in_window(double t1);

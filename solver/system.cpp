@@ -25,23 +25,79 @@ System::System(const Problem& problem)
       means_(problem.mesh.regions.size()),
       shifted_means_(problem.mesh.regions.size()),
       shifted_(at(problem.mesh.n_nodes)),
-      flow_(at(problem.mesh.n_nodes)) {
-    for (const physics::ActiveEffect& active : problem.effects) {
+      flow_(at(problem.mesh.n_nodes)),
+      stock_{.materials = problem.materials, .link_laws = problem.link_laws, .tire = problem.tire},
+      effects_(problem.effects),
+      lump_(at(problem.mesh.n_nodes)) {
+    settle_effects();
+    for (const physics::ActiveEffect& active : effects_) {
         first_intensity_.push_back(n_intensities_);
         n_intensities_ += at(active.effect->n_intensities);
+        for (std::size_t i = 0; i < active.appended.size(); ++i) {
+            lump_[at(active.appended[i])] += active.effect->capacity(active, i);
+        }
     }
     for (int node = 0; node < problem.mesh.n_nodes; ++node) {
-        capacity_factor_.push_back(problem.mesh.volume[at(node)] *
-                                   problem.materials[at(problem.mesh.layer[at(node)])].density);
+        const int layer = problem.mesh.layer[at(node)];
+        mass_.push_back(layer < 0 ? 0.0 : problem.mesh.volume[at(node)] * stock_.materials[at(layer)].density);
     }
 }
 
-void System::drive(const physics::Inputs& inputs, std::span<double> out) const {
-    for (std::size_t e = 0; e < problem_->effects.size(); ++e) {
-        const physics::ActiveEffect& active = problem_->effects[e];
+/// Properties first, then places: a share by mass must see the mass that counts.
+void System::settle_effects() {
+    for (const physics::ActiveEffect& active : effects_) {
+        if (active.effect->amend != nullptr) {
+            active.effect->amend(active, problem_->mesh, stock_);
+        }
+    }
+    for (physics::ActiveEffect& active : effects_) {
+        if (active.effect->place != nullptr) {
+            active.effect->place({.mesh = problem_->mesh, .stock = stock_, .effects = effects_}, active);
+        }
+    }
+    const auto scales = [](const physics::ActiveEffect& active) { return active.effect->scale_loss != nullptr; };
+    loss_factors_.reserve(at(static_cast<int>(std::count_if(effects_.begin(), effects_.end(), scales))));
+}
+
+std::vector<double> System::initial() const {
+    std::vector<double> T = problem_->initial;
+    for (const physics::ActiveEffect& active : effects_) {
+        if (active.effect->start != nullptr) {
+            active.effect->start(active, problem_->mesh, T);
+        }
+    }
+    return T;
+}
+
+double System::capacity(std::size_t node, double T) const {
+    if (mass_[node] > 0.0) {
+        return mass_[node] * stock_.materials[at(problem_->mesh.layer[node])].heat_capacity.value(T);
+    }
+    return lump_[node];
+}
+
+physics::Inputs System::transformed(physics::Inputs inputs) const {
+    for (const physics::ActiveEffect& active : effects_) {
+        if (active.effect->transform != nullptr) {
+            active.effect->transform(active, inputs);
+        }
+    }
+    return inputs;
+}
+
+void System::drive(const physics::Inputs& logged, std::span<double> out) const {
+    const physics::Inputs inputs = transformed(logged);
+    physics::Laws laws;
+    for (const physics::ActiveEffect& active : effects_) {
+        if (active.effect->bend != nullptr) {
+            active.effect->bend(active, stock_.tire, inputs, laws);
+        }
+    }
+    const physics::Driving driving{.tire = stock_.tire, .inputs = inputs, .laws = laws};
+    for (std::size_t e = 0; e < effects_.size(); ++e) {
+        const physics::ActiveEffect& active = effects_[e];
         if (active.effect->drive != nullptr) {
-            active.effect->drive(active, problem_->tire, inputs,
-                                 out.subspan(first_intensity_[e], at(active.effect->n_intensities)));
+            active.effect->drive(active, driving, out.subspan(first_intensity_[e], at(active.effect->n_intensities)));
         }
     }
 }
@@ -52,27 +108,41 @@ void System::find_means(std::span<const double> T, std::span<double> means) cons
     }
 }
 
-void System::speak(std::size_t e, std::span<const double> T, std::span<const double> means,
-                   std::span<const double> intensities, physics::Terms& terms) const {
-    const physics::ActiveEffect& active = problem_->effects[e];
-    terms.book_to(e);
-    active.effect->speak({.mesh = problem_->mesh,
-                          .materials = problem_->materials,
-                          .link_laws = problem_->link_laws,
-                          .tire = problem_->tire,
-                          .temperature = T,
-                          .region_mean = means,
-                          .active = active,
-                          .intensities = intensities.subspan(first_intensity_[e], at(active.effect->n_intensities))},
-                         terms);
+physics::Moment System::moment(std::size_t e, std::span<const double> T, std::span<const double> means,
+                               std::span<const double> intensities) const {
+    const physics::ActiveEffect& active = effects_[e];
+    return {.mesh = problem_->mesh,
+            .stock = stock_,
+            .temperature = T,
+            .region_mean = means,
+            .active = active,
+            .intensities = intensities.subspan(first_intensity_[e], at(active.effect->n_intensities)),
+            .loss_factors = loss_factors_};
+}
+
+void System::find_loss_factors(std::span<const double> T, std::span<const double> means) const {
+    loss_factors_.clear();
+    for (std::size_t e = 0; e < effects_.size(); ++e) {
+        const physics::Effect& effect = *effects_[e].effect;
+        if (effect.scale_loss != nullptr) {
+            loss_factors_.push_back(effect.scale_loss(
+                {.mesh = problem_->mesh, .stock = stock_, .temperature = T, .region_mean = means, .active = effects_[e], .intensities = {}}));
+        }
+    }
 }
 
 void System::evaluate(std::span<const double> T, std::span<const double> intensities) {
     terms_.begin(T);
     find_means(T, means_);
-    for (std::size_t e = 0; e < problem_->effects.size(); ++e) {
-        if (problem_->effects[e].effect->gives_derivatives) {
-            speak(e, T, means_, intensities, terms_);
+    find_loss_factors(T, means_);
+    for (std::size_t e = 0; e < effects_.size(); ++e) {
+        const physics::Effect& effect = *effects_[e].effect;
+        if (effect.speak == nullptr) {
+            continue;
+        }
+        terms_.book_to(e);
+        if (effect.gives_derivatives) {
+            effect.speak(moment(e, T, means_, intensities), terms_);
             continue;
         }
         for (std::size_t i = 0; i < T.size(); ++i) {
@@ -81,8 +151,10 @@ void System::evaluate(std::span<const double> T, std::span<const double> intensi
         find_means(shifted_, shifted_means_);
         here_.begin(T);
         there_.begin(shifted_);
-        speak(e, T, means_, intensities, here_);
-        speak(e, shifted_, shifted_means_, intensities, there_);
+        here_.book_to(e);
+        there_.book_to(e);
+        effect.speak(moment(e, T, means_, intensities), here_);
+        effect.speak(moment(e, shifted_, shifted_means_, intensities), there_);
         terms_.add_difference(here_, there_, difference_step);
     }
     std::copy(terms_.node_q.begin(), terms_.node_q.end(), flow_.begin());
@@ -96,8 +168,9 @@ void System::evaluate(std::span<const double> T, std::span<const double> intensi
 
 void System::enthalpy(std::span<const double> T, std::span<double> H) const {
     for (std::size_t i = 0; i < T.size(); ++i) {
-        const physics::Material& material = problem_->materials[at(problem_->mesh.layer[i])];
-        H[i] = capacity_factor_[i] > 0.0 ? capacity_factor_[i] * material.heat_capacity.integral(T[i]) : 0.0;
+        H[i] = mass_[i] > 0.0
+                   ? mass_[i] * stock_.materials[at(problem_->mesh.layer[i])].heat_capacity.integral(T[i])
+                   : lump_[i] * T[i];
     }
 }
 
@@ -109,9 +182,8 @@ void System::matrices(double s, bool steady, Matrix& A, Matrix& J) const {
     A.value.assign(p.nonzeros(), 0.0);
     for (std::size_t i = 0; i < at(p.n); ++i) {
         double diagonal = s * said.node_G[i];
-        if (!steady && capacity_factor_[i] > 0.0) {
-            const physics::Material& material = problem_->materials[at(mesh.layer[i])];
-            diagonal += capacity_factor_[i] * material.heat_capacity.value(said.temperature[i]);
+        if (!steady) {
+            diagonal += capacity(i, said.temperature[i]);
         }
         A.value[at(p.diagonal[i])] = diagonal;
     }
@@ -156,7 +228,7 @@ void System::matrices(double s, bool steady, Matrix& A, Matrix& J) const {
 
 void System::make_consistent(std::span<double> T, std::span<const double> intensities) {
     const mesh::Mesh& mesh = problem_->mesh;
-    if (mesh.n_cells == mesh.n_nodes) {
+    if (mesh.n_cells + std::ssize(mesh.appended) == mesh.n_nodes) {
         return;
     }
     // Surface nodes touch no other surface node, so that each Newton correction is a division.
@@ -198,11 +270,15 @@ int System::first_not_finite() const {
 
 std::string System::loudest_effect(int node, std::span<const double> T, std::span<const double> intensities) {
     find_means(T, means_);
+    find_loss_factors(T, means_);
     double loudest = -1.0;
     std::string name = "none";
-    for (std::size_t e = 0; e < problem_->effects.size(); ++e) {
+    for (std::size_t e = 0; e < effects_.size(); ++e) {
+        if (effects_[e].effect->speak == nullptr) {
+            continue;
+        }
         here_.begin(T);
-        speak(e, T, means_, intensities, here_);
+        effects_[e].effect->speak(moment(e, T, means_, intensities), here_);
         double watts = std::abs(here_.node_q[at(node)]);
         for (std::size_t f = 0; f < problem_->mesh.faces.size(); ++f) {
             const mesh::Face& face = problem_->mesh.faces[f];
@@ -212,7 +288,7 @@ std::string System::loudest_effect(int node, std::span<const double> T, std::spa
         }
         if (!(watts <= loudest)) {  // true also for NaN, which is loudest of all
             loudest = watts;
-            name = problem_->effects[e].effect->id;
+            name = effects_[e].effect->id;
             if (std::isnan(watts)) {
                 break;
             }
@@ -222,12 +298,21 @@ std::string System::loudest_effect(int node, std::span<const double> T, std::spa
 }
 
 std::string describe_node(const mesh::Mesh& mesh, int node) {
+    for (const mesh::Appended& appended : mesh.appended) {
+        if (appended.node == node) {
+            return fmt::format("the {} node", appended.name);
+        }
+    }
     const auto& [x, y, z] = mesh.centre[at(node)];
     const std::string layer = mesh.layers[at(mesh.layer[at(node)])];
     if (mesh.kind == "two_node") {
         return fmt::format("the {} node", layer);
     }
     const std::string what = node < mesh.n_cells ? fmt::format("cell {}", node) : "the surface";
+    if (mesh.kind == "section") {
+        return fmt::format("{} of layer {} in the {}, {:.1f} mm along the meridian, {:.2f} mm deep", what, layer,
+                           mesh.zones[at(mesh.zone[at(node)])], 1e3 * x, 1e3 * z);
+    }
     if (mesh.kind == "layers") {
         return fmt::format("{} of layer {}, {:.2f} mm deep", what, layer, 1e3 * z);
     }

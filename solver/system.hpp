@@ -21,10 +21,20 @@ public:
     [[nodiscard]] const Problem& problem() const { return *problem_; }
     [[nodiscard]] const Pattern& pattern() const { return pattern_; }
     [[nodiscard]] std::size_t n_intensities() const { return n_intensities_; }
-    [[nodiscard]] bool has_capacity(std::size_t node) const { return problem_->mesh.volume[node] > 0.0; }
+    [[nodiscard]] bool has_capacity(std::size_t node) const { return mass_[node] > 0.0 || lump_[node] > 0.0; }
+    /// Heat capacity of a node at a temperature. @returns J/K
+    [[nodiscard]] double capacity(std::size_t node, double T) const;
+    /// What the layers are made of, as the effects on properties left it.
+    [[nodiscard]] const physics::Stock& stock() const { return stock_; }
+    /// The effects that are on, each in its place.
+    [[nodiscard]] std::span<const physics::ActiveEffect> effects() const { return effects_; }
+    /// The initial state, with the effects on it. @returns [n_nodes] K
+    [[nodiscard]] std::vector<double> initial() const;
 
-    /// Intensities of all effects, one after the other, for the inputs of a moment. @param out [n_intensities]
-    void drive(const physics::Inputs& inputs, std::span<double> out) const;
+    /// The inputs as the drive effects make them of the logged ones.
+    [[nodiscard]] physics::Inputs transformed(physics::Inputs inputs) const;
+    /// Intensities of all effects, one after the other, for the logged inputs of a moment. @param out [n_intensities]
+    void drive(const physics::Inputs& logged, std::span<double> out) const;
 
     /// Lets every effect speak at T [n_nodes] K with these intensities.
     void evaluate(std::span<const double> T, std::span<const double> intensities);
@@ -50,9 +60,11 @@ public:
     [[nodiscard]] int first_not_finite() const;
 
 private:
+    void settle_effects();
+    [[nodiscard]] physics::Moment moment(std::size_t effect, std::span<const double> T, std::span<const double> means,
+                                         std::span<const double> intensities) const;
+    void find_loss_factors(std::span<const double> T, std::span<const double> means) const;
     [[nodiscard]] std::string loudest_effect(int node, std::span<const double> T, std::span<const double> intensities);
-    void speak(std::size_t effect, std::span<const double> T, std::span<const double> means,
-               std::span<const double> intensities, physics::Terms& terms) const;
     void find_means(std::span<const double> T, std::span<double> means) const;
 
     const Problem* problem_;
@@ -66,7 +78,11 @@ private:
     std::vector<double> shifted_means_;
     std::vector<double> shifted_;
     std::vector<double> flow_;
-    std::vector<double> capacity_factor_;  ///< [n_nodes] kg, density * volume
+    physics::Stock stock_;
+    std::vector<physics::ActiveEffect> effects_;
+    std::vector<double> mass_;  ///< [n_nodes] kg, density * volume; 0 for surfaces and appended nodes
+    std::vector<double> lump_;  ///< [n_nodes] J/K of an appended node
+    mutable std::vector<physics::Factor> loss_factors_;
 };
 
 /// A place in words: "cell 12 of layer tread, 3.2 mm deep".

@@ -36,14 +36,8 @@ void Window::open(double t0, double t1) {
 void Window::open(const physics::Inputs& from, const physics::Inputs& to) {
     averaged_ = false;
     for (std::size_t i = 0; i < stages_.size(); ++i) {
-        physics::Inputs between = to;
-        if (i + 1 < stages_.size()) {
-            for (const physics::Signal& signal : physics::signals()) {
-                between.*signal.member =
-                    from.*signal.member + tableau_->c[i] * (to.*signal.member - from.*signal.member);
-            }
-        }
-        system_->drive(between, stages_[i]);
+        const bool last = i + 1 == stages_.size();
+        system_->drive(last ? to : physics::between(from, to, tableau_->c[i]), stages_[i]);
     }
 }
 

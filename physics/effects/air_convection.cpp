@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "physics/convection.hpp"
 #include "physics/effect.hpp"
 
 namespace tiretherm::physics::effects {
@@ -41,18 +42,15 @@ constexpr std::array choices{Choice{"exponential", on_off, "whether the exponent
 constexpr std::array<std::string_view, 3> reads{"speed", "vertical_load", "air_temperature"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
-/// h = (k/L) coefficient (V L/nu)^exponent with 1/L = 1/D + 1/W                                 thesis (32)
-double forced(const ActiveEffect& active, const Tire& tire, double speed) {
-    const double length = 1.0 / (1.0 / (2.0 * tire.unloaded_radius) + 1.0 / tire.width);
-    const double reynolds = std::abs(speed) * length / active[air_viscosity];
-    return active[air_conductivity] / length * active[coefficient] * std::pow(reynolds, active[exponent]);
-}
-
-void drive(const ActiveEffect& active, const Tire& tire, const Inputs& inputs, std::span<double> out) {
-    const double area = tire.outer_area() - tire.contact_area(inputs.vertical_load);
+void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
+    const ForcedConvection forced{.coefficient = active[coefficient],
+                                  .exponent = active[exponent],
+                                  .air_conductivity = active[air_conductivity],
+                                  .air_viscosity = active[air_viscosity]};
+    const double area = driving.tire.outer_area() - driving.tire.contact_area(driving.inputs.vertical_load);
     out[0] = area;
-    out[1] = area * forced(active, tire, inputs.speed);
-    out[2] = inputs.air_temperature;
+    out[1] = area * driving.laws.forced * forced(driving.tire, driving.inputs.speed);
+    out[2] = driving.inputs.air_temperature;
 }
 
 void speak(const Moment& m, Terms& terms) {
@@ -119,10 +117,8 @@ const Effect air_convection{
     .needs_tire = true,
     .patches = patches,
     .n_intensities = 3,
-    .place = nullptr,
-    .drive = drive,
+        .drive = drive,
     .speak = speak,
-    .gives_derivatives = true,
     .caution = caution,
 };
 

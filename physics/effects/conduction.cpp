@@ -22,9 +22,12 @@ void speak(const Moment& m, Terms& terms) {
         const mesh::Face& face = faces[static_cast<std::size_t>(f)];
         const auto a = static_cast<std::size_t>(face.a);
         const auto b = static_cast<std::size_t>(face.b);
+        if (face.joint) {
+            continue;
+        }
         const double length = face.half_a + face.half_b;
         if (face.link < 0 && m.mesh.layer[a] == m.mesh.layer[b]) {
-            const Curve& k = m.materials[static_cast<std::size_t>(m.mesh.layer[a])].along(face.axis);
+            const Curve& k = m.stock.materials[static_cast<std::size_t>(m.mesh.layer[a])].along(face.axis);
             const double per_k = face.area / length;
             const Curve::Mean mean = k.mean(m.temperature[a], m.temperature[b]);
             terms.conduct(f, per_k * mean.value, per_k * mean.by_a, per_k * mean.by_b);
@@ -33,11 +36,11 @@ void speak(const Moment& m, Terms& terms) {
         Half on_a{};
         Half on_b{};
         if (face.half_a > 0.0) {
-            on_a = half(m.materials[static_cast<std::size_t>(m.mesh.layer[a])].along(face.axis), face.half_a,
+            on_a = half(m.stock.materials[static_cast<std::size_t>(m.mesh.layer[a])].along(face.axis), face.half_a,
                         m.temperature[a]);
         }
         if (face.half_b > 0.0) {
-            on_b = half(m.materials[static_cast<std::size_t>(m.mesh.layer[b])].along(face.axis), face.half_b,
+            on_b = half(m.stock.materials[static_cast<std::size_t>(m.mesh.layer[b])].along(face.axis), face.half_b,
                         m.temperature[b]);
         }
         Half between{};
@@ -45,7 +48,7 @@ void speak(const Moment& m, Terms& terms) {
         if (face.link >= 0) {
             const mesh::Link& link = m.mesh.links[static_cast<std::size_t>(face.link)];
             region = link.region;
-            between = half(m.link_laws[static_cast<std::size_t>(face.link)], link.length,
+            between = half(m.stock.link_laws[static_cast<std::size_t>(face.link)], link.length,
                            m.region_mean[static_cast<std::size_t>(region)]);
         }
         const double G = face.area / (on_a.resistance + on_b.resistance + between.resistance);
@@ -67,16 +70,7 @@ const Effect conduction{
     .equation = "q = -k(T) grad T inside the layers; (T_b - T_s) k(T_b)/dZ S_tot across a link",
     .source = "Fourier; thesis (31)(34)",
     .meaning = "Heat conducted between cells. The laws k(T) and c(T) belong to the materials of the layers.",
-    .parameters = {},
-    .choices = {},
-    .reads = {},
-    .needs_tire = false,
-    .patches = {},
-    .n_intensities = 0,
-    .place = nullptr,
-    .drive = nullptr,
-    .speak = speak,
-    .gives_derivatives = true,
+        .speak = speak,
 };
 
 }  // namespace tiretherm::physics::effects

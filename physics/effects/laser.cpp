@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "mesh/probe.hpp"
-#include "physics/effect.hpp"
+#include "physics/spread.hpp"
 
 namespace tiretherm::physics::effects {
 
@@ -26,13 +26,19 @@ void place(const Setting& setting, ActiveEffect& active) {
     active.nodes.clear();
     active.weights.clear();
     const mesh::Mesh& mesh = setting.mesh;
+    const ActiveEffect* spot_size = setting.find("laser_spot_size");
+    const double spot = active[radius] * (spot_size != nullptr ? (*spot_size)[0] : 1.0);
+    if (mesh.grid && mesh.grid->size(0) == 1 && mesh.grid->size(1) == 1) {  // layers: the light is spread evenly
+        spread_over_patches(setting, active);
+        return;
+    }
     for (const int patch : active.patches) {
         const bool disc = active.choices[profile] == 0;
-        std::vector<double> share = disc ? mesh::disc_overlap(mesh, patch, active[radius])
-                                         : mesh::gaussian_overlap(mesh, patch, active[radius]);
+        std::vector<double> share = disc ? mesh::disc_overlap(mesh, patch, spot)
+                                         : mesh::gaussian_overlap(mesh, patch, spot);
         if (disc) {
             for (double& s : share) {
-                s /= std::numbers::pi * active[radius] * active[radius];
+                s /= std::numbers::pi * spot * spot;
             }
         }
         const std::vector<mesh::PatchFace>& faces = mesh.patches[static_cast<std::size_t>(patch)].faces;
@@ -59,8 +65,8 @@ void place(const Setting& setting, ActiveEffect& active) {
     }
 }
 
-void drive(const ActiveEffect& active, const Tire& /*tire*/, const Inputs& inputs, std::span<double> out) {
-    out[0] = active[absorptivity] * inputs.laser_power;
+void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
+    out[0] = active[absorptivity] * driving.inputs.laser_power;
 }
 
 void speak(const Moment& m, Terms& terms) {
@@ -75,7 +81,6 @@ extern const Effect laser;
 const Effect laser{
     .id = "laser",
     .kind = Kind::source,
-    .on = false,
     .equation = "q = absorptivity P / (pi radius^2) on a disc, or 2 absorptivity P/(pi w^2) exp(-2 r^2/w^2)",
     .source = "thesis III.1.1 (spot of 1 cm2, 0 to 3 W)",
     .meaning =
@@ -84,13 +89,11 @@ const Effect laser{
     .parameters = parameters,
     .choices = choices,
     .reads = reads,
-    .needs_tire = false,
     .patches = patches,
     .n_intensities = 1,
     .place = place,
     .drive = drive,
     .speak = speak,
-    .gives_derivatives = true,
 };
 
 }  // namespace tiretherm::physics::effects

@@ -18,10 +18,10 @@ constexpr std::array parameters{
 constexpr std::array<std::string_view, 1> reads{"air_temperature"};
 constexpr std::array<std::string_view, 2> patches{"outside", "top"};
 
-void drive(const ActiveEffect& /*active*/, const Tire& /*tire*/, const Inputs& inputs, std::span<double> out) {
+void drive(const ActiveEffect& /*active*/, const Driving& driving, std::span<double> out) {
     // Buoyancy counts only at rest: a rolling tire's own wind sweeps the plume away.
-    out[0] = std::abs(inputs.speed) <= standing_speed ? 1.0 : 0.0;
-    out[1] = inputs.air_temperature;
+    out[0] = std::abs(driving.inputs.speed) <= standing_speed ? 1.0 : 0.0;
+    out[1] = driving.inputs.air_temperature;
 }
 
 void speak(const Moment& m, Terms& terms) {
@@ -43,21 +43,16 @@ extern const Effect natural_convection;
 const Effect natural_convection{
     .id = "natural_convection",
     .kind = Kind::loss,
-    .on = false,
     .equation = "q = 1.32 (|T_surf - T_air|/D)^0.25 A (T_air - T_surf), at rest only",
     .source =
         "simplified laminar relations for air at atmospheric pressure: McAdams, Heat Transmission, 3rd ed. 1954, ch. 7",
     .meaning = "Buoyant air on a tire or specimen at rest; grows weakly with the temperature difference.",
     .parameters = parameters,
-    .choices = {},
     .reads = reads,
-    .needs_tire = false,
     .patches = patches,
     .n_intensities = 2,
-    .place = nullptr,
-    .drive = drive,
+        .drive = drive,
     .speak = speak,
-    .gives_derivatives = true,
 };
 
 }  // namespace tiretherm::physics::effects

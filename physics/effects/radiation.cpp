@@ -15,8 +15,8 @@ constexpr std::array<std::string_view, 1> reads{"air_temperature"};
 constexpr std::array<std::string_view, 2> patches{"outside", "top"};
 constexpr double stefan_boltzmann = 5.670374419e-8;  // W/(m2 K4), CODATA 2018
 
-void drive(const ActiveEffect& /*active*/, const Tire& /*tire*/, const Inputs& inputs, std::span<double> out) {
-    out[0] = inputs.air_temperature;
+void drive(const ActiveEffect& /*active*/, const Driving& driving, std::span<double> out) {
+    out[0] = driving.inputs.air_temperature;
 }
 
 void speak(const Moment& m, Terms& terms) {
@@ -39,20 +39,15 @@ extern const Effect radiation;
 const Effect radiation{
     .id = "radiation",
     .kind = Kind::loss,
-    .on = false,
     .equation = "q = eps sigma A (T_air^4 - T_surf^4)",
     .source = "Stefan-Boltzmann law, grey surface in large surroundings at air temperature",
     .meaning = "Heat radiated to surroundings at the temperature of the air; counts where convection is weak.",
     .parameters = parameters,
-    .choices = {},
     .reads = reads,
-    .needs_tire = false,
     .patches = patches,
     .n_intensities = 1,
-    .place = nullptr,
-    .drive = drive,
+        .drive = drive,
     .speak = speak,
-    .gives_derivatives = true,
 };
 
 }  // namespace tiretherm::physics::effects

@@ -1,23 +1,29 @@
 #include <array>
 
-#include "physics/effect.hpp"
+#include "physics/spread.hpp"
 
 namespace tiretherm::physics::effects {
 
 namespace {
 
 enum : std::size_t { Hc, lambda_Hc };
+enum : std::size_t { profile };
 
 constexpr std::array parameters{
     Parameter{"Hc", "W m-2 K-1", 500.0, 0.0, 1e6, "coefficient of a tire that does not roll, over the contact area"},
     Parameter{"lambda_Hc", "1", 1.0, 0.0, 10.0, "scale of the coefficient"},
 };
+constexpr std::array tables{Table{"profile", "m", "1",
+                                  "weight along the meridian, against the arc length from the centre plane (negative "
+                                  "outboard); without it the contact is as wide as the tread and evenly loaded"}};
 constexpr std::array<std::string_view, 2> reads{"vertical_load", "road_temperature"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
-void drive(const ActiveEffect& active, const Tire& tire, const Inputs& inputs, std::span<double> out) {
-    out[0] = active[lambda_Hc] * active[Hc] * tire.contact_area(inputs.vertical_load);
-    out[1] = out[0] * inputs.road_temperature;
+void place(const Setting& setting, ActiveEffect& active) { spread_over_patches(setting, active, active.tables[profile]); }
+
+void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
+    out[0] = active[lambda_Hc] * active[Hc] * driving.tire.contact_area(driving.inputs.vertical_load);
+    out[1] = out[0] * driving.inputs.road_temperature;
 }
 
 void speak(const Moment& m, Terms& terms) {
@@ -26,12 +32,8 @@ void speak(const Moment& m, Terms& terms) {
         return;
     }
     const double T_road = m.intensities[1] / G;
-    for (const int patch : m.active.patches) {
-        const mesh::Patch& outside = m.mesh.patches[static_cast<std::size_t>(patch)];
-        const double per_area = G / outside.area();
-        for (const mesh::PatchFace& face : outside.faces) {
-            terms.exchange(face.node, per_area * face.area, T_road);
-        }
+    for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
+        terms.exchange(m.active.nodes[i], G * m.active.weights[i], T_road);
     }
 }
 
@@ -48,15 +50,14 @@ const Effect road_contact{
         "Heat to the road through a contact that is smeared over the circumference: Hc is a lumped share of "
         "area, not the coefficient inside a rolling contact.",
     .parameters = parameters,
-    .choices = {},
+    .tables = tables,
     .reads = reads,
     .needs_tire = true,
     .patches = patches,
     .n_intensities = 2,
-    .place = nullptr,
+        .place = place,
     .drive = drive,
     .speak = speak,
-    .gives_derivatives = true,
 };
 
 }  // namespace tiretherm::physics::effects

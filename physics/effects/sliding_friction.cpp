@@ -1,7 +1,8 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "physics/effect.hpp"
+#include "physics/spread.hpp"
 
 namespace tiretherm::physics::effects {
 
@@ -9,6 +10,7 @@ namespace {
 
 enum : std::size_t { partition, lambda_x, lambda_y };
 enum : std::size_t { longitudinal, lateral };
+enum : std::size_t { profile };
 
 constexpr std::array parameters{
     Parameter{"partition", "1", 0.6, 0.0, 1.0, "share of the friction power that enters the tire"},
@@ -20,28 +22,33 @@ constexpr std::array choices{
     Choice{"longitudinal", on_off, "whether longitudinal sliding makes heat (a switch of the thesis)"},
     Choice{"lateral", on_off, "whether lateral sliding makes heat (a switch of the thesis)"},
 };
+constexpr std::array tables{Table{"profile", "m", "1",
+                                  "weight along the meridian, against the arc length from the centre plane (negative "
+                                  "outboard); without it the contact is as wide as the tread and evenly loaded"}};
 constexpr std::array<std::string_view, 1> reads{"speed"};
+constexpr std::array<std::string_view, 5> may_read{"vertical_load", "slip_angle", "slip_ratio", "lateral_force",
+                                                  "longitudinal_force"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
-void drive(const ActiveEffect& active, const Tire& tire, const Inputs& in, std::span<double> out) {
+void place(const Setting& setting, ActiveEffect& active) { spread_over_patches(setting, active, active.tables[profile]); }
+
+void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
+    const Inputs& in = driving.inputs;
     out[0] = 0.0;
-    if (!tire.touches(in.vertical_load)) {
+    if (!driving.tire.touches(in.vertical_load)) {
         return;
     }
     // Sliding speeds of the contact: v_sx = V - R_R Omega = -V slip_ratio, v_sy = V tan(alpha).
     const double along = std::abs(in.longitudinal_force * in.speed * in.slip_ratio);
     const double across = std::abs(in.lateral_force * in.speed) * std::tan(std::abs(in.slip_angle));
-    out[0] = active[partition] * ((active.choices[longitudinal] == 0 ? active[lambda_x] * along : 0.0) +
+    // A law may take the share beyond 1, where it says that a term is missing; it never turns heat into cold.
+    out[0] = active[partition] * std::max(0.0, driving.laws.partition) * ((active.choices[longitudinal] == 0 ? active[lambda_x] * along : 0.0) +
                                   (active.choices[lateral] == 0 ? active[lambda_y] * across : 0.0));
 }
 
 void speak(const Moment& m, Terms& terms) {
-    for (const int patch : m.active.patches) {
-        const mesh::Patch& outside = m.mesh.patches[static_cast<std::size_t>(patch)];
-        const double flux = m.intensities[0] / outside.area();
-        for (const mesh::PatchFace& face : outside.faces) {
-            terms.heat(face.node, flux * face.area);
-        }
+    for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
+        terms.heat(m.active.nodes[i], m.intensities[0] * m.active.weights[i]);
     }
 }
 
@@ -59,14 +66,15 @@ const Effect sliding_friction{
         "angle gives the same heat; signals that are not given count as zero.",
     .parameters = parameters,
     .choices = choices,
+    .tables = tables,
     .reads = reads,
+    .may_read = may_read,
     .needs_tire = true,
     .patches = patches,
     .n_intensities = 1,
-    .place = nullptr,
+        .place = place,
     .drive = drive,
     .speak = speak,
-    .gives_derivatives = true,
 };
 
 }  // namespace tiretherm::physics::effects

@@ -14,8 +14,8 @@ constexpr std::array parameters{
 constexpr std::array<std::string_view, 1> reads{"air_temperature"};
 constexpr std::array<std::string_view, 2> patches{"top", "bottom"};
 
-void drive(const ActiveEffect& /*active*/, const Tire& /*tire*/, const Inputs& inputs, std::span<double> out) {
-    out[0] = inputs.air_temperature;
+void drive(const ActiveEffect& /*active*/, const Driving& driving, std::span<double> out) {
+    out[0] = driving.inputs.air_temperature;
 }
 
 void speak(const Moment& m, Terms& terms) {
@@ -33,20 +33,15 @@ extern const Effect still_air;
 const Effect still_air{
     .id = "still_air",
     .kind = Kind::loss,
-    .on = false,
     .equation = "q = h A (T_air - T_surf)",
     .source = "Newton's law of cooling; thesis III.1.1 (specimen at rest)",
     .meaning = "Heat to air at rest from named patches, each with its own coefficient if wanted.",
     .parameters = parameters,
-    .choices = {},
     .reads = reads,
-    .needs_tire = false,
     .patches = patches,
     .n_intensities = 1,
-    .place = nullptr,
-    .drive = drive,
+        .drive = drive,
     .speak = speak,
-    .gives_derivatives = true,
 };
 
 }  // namespace tiretherm::physics::effects

@@ -1,23 +1,57 @@
+#include <algorithm>
 #include <array>
+#include <cmath>
 
-#include "physics/effect.hpp"
+#include "physics/spread.hpp"
 
 namespace tiretherm::physics::effects {
 
 namespace {
 
-enum : std::size_t { lambda_srf, lambda_blk, tan_delta_a, tan_delta_b, tan_delta_c, f0, C1, C2 };
+enum : std::size_t {
+    lambda_srf,
+    lambda_blk,
+    tan_delta_a,
+    tan_delta_b,
+    tan_delta_c,
+    f0,
+    C1,
+    C2,
+    strain_energy_share,
+    loss_tangent_share,
+    belt_edge_gain,
+    belt_edge_place,
+    belt_edge_width
+};
+enum : std::size_t { temperature };
+enum : std::size_t { profile };
 
 constexpr std::array parameters{
     Parameter{"lambda_srf", "1", 1.0, 0.0, 10.0, "scale of the loss in the surface layer, lambda_SELsrf"},
     Parameter{"lambda_blk", "1", 1.0, 0.0, 10.0, "scale of the loss in all layers below, lambda_SELblk"},
     Parameter{"tan_delta_a", "1", 2.14e15, 0.0, 1e30, "a of the Gaussian loss tangent (49)"},
     Parameter{"tan_delta_b", "K", -4989.0, -1e5, 1e5, "b of the Gaussian loss tangent (49), in kelvin"},
-    Parameter{"tan_delta_c", "K", 882.0, 1e-3, 1e5, "c of the Gaussian loss tangent (49), in kelvin"},
+    Parameter{"tan_delta_c", "K", 882.0, 1e-3, 1e5, "c of the Gaussian loss tangent (49)", true},
     Parameter{"f0", "Hz", 52.0, 1e-3, 1e6, "frequency at which the compound was characterised"},
     Parameter{"C1", "1", -8.86, -100.0, -0.1, "WLF constant C1 of (48)"},
-    Parameter{"C2", "K", 101.6, 0.1, 1000.0, "WLF constant C2 of (48), a difference of temperature"},
+    Parameter{"C2", "K", 101.6, 0.1, 1000.0, "WLF constant C2 of (48)", true},
+    Parameter{"strain_energy_share", "1", 1.0, 0.0, 1e3,
+              "strain energy per mass beside that of other layers and zones; the thesis strains all alike"},
+    Parameter{"loss_tangent_share", "1", 1.0, 0.0, 1e3,
+              "loss tangent beside that of other layers and zones; the thesis knows one compound"},
+    Parameter{"belt_edge_gain", "1", 0.0, 0.0, 100.0,
+              "loss per mass at the belt's edges over that elsewhere, less 1; none in the thesis"},
+    Parameter{"belt_edge_place", "1", 0.8, 0.0, 1.0, "where the belt ends, as a share of half the tread's width"},
+    Parameter{"belt_edge_width", "m", 0.010, 1e-4, 1.0, "distance over which the excess falls to 1/e"},
 };
+constexpr std::array<std::string_view, 2> temperatures{"bulk_mean", "local"};
+constexpr std::array choices{
+    Choice{"temperature", temperatures,
+           "which temperature softens the loss tangent: the bulk's mean, as with two nodes, or that of each cell"}};
+constexpr std::array tables{Table{"profile", "m", "1",
+                                  "weight of the loss along the meridian, such as the contact pressure, against the arc "
+                                  "length from the centre plane (negative outboard); without it even"}};
+constexpr std::array scopes{Scope::layer, Scope::zone};
 constexpr std::array<std::string_view, 2> reads{"speed", "vertical_load"};
 
 LossTangent loss_tangent(const ActiveEffect& active) {
@@ -29,28 +63,62 @@ LossTangent loss_tangent(const ActiveEffect& active) {
             .C2 = active[C2]};
 }
 
-/// Shares by mass, in every cell; they sum to 1 before the scales.
+/// Half the width of the tread along the meridian. m
+double half_tread(const mesh::Mesh& mesh) {
+    double reach = 0.0;
+    for (const mesh::PatchFace& face : mesh.patches[static_cast<std::size_t>(mesh.find_patch("outside"))].faces) {
+        reach = std::max({reach, std::abs(face.extent[0]), std::abs(face.extent[1])});
+    }
+    return reach;
+}
+
+/// Shares in every cell, by mass times the weights of its layer, its zone and its place along the meridian; they sum to
+/// 1 before the scales. The skew is taken about its own mean, so that moving heat sideways keeps the total.
 void place(const Setting& setting, ActiveEffect& active) {
+    const mesh::Mesh& mesh = setting.mesh;
     active.nodes.clear();
     active.weights.clear();
-    double total = 0.0;
-    for (int cell = 0; cell < setting.mesh.n_cells; ++cell) {
+    active.skew.clear();
+    const double edge = mesh.columns.empty() ? 0.0 : active[belt_edge_place] * half_tread(mesh);
+    for (int cell = 0; cell < mesh.n_cells; ++cell) {
         const auto c = static_cast<std::size_t>(cell);
-        const auto layer = static_cast<std::size_t>(setting.mesh.layer[c]);
+        const int layer = mesh.layer[c];
+        double weight = mesh.volume[c] * setting.stock.materials[static_cast<std::size_t>(layer)].density;
+        for (const std::size_t share : {strain_energy_share, loss_tangent_share}) {
+            weight *= active.at(share, Scope::layer, layer);
+            weight *= mesh.zone[c] < 0 ? 1.0 : active.at(share, Scope::zone, mesh.zone[c]);
+        }
+        if (!mesh.columns.empty()) {
+            const double s = along_meridian(mesh, cell);
+            const double beside = (std::abs(s) - edge) / active[belt_edge_width];
+            weight *= 1.0 + active[belt_edge_gain] * std::exp(-beside * beside);
+            weight *= active.tables[profile] ? active.tables[profile]->value(s) : 1.0;
+        }
         active.nodes.push_back(cell);
-        active.weights.push_back(setting.mesh.volume[c] * setting.materials[layer].density);
-        total += active.weights.back();
+        active.weights.push_back(weight);
+        active.skew.push_back(towards_outside(mesh, cell));
     }
-    for (double& weight : active.weights) {
-        weight /= total;
+    normalise(active);
+    double mean = 0.0;
+    for (std::size_t i = 0; i < active.nodes.size(); ++i) {
+        mean += active.weights[i] * active.skew[i];
+    }
+    for (double& skew : active.skew) {
+        skew -= mean;
     }
 }
 
-void drive(const ActiveEffect& active, const Tire& tire, const Inputs& inputs, std::span<double> out) {
-    const double power = strain_power(tire, inputs.speed, inputs.vertical_load);
+/// The power per unit of loss tangent; with it the shift of the temperature and the skew, each times the power.
+void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
+    const Inputs& in = driving.inputs;
+    const double power = strain_power(driving.tire, in.speed, in.vertical_load) * driving.laws.loss;
     out[0] = power;
-    out[1] =
-        power > 0.0 ? power * loss_tangent(active).shift(tire.revolutions(inputs.speed, inputs.vertical_load)) : 0.0;
+    out[1] = out[2] = 0.0;
+    if (power > 0.0) {
+        const double frequency = driving.tire.revolutions(in.speed, in.vertical_load);
+        out[1] = power * (loss_tangent(active).shift(frequency) + driving.laws.loss_shift);
+        out[2] = power * driving.laws.loss_skew;
+    }
 }
 
 void speak(const Moment& m, Terms& terms) {
@@ -58,17 +126,34 @@ void speak(const Moment& m, Terms& terms) {
     if (power <= 0.0) {
         return;
     }
-    const int bulk = m.mesh.find_region("bulk");
+    const auto bulk = m.mesh.find_region("bulk");
     const LossTangent law = loss_tangent(m.active);
-    const double T_eq = m.region_mean[static_cast<std::size_t>(bulk)] + m.intensities[1] / power;
-    const double loss = power * law.value(T_eq);
-    const double slope = loss * law.log_slope(T_eq);
+    const double shift = m.intensities[1] / power;
+    const double skew = m.intensities[2] / power;
+    const bool local = m.active.choices[temperature] == 1;
+    double factor = power;
+    for (const Factor& f : m.loss_factors) {
+        factor *= f.value;
+    }
+    const double T_mean = m.region_mean[static_cast<std::size_t>(bulk)] + shift;
+    double loss = factor * law.value(T_mean);
+    double slope = loss * law.log_slope(T_mean);
     for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
         const int node = m.active.nodes[i];
         const bool at_surface = m.mesh.layer[static_cast<std::size_t>(node)] == 0 && m.mesh.layers.size() > 1;
-        const double share = m.active.weights[i] * m.active[at_surface ? lambda_srf : lambda_blk];
-        terms.heat(node, share * loss);
-        terms.heat_follows(node, bulk, share * slope);
+        const double share = m.active.weights[i] * std::max(0.0, 1.0 + skew * m.active.skew[i]) *
+                             m.active[at_surface ? lambda_srf : lambda_blk];
+        if (local) {
+            const double T = m.temperature[static_cast<std::size_t>(node)] + shift;
+            loss = factor * law.value(T);
+            terms.heat(node, share * loss, share * loss * law.log_slope(T));
+        } else {
+            terms.heat(node, share * loss);
+            terms.heat_follows(node, bulk, share * slope);
+        }
+        for (const Factor& f : m.loss_factors) {
+            terms.heat_follows(node, f.region, share * loss / f.value * f.by_mean);
+        }
     }
 }
 
@@ -82,18 +167,20 @@ const Effect strain_energy_loss{
     .equation = "SEL = Fz eps (A_CS/A_VC) H tan delta(T_bulk, f) (2 pi R0/l) V/(2 pi R_R)",
     .source = "thesis (36)-(49), errata E1, E2, E3, E7, E8",
     .meaning =
-        "Heat of cyclic deformation, shared over the cells by mass; tan delta is taken at the bulk's mean "
-        "temperature; none at rest or without load.",
+        "Heat of cyclic deformation, shared over the cells by mass and by the weights of layers, zones and the "
+        "place along the meridian; however it is shared, the total is the law's. tan delta is taken at the bulk's mean "
+        "temperature unless it is to be local; none at rest or without load.",
     .parameters = parameters,
-    .choices = {},
+    .choices = choices,
+    .tables = tables,
+    .scopes = scopes,
     .reads = reads,
     .needs_tire = true,
-    .patches = {},
-    .n_intensities = 2,
+    .by_deformation = true,
+    .n_intensities = 3,
     .place = place,
     .drive = drive,
     .speak = speak,
-    .gives_derivatives = true,
 };
 
 }  // namespace tiretherm::physics::effects

@@ -24,20 +24,11 @@ extern const Effect uniform_source;
 const Effect uniform_source{
     .id = "uniform_source",
     .kind = Kind::source,
-    .on = false,
     .equation = "q = power_density V_cell",
     .source = "definition; used by reference problems",
     .meaning = "The same heat per volume everywhere, for problems with an exact solution.",
     .parameters = parameters,
-    .choices = {},
-    .reads = {},
-    .needs_tire = false,
-    .patches = {},
-    .n_intensities = 0,
-    .place = nullptr,
-    .drive = nullptr,
-    .speak = speak,
-    .gives_derivatives = true,
+        .speak = speak,
 };
 
 }  // namespace tiretherm::physics::effects

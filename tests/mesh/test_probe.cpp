@@ -149,7 +149,7 @@ TEST(Means, OfAConstantFieldAreThatConstant) {
     const int top = mesh.find_patch("top");
     EXPECT_NEAR(over_disc(mesh, top, 0.004)(T), 321.0, 1e-10);
     EXPECT_NEAR(over_patch(mesh, top)(T), 321.0, 1e-10);
-    EXPECT_NEAR(over_layer(mesh, 1)(T), 321.0, 1e-10);
+    EXPECT_NEAR(over_cells(mesh, 1)(T), 321.0, 1e-10);
 }
 
 }  // namespace tiretherm::mesh

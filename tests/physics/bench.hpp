@@ -29,9 +29,12 @@ struct Bench {
         return effect;
     }
 
+    [[nodiscard]] Stock stock() const { return {.materials = materials, .link_laws = link_laws, .tire = tire}; }
+
     void place(ActiveEffect& effect) const {
         if (effect.effect->place != nullptr) {
-            effect.effect->place({.mesh = mesh, .materials = materials, .tire = tire}, effect);
+            const Stock stock = this->stock();
+            effect.effect->place({.mesh = mesh, .stock = stock, .effects = {&effect, 1}}, effect);
         }
     }
 
@@ -40,15 +43,14 @@ struct Bench {
                              const std::vector<double>& temperature) const {
         std::vector<double> intensities(static_cast<std::size_t>(effect.effect->n_intensities));
         if (effect.effect->drive != nullptr) {
-            effect.effect->drive(effect, tire, inputs, intensities);
+            effect.effect->drive(effect, {.tire = tire, .inputs = inputs, .laws = {}}, intensities);
         }
         Terms terms(mesh, 1);
         terms.begin(temperature);
         const std::vector<double> region_mean = means(temperature);
+        const Stock stock = this->stock();
         effect.effect->speak({.mesh = mesh,
-                              .materials = materials,
-                              .link_laws = link_laws,
-                              .tire = tire,
+                              .stock = stock,
                               .temperature = temperature,
                               .region_mean = region_mean,
                               .active = effect,

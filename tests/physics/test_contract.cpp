@@ -235,6 +235,7 @@ TEST(Catalogue, OrderOfEffectsDoesNotMatter) {
     // Two orders of the thesis's effects on one set of terms: the same sums but for the order of additions.
     const Bench bench = two_nodes();
     const std::vector<double> means = bench.means(bench.T);
+    const Stock stock = bench.stock();
     const auto total = [&](std::vector<const char*> ids) {
         Terms terms(bench.mesh, ids.size());
         terms.begin(bench.T);
@@ -242,13 +243,11 @@ TEST(Catalogue, OrderOfEffectsDoesNotMatter) {
             const ActiveEffect effect = bench.active(ids[e]);
             std::vector<double> intensities(static_cast<std::size_t>(effect.effect->n_intensities));
             if (effect.effect->drive != nullptr) {
-                effect.effect->drive(effect, bench.tire, rolling(), intensities);
+                effect.effect->drive(effect, {.tire = bench.tire, .inputs = rolling(), .laws = {}}, intensities);
             }
             terms.book_to(e);
             effect.effect->speak({.mesh = bench.mesh,
-                                  .materials = bench.materials,
-                                  .link_laws = bench.link_laws,
-                                  .tire = bench.tire,
+                                  .stock = stock,
                                   .temperature = bench.T,
                                   .region_mean = means,
                                   .active = effect,

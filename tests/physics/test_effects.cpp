@@ -185,7 +185,8 @@ TEST(StillAirEffect, HasItsOwnCoefficientOnEachPatch) {
     const Bench bench = specimen();
     ActiveEffect effect = bench.active("still_air");
     ASSERT_EQ(effect.patches.size(), 2U);
-    effect.by_patch = {40.0, 10.0};
+    effect.overrides = {{.scope = Scope::patch, .index = bench.mesh.find_patch("top"), .parameter = 0, .value = 40.0},
+                        {.scope = Scope::patch, .index = bench.mesh.find_patch("bottom"), .parameter = 0, .value = 10.0}};
     EXPECT_NEAR(bench.watts(effect, {.air_temperature = 280.0}), -0.9, 1e-12);
 }
 

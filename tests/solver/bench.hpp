@@ -23,10 +23,7 @@ inline void act(Problem& problem, std::string_view id,
     for (const auto& [key, value] : values) {
         active.parameters[static_cast<std::size_t>(physics::find_parameter(*active.effect, key))] = value;
     }
-    if (active.effect->place != nullptr) {
-        active.effect->place({.mesh = problem.mesh, .materials = problem.materials, .tire = problem.tire}, active);
-    }
-    problem.effects.push_back(std::move(active));
+    switch_on(problem, std::move(active), 293.15);
 }
 
 inline void hold(Problem& problem, std::string_view signal, double value) {
@@ -45,7 +42,7 @@ inline Problem strip(int cells) {
     hold(problem, "air_temperature", 300.0);
     problem.initial.assign(static_cast<std::size_t>(problem.mesh.n_nodes), 300.0);
     problem.settings.end = 1000.0;
-    problem.channels = {{.name = "mean", .meaning = "", .where = mesh::over_layer(problem.mesh, 0)}};
+    problem.channels = {{.name = "mean", .meaning = "", .where = mesh::over_cells(problem.mesh, 0)}};
     return problem;
 }
 

@@ -18,8 +18,7 @@ const physics::Signal& speed() { return *physics::find_signal("speed"); }
 Problem lit_strip(Series series) {
     Problem problem = strip(4);
     physics::ActiveEffect laser = physics::activate(*physics::find_effect("laser"), problem.mesh);
-    laser.nodes = {0};
-    laser.weights = {1.0};
+    laser.patches = {0};
     problem.effects = {laser};
     problem.drive.add(std::move(series));
     return problem;

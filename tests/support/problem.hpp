@@ -48,10 +48,7 @@ inline void switch_on(solver::Problem& problem, const physics::Effect& effect, N
             active.patches.push_back(problem.mesh.find_patch(name));
         }
     }
-    if (effect.place != nullptr) {
-        effect.place({.mesh = problem.mesh, .materials = problem.materials, .tire = problem.tire}, active);
-    }
-    problem.effects.push_back(std::move(active));
+    solver::switch_on(problem, std::move(active), 293.15);
 }
 
 inline void switch_on(solver::Problem& problem, std::string_view id, Numbers numbers = {},

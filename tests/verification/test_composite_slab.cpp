@@ -111,12 +111,8 @@ TEST(CompositeSlab, HeatsUnderAFluxAtSecondOrder) {
     for (const int refinement : {2, 4, 8, 16}) {
         solver::Problem problem = slab(refinement, 2.0);
         support::start_at(problem, air);
-        const physics::Effect& laser = *physics::find_effect("laser");
         // A strip has no disc: its one outer face takes all the power.
-        physics::ActiveEffect active = physics::activate(laser, problem.mesh);
-        active.nodes = {problem.mesh.patches[0].faces[0].node};
-        active.weights = {1.0};
-        problem.effects.push_back(active);
+        support::switch_on(problem, "laser", {}, {"outside"});
         support::hold(problem, "laser_power", 5000.0 * area);
         const solver::Report report = support::run_closed(problem);
         errors[0].push_back(report.channel_final[0] - air -

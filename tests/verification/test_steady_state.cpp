@@ -87,9 +87,7 @@ TEST(SteadyState, VaryingConductivityIsKirchhoffsIntegralOnAnyGrid) {
                                                physics::Curve::constant(1800.0))};
         support::switch_on(problem, "conduction");
         support::switch_on(problem, "still_air", {{"h", 25.0}}, {"outside"});
-        support::switch_on(problem, "laser");
-        problem.effects.back().nodes = {problem.mesh.patches[1].faces[0].node};
-        problem.effects.back().weights = {1.0};
+        support::switch_on(problem, "laser", {}, {"inside"});
         support::hold(problem, "air_temperature", 293.15);
         support::hold(problem, "laser_power", 2.0 * q);
         support::start_at(problem, 330.0);

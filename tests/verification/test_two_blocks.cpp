@@ -41,8 +41,8 @@ solver::Problem blocks(double k, int cells) {
          {"conduction", "strain_energy_loss", "sliding_friction", "air_convection", "road_contact"}) {
         support::switch_on(problem, id);
     }
-    support::read(problem, "surface_temperature", mesh::over_layer(problem.mesh, 0));
-    support::read(problem, "bulk_temperature", mesh::over_layer(problem.mesh, 1));
+    support::read(problem, "surface_temperature", mesh::over_cells(problem.mesh, 0));
+    support::read(problem, "bulk_temperature", mesh::over_cells(problem.mesh, 1));
     drive(problem);
     return problem;
 }

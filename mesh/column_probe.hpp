@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstddef>
+
+#include "mesh/mesh.hpp"
+
+/// Places in the columns of a section; mesh/probe.hpp asks here for meshes that have columns.
+namespace tiretherm::mesh {
+
+/// Index of the column at a place of the meridian, -1 outside. @param s m
+[[nodiscard]] std::ptrdiff_t column_at(const Mesh& mesh, double s);
+
+/// @param point arc length along the meridian, anything, depth below the column's outer surface; m
+[[nodiscard]] bool in_columns(const Mesh& mesh, const Point& point);
+
+/// Temperature at a point, linear in depth and between columns of the same thickness. @pre in_columns
+[[nodiscard]] Functional at_column_point(const Mesh& mesh, const Point& point);
+
+}  // namespace tiretherm::mesh

@@ -1,0 +1,79 @@
+#include "physics/spread.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace tiretherm::physics {
+
+namespace {
+
+/// Middle of a zone along the meridian. @returns m; nothing when the mesh has no such zone
+std::optional<double> middle_of(const mesh::Mesh& mesh, std::string_view name) {
+    const int zone = mesh.find_zone(name);
+    double low = 0.0;
+    double high = 0.0;
+    bool found = false;
+    for (const mesh::Column& column : mesh.columns) {
+        if (column.zone == zone) {
+            low = found ? std::min(low, column.from) : column.from;
+            high = found ? std::max(high, column.to) : column.to;
+            found = true;
+        }
+    }
+    return found ? std::optional(0.5 * (low + high)) : std::nullopt;
+}
+
+}  // namespace
+
+double along_meridian(const mesh::Mesh& mesh, int node) {
+    return mesh.columns.empty() ? 0.0 : mesh.centre[static_cast<std::size_t>(node)][0];
+}
+
+double towards_outside(const mesh::Mesh& mesh, int node) {
+    const std::optional<double> outside = middle_of(mesh, "outside_shoulder");
+    const std::optional<double> inside = middle_of(mesh, "inside_shoulder");
+    if (!outside || !inside) {
+        return 0.0;
+    }
+    const double half = 0.5 * (*inside - *outside);
+    const double centre = 0.5 * (*inside + *outside);
+    return std::clamp((centre - along_meridian(mesh, node)) / half, -1.0, 1.0);
+}
+
+void normalise(ActiveEffect& active) {
+    const double total = std::accumulate(active.weights.begin(), active.weights.end(), 0.0);
+    for (double& weight : active.weights) {
+        weight /= total;
+    }
+}
+
+void spread_over_patches(const Setting& setting, ActiveEffect& active, const std::optional<Curve>& profile) {
+    active.nodes.clear();
+    active.weights.clear();
+    for (const int patch : active.patches) {
+        for (const mesh::PatchFace& face : setting.mesh.patches[static_cast<std::size_t>(patch)].faces) {
+            double weight = face.area;
+            if (profile && !setting.mesh.columns.empty()) {
+                weight *= profile->value(along_meridian(setting.mesh, face.cell));
+            }
+            active.nodes.push_back(face.node);
+            active.weights.push_back(weight);
+        }
+    }
+    normalise(active);
+}
+
+void spread_over_bulk(const Setting& setting, ActiveEffect& active) {
+    active.nodes.clear();
+    active.weights.clear();
+    const mesh::Functional& bulk = setting.mesh.regions[static_cast<std::size_t>(setting.mesh.find_region("bulk"))].mean;
+    for (const int cell : bulk.nodes) {
+        const auto c = static_cast<std::size_t>(cell);
+        const auto layer = static_cast<std::size_t>(setting.mesh.layer[c]);
+        active.nodes.push_back(cell);
+        active.weights.push_back(setting.mesh.volume[c] * setting.stock.materials[layer].density);
+    }
+    normalise(active);
+}
+
+}  // namespace tiretherm::physics

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "solver/checkpoint.hpp"
+#include "solver/stepper.hpp"
+
+namespace tiretherm::solver {
+
+/// The channels of a run as its sensors give them: the quantity at its place, then the reading effects in the order of
+/// the catalogue. Between the stages of a step a reading follows the parabola through them, along which a sensor's lag
+/// is integrated exactly and into whose past a delay looks.
+class Readings {
+public:
+    /// @param system placed effects and laws; lives as long as this
+    Readings(const Problem& problem, const System& system);
+
+    /// The state at the start, before any step. @param inputs logged
+    void begin(double t, std::span<const double> T, std::span<const double> watts, const physics::Inputs& inputs);
+    /// After an accepted step. @param inputs logged ones at its stages, [stages]
+    void take_step(const Stepper& stepper, std::span<const physics::Inputs> inputs);
+    /// A moment of the last step, or the start. @param t s  @param logged inputs of that moment
+    /// @param out [n_channels] SI
+    void at(double t, const physics::Inputs& logged, std::span<double> out) const;
+
+    void visit(Archive& archive);
+
+private:
+    /// A channel's value over one step: a + b u + c u^2 with u seconds since its begin.
+    struct Piece {
+        double begin = 0.0;
+        double end = 0.0;
+        double a = 0.0;
+        double b = 0.0;
+        double c = 0.0;
+        double lagged = 0.0;  ///< what a lagging sensor gave at the begin
+
+        [[nodiscard]] double value(double t) const { return a + (t - begin) * (b + c * (t - begin)); }
+        [[nodiscard]] double slope(double t) const { return b + 2.0 * c * (t - begin); }
+    };
+    /// One reading effect on one channel.
+    struct Reader {
+        const physics::ActiveEffect* active = nullptr;
+        std::size_t position = 0;  ///< of the channel in the effect's list
+    };
+    struct Chain {
+        mesh::Functional where;
+        std::vector<Reader> before;  ///< the lag
+        std::vector<Reader> after;
+        double lag = 0.0;    ///< s
+        double delay = 0.0;  ///< s
+        std::vector<Piece> past;  ///< as far back as the delay looks
+    };
+
+    [[nodiscard]] double followed_quantity(std::size_t channel, std::span<const double> T,
+                                           std::span<const double> watts) const;
+    [[nodiscard]] double quantity(std::size_t channel, double followed, const physics::Inputs& logged) const;
+    [[nodiscard]] static double followed(const Chain& chain, const Piece& piece, double t);
+    [[nodiscard]] static double delayed(const Chain& chain, double t);
+
+    const Problem* problem_;
+    const System* system_;
+    std::vector<Chain> chains_;
+    std::vector<std::size_t> deformation_;  ///< effects whose watts are rolling resistance
+    double gas_start_ = 0.0;                ///< K
+};
+
+}  // namespace tiretherm::solver
