@@ -75,8 +75,8 @@ TEST(Brush, IsNothingWithoutLoadOrFriction) {
 
 TEST(Brush, PowerTakenUpIsSlidingAndReleasedPower) {
     // Over a time dt a bristle's root moves sigma V dt across the road and V dt along the contact. The force on it
-    // takes up c_p v sigma V per length; of that c_p v dv/dt stays in the bristle and the rest is friction. Summed over the
-    // contact, with v = 0 where it enters: F V sigma = sliding + V c_p v(-a)^2 / 2. Round-off of a sum of two terms.
+    // takes up c_p v sigma V per length; of that c_p v dv/dt stays in the bristle and the rest is friction. Summed over
+    // the contact, with v = 0 where it enters: F V sigma = sliding + V c_p v(-a)^2 / 2. Round-off of a sum of two terms.
     for (const double slip : {1e-4, 0.01, 0.06, 0.119, 0.12, 0.3, -0.05}) {
         const double taken_up = brush.force(slip) * speed * slip;
         EXPECT_NEAR((brush.sliding_power(slip, speed) + brush.released_power(slip, speed)) / taken_up, 1.0, 1e-12);
