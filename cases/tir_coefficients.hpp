@@ -5,9 +5,9 @@
 
 namespace tiretherm::cases {
 
-/// Reads the coefficients and scaling factors of pure slip into `law`, whose version is set. A coefficient without which
-/// there is no force is a mistake when it is missing, and so is one that stands in two sections; one that is unknown, or
-/// that the version does not use, is warned of.
+/// Reads the coefficients and scaling factors of pure slip into `law`, whose version is set. Mistakes are a missing
+/// coefficient without which there is no force, and one that stands in two sections; one that is unknown, or that the
+/// version does not use, is warned of.
 void read_tir_coefficients(const TirLines& lines, const Place& whole, physics::MagicFormula& law, Mistakes& mistakes);
 
 /// Reports that a key is missing. @param section where it belongs

@@ -17,8 +17,9 @@ struct WithSlope {
 ///                                                                                    thesis (70)(71), erratum E17
 /// The thesis prints none of the numbers: its users tune them to two cornering tests at different temperatures. The
 /// defaults are assumptions for its 225/50 R17:
-/// - at 4000 N (l = 96.7 mm) and 70 degC CP is 1.21e5 N/rad, 30 times the load: stiff, as low sections are. It is not
-///   measured on this tire. It asks for E_eq = 2 CP / l^2 = 26 MPa;
+/// - at 4000 N (l = 96.7 mm) and 70 degC CP is 1.21e5 N/rad, 30 times the load, that is E_eq = 2 CP / l^2 = 26 MPa.
+///   It is not measured on this tire and stiff: a public set of a car tire (pKy1 21.92, pKy2 2.00) has 17.5 times its
+///   nominal load. E_max, dE, E_mid and dE_T times one factor are CP times that factor;
 /// - 15 K about 70 degC change CP by a tenth there, as two procedures of the thesis 15 K apart do;
 /// - the tread has two fifths of the compliance there, so E_T = 66 MPa has to fall by 1.6 % per K, which with the
 ///   loss-tangent peak T_g = -8 degC and a transition of 300 K makes it 1.17 GPa deep in the glass (rubber: about

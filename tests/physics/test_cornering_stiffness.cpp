@@ -48,6 +48,18 @@ TEST(CorneringStiffness, FallsWithTemperatureAndRisesWithLoad) {
     }
 }
 
+TEST(CorneringStiffness, ScalesWithTheFourModuli) {
+    // CP is of the first degree in them, so that one factor fits the defaults to a measured stiffness.
+    EquivalentModulus softer = modulus;
+    for (double* value : {&softer.E_max, &softer.dE, &softer.E_mid, &softer.dE_T}) {
+        *value *= 0.58;
+    }
+    for (const double load : {1000.0, 4000.0, 7000.0}) {
+        const double scaled = cornering_stiffness(softer, tire, load, 330.0).value;
+        EXPECT_NEAR(scaled / cornering_stiffness(modulus, tire, load, 330.0).value, 0.58, 1e-14);
+    }
+}
+
 TEST(CorneringStiffness, IsNothingWithoutContact) {
     EXPECT_EQ(stiffness(0.0, 70.0), 0.0);
     EXPECT_EQ(cornering_stiffness(modulus, tire, 0.0, 300.0).by_temperature, 0.0);
