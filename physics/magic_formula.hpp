@@ -35,9 +35,10 @@ struct PureSlip {
 /// no turn slip (every zeta is 1, so the book's zeta_4 - 1 in S_Hy is 0).                           thesis (8)-(11)
 ///     df_z = (Fz - Fz0')/Fz0',  Fz0' = lambda_Fz0 Fz0                                             thesis (9)
 ///     K_y = pKy1 Fz0' sin(pKy4 atan(Fz / ((pKy2 + pKy5 g^2) Fz0'))) (1 - pKy3 |g| or g^2) lambda_Ky      thesis (11)
-/// Erratum E14: (58) of the thesis lost the bars round gamma. The camber terms of the three versions were compared with
-/// open implementations: an MF 5.2 lateral force after B. Cobb and MFeval's 5.2 and 6.1 branches both have |g|; the
-/// square is the 2006 book's alone. A load below 0 counts as 0.
+/// Erratum E14: (58) of the thesis lost the bars round gamma. The camber terms were compared with open implementations:
+/// an MF 5.2 lateral force after B. Cobb and MFeval's branches for 5.2 and 6.1 all have |g|, none the square of (10).
+/// In 5.2 they differ in S_Hy, here as in the former: pHy3 g; MFeval divides it by 1 - pKy3 |g|. A load below 0 counts
+/// as 0.
 struct MagicFormula {
     MagicFormulaVersion version = MagicFormulaVersion::mf52;
     double nominal_load = 4000.0;      ///< N, Fz0 > 0
