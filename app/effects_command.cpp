@@ -25,6 +25,12 @@ std::string kind_name(physics::Kind kind) {
             return "loss";
         case physics::Kind::property:
             return "property";
+        case physics::Kind::input:
+            return "input";
+        case physics::Kind::state:
+            return "initial state";
+        case physics::Kind::sensor:
+            return "sensor";
     }
     return "";
 }
@@ -76,9 +82,25 @@ void print_one(const physics::Effect& effect) {
         }
         fmt::print("\nChoices, the first is the default\n{}\n", fmt::join(table.lines(4), "\n"));
     }
+    if (!effect.tables.empty()) {
+        post::Table table({true, true, true});
+        for (const physics::Table& t : effect.tables) {
+            table.add({std::string(t.key), fmt::format("{} against {}", unit_text(t.value_unit), t.variable_unit),
+                       std::string(t.meaning)});
+        }
+        fmt::print("\nTables\n{}\n", fmt::join(table.lines(4), "\n"));
+    }
     print_section("Reads the signals", fmt::format("{}", fmt::join(effect.reads, ", ")));
-    print_section("Acts on the patches", fmt::format("{}", fmt::join(effect.patches, ", ")));
-    print_section("Needs", effect.needs_tire ? "a [tire]" : "");
+    print_section("Also, when given", fmt::format("{}", fmt::join(effect.may_read, ", ")));
+    print_section("Acts on the patches",
+                  fmt::format("{}", fmt::join(effect.patches, effect.one_patch ? " or else " : ", ")));
+    print_section("Acts on", effect.on_layers     ? "the layers that a case names: layers = [...]"
+                             : effect.on_channels ? "the sensors that a case names: channels = [...]"
+                                                  : "");
+    print_section("Needs", effect.needs_tire && effect.needs_grid ? "a [tire] and a mesh of cells"
+                           : effect.needs_tire                    ? "a [tire]"
+                           : effect.needs_grid                    ? "a mesh of cells"
+                                                                  : "");
 }
 
 Json as_json(const physics::Effect& effect) {

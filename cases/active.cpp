@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/law.hpp"
 #include "cases/wanted.hpp"
 #include "cases/words.hpp"
 
@@ -32,37 +33,78 @@ void read_choice(Section& section, const physics::Choice& choice, int& chosen) {
     }
 }
 
-void read_patches(Section& section, const Effect& effect, const Draft& draft, ActiveEffect& active) {
-    if (effect.patches.empty()) {
+/// A list of parts of the mesh: `patches` or `layers`.
+/// @param plural what messages call them; the key itself
+template <typename Find>
+void read_parts(Section& section, std::string_view plural, const std::vector<std::string>& known, const Find& find,
+                std::vector<int>& parts) {
+    const std::vector<Word> words = section.texts(plural);
+    if (!section.has(plural)) {
         return;
     }
-    const std::vector<Word> words = section.texts("patches");
-    if (!draft.has_mesh || !section.has("patches")) {
-        return;
-    }
+    const std::string one(plural.substr(0, plural == "patches" ? 5 : plural.size() - 1));
     if (words.empty()) {
-        section.mistake("patches", "patches is an empty list",
+        section.mistake(plural, fmt::format("{} is an empty list", plural),
                         fmt::format("name one, or switch the effect off: on = false"));
     }
-    const mesh::Mesh& mesh = draft.problem.mesh;
-    active.patches.clear();
+    parts.clear();
     for (const Word& word : words) {
-        const int patch = mesh.find_patch(word.text);
-        if (patch < 0) {
-            section.mistakes().add(word.place, fmt::format("the mesh has no patch \"{}\"", word.text),
-                                   suggest(word.text, names_of(mesh.patches), "patches"));
-        } else if (std::find(active.patches.begin(), active.patches.end(), patch) != active.patches.end()) {
-            section.mistakes().add(word.place, fmt::format("the patch \"{}\" is named twice", word.text), "remove one");
+        const int part = find(word.text);
+        if (part < 0) {
+            section.mistakes().add(word.place, fmt::format("the mesh has no {} \"{}\"", one, word.text),
+                                   suggest(word.text, known, plural));
+        } else if (std::find(parts.begin(), parts.end(), part) != parts.end()) {
+            section.mistakes().add(word.place, fmt::format("the {} \"{}\" is named twice", one, word.text), "remove one");
         } else {
-            active.patches.push_back(patch);
+            parts.push_back(part);
         }
     }
 }
 
-/// The table `<parameter>_by_patch`: other values on some of the effect's patches.
-void read_by_patch(Section& section, const Parameter& parameter, std::size_t index, const Draft& draft,
-                   ActiveEffect& active) {
-    Section table = section.section(std::string(parameter.key) + "_by_patch");
+/// Names that a table of overrides may use, and the key's ending.
+struct Overridable {
+    physics::Scope scope;
+    std::string_view ending;
+    std::vector<std::string> names;
+};
+
+std::vector<Overridable> overridable(const Effect& effect, const mesh::Mesh& mesh, const ActiveEffect& active) {
+    std::vector<Overridable> found;
+    if (!effect.patches.empty()) {
+        std::vector<std::string> names;
+        for (const int patch : active.patches) {
+            names.push_back(mesh.patches[static_cast<std::size_t>(patch)].name);
+        }
+        found.push_back({physics::Scope::patch, "_by_patch", std::move(names)});
+    }
+    for (const physics::Scope scope : effect.scopes) {
+        if (scope == physics::Scope::layer) {
+            found.push_back({scope, "_by_layer", mesh.layers});
+        } else if (scope == physics::Scope::zone && !mesh.zones.empty()) {
+            found.push_back({scope, "_by_zone", mesh.zones});
+        }
+    }
+    return found;
+}
+
+int find_part(const mesh::Mesh& mesh, physics::Scope scope, std::string_view name) {
+    switch (scope) {
+        case physics::Scope::patch:
+            return mesh.find_patch(name);
+        case physics::Scope::layer:
+            return mesh.find_layer(name);
+        case physics::Scope::zone:
+            return mesh.find_zone(name);
+        case physics::Scope::channel:
+            break;
+    }
+    return -1;
+}
+
+/// The table `<parameter>_by_patch`, `_by_layer` or `_by_zone`: other values at some places.
+void read_overrides(Section& section, const Parameter& parameter, std::size_t index, const Overridable& where,
+                    const Draft& draft, ActiveEffect& active) {
+    Section table = section.section(std::string(parameter.key) + std::string(where.ending));
     if (!table.exists()) {
         return;
     }
@@ -70,16 +112,12 @@ void read_by_patch(Section& section, const Parameter& parameter, std::size_t ind
         table.forgive();
         return;
     }
-    const std::size_t n = active.parameters.size();
-    if (active.by_patch.empty()) {
-        for (std::size_t i = 0; i < active.patches.size(); ++i) {
-            active.by_patch.insert(active.by_patch.end(), active.parameters.begin(), active.parameters.end());
-        }
-    }
-    for (std::size_t i = 0; i < active.patches.size(); ++i) {
-        const std::string& patch = draft.problem.mesh.patches[static_cast<std::size_t>(active.patches[i])].name;
-        if (const auto value = table.quantity(patch, wanted::of(parameter))) {
-            active.by_patch[i * n + index] = *value;
+    for (const std::string& name : where.names) {
+        if (const auto value = table.quantity(name, wanted::of(parameter))) {
+            active.overrides.push_back({.scope = where.scope,
+                                        .index = find_part(draft.problem.mesh, where.scope, name),
+                                        .parameter = index,
+                                        .value = *value});
         }
     }
 }
@@ -95,13 +133,72 @@ ActiveEffect read_active(Section& section, const Effect& effect, const Draft& dr
     for (std::size_t i = 0; i < effect.choices.size(); ++i) {
         read_choice(section, effect.choices[i], active.choices[i]);
     }
-    read_patches(section, effect, draft, active);
+    const mesh::Mesh& mesh = draft.problem.mesh;
+    for (std::size_t i = 0; i < effect.tables.size(); ++i) {
+        const physics::Table& table = effect.tables[i];
+        active.tables[i] =
+            read_curve(section, table.key, {.unit = table.variable_unit, .low = -1e6, .high = 1e6},
+                       {.unit = table.value_unit, .low = 0.0, .high = 1e9});
+    }
     if (!effect.patches.empty()) {
+        if (draft.has_mesh) {
+            read_parts(section, "patches", names_of(mesh.patches),
+                       [&](std::string_view name) { return mesh.find_patch(name); }, active.patches);
+        } else {
+            section.texts("patches");
+        }
+    }
+    if (effect.on_layers) {
+        if (draft.has_mesh) {
+            read_parts(section, "layers", mesh.layers, [&](std::string_view name) { return mesh.find_layer(name); },
+                       active.layers);
+        } else {
+            section.texts("layers");
+        }
+    }
+    for (const Overridable& where : overridable(effect, mesh, active)) {
         for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
-            read_by_patch(section, effect.parameters[i], i, draft, active);
+            read_overrides(section, effect.parameters[i], i, where, draft, active);
+        }
+    }
+    if (effect.on_channels) {  // read when the sensors are known
+        section.know({"channels"});
+        for (const Parameter& parameter : effect.parameters) {
+            section.know({std::string(parameter.key) + "_by_channel"});
         }
     }
     return active;
+}
+
+void bind_channels(Section& section, const Draft& draft, ActiveEffect& active) {
+    const std::vector<std::string> known = names_of(draft.problem.channels);
+    const auto find = [&](std::string_view name) {
+        const auto found = std::find(known.begin(), known.end(), name);
+        return found == known.end() ? -1 : static_cast<int>(found - known.begin());
+    };
+    const std::string example = fmt::format("write channels = [\"{}\"]", known.empty() ? "..." : known.front());
+    if (!section.has("channels")) {
+        section.mistake("channels", fmt::format("{} lacks channels: which sensors read so", section.title()), example);
+    }
+    for (const Word& word : section.texts("channels")) {
+        if (const int channel = find(word.text); channel >= 0) {
+            active.channels.push_back(channel);
+        } else {
+            section.mistakes().add(word.place, fmt::format("there is no sensor \"{}\"", word.text),
+                                   suggest(word.text, known, "sensors"));
+        }
+    }
+    for (std::size_t i = 0; i < active.effect->parameters.size(); ++i) {
+        const Parameter& parameter = active.effect->parameters[i];
+        Section table = section.section(std::string(parameter.key) + "_by_channel");
+        for (const int channel : active.channels) {
+            const std::string& name = known[static_cast<std::size_t>(channel)];
+            if (const auto value = table.exists() ? table.quantity(name, wanted::of(parameter)) : std::nullopt) {
+                active.overrides.push_back(
+                    {.scope = physics::Scope::channel, .index = channel, .parameter = i, .value = *value});
+            }
+        }
+    }
 }
 
 }  // namespace tiretherm::cases

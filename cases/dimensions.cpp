@@ -62,9 +62,6 @@ Dimension dimension(std::string_view unit, Scale scale) {
     if (wanted == "K" && scale == Scale::difference) {
         return {"a difference of temperatures", "0.5 K"};
     }
-    if (wanted == "K" && scale == Scale::kelvin) {
-        return {"a number of kelvin", "300 K"};
-    }
     for (const Named& named : names) {
         if (signature(named.unit) == wanted) {
             return {std::string(named.name), std::string(named.example)};

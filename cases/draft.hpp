@@ -37,6 +37,8 @@ void read_materials(Section& root, Draft& draft);
 void read_mesh(Section& root, Draft& draft);
 void read_drive(Section& root, Draft& draft);
 void read_effects(Section& root, Draft& draft);
+/// The channels of the effects that are readings; what else they say has been read.
+void bind_readings(Section& root, Draft& draft);
 void read_initial(Section& root, Draft& draft);
 void read_times(Section& root, Draft& draft);
 void read_sensors(Section& root, Draft& draft);
@@ -51,9 +53,12 @@ bool read_two_node(Section& mesh, Draft& draft);
 bool read_layers(Section& mesh, Draft& draft);
 bool read_block(Section& mesh, Draft& draft);
 bool read_axisymmetric(Section& mesh, Draft& draft);
+bool read_section(Section& mesh, Draft& draft);
 
 /// The list [[mesh.layer]]: name, thickness, cells, ratio, material; fills problem.materials.
-[[nodiscard]] std::vector<mesh::Layer> read_stack(Section& mesh, Draft& draft);
+/// @param zones out, the words of each layer's key `zones`; null where a mesh has none
+[[nodiscard]] std::vector<mesh::Layer> read_stack(Section& mesh, Draft& draft,
+                                                  std::vector<std::vector<Word>>* zones = nullptr);
 
 /// The material that a key names, null after a mistake.
 [[nodiscard]] const physics::Material* read_material(Section& section, std::string_view key, Draft& draft);

@@ -30,8 +30,6 @@ void report_unknown(Section& effects) {
 
 void read_effects(Section& root, Draft& draft) {
     Section effects = root.section("effects");
-    Mistakes& mistakes = root.mistakes();
-    const std::size_t before = mistakes.count();
     report_unknown(effects);
     for (const Effect* effect : physics::catalogue()) {
         const std::string id(effect->id);
@@ -43,21 +41,29 @@ void read_effects(Section& root, Draft& draft) {
             // What is on by itself is asked for by the tire; otherwise by its table.
             const Place asked = named ? section.place() : root.place("tire");
             check_needs(root, active, asked, section.has("patches"), draft);
-            draft.problem.effects.push_back(std::move(active));
+            if (effect->extend != nullptr && draft.has_mesh) {
+                solver::switch_on(draft.problem, std::move(active), 0.0);
+            } else {
+                draft.problem.effects.push_back(std::move(active));
+            }
         }
     }
     check_signals(root, draft);
-    if (mistakes.count() > before || !draft.has_mesh) {  // what cannot be placed has been complained about
-        return;
-    }
-    const physics::Setting setting{
-        .mesh = draft.problem.mesh, .materials = draft.problem.materials, .tire = draft.problem.tire};
+}
+
+void bind_readings(Section& root, Draft& draft) {
+    const Node* effects = root.table().find("effects");
     for (ActiveEffect& active : draft.problem.effects) {
-        if (active.effect->place != nullptr) {
-            active.effect->place(setting, active);
+        const Node* table = effects != nullptr ? effects->find(active.effect->id) : nullptr;
+        if (active.effect->on_channels && table != nullptr) {
+            Section section(*table, fmt::format("[effects.{}]", active.effect->id), root.mistakes());
+            section.forgive();  // its other keys have been read
+            bind_channels(section, draft, active);
         }
     }
-    warn_of_unread_signals(root, draft);
+    if (root.mistakes().count() == 0) {
+        warn_of_unread_signals(root, draft);
+    }
 }
 
 }  // namespace tiretherm::cases

@@ -17,7 +17,7 @@ struct Kind {
     bool (*read)(Section& mesh, Draft& draft);
 };
 
-constexpr std::array kinds{Kind{"two_node", read_two_node}, Kind{"layers", read_layers}, Kind{"block", read_block},
+constexpr std::array kinds{Kind{"two_node", read_two_node}, Kind{"layers", read_layers}, Kind{"section", read_section}, Kind{"block", read_block},
                            Kind{"axisymmetric", read_axisymmetric}};
 
 }  // namespace

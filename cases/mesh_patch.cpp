@@ -85,7 +85,7 @@ int cells_through(const std::vector<mesh::Layer>& stack) {
 
 }  // namespace
 
-std::vector<mesh::Layer> read_stack(Section& mesh, Draft& draft) {
+std::vector<mesh::Layer> read_stack(Section& mesh, Draft& draft, std::vector<std::vector<Word>>* zones) {
     std::vector<mesh::Layer> stack;
     bool complete = true;
     mesh.each(
@@ -97,6 +97,9 @@ std::vector<mesh::Layer> read_stack(Section& mesh, Draft& draft) {
             layer.cells = section.count("cells", 1, most_cells_in_a_row, Need::required).value_or(1);
             layer.ratio = section.quantity("ratio", ratio).value_or(1.0);
             check_growth(section, layer.cells, layer.ratio);
+            if (zones != nullptr) {
+                zones->push_back(section.texts("zones"));
+            }
             const physics::Material* material = read_material(section, "material", draft);
             complete = complete && material != nullptr;
             draft.problem.materials.push_back(material != nullptr ? *material : physics::Material{});

@@ -1,7 +1,6 @@
 #include "cases/needs.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
@@ -15,36 +14,10 @@ namespace {
 using physics::ActiveEffect;
 using physics::Effect;
 
-/// Whether an effect's intensities change with a signal: signals that an effect can do without are in no list of it.
-bool responds(const ActiveEffect& active, const physics::Tire& tire, const physics::Signal& signal) {
-    const Effect& effect = *active.effect;
-    if (std::find(effect.reads.begin(), effect.reads.end(), signal.name) != effect.reads.end()) {
-        return true;
-    }
-    if (effect.drive == nullptr) {
-        return false;
-    }
-    // A tire that rolls, corners, brakes and stands under a laser: every product has factors that are not zero.
-    physics::Inputs inputs{.speed = 20.0,
-                           .vertical_load = 4000.0,
-                           .slip_angle = 0.05,
-                           .slip_ratio = 0.05,
-                           .lateral_force = 1000.0,
-                           .longitudinal_force = 1000.0,
-                           .camber = 0.02,
-                           .inflation_pressure = 2.2e5,
-                           .air_temperature = 300.0,
-                           .road_temperature = 310.0,
-                           .wet = 1.0,
-                           .laser_power = 1.0};
-    std::vector<double> before(static_cast<std::size_t>(effect.n_intensities));
-    effect.drive(active, tire, inputs, before);
-    const double full = inputs.*signal.member;
-    return std::ranges::any_of(std::array{0.5 * full, 0.0}, [&](double other) {
-        inputs.*signal.member = other;
-        std::vector<double> after(before.size());
-        effect.drive(active, tire, inputs, after);
-        return before != after;
+bool uses(const Effect& effect, std::string_view signal) {
+    const auto lists = {effect.reads, effect.may_read};
+    return std::any_of(lists.begin(), lists.end(), [&](std::span<const std::string_view> list) {
+        return std::find(list.begin(), list.end(), signal) != list.end();
     });
 }
 
@@ -55,6 +28,11 @@ void check_needs(Section& root, const ActiveEffect& active, const Place& place, 
     const std::string off = fmt::format("or switch it off: [effects.{}] on = false", effect.id);
     if (effect.needs_tire && !draft.has_tire) {
         root.mistakes().add(place, fmt::format("{} needs a tire", effect.id), fmt::format("add [tire], {}", off));
+        return;
+    }
+    if (draft.has_mesh && effect.needs_grid && draft.problem.mesh.kind == "two_node") {
+        root.mistakes().add(place, fmt::format("{} needs cells, and this mesh has two lumps", effect.id),
+                            fmt::format("take layers or section, {}", off));
         return;
     }
     if (draft.has_mesh && !chosen && !effect.patches.empty() && active.patches.empty()) {
@@ -88,13 +66,31 @@ void check_signals(Section& root, const Draft& draft) {
     }
 }
 
+std::vector<std::string_view> signals_of(solver::Quantity quantity) {
+    switch (quantity) {
+        case solver::Quantity::temperature:
+            return {};
+        case solver::Quantity::drag_force:
+        case solver::Quantity::rolling_moment:
+            return {"speed", "vertical_load"};
+        case solver::Quantity::loaded_radius:
+        case solver::Quantity::cornering_stiffness:
+            return {"vertical_load"};
+        case solver::Quantity::gas_pressure:
+            return {"inflation_pressure"};
+    }
+    return {};
+}
+
 void warn_of_unread_signals(Section& root, const Draft& draft) {
     std::vector<std::string> unread;
     for (const physics::Signal& signal : physics::signals()) {
-        const auto& effects = draft.problem.effects;
-        if (draft.problem.drive.gives(signal) &&
-            std::none_of(effects.begin(), effects.end(),
-                         [&](const ActiveEffect& active) { return responds(active, draft.problem.tire, signal); })) {
+        const bool by_effect =
+            std::ranges::any_of(draft.problem.effects, [&](const ActiveEffect& a) { return uses(*a.effect, signal.name); });
+        const bool by_channel = std::ranges::any_of(draft.problem.channels, [&](const solver::Channel& channel) {
+            return std::ranges::count(signals_of(channel.quantity), signal.name) > 0;
+        });
+        if (draft.problem.drive.gives(signal) && !by_effect && !by_channel) {
             unread.emplace_back(signal.name);
         }
     }

@@ -1,19 +1,21 @@
 #pragma once
 
 #include "cases/draft.hpp"
-#include "physics/effect.hpp"
 
 namespace tiretherm::cases {
 
-/// Why an effect cannot act in this case: no tire, none of its patches.
-/// @param place where the case asks for it  @param chosen whether it chooses the patches
+/// Whether an effect has what it needs: a tire, patches, cells. @param place of what switched it on
+/// @param chosen whether the case names its patches
 void check_needs(Section& root, const physics::ActiveEffect& active, const Place& place, bool chosen,
                  const Draft& draft);
 
-/// Signals that active effects need and [drive] does not give.
+/// Signals that the active effects need and [drive] lacks.
 void check_signals(Section& root, const Draft& draft);
 
-/// Signals that are given and change nothing: a warning.
+/// A warning about signals that neither an effect nor a channel uses.
 void warn_of_unread_signals(Section& root, const Draft& draft);
+
+/// Signals from which a quantity follows.
+[[nodiscard]] std::vector<std::string_view> signals_of(solver::Quantity quantity);
 
 }  // namespace tiretherm::cases

@@ -7,6 +7,7 @@
 
 #include "cases/wanted.hpp"
 #include "cases/words.hpp"
+#include "mesh/column_probe.hpp"
 #include "mesh/probe.hpp"
 
 namespace tiretherm::cases {
@@ -14,9 +15,12 @@ namespace tiretherm::cases {
 namespace {
 
 /// What the surface of a mesh looks like: a sensor is placed by other keys on each.
-enum class Plan { lumps, strip, disc, block };
+enum class Plan { lumps, strip, section, disc, block };
 
 Plan plan_of(const mesh::Mesh& mesh) {
+    if (!mesh.columns.empty()) {
+        return Plan::section;
+    }
     if (!mesh.grid) {
         return Plan::lumps;
     }
@@ -30,6 +34,14 @@ std::string millimetres(double metres) { return fmt::format("{:.6g} mm", metres 
 
 /// The extent of the mesh in words, for a point that lies outside.
 std::string extent(const mesh::Mesh& mesh) {
+    if (!mesh.columns.empty()) {
+        const auto [thin, thick] = std::minmax_element(
+            mesh.columns.begin(), mesh.columns.end(),
+            [](const mesh::Column& a, const mesh::Column& b) { return a.edge.back() < b.edge.back(); });
+        return fmt::format("the mesh goes from {:.6g} to {} along the meridian and is {:.6g} to {} thick",
+                           mesh.columns.front().from * 1e3, millimetres(mesh.columns.back().to),
+                           thin->edge.back() * 1e3, millimetres(thick->edge.back()));
+    }
     const auto span = [&](std::string_view name, std::size_t axis) {
         const std::vector<double>& edge = mesh.grid->edge[axis];
         return fmt::format("{} from {:.6g} to {}", name, edge.front() * 1e3, millimetres(edge.back()));
@@ -37,6 +49,7 @@ std::string extent(const mesh::Mesh& mesh) {
     std::string depth = "the mesh has " + span("depth", 2);
     switch (plan_of(mesh)) {
         case Plan::lumps:
+        case Plan::section:
         case Plan::strip:
             return depth;
         case Plan::disc:
@@ -48,8 +61,7 @@ std::string extent(const mesh::Mesh& mesh) {
 }
 
 /// "3 mm below the outer surface".
-std::string level(double depth, const mesh::Mesh& mesh) {
-    const double bottom = mesh.grid->edge[2].back();
+std::string level(double depth, double bottom) {
     if (depth == 0.0) {
         return "outer surface";
     }
@@ -75,10 +87,70 @@ solver::Channel channel(std::string meaning, mesh::Functional where) {
     return {.name = {}, .meaning = std::move(meaning), .where = std::move(where)};
 }
 
+/// Middle of a zone along the meridian. @returns m
+double middle_of(const mesh::Mesh& mesh, int zone) {
+    double from = 1e300;
+    double to = -1e300;
+    for (const mesh::Column& column : mesh.columns) {
+        if (column.zone == zone) {
+            from = std::min(from, column.from);
+            to = std::max(to, column.to);
+        }
+    }
+    return 0.5 * (from + to);
+}
+
+/// A point of a section: at a place along the meridian, or in the middle of a zone; of several zones the mean.
+Where read_section_point(Section& sensor, const mesh::Mesh& mesh) {
+    const double depth = sensor.quantity("depth", wanted::depth, Need::required).value_or(0.0);
+    const std::optional<double> along = sensor.quantity("along", wanted::coordinate);
+    const std::vector<Word> zones = sensor.texts("zones");
+    std::vector<double> places;
+    std::string where;
+    if (zones.empty()) {
+        places.push_back(along.value_or(0.0));
+        where = along ? fmt::format(", {} along the meridian", millimetres(*along)) : ", centre of the crown";
+    } else if (along) {
+        sensor.mistake("along", "both along and zones are given", "keep one of them");
+    }
+    for (const Word& word : zones) {
+        if (const int zone = mesh.find_zone(word.text); zone >= 0) {
+            places.push_back(middle_of(mesh, zone));
+            where += fmt::format("{}{}", where.empty() ? ", middle of the " : " and of the ", word.text);
+        } else {
+            sensor.mistakes().add(word.place, fmt::format("the mesh has no zone \"{}\"", word.text),
+                                  suggest(word.text, mesh.zones, "zones"));
+            return std::nullopt;
+        }
+    }
+    mesh::Functional mean;
+    for (const double s : places) {
+        const mesh::Point point{s, 0.0, depth};
+        if (!mesh::contains(mesh, point)) {
+            sensor.mistakes().add(sensor.place(), "the sensor lies outside of the mesh", extent(mesh));
+            return std::nullopt;
+        }
+        const mesh::Functional one = mesh::at_point(mesh, point);
+        for (std::size_t i = 0; i < one.nodes.size(); ++i) {
+            mean.add(one.nodes[i], one.weights[i] / static_cast<double>(places.size()));
+        }
+    }
+    const std::ptrdiff_t column = mesh::column_at(mesh, places.front());
+    solver::Channel found = channel(
+        level(depth, mesh.columns[static_cast<std::size_t>(column)].edge.back()) + where, std::move(mean));
+    if (places.size() == 1) {
+        found.point = mesh::Point{places.front(), 0.0, depth};
+    }
+    return found;
+}
+
 }  // namespace
 
 Where read_point(Section& sensor, const mesh::Mesh& mesh) {
     const Plan plan = plan_of(mesh);
+    if (plan == Plan::section) {
+        return read_section_point(sensor, mesh);
+    }
     if (plan == Plan::lumps) {
         sensor.mistake("kind", "a lump has no points", "take kind = \"layer\" and the lump's name: layer = \"bulk\"");
         sensor.forgive();
@@ -98,15 +170,17 @@ Where read_point(Section& sensor, const mesh::Mesh& mesh) {
         sensor.mistakes().add(sensor.place(), "the sensor lies outside of the mesh", extent(mesh));
         return std::nullopt;
     }
-    return channel(level(point[2], mesh) + across, mesh::at_point(mesh, point));
+    solver::Channel found = channel(level(point[2], mesh.grid->edge[2].back()) + across, mesh::at_point(mesh, point));
+    found.point = point;
+    return found;
 }
 
 Where read_spot(Section& sensor, const mesh::Mesh& mesh) {
     const std::optional<double> radius = sensor.quantity("radius", wanted::length, Need::required);
     const std::optional<int> patch = read_part(sensor, "patch", "patches", names_of(mesh.patches));
     const Plan plan = plan_of(mesh);
-    if (plan == Plan::lumps || plan == Plan::strip) {
-        sensor.mistake("kind", "this mesh has no extent along its surface, so there is no spot",
+    if (plan == Plan::lumps || plan == Plan::strip || plan == Plan::section) {
+        sensor.mistake("kind", "there are spots only on a block and on a disc",
                        "take kind = \"patch\"");
         return std::nullopt;
     }
@@ -138,9 +212,42 @@ Where read_patch(Section& sensor, const mesh::Mesh& mesh) {
 
 Where read_layer(Section& sensor, const mesh::Mesh& mesh) {
     const std::optional<int> layer = read_part(sensor, "layer", "layers", mesh.layers);
-    return layer ? Where(channel("mean over the layer " + mesh.layers[static_cast<std::size_t>(*layer)],
-                                 mesh::over_cells(mesh, *layer)))
-                 : std::nullopt;
+    const bool in_zone = !mesh.zones.empty() && sensor.has("zone");
+    const std::optional<int> zone = in_zone ? read_part(sensor, "zone", "zones", mesh.zones) : std::optional(-1);
+    if (!layer || !zone) {
+        return std::nullopt;
+    }
+    std::string meaning = "mean over the layer " + mesh.layers[static_cast<std::size_t>(*layer)];
+    if (in_zone) {
+        meaning += " in the zone " + mesh.zones[static_cast<std::size_t>(*zone)];
+    }
+    mesh::Functional where = mesh::over_cells(mesh, *layer, *zone);
+    if (where.nodes.empty()) {
+        sensor.mistake("zone", "the layer does not reach into this zone", "name another zone or layer");
+        return std::nullopt;
+    }
+    return channel(std::move(meaning), std::move(where));
+}
+
+Where read_zone(Section& sensor, const mesh::Mesh& mesh) {
+    const std::optional<int> zone = read_part(sensor, "zone", "zones", mesh.zones);
+    return zone ? Where(channel("mean over the zone " + mesh.zones[static_cast<std::size_t>(*zone)],
+                                mesh::over_cells(mesh, -1, *zone)))
+                : std::nullopt;
+}
+
+Where read_node(Section& sensor, const mesh::Mesh& mesh) {
+    const std::vector<std::string> names = names_of(mesh.appended);
+    if (names.empty() && sensor.has("node")) {
+        sensor.mistake("node", "no active effect brings a node of its own", "switch inner_gas or rim_conduction on");
+        return std::nullopt;
+    }
+    const std::optional<int> found = read_part(sensor, "node", "nodes", names);
+    if (!found) {
+        return std::nullopt;
+    }
+    const mesh::Appended& node = mesh.appended[static_cast<std::size_t>(*found)];
+    return channel("the " + node.name, {{node.node}, {1.0}});
 }
 
 Where read_region(Section& sensor, const mesh::Mesh& mesh) {

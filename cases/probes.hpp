@@ -15,9 +15,12 @@ using Where = std::optional<solver::Channel>;
 [[nodiscard]] Where read_point(Section& sensor, const mesh::Mesh& mesh);
 /// The mean over a disc about the centre of the outer or the inner surface: patch, radius.
 [[nodiscard]] Where read_spot(Section& sensor, const mesh::Mesh& mesh);
-/// The mean over a patch, a layer or a region.
+/// The mean over a patch, a layer (on a section also of one zone), a zone or a region.
 [[nodiscard]] Where read_patch(Section& sensor, const mesh::Mesh& mesh);
 [[nodiscard]] Where read_layer(Section& sensor, const mesh::Mesh& mesh);
+[[nodiscard]] Where read_zone(Section& sensor, const mesh::Mesh& mesh);
 [[nodiscard]] Where read_region(Section& sensor, const mesh::Mesh& mesh);
+/// A node beside the cells, such as the gas.
+[[nodiscard]] Where read_node(Section& sensor, const mesh::Mesh& mesh);
 
 }  // namespace tiretherm::cases

@@ -75,12 +75,6 @@ UnitRead read_unit(std::string_view unit, const Wanted& wanted, std::string_view
             return {{}, Fault{fmt::format("{}: \"{}\" is not a unit", subject, unit), remedy}};
         case UnitFault::number_inside:
             return {{}, Fault{fmt::format("{}, with a number inside the unit \"{}\"", subject, unit), remedy}};
-        case UnitFault::celsius:
-            return {{},
-                    Fault{fmt::format("{}; it is a number of kelvin, and {} leaves open whether a temperature or a "
-                                      "difference is meant",
-                                      subject, unit),
-                          "write it in K"}};
         case UnitFault::other_dimension:
             break;
     }

@@ -45,6 +45,7 @@ void read_tables(Section& root, Draft& draft) {
     read_initial(root, draft);
     read_times(root, draft);
     read_sensors(root, draft);
+    bind_readings(root, draft);
     read_measured(root, draft);
     check_laws(root, draft);
 }

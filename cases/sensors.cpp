@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include "cases/draft.hpp"
+#include "cases/needs.hpp"
 #include "cases/probes.hpp"
 #include "cases/wanted.hpp"
+#include "cases/words.hpp"
 
 namespace tiretherm::cases {
 
@@ -15,14 +17,72 @@ struct Kind {
     std::string_view name;
     Where (*read)(Section& sensor, const mesh::Mesh& mesh);
 };
-constexpr std::array kinds{Kind{"point", read_point}, Kind{"spot", read_spot}, Kind{"patch", read_patch},
-                           Kind{"layer", read_layer}, Kind{"region", read_region}};
+constexpr std::array kinds{Kind{"point", read_point}, Kind{"spot", read_spot},     Kind{"patch", read_patch},
+                           Kind{"layer", read_layer}, Kind{"region", read_region}, Kind{"zone", read_zone},
+                           Kind{"node", read_node}};
+
+/// What else than a temperature a sensor may read. `meaning` says it where the case does not.
+struct Reading {
+    std::string_view name;
+    solver::Quantity quantity;
+    std::string_view meaning;
+    std::string_view region;  ///< whose temperature it follows, unless the case names a sensor
+};
+constexpr std::array readings{
+    Reading{"drag_force", solver::Quantity::drag_force, "rolling resistance, as a force at the axle", ""},
+    Reading{"rolling_moment", solver::Quantity::rolling_moment, "rolling resistance, as a moment about the axle", ""},
+    Reading{"loaded_radius", solver::Quantity::loaded_radius, "radius under load", ""},
+    Reading{"cornering_stiffness", solver::Quantity::cornering_stiffness, "cornering stiffness", "bulk"},
+    Reading{"gas_pressure", solver::Quantity::gas_pressure, "inflation pressure above the atmosphere", "gas"},
+};
+
+/// A quantity that follows from inputs, from the heat lost by deformation or from a temperature that another sensor or a
+/// region gives.
+Where read_quantity(Section& sensor, const Reading& reading, const Draft& draft) {
+    const mesh::Mesh& mesh = draft.problem.mesh;
+    solver::Channel channel{.name = {}, .meaning = std::string(reading.meaning), .where = {}, .quantity = reading.quantity};
+    if (!draft.has_tire && reading.quantity != solver::Quantity::gas_pressure) {
+        sensor.mistake("kind", fmt::format("{} is that of a tire, and there is no tire", reading.name), "add [tire]");
+    }
+    for (const std::string_view signal : signals_of(reading.quantity)) {
+        if (!draft.given.contains(signal)) {
+            sensor.mistake("kind", fmt::format("{} follows {}, which [drive] lacks", reading.name, signal),
+                           fmt::format("add {} to [drive]", signal));
+        }
+    }
+    if (reading.region.empty()) {
+        return channel;
+    }
+    if (const std::optional<std::string> of = sensor.text("temperature_of")) {
+        const auto& channels = draft.problem.channels;
+        const auto found = std::find_if(channels.begin(), channels.end(), [&](const auto& c) { return c.name == *of; });
+        if (found == channels.end() || found->quantity != solver::Quantity::temperature) {
+            sensor.mistake("temperature_of", fmt::format("no sensor of a temperature above this one is called \"{}\"", *of),
+                           suggest(*of, names_of(channels), "sensors"));
+            return std::nullopt;
+        }
+        channel.where = found->where;
+        channel.meaning += fmt::format(" at {}", *of);
+        return channel;
+    }
+    const int region = mesh.find_region(reading.region);
+    if (region < 0) {
+        sensor.mistake("kind", fmt::format("{} follows the {}, which this case does not have", reading.name, reading.region),
+                       reading.region == "gas" ? "switch it on: [effects.inner_gas]" : "name a sensor: temperature_of = \"...\"");
+        return std::nullopt;
+    }
+    channel.where = mesh.regions[static_cast<std::size_t>(region)].mean;
+    channel.meaning += fmt::format(" at the temperature of the {}", reading.region);
+    return channel;
+}
 
 }  // namespace
 
 void read_sensors(Section& root, Draft& draft) {
-    std::array<std::string_view, kinds.size()> names;
-    std::transform(kinds.begin(), kinds.end(), names.begin(), [](const Kind& kind) { return kind.name; });
+    std::array<std::string_view, kinds.size() + readings.size()> names;
+    const auto name_of = [](const auto& kind) { return kind.name; };
+    std::transform(kinds.begin(), kinds.end(), names.begin(), name_of);
+    std::transform(readings.begin(), readings.end(), names.begin() + kinds.size(), name_of);
     std::vector<solver::Channel>& channels = draft.problem.channels;
     root.each("sensor", [&](Section& sensor) {
         const std::optional<std::string> name = sensor.name("name", Need::required);
@@ -35,7 +95,8 @@ void read_sensors(Section& root, Draft& draft) {
         }
         Where where;
         if (kind && draft.has_mesh) {
-            where = kinds[*kind].read(sensor, draft.problem.mesh);
+            where = *kind < kinds.size() ? kinds[*kind].read(sensor, draft.problem.mesh)
+                                         : read_quantity(sensor, readings[*kind - kinds.size()], draft);
         } else {
             for (const std::string_view key : {"depth", "x", "y", "radius"}) {
                 sensor.quantity(key, wanted::coordinate);

@@ -120,18 +120,7 @@ std::variant<Conversion, UnitFault> conversion(std::string_view written, std::st
     const ut_unit* metre = system.find("m").unit.get();
     const Conversion result{.factor = ratio(from.unit.get(), to.unit.get(), metre),
                             .offset = convert(from.unit.get(), to.unit.get(), 0.0)};
-    if (result.offset == 0.0) {
-        return result;
-    }
-    switch (scale) {
-        case Scale::absolute:
-            return result;
-        case Scale::difference:
-            return Conversion{.factor = result.factor, .offset = 0.0};
-        case Scale::kelvin:
-            break;
-    }
-    return UnitFault::celsius;
+    return scale == Scale::absolute ? result : Conversion{.factor = result.factor, .offset = 0.0};
 }
 
 }  // namespace tiretherm::cases

@@ -11,7 +11,6 @@ namespace tiretherm::cases {
 enum class Scale : std::uint8_t {
     absolute,    ///< a temperature: 25 degC is 298.15 K
     difference,  ///< a difference of temperatures: 0.5 degC is 0.5 K
-    kelvin,      ///< a number of kelvin that may be either: degrees Celsius are refused
 };
 
 /// From a unit to the unit wanted: si = factor * written + offset.
@@ -23,7 +22,7 @@ struct Conversion {
     [[nodiscard]] double from_si(double si) const { return (si - offset) / factor; }
 };
 
-enum class UnitFault : std::uint8_t { unknown, number_inside, other_dimension, celsius };
+enum class UnitFault : std::uint8_t { unknown, number_inside, other_dimension };
 
 /// How to turn numbers of one unit into another. UDUNITS after the aliases below; units of angle are not pure numbers,
 /// and reciprocal units (s and Hz) are not converted into each other.

@@ -38,9 +38,11 @@ constexpr Wanted of(const physics::Signal& signal) {
     return {.unit = signal.unit, .low = signal.low, .high = signal.high};
 }
 
-/// A parameter in kelvin may be a temperature or a difference; the catalogue does not say which.
 constexpr Wanted of(const physics::Parameter& parameter) {
-    return {.unit = parameter.unit, .scale = Scale::kelvin, .low = parameter.low, .high = parameter.high};
+    return {.unit = parameter.unit,
+            .scale = parameter.difference ? Scale::difference : Scale::absolute,
+            .low = parameter.low,
+            .high = parameter.high};
 }
 
 }  // namespace tiretherm::cases::wanted

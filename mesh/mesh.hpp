@@ -96,6 +96,7 @@ struct Drawing {
     Shape shape = Shape::vertex;
     std::vector<Point> points;  ///< m
     std::vector<int> corners;   ///< [n_cells * corners_per_cell]
+    std::vector<Point> places{};  ///< of the points of a folded drawing in the mesh's own coordinates; else empty
 };
 
 [[nodiscard]] constexpr int corners_per_cell(Shape shape) { return static_cast<int>(shape); }

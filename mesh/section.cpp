@@ -191,12 +191,15 @@ private:
     void draw() {
         mesh_.drawing.shape = Shape::quadrilateral;
         std::map<std::pair<long, long>, int> known;
-        const auto point = [&](double s, double below) {
+        const auto point = [&](const Column& column, double s, double below) {
             const auto [found, fresh] = known.try_emplace(
                 {std::lround(s / same_depth), std::lround(below / same_depth)}, std::ssize(mesh_.drawing.points));
             if (fresh) {
                 const Meridian::Place place = d_.meridian.inside(s, below);
                 mesh_.drawing.points.push_back({place.lateral, 0.0, place.radius});
+                // A hair inside the column that draws it, whose depth it is.
+                const double inward = s < column.middle() ? same_depth : -same_depth;
+                mesh_.drawing.places.push_back({s + inward, 0.0, below - stack(column).offset});
             }
             return found->second;
         };
@@ -204,7 +207,7 @@ private:
             for (int k = 0; k < column.cells(); ++k) {
                 for (const auto& [s, edge] : {std::pair(column.from, k + 1), std::pair(column.to, k + 1),
                                               std::pair(column.to, k), std::pair(column.from, k)}) {
-                    mesh_.drawing.corners.push_back(point(s, depth(column, edge)));
+                    mesh_.drawing.corners.push_back(point(column, s, depth(column, edge)));
                 }
             }
         }

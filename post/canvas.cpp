@@ -75,6 +75,17 @@ void Canvas::frame(const Dot& corner, double width, double height, const Colour&
     cairo_stroke(page_->context);
 }
 
+void Canvas::tile(std::span<const Dot> corners, const Colour& fill) {
+    for (const Dot& dot : corners) {
+        cairo_line_to(page_->context, dot.x, dot.y);
+    }
+    cairo_close_path(page_->context);
+    use(fill);
+    cairo_set_antialias(page_->context, CAIRO_ANTIALIAS_NONE);
+    cairo_fill(page_->context);
+    cairo_set_antialias(page_->context, CAIRO_ANTIALIAS_DEFAULT);
+}
+
 void Canvas::disc(const Dot& centre, double radius, const Colour& fill, const Colour& rim, double rim_width) {
     cairo_new_sub_path(page_->context);
     cairo_arc(page_->context, centre.x, centre.y, radius, 0.0, 2.0 * std::numbers::pi);

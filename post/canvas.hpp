@@ -38,6 +38,8 @@ public:
     void line(std::span<const Dot> dots, const Colour& ink, double width, bool dashed = false);
     void rectangle(const Dot& corner, double width, double height, const Colour& fill);
     void frame(const Dot& corner, double width, double height, const Colour& ink, double line_width);
+    /// A filled polygon whose edges are sharp, so that neighbours leave no seam.
+    void tile(std::span<const Dot> corners, const Colour& fill);
     void disc(const Dot& centre, double radius, const Colour& fill, const Colour& rim, double rim_width);
     /// @param at the middle of the text's height, and its left end, middle or right end
     void write(const Dot& at, const std::string& text, const Writing& writing);

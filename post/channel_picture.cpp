@@ -27,6 +27,22 @@ TimeUnit time_unit(double span) {
     return span > 3.0 * 3600.0 ? TimeUnit{"h", 3600.0} : span > 600.0 ? TimeUnit{"min", 60.0} : TimeUnit{"s", 1.0};
 }
 
+/// The channels that are temperatures; the others have other units.
+std::vector<std::size_t> temperatures(const solver::Problem& problem) {
+    std::vector<std::size_t> found;
+    for (std::size_t c = 0; c < problem.channels.size(); ++c) {
+        if (problem.channels[c].quantity == solver::Quantity::temperature) {
+            found.push_back(c);
+        }
+    }
+    return found;
+}
+
+bool is_temperature(const solver::Problem& problem, const solver::Measured& measured) {
+    return std::ranges::any_of(temperatures(problem),
+                               [&](std::size_t c) { return problem.channels[c].name == measured.channel; });
+}
+
 /// Lowest and highest temperature to be shown, rounded outwards to ticks. degC
 Scale temperature_scale(const solver::Problem& problem, const History& history) {
     double low = 1e300;
@@ -35,12 +51,14 @@ Scale temperature_scale(const solver::Problem& problem, const History& history) 
         low = std::min(low, celsius(kelvin));
         high = std::max(high, celsius(kelvin));
     };
-    for (std::size_t c = 0; c < problem.channels.size(); ++c) {
+    for (const std::size_t c : temperatures(problem)) {
         std::ranges::for_each(history.channel(c), include);
     }
     for (const solver::Measured& measured : problem.measured) {
-        include(measured.low);
-        include(measured.high);
+        if (is_temperature(problem, measured)) {
+            include(measured.low);
+            include(measured.high);
+        }
     }
     const double least = std::max(high - low, 1.0);  // an even temperature is drawn as a straight line, not as noise
     const double step = ticks(low, low + least, 8).values.size() > 1
@@ -57,7 +75,7 @@ Colour line_colour(std::size_t channel) { return line_colours()[channel % line_c
 void draw_measured(Canvas& canvas, const solver::Problem& problem, const Scale& time, const Scale& temperature,
                    TimeUnit unit) {
     for (const solver::Measured& measured : problem.measured) {
-        for (std::size_t c = 0; c < problem.channels.size(); ++c) {
+        for (const std::size_t c : temperatures(problem)) {
             const double t = measured.time / unit.seconds;
             if (measured.channel != problem.channels[c].name || t < time.low || t > time.high) {
                 continue;
@@ -80,7 +98,7 @@ void draw_names(Canvas& canvas, const solver::Problem& problem, const History& h
         double y;
     };
     std::vector<Name> names;
-    for (std::size_t c = 0; c < problem.channels.size(); ++c) {
+    for (const std::size_t c : temperatures(problem)) {
         names.push_back({c, temperature.px(celsius(history.channel(c).back()))});
     }
     std::ranges::sort(names, {}, &Name::y);
@@ -128,7 +146,7 @@ void draw_channels(const std::filesystem::path& path, const solver::Problem& pro
     for (const double T : temperature_ticks.values) {
         canvas.line(std::array{Dot{left, temperature.px(T)}, Dot{right, temperature.px(T)}}, look::grid, 1.5);
     }
-    for (std::size_t c = 0; c < problem.channels.size(); ++c) {
+    for (const std::size_t c : temperatures(problem)) {
         std::vector<Dot> dots;
         const std::vector<double> kelvin = history.channel(c);
         for (std::size_t row = 0; row < kelvin.size(); ++row) {

@@ -5,22 +5,22 @@
 
 #include <fmt/format.h>
 
-#include "post/celsius.hpp"
 
 namespace tiretherm::post {
 
 CsvWriter::CsvWriter(const std::filesystem::path& path, const solver::Problem& problem) : file_(path) {
     std::string header = "time [s]";
     for (const solver::Channel& channel : problem.channels) {
-        header += fmt::format(",{} [degC]", channel.name);
+        header += fmt::format(",{} [{}]", channel.name, shown_unit(channel.quantity).name);
+        units_.push_back(shown_unit(channel.quantity));
     }
     file_.append(header + "\n");
 }
 
 void CsvWriter::take(const solver::Snapshot& snapshot) {
     std::string row = fmt::format("{:.12g}", snapshot.time);
-    for (const double kelvin : snapshot.channels) {
-        fmt::format_to(std::back_inserter(row), ",{:.4f}", celsius(kelvin));
+    for (std::size_t c = 0; c < units_.size(); ++c) {
+        fmt::format_to(std::back_inserter(row), ",{:.4f}", units_[c].value(snapshot.channels[c]));
     }
     file_.append(row + "\n");
 }

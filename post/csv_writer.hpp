@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
+#include "post/channel_unit.hpp"
 #include "post/file.hpp"
 #include "solver/march.hpp"
 
@@ -19,6 +21,7 @@ public:
 
 private:
     AppendFile file_;
+    std::vector<ShownUnit> units_;
 };
 
 }  // namespace tiretherm::post

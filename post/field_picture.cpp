@@ -5,6 +5,7 @@
 
 #include "post/axes.hpp"
 #include "post/celsius.hpp"
+#include "post/colour_bar.hpp"
 #include "post/field_layout.hpp"
 #include "post/picture.hpp"
 
@@ -13,7 +14,6 @@ namespace tiretherm::post {
 namespace {
 
 constexpr int below_plot = 215;  // px
-constexpr double bar_height = 26.0;
 
 /// Round temperatures strictly between coldest and hottest.
 Ticks isotherm_levels(const Raster& raster) {
@@ -74,26 +74,6 @@ void draw_hottest(Canvas& canvas, const SectionPlane& plane, const Layout& layou
     }
 }
 
-void draw_colour_bar(Canvas& canvas, const Raster& raster, const Ticks& levels, double y) {
-    const int width = 900;
-    const int x = (look::page_width + look::left_margin - look::right_margin - width) / 2;
-    std::vector<Colour> colours;
-    for (int row = 0; row < static_cast<int>(bar_height); ++row) {
-        for (int i = 0; i < width; ++i) {
-            colours.push_back(heat_colour((i + 0.5) / width));
-        }
-    }
-    canvas.image({static_cast<double>(x), y}, width, static_cast<int>(bar_height), colours);
-    canvas.frame({static_cast<double>(x), y}, width, bar_height, look::ink, 1.5);
-    const Scale scale{
-        .low = raster.low, .high = raster.high, .from = static_cast<double>(x), .to = static_cast<double>(x + width)};
-    draw_axis_below(canvas, scale, levels, y + bar_height, "temperature [°C]");
-    const double middle = y + 0.5 * bar_height;
-    canvas.write({scale.from - 14.0, middle}, fmt::format("{:.1f}", raster.low),
-                 {.size = look::text, .ink = look::ink, .align = Align::right});
-    canvas.write({scale.to + 14.0, middle}, fmt::format("{:.1f}", raster.high), {.size = look::text, .ink = look::ink});
-}
-
 std::string when(const solver::Settings& settings, double time) {
     return settings.steady ? std::string("steady state") : fmt::format("t = {:.6g} s", time);
 }
@@ -140,7 +120,7 @@ void draw_field(const std::filesystem::path& path, const solver::Problem& proble
     const int depth_ticks = std::max(2, layout.height / 60);
     draw_axis_left(canvas, layout.depth, ticks(layout.depth.low, layout.depth.high, depth_ticks), layout.x,
                    "depth [mm]");
-    draw_colour_bar(canvas, raster, levels, layout.bottom() + 105.0);
+    draw_colour_bar(canvas, raster.low, raster.high, levels, layout.bottom() + 105.0);
     canvas.save(path);
 }
 

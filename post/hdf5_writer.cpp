@@ -58,10 +58,23 @@ void Hdf5Writer::write_mesh() {
         return Label{.units = units, .long_name = meaning, .source = source_, .coordinates = along};
     };
     file_.write("/mesh/centre", coordinates(mesh.centre), 3,
-                label("m", round ? "radius, 0 and depth of each node" : "x, y and depth of each node"));
+                label("m", round                     ? "radius, 0 and depth of each node"
+                           : mesh.columns.empty() ? "x, y and depth of each node"
+                                                  : "arc length along the meridian, 0 and depth of each node"));
     file_.write("/mesh/volume", mesh.volume, 0, label("m3", "volume of each node, 0 on a surface", "/mesh/centre"));
     file_.write("/mesh/layer", mesh.layer, 0, label("1", "layer of each node, counted from 0", "/mesh/centre"));
     file_.write("/mesh/layer_name", mesh.layers, label("1", "name of each layer, from the outside in"));
+    if (!mesh.zones.empty()) {
+        file_.write("/mesh/zone", mesh.zone, 0, label("1", "zone of each node, counted from 0", "/mesh/centre"));
+        file_.write("/mesh/zone_name", mesh.zones, label("1", "name of each zone, from outboard to inboard"));
+    }
+    std::vector<std::string> appended;
+    for (const mesh::Appended& node : mesh.appended) {
+        appended.push_back(node.name);
+    }
+    if (!appended.empty()) {
+        file_.write("/mesh/appended_name", appended, label("1", "names of the last nodes, which are no places"));
+    }
     file_.write("/mesh/point", coordinates(mesh.drawing.points), 3, label("m", "corner points for drawing, z upwards"));
     file_.write("/mesh/corners", mesh.drawing.corners,
                 static_cast<std::size_t>(mesh::corners_per_cell(mesh.drawing.shape)),
@@ -80,7 +93,7 @@ void Hdf5Writer::add_columns() {
     channels_.push_back(column("/channels/time", 0, label("s", "time of each row", "")));
     for (const solver::Channel& channel : problem_.channels) {
         const std::string& meaning = channel.meaning.empty() ? channel.name : channel.meaning;
-        channels_.push_back(column("/channels/" + channel.name, 0, label("K", meaning, "/channels/time")));
+        channels_.push_back(column("/channels/" + channel.name, 0, label(std::string(solver::unit_of(channel.quantity)).c_str(), meaning, "/channels/time")));
     }
 
     file_.add_group("/ledger");

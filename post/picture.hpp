@@ -21,6 +21,11 @@ struct PictureOptions {
 void draw_field(const std::filesystem::path& path, const solver::Problem& problem, double time,
                 std::span<const double> temperature, const PictureOptions& options = {});
 
+/// The temperature of a tire's folded cross-section as a PNG, with layers, zones and the hottest place.
+/// @param time s  @param temperature [n_nodes] K   @pre the mesh has columns   @errors FileError
+void draw_folded(const std::filesystem::path& path, const solver::Problem& problem, double time,
+                 std::span<const double> temperature);
+
 /// The channels against time as a PNG, measured values beside them.
 /// @param history at least two rows   @errors FileError
 void draw_channels(const std::filesystem::path& path, const solver::Problem& problem, const History& history);

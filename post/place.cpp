@@ -21,7 +21,16 @@ Place place_of(const mesh::Mesh& mesh, int node) {
             place.patch = patch.name;
         }
     }
-    if (mesh.grid) {
+    if (const int zone = mesh.zone[at]; zone >= 0) {
+        place.zone = mesh.zones[static_cast<std::size_t>(zone)];
+    }
+    for (const mesh::Appended& appended : mesh.appended) {
+        if (appended.node == node) {
+            place.layer = "the " + appended.name;
+            return place;
+        }
+    }
+    if (mesh.grid || !mesh.columns.empty()) {
         place.position = mesh.centre[at];
     }
     return place;
@@ -35,6 +44,9 @@ std::string describe_place(const mesh::Mesh& mesh, int node) {
     }
     if (place.position) {
         const auto [x, y, depth] = *place.position;
+        if (!mesh.grid) {
+            return text + fmt::format(", {}, {:.1f} mm along the meridian, depth {:.2f} mm", place.zone, 1e3 * x, 1e3 * depth);
+        }
         const mesh::Grid& grid = *mesh.grid;
         if (grid.metric == mesh::Metric::axisymmetric) {
             text += fmt::format(", radius {:.2f} mm", 1e3 * x);

@@ -10,6 +10,7 @@ namespace tiretherm::post {
 /// Where a node is, in words and numbers.
 struct Place {
     std::string layer;
+    std::string zone;                     ///< of a section
     std::string patch;                    ///< the part of the boundary it lies on; empty inside
     std::optional<mesh::Point> position;  ///< m; absent for a lump, which has a temperature but no place
 };

@@ -1,5 +1,6 @@
 #include "post/run_files.hpp"
 
+#include <algorithm>
 #include <system_error>
 #include <utility>
 
@@ -60,8 +61,13 @@ void RunFiles::finish() {
     }
     if (has_section(problem_.mesh) && !last_field_.empty()) {
         draw_field(add("picture.png"), problem_, last_field_time_, last_field_);
+    } else if (!problem_.mesh.columns.empty() && !last_field_.empty()) {
+        draw_folded(add("picture.png"), problem_, last_field_time_, last_field_);
     }
-    if (history_.rows() > 1 && !problem_.channels.empty()) {
+    const bool has_temperature = std::ranges::any_of(problem_.channels, [](const solver::Channel& channel) {
+        return channel.quantity == solver::Quantity::temperature;
+    });
+    if (history_.rows() > 1 && has_temperature) {
         draw_channels(add("channels.png"), problem_, history_);
     }
 }

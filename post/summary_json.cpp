@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "post/celsius.hpp"
+#include "post/channel_unit.hpp"
 #include "post/comparison.hpp"
 #include "post/place.hpp"
 #include "post/summary.hpp"
@@ -17,11 +18,12 @@ using Json = nlohmann::ordered_json;
 Json channels(const RunRecord& run) {
     Json list = Json::array();
     for (std::size_t c = 0; c < run.problem.channels.size(); ++c) {
+        const ShownUnit unit = shown_unit(run.problem.channels[c].quantity);
         list.push_back({{"name", run.problem.channels[c].name},
-                        {"unit", "degC"},
-                        {"final", celsius(run.report.channel_final[c])},
-                        {"min", celsius(run.report.channel_min[c])},
-                        {"max", celsius(run.report.channel_max[c])},
+                        {"unit", unit.name},
+                        {"final", unit.value(run.report.channel_final[c])},
+                        {"min", unit.value(run.report.channel_min[c])},
+                        {"max", unit.value(run.report.channel_max[c])},
                         {"meaning", run.problem.channels[c].meaning}});
     }
     return list;
@@ -48,7 +50,7 @@ Json extreme(const RunRecord& run, const solver::Report::Extreme& found) {
             {"unit", "degC"},
             {"time", found.time},
             {"layer", place.layer},
-            {"zone", nullptr},  // no mesh has zones along the meridian yet
+            {"zone", place.zone.empty() ? Json() : Json(place.zone)},
             {"patch", place.patch},
             {"position", position}};
 }
@@ -56,13 +58,15 @@ Json extreme(const RunRecord& run, const solver::Report::Extreme& found) {
 Json measured(const RunRecord& run) {
     Json list = Json::array();
     for (const Comparison& c : compare(run.problem, run.history)) {
-        list.push_back({{"channel", run.problem.channels[c.channel].name},
+        const solver::Channel& channel = run.problem.channels[c.channel];
+        const ShownUnit unit = shown_unit(channel.quantity);
+        list.push_back({{"channel", channel.name},
                         {"time", c.time},
-                        {"unit", "degC"},
-                        {"low", celsius(c.low)},
-                        {"high", celsius(c.high)},
-                        {"simulated", celsius(c.simulated)},
-                        {"difference", c.difference},
+                        {"unit", unit.name},
+                        {"low", unit.value(c.low)},
+                        {"high", unit.value(c.high)},
+                        {"simulated", unit.value(c.simulated)},
+                        {"difference", unit.difference(c.difference)},
                         {"source", c.source}});
     }
     return list;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "post/celsius.hpp"
+#include "post/channel_unit.hpp"
 #include "post/comparison.hpp"
 #include "post/place.hpp"
 #include "post/summary.hpp"
@@ -13,34 +14,38 @@ namespace {
 
 std::string degrees(double kelvin) { return fmt::format("{:.2f}", celsius(kelvin)); }
 
-std::string measured_text(const Comparison& c) {
-    const std::string value = c.low == c.high ? fmt::format("{:.4g}", celsius(c.low))
-                                              : fmt::format("{:.4g} to {:.4g}", celsius(c.low), celsius(c.high));
+std::string measured_text(const Comparison& c, const ShownUnit& unit) {
+    const std::string value = c.low == c.high
+                                  ? fmt::format("{:.4g}", unit.value(c.low))
+                                  : fmt::format("{:.4g} to {:.4g}", unit.value(c.low), unit.value(c.high));
     return c.at_end ? value : fmt::format("{} at {:.6g} s", value, c.time);
 }
 
-std::string temperatures(const RunRecord& run) {
+std::string readings(const RunRecord& run) {
     const std::vector<Comparison> compared = compare(run.problem, run.history);
-    Table table({true, false, false, false, false, false, true});
-    std::vector<std::string> heading{"degC", "final", "min", "max"};
+    Table table({true, true, false, false, false, false, false, true});
+    std::vector<std::string> heading{"channel", "unit", "final", "min", "max"};
     if (!compared.empty()) {
         heading.insert(heading.end(), {"measured", "meas - sim", "source"});
     }
     table.add(heading);
     for (std::size_t c = 0; c < run.problem.channels.size(); ++c) {
-        std::vector<std::string> row{run.problem.channels[c].name, degrees(run.report.channel_final[c]),
-                                     degrees(run.report.channel_min[c]), degrees(run.report.channel_max[c])};
+        const ShownUnit unit = shown_unit(run.problem.channels[c].quantity);
+        std::vector<std::string> row{run.problem.channels[c].name, unit.name,
+                                     fmt::format("{:.2f}", unit.value(run.report.channel_final[c])),
+                                     fmt::format("{:.2f}", unit.value(run.report.channel_min[c])),
+                                     fmt::format("{:.2f}", unit.value(run.report.channel_max[c]))};
         for (const Comparison& comparison : compared) {
             if (comparison.channel != c) {
                 continue;
             }
             if (row.empty()) {  // a further value for the same channel
-                row.resize(4);
+                row.resize(5);
             }
-            row.push_back(measured_text(comparison));
+            row.push_back(measured_text(comparison, unit));
             row.push_back(comparison.difference == 0.0 && comparison.low < comparison.high
                               ? "within"
-                              : fmt::format("{:+.2f}", comparison.difference));
+                              : fmt::format("{:+.2f}", unit.difference(comparison.difference)));
             row.push_back(comparison.source);
             table.add(std::move(row));
             row.clear();
@@ -90,7 +95,7 @@ std::string summary_text(const RunRecord& run, bool bold) {
     text += ending(run);
 
     if (run.history.rows() > 0) {
-        text += heading("Temperatures") + temperatures(run) + extremes(run);
+        text += heading("Readings") + readings(run) + extremes(run);
         const double symmetry = run.problem.symmetry;
         text +=
             heading(symmetry == 1.0 ? std::string("Heat budget")

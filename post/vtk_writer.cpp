@@ -17,7 +17,6 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
-#include "mesh/probe.hpp"
 #include "post/celsius.hpp"
 #include "post/file.hpp"
 
@@ -44,6 +43,27 @@ int cell_type(mesh::Shape shape) {
     return VTK_EMPTY_CELL;
 }
 
+/// Which layer or zone each cell belongs to, and what these are called.
+/// @param of_node [n_nodes] index into names
+void add_parts(vtkUnstructuredGrid* grid, const std::string& what, const std::vector<int>& of_node,
+               const std::vector<std::string>& names) {
+    if (names.empty()) {
+        return;
+    }
+    vtkNew<vtkIntArray> index;
+    index->SetName(what.c_str());
+    for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell) {
+        index->InsertNextValue(of_node[static_cast<std::size_t>(cell)]);
+    }
+    vtkNew<vtkStringArray> words;
+    words->SetName((what + " names").c_str());
+    for (const std::string& name : names) {
+        words->InsertNextValue(name);
+    }
+    grid->GetCellData()->AddArray(index);
+    grid->GetFieldData()->AddArray(words);
+}
+
 vtkNew<vtkUnstructuredGrid> drawing(const mesh::Mesh& mesh) {
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
@@ -61,18 +81,8 @@ vtkNew<vtkUnstructuredGrid> drawing(const mesh::Mesh& mesh) {
         std::copy_n(next, n, corners.begin());
         grid->InsertNextCell(cell_type(mesh.drawing.shape), n, corners.data());
     }
-    vtkNew<vtkIntArray> layer;
-    layer->SetName("layer");
-    vtkNew<vtkStringArray> names;
-    names->SetName("layer names");
-    for (int cell = 0; cell < mesh.n_cells; ++cell) {
-        layer->InsertNextValue(mesh.layer[static_cast<std::size_t>(cell)]);
-    }
-    for (const std::string& name : mesh.layers) {
-        names->InsertNextValue(name);
-    }
-    grid->GetCellData()->AddArray(layer);
-    grid->GetFieldData()->AddArray(names);
+    add_parts(grid, "layer", mesh.layer, mesh.layers);
+    add_parts(grid, "zone", mesh.zone, mesh.zones);
     return grid;
 }
 
@@ -90,23 +100,8 @@ std::string file_text(vtkUnstructuredGrid* grid) {
 
 }  // namespace
 
-VtkWriter::AtPoints VtkWriter::at_points(const mesh::Mesh& mesh) {
-    AtPoints all;
-    if (!mesh.grid) {
-        return all;
-    }
-    all.first.push_back(0);
-    for (const mesh::Point& point : mesh.drawing.points) {
-        const mesh::Functional one = mesh::at_point(mesh, {point[0], point[1], -point[2]});
-        all.nodes.insert(all.nodes.end(), one.nodes.begin(), one.nodes.end());
-        all.weights.insert(all.weights.end(), one.weights.begin(), one.weights.end());
-        all.first.push_back(all.nodes.size());
-    }
-    return all;
-}
-
 VtkWriter::VtkWriter(std::filesystem::path directory, const mesh::Mesh& mesh)
-    : directory_(std::move(directory)), mesh_(mesh), at_points_(at_points(mesh)) {
+    : directory_(std::move(directory)), mesh_(mesh), drawn_(mesh) {
     remove_series(directory_);
 }
 
@@ -128,15 +123,11 @@ void VtkWriter::write(double time, std::span<const double> temperature) {
         in_cells->InsertNextValue(celsius(temperature[static_cast<std::size_t>(cell)]));
     }
     grid->GetCellData()->SetScalars(in_cells);
-    if (!at_points_.first.empty()) {
+    if (drawn_.exists()) {
         vtkNew<vtkDoubleArray> in_points;
         in_points->SetName(temperature_name);
-        for (std::size_t point = 0; point + 1 < at_points_.first.size(); ++point) {
-            double sum = 0.0;
-            for (std::size_t i = at_points_.first[point]; i < at_points_.first[point + 1]; ++i) {
-                sum += at_points_.weights[i] * temperature[static_cast<std::size_t>(at_points_.nodes[i])];
-            }
-            in_points->InsertNextValue(celsius(sum));
+        for (const double kelvin : drawn_.at_points(temperature)) {
+            in_points->InsertNextValue(celsius(kelvin));
         }
         grid->GetPointData()->SetScalars(in_points);
     }

@@ -6,15 +6,16 @@
 #include <vector>
 
 #include "mesh/mesh.hpp"
+#include "post/drawn_field.hpp"
 
 namespace tiretherm::post {
 
 /// A series of fields for ParaView: field_0000.vtu, field_0001.vtu ... and field.pvd with their times.
 ///
-/// Cells carry "temperature [degC]" and "layer"; a mesh with a grid carries "temperature [degC]" at its points too,
-/// interpolated as the channels are, so that the surface shows the temperature of the surface and not that of the
-/// outermost cells. z is upwards, the outer surface at 0. An axisymmetric mesh is the half plane y = 0, x = radius:
-/// ParaView's filters "Extract Surface" and then "Rotational Extrusion" make the body of it.
+/// Cells carry "temperature [degC]", "layer" and, on a section, "zone"; a mesh with places carries "temperature [degC]" at
+/// its points too. z is upwards, the outer surface at 0. An axisymmetric mesh is the half plane y = 0, x = radius:
+/// ParaView's filters "Extract Surface" and then "Rotational Extrusion" make the body of it. A section is drawn folded:
+/// x is the distance from the centre plane, inboard positive, z the radius.
 ///
 /// Each file is renamed into place when it is whole, and field.pvd names only files that are.
 class VtkWriter {
@@ -34,17 +35,9 @@ public:
 private:
     void write_series() const;
 
-    /// The interpolation that makes the temperature of each corner point, all in one piece of memory.
-    struct AtPoints {
-        std::vector<std::size_t> first;  ///< [points + 1] into nodes and weights; empty without a grid
-        std::vector<int> nodes;
-        std::vector<double> weights;
-    };
-    [[nodiscard]] static AtPoints at_points(const mesh::Mesh& mesh);
-
     std::filesystem::path directory_;
     const mesh::Mesh& mesh_;
-    AtPoints at_points_;
+    DrawnField drawn_;
     std::vector<double> times_;
 };
 
