@@ -54,7 +54,8 @@ void read_parts(Section& section, std::string_view plural, const std::vector<std
             section.mistakes().add(word.place, fmt::format("the mesh has no {} \"{}\"", one, word.text),
                                    suggest(word.text, known, plural));
         } else if (std::find(parts.begin(), parts.end(), part) != parts.end()) {
-            section.mistakes().add(word.place, fmt::format("the {} \"{}\" is named twice", one, word.text), "remove one");
+            section.mistakes().add(word.place, fmt::format("the {} \"{}\" is named twice", one, word.text),
+                                   "remove one");
         } else {
             parts.push_back(part);
         }
@@ -136,22 +137,23 @@ ActiveEffect read_active(Section& section, const Effect& effect, const Draft& dr
     const mesh::Mesh& mesh = draft.problem.mesh;
     for (std::size_t i = 0; i < effect.tables.size(); ++i) {
         const physics::Table& table = effect.tables[i];
-        active.tables[i] =
-            read_curve(section, table.key, {.unit = table.variable_unit, .low = -1e6, .high = 1e6},
-                       {.unit = table.value_unit, .low = 0.0, .high = 1e9});
+        active.tables[i] = read_curve(section, table.key, {.unit = table.variable_unit, .low = -1e6, .high = 1e6},
+                                      {.unit = table.value_unit, .low = 0.0, .high = 1e9});
     }
     if (!effect.patches.empty()) {
         if (draft.has_mesh) {
-            read_parts(section, "patches", names_of(mesh.patches),
-                       [&](std::string_view name) { return mesh.find_patch(name); }, active.patches);
+            read_parts(
+                section, "patches", names_of(mesh.patches),
+                [&](std::string_view name) { return mesh.find_patch(name); }, active.patches);
         } else {
             section.texts("patches");
         }
     }
     if (effect.on_layers) {
         if (draft.has_mesh) {
-            read_parts(section, "layers", mesh.layers, [&](std::string_view name) { return mesh.find_layer(name); },
-                       active.layers);
+            read_parts(
+                section, "layers", mesh.layers, [&](std::string_view name) { return mesh.find_layer(name); },
+                active.layers);
         } else {
             section.texts("layers");
         }

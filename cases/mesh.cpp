@@ -17,8 +17,8 @@ struct Kind {
     bool (*read)(Section& mesh, Draft& draft);
 };
 
-constexpr std::array kinds{Kind{"two_node", read_two_node}, Kind{"layers", read_layers}, Kind{"section", read_section}, Kind{"block", read_block},
-                           Kind{"axisymmetric", read_axisymmetric}};
+constexpr std::array kinds{Kind{"two_node", read_two_node}, Kind{"layers", read_layers}, Kind{"section", read_section},
+                           Kind{"block", read_block}, Kind{"axisymmetric", read_axisymmetric}};
 
 }  // namespace
 

@@ -106,7 +106,8 @@ std::vector<mesh::Zone> zones_of(const std::array<Stretch, 3>& stretches) {
 bool read_section(Section& mesh, Draft& draft) {
     const physics::Tire& tire = draft.problem.tire;
     if (!draft.has_tire) {
-        mesh.mistake("kind", "a section is that of a tire, and there is no tire", "add [tire] with size = \"225/50 R17\"");
+        mesh.mistake("kind", "a section is that of a tire, and there is no tire",
+                     "add [tire] with size = \"225/50 R17\"");
     }
     const double tread = mesh.quantity("tread_width", wanted::length).value_or(tire.width);
     const double shoulder = mesh.quantity("shoulder_width", wanted::length).value_or(0.2 * tread);

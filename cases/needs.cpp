@@ -78,6 +78,13 @@ std::vector<std::string_view> signals_of(solver::Quantity quantity) {
             return {"vertical_load"};
         case solver::Quantity::gas_pressure:
             return {"inflation_pressure"};
+        case solver::Quantity::bulk_temperature_factor:
+            return {"vertical_load"};
+        case solver::Quantity::lateral_force:
+        case solver::Quantity::reference_lateral_force:
+            return {"speed", "vertical_load", "slip_angle"};
+        case solver::Quantity::longitudinal_force:
+            return {"speed", "vertical_load", "slip_ratio"};
     }
     return {};
 }
@@ -85,8 +92,8 @@ std::vector<std::string_view> signals_of(solver::Quantity quantity) {
 void warn_of_unread_signals(Section& root, const Draft& draft) {
     std::vector<std::string> unread;
     for (const physics::Signal& signal : physics::signals()) {
-        const bool by_effect =
-            std::ranges::any_of(draft.problem.effects, [&](const ActiveEffect& a) { return uses(*a.effect, signal.name); });
+        const bool by_effect = std::ranges::any_of(draft.problem.effects,
+                                                   [&](const ActiveEffect& a) { return uses(*a.effect, signal.name); });
         const bool by_channel = std::ranges::any_of(draft.problem.channels, [&](const solver::Channel& channel) {
             return std::ranges::count(signals_of(channel.quantity), signal.name) > 0;
         });

@@ -136,8 +136,8 @@ Where read_section_point(Section& sensor, const mesh::Mesh& mesh) {
         }
     }
     const std::ptrdiff_t column = mesh::column_at(mesh, places.front());
-    solver::Channel found = channel(
-        level(depth, mesh.columns[static_cast<std::size_t>(column)].edge.back()) + where, std::move(mean));
+    solver::Channel found =
+        channel(level(depth, mesh.columns[static_cast<std::size_t>(column)].edge.back()) + where, std::move(mean));
     if (places.size() == 1) {
         found.point = mesh::Point{places.front(), 0.0, depth};
     }
@@ -180,8 +180,7 @@ Where read_spot(Section& sensor, const mesh::Mesh& mesh) {
     const std::optional<int> patch = read_part(sensor, "patch", "patches", names_of(mesh.patches));
     const Plan plan = plan_of(mesh);
     if (plan == Plan::lumps || plan == Plan::strip || plan == Plan::section) {
-        sensor.mistake("kind", "there are spots only on a block and on a disc",
-                       "take kind = \"patch\"");
+        sensor.mistake("kind", "there are spots only on a block and on a disc", "take kind = \"patch\"");
         return std::nullopt;
     }
     if (!radius || !patch) {

@@ -27,12 +27,21 @@ struct Reading {
     solver::Quantity quantity;
     std::string_view meaning;
     std::string_view region;  ///< whose temperature it follows, unless the case names a sensor
+    bool needs_magic_formula = false;
 };
 constexpr std::array readings{
     Reading{"drag_force", solver::Quantity::drag_force, "rolling resistance, as a force at the axle", ""},
     Reading{"rolling_moment", solver::Quantity::rolling_moment, "rolling resistance, as a moment about the axle", ""},
     Reading{"loaded_radius", solver::Quantity::loaded_radius, "radius under load", ""},
     Reading{"cornering_stiffness", solver::Quantity::cornering_stiffness, "cornering stiffness", "bulk"},
+    Reading{"bulk_temperature_factor", solver::Quantity::bulk_temperature_factor,
+            "cornering stiffness over that of the Magic Formula, lambda_Tb", "bulk", true},
+    Reading{"lateral_force", solver::Quantity::lateral_force,
+            "lateral force in pure slip, Magic Formula with the cornering stiffness", "bulk", true},
+    Reading{"reference_lateral_force", solver::Quantity::reference_lateral_force,
+            "lateral force in pure slip, Magic Formula without temperature", "", true},
+    Reading{"longitudinal_force", solver::Quantity::longitudinal_force,
+            "longitudinal force in pure slip, Magic Formula without temperature", "", true},
     Reading{"gas_pressure", solver::Quantity::gas_pressure, "inflation pressure above the atmosphere", "gas"},
 };
 
@@ -40,7 +49,8 @@ constexpr std::array readings{
 /// region gives.
 Where read_quantity(Section& sensor, const Reading& reading, const Draft& draft) {
     const mesh::Mesh& mesh = draft.problem.mesh;
-    solver::Channel channel{.name = {}, .meaning = std::string(reading.meaning), .where = {}, .quantity = reading.quantity};
+    solver::Channel channel{
+        .name = {}, .meaning = std::string(reading.meaning), .where = {}, .quantity = reading.quantity};
     if (!draft.has_tire && reading.quantity != solver::Quantity::gas_pressure) {
         sensor.mistake("kind", fmt::format("{} is that of a tire, and there is no tire", reading.name), "add [tire]");
     }
@@ -50,6 +60,12 @@ Where read_quantity(Section& sensor, const Reading& reading, const Draft& draft)
                            fmt::format("add {} to [drive]", signal));
         }
     }
+    if (reading.needs_magic_formula && !draft.problem.handling.magic_formula) {
+        sensor.mistake("kind",
+                       fmt::format("{} is of the Magic Formula, and the tire has no property file", reading.name),
+                       "add property_file = \"....tir\" to [tire]");
+        return std::nullopt;
+    }
     if (reading.region.empty()) {
         return channel;
     }
@@ -57,7 +73,8 @@ Where read_quantity(Section& sensor, const Reading& reading, const Draft& draft)
         const auto& channels = draft.problem.channels;
         const auto found = std::find_if(channels.begin(), channels.end(), [&](const auto& c) { return c.name == *of; });
         if (found == channels.end() || found->quantity != solver::Quantity::temperature) {
-            sensor.mistake("temperature_of", fmt::format("no sensor of a temperature above this one is called \"{}\"", *of),
+            sensor.mistake("temperature_of",
+                           fmt::format("no sensor of a temperature above this one is called \"{}\"", *of),
                            suggest(*of, names_of(channels), "sensors"));
             return std::nullopt;
         }
@@ -67,8 +84,9 @@ Where read_quantity(Section& sensor, const Reading& reading, const Draft& draft)
     }
     const int region = mesh.find_region(reading.region);
     if (region < 0) {
-        sensor.mistake("kind", fmt::format("{} follows the {}, which this case does not have", reading.name, reading.region),
-                       reading.region == "gas" ? "switch it on: [effects.inner_gas]" : "name a sensor: temperature_of = \"...\"");
+        sensor.mistake(
+            "kind", fmt::format("{} follows the {}, which this case does not have", reading.name, reading.region),
+            reading.region == "gas" ? "switch it on: [effects.inner_gas]" : "name a sensor: temperature_of = \"...\"");
         return std::nullopt;
     }
     channel.where = mesh.regions[static_cast<std::size_t>(region)].mean;

@@ -7,6 +7,7 @@
 
 #include "cases/draft.hpp"
 #include "cases/law.hpp"
+#include "cases/tir_file.hpp"
 #include "cases/wanted.hpp"
 #include "cases/words.hpp"
 
@@ -91,6 +92,43 @@ void read_size(Section& tire, Tire& into) {
     into.unloaded_radius = 0.5 * rim + into.section_height;
 }
 
+/// The moduli of the cornering stiffness: [tire.modulus].
+void read_modulus(Section& tire, solver::Handling& into) {
+    Section section = tire.section("modulus");
+    constexpr Wanted modulus{.unit = "Pa", .low = 0.0, .high = 1e12, .above = true};
+    physics::EquivalentModulus& m = into.modulus;
+    const auto take = [&](std::string_view key, const Wanted& wanted, double& member) {
+        member = section.quantity(key, wanted).value_or(member);
+    };
+    take("belt_maximum", modulus, m.E_max);
+    take("belt_fall", modulus, m.dE);
+    take("belt_slope", {.unit = "m-1", .low = -1e4, .high = 1e4}, m.slope);
+    take("belt_threshold", wanted::length, m.l_t);
+    take("tread_middle", modulus, m.E_mid);
+    take("tread_fall", modulus, m.dE_T);
+    take("transition_temperature", wanted::temperature, m.T_g);
+    take("transition_width", {.unit = "K", .scale = Scale::difference, .low = 0.0, .high = 1e4, .above = true}, m.dT);
+    take("lambda_CP", {.unit = "1", .low = 0.0, .high = 10.0}, into.lambda_CP);
+    if (m.dE >= m.E_max) {
+        section.mistake("belt_fall", "the belt's modulus would fall to nothing", "let it be smaller than belt_maximum");
+    }
+    if (m.dE_T >= 2.0 * m.E_mid) {
+        section.mistake("tread_fall", "the tread's modulus would fall to nothing",
+                        "let it be smaller than twice tread_middle");
+    }
+}
+
+/// The Magic Formula's coefficients: property_file, beside the file that names it.
+void read_property_file(Section& tire, solver::Handling& into) {
+    if (const std::optional<std::string> path = tire.text("property_file")) {
+        const Place mentioned = tire.place("property_file");
+        const std::filesystem::path beside = std::filesystem::path(tire.mistakes().file(mentioned.file)).parent_path();
+        if (const auto file = read_tir_file((beside / *path).lexically_normal(), mentioned, tire.mistakes())) {
+            into.magic_formula = file->law;
+        }
+    }
+}
+
 void check(const Section& tire, const Tire& read, double nominal_radius) {
     if (read.tread_thickness >= read.section_height) {
         tire.mistake("tread_thickness", "the tread is thicker than the section is high");
@@ -127,6 +165,8 @@ void read_tire(Section& root, Draft& draft) {
     if (!tire.has("loaded_radius_at_zero")) {
         into.loaded_radius_at_zero = into.unloaded_radius;
     }
+    read_modulus(tire, draft.problem.handling);
+    read_property_file(tire, draft.problem.handling);
     std::vector<std::string> borrowed;
     for (const Law& law : laws) {
         into.*law.member = read_curve(tire, law.table, wanted::load, law.value);

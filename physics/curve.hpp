@@ -39,6 +39,11 @@ public:
                 0.5 * c1_ + c2_ / 3.0 * (a + 2.0 * b)};
     }
 
+    /// The law times a factor.
+    [[nodiscard]] Curve scaled(double factor) const;
+    /// The law plus slope (x - origin); of a table at its points, held beyond its ends as before.
+    [[nodiscard]] Curve plus_line(double origin, double slope) const;
+
     [[nodiscard]] bool is_constant() const { return !is_table_ && c1_ == 0.0 && c2_ == 0.0; }
     [[nodiscard]] bool is_table() const { return is_table_; }
     /// Smallest value on [low, high].

@@ -99,7 +99,7 @@ struct Moment {
     std::span<const double> temperature;  ///< [n_nodes] K
     std::span<const double> region_mean;  ///< [n_regions] K
     const ActiveEffect& active;
-    std::span<const double> intensities;    ///< [n_intensities] of this effect
+    std::span<const double> intensities;     ///< [n_intensities] of this effect
     std::span<const Factor> loss_factors{};  ///< on the strain-energy loss
 };
 
@@ -131,8 +131,8 @@ struct Effect {
     bool one_patch = false;                       ///< of these the first that the mesh has, not all
     bool on_layers = false;                       ///< acts on the layers that a case names
     bool on_channels = false;                     ///< acts on the channels that a case names
-    bool by_deformation = false;  ///< its heat is work of deformation: what rolling resistance pays for
-    bool before_lag = false;      ///< a reading of what the sensor sees, not of what it gives
+    bool by_deformation = false;                  ///< its heat is work of deformation: what rolling resistance pays for
+    bool before_lag = false;                      ///< a reading of what the sensor sees, not of what it gives
     int n_intensities = 0;
 
     /// Appends nodes and joints to the mesh, once, when the effect is switched on.
@@ -169,12 +169,12 @@ struct ActiveEffect {
     };
 
     const Effect* effect = nullptr;
-    std::vector<double> parameters;             ///< in the order of effect->parameters
-    std::vector<int> choices;                   ///< index of the option chosen, in the order of effect->choices
-    std::vector<std::optional<Curve>> tables;   ///< in the order of effect->tables
-    std::vector<int> patches;                   ///< indices into mesh.patches
-    std::vector<int> layers;                    ///< indices into mesh.layers, of an effect on layers
-    std::vector<int> channels;                  ///< indices into the problem's channels, of a reading
+    std::vector<double> parameters;            ///< in the order of effect->parameters
+    std::vector<int> choices;                  ///< index of the option chosen, in the order of effect->choices
+    std::vector<std::optional<Curve>> tables;  ///< in the order of effect->tables
+    std::vector<int> patches;                  ///< indices into mesh.patches
+    std::vector<int> layers;                   ///< indices into mesh.layers, of an effect on layers
+    std::vector<int> channels;                 ///< indices into the problem's channels, of a reading
     std::vector<Override> overrides;
     std::vector<int> appended;    ///< filled by `extend`: nodes of its own
     std::vector<int> joints;      ///< filled by `extend`: faces that lead to appended nodes

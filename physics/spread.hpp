@@ -21,6 +21,17 @@ void spread_over_patches(const Setting& setting, ActiveEffect& active, const std
 /// The same for the cells below the surface layer in the zones of the tread (all cells of a mesh of one layer), by mass.
 void spread_over_bulk(const Setting& setting, ActiveEffect& active);
 
+/// Joins every face of an effect's patches to a node that it appended. @returns the joints
+[[nodiscard]] std::vector<int> join_patches(mesh::Mesh& mesh, const ActiveEffect& active, int appended_node);
+
+/// Area of an effect's joints. @returns m2
+[[nodiscard]] double joined_area(const mesh::Mesh& mesh, const ActiveEffect& active);
+
+/// Joins the nodes "gas" and "rim" when both are there and not joined yet, whichever came first.
+void join_gas_and_rim(mesh::Mesh& mesh);
+/// The face between them, or -1.
+[[nodiscard]] int face_between_gas_and_rim(const mesh::Mesh& mesh);
+
 /// Makes the weights sum to 1.
 void normalise(ActiveEffect& active);
 

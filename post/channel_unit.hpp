@@ -30,6 +30,12 @@ struct ShownUnit {
             return {.name = "N/rad"};
         case solver::Quantity::gas_pressure:
             return {.name = "kPa", .factor = 1e-3};
+        case solver::Quantity::bulk_temperature_factor:
+            return {.name = "-"};
+        case solver::Quantity::lateral_force:
+        case solver::Quantity::reference_lateral_force:
+        case solver::Quantity::longitudinal_force:
+            return {.name = "N"};
     }
     return {.name = "1"};
 }

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-
 namespace tiretherm::post {
 
 CsvWriter::CsvWriter(const std::filesystem::path& path, const solver::Problem& problem) : file_(path) {

@@ -65,8 +65,8 @@ auto blend(const std::array<Value, 4>& v, double x, double y) {
     return (1.0 - y) * ((1.0 - x) * v[0] + x * v[1]) + y * ((1.0 - x) * v[3] + x * v[2]);
 }
 
-void fill_cell(Canvas& canvas, const Page& page, const Mesh& mesh, int cell, std::span<const double> kelvin,
-               double low, double high) {
+void fill_cell(Canvas& canvas, const Page& page, const Mesh& mesh, int cell, std::span<const double> kelvin, double low,
+               double high) {
     const std::array<std::size_t, 4> c = corners(mesh, cell);
     std::array<double, 4> T{};
     std::array<double, 4> px{};
@@ -100,7 +100,8 @@ void draw_borders(Canvas& canvas, const Page& page, const Mesh& mesh) {
             const int cell = column.first_cell + k;
             if (mesh.layer[static_cast<std::size_t>(cell)] != mesh.layer[static_cast<std::size_t>(cell) + 1]) {
                 const auto c = corners(mesh, cell);
-                canvas.line(std::array{page.dot(mesh.drawing.points[c[0]]), page.dot(mesh.drawing.points[c[1]])}, faint, 1.5);
+                canvas.line(std::array{page.dot(mesh.drawing.points[c[0]]), page.dot(mesh.drawing.points[c[1]])}, faint,
+                            1.5);
             }
         }
         if (i + 1 < mesh.columns.size() && mesh.columns[i + 1].zone != column.zone) {
@@ -131,10 +132,16 @@ void name_zones(Canvas& canvas, const Page& page, const Mesh& mesh) {
         const Dot at = page.dot(mesh.drawing.points[inner[0]]);
         const bool left = at.x < 0.4 * look::page_width;
         const bool right = at.x > 0.6 * look::page_width;
-        canvas.write({left ? at.x + 22.0 : right ? at.x - 22.0 : at.x, at.y + 30.0}, words(mesh.zones[zone]),
+        canvas.write({left    ? at.x + 22.0
+                      : right ? at.x - 22.0
+                              : at.x,
+                      at.y + 30.0},
+                     words(mesh.zones[zone]),
                      {.size = look::text,
                       .ink = look::faint,
-                      .align = left ? Align::left : right ? Align::right : Align::centre});
+                      .align = left    ? Align::left
+                               : right ? Align::right
+                                       : Align::centre});
     }
 }
 
@@ -151,7 +158,8 @@ void draw_folded(const std::filesystem::path& path, const solver::Problem& probl
     Canvas canvas(look::page_width, static_cast<int>(room_above + page.height + 215.0), look::paper);
     canvas.write({margin, 40.0}, problem.title.empty() ? problem.name : problem.title,
                  {.size = look::title, .ink = look::ink, .bold = true});
-    const std::string moment = problem.settings.steady ? std::string("steady state") : fmt::format("t = {:.6g} s", time);
+    const std::string moment =
+        problem.settings.steady ? std::string("steady state") : fmt::format("t = {:.6g} s", time);
     canvas.write({margin, 88.0}, moment + "; outboard on the left, inboard on the right",
                  {.size = look::text, .ink = look::faint});
     for (int cell = 0; cell < mesh.n_cells; ++cell) {
@@ -164,7 +172,10 @@ void draw_folded(const std::filesystem::path& path, const solver::Problem& probl
     canvas.disc(mark, 7.0, colour(0xffffff, 0.9), look::ink, 2.0);
     const bool right = mark.x > 0.5 * look::page_width;
     canvas.write({mark.x + (right ? -16.0 : 16.0), mark.y + 64.0}, fmt::format("hottest {:.1f} °C", high),
-                 {.size = look::text, .ink = look::ink, .align = right ? Align::right : Align::left, .bold = true,
+                 {.size = look::text,
+                  .ink = look::ink,
+                  .align = right ? Align::right : Align::left,
+                  .bold = true,
                   .halo = colour(0xffffff, 0.8)});
     draw_colour_bar(canvas, low, high, ticks(low, high, 9), room_above + page.height + 60.0);
     canvas.save(path);

@@ -58,7 +58,7 @@ void Hdf5Writer::write_mesh() {
         return Label{.units = units, .long_name = meaning, .source = source_, .coordinates = along};
     };
     file_.write("/mesh/centre", coordinates(mesh.centre), 3,
-                label("m", round                     ? "radius, 0 and depth of each node"
+                label("m", round                  ? "radius, 0 and depth of each node"
                            : mesh.columns.empty() ? "x, y and depth of each node"
                                                   : "arc length along the meridian, 0 and depth of each node"));
     file_.write("/mesh/volume", mesh.volume, 0, label("m3", "volume of each node, 0 on a surface", "/mesh/centre"));
@@ -93,7 +93,9 @@ void Hdf5Writer::add_columns() {
     channels_.push_back(column("/channels/time", 0, label("s", "time of each row", "")));
     for (const solver::Channel& channel : problem_.channels) {
         const std::string& meaning = channel.meaning.empty() ? channel.name : channel.meaning;
-        channels_.push_back(column("/channels/" + channel.name, 0, label(std::string(solver::unit_of(channel.quantity)).c_str(), meaning, "/channels/time")));
+        channels_.push_back(
+            column("/channels/" + channel.name, 0,
+                   label(std::string(solver::unit_of(channel.quantity)).c_str(), meaning, "/channels/time")));
     }
 
     file_.add_group("/ledger");

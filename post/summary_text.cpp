@@ -15,9 +15,8 @@ namespace {
 std::string degrees(double kelvin) { return fmt::format("{:.2f}", celsius(kelvin)); }
 
 std::string measured_text(const Comparison& c, const ShownUnit& unit) {
-    const std::string value = c.low == c.high
-                                  ? fmt::format("{:.4g}", unit.value(c.low))
-                                  : fmt::format("{:.4g} to {:.4g}", unit.value(c.low), unit.value(c.high));
+    const std::string value = c.low == c.high ? fmt::format("{:.4g}", unit.value(c.low))
+                                              : fmt::format("{:.4g} to {:.4g}", unit.value(c.low), unit.value(c.high));
     return c.at_end ? value : fmt::format("{} at {:.6g} s", value, c.time);
 }
 

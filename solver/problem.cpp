@@ -21,6 +21,12 @@ std::string_view unit_of(Quantity quantity) {
             return "N rad-1";
         case Quantity::gas_pressure:
             return "Pa";
+        case Quantity::bulk_temperature_factor:
+            return "1";
+        case Quantity::lateral_force:
+        case Quantity::reference_lateral_force:
+        case Quantity::longitudinal_force:
+            return "N";
     }
     return "1";
 }

@@ -9,6 +9,7 @@
 #include "mesh/mesh.hpp"
 #include "physics/cornering_stiffness.hpp"
 #include "physics/effect.hpp"
+#include "physics/magic_formula.hpp"
 #include "solver/drive.hpp"
 
 namespace tiretherm::solver {
@@ -34,14 +35,25 @@ struct Settings {
 /// What a channel reads. Temperatures are functionals of the nodes; the others follow from the tire's laws, the inputs
 /// and, where it says so, the temperature of `where`.
 enum class Quantity : std::uint8_t {
-    temperature,          ///< K
-    drag_force,           ///< N, rolling resistance of all that is lost by deformation (51)
-    rolling_moment,       ///< N m (50)
-    loaded_radius,        ///< m (37)
-    cornering_stiffness,  ///< N/rad, at the temperature of `where` (52)
-    gas_pressure          ///< Pa above the atmosphere, heated at constant volume to the temperature of `where`
+    temperature,              ///< K
+    drag_force,               ///< N, rolling resistance of all that is lost by deformation (51)
+    rolling_moment,           ///< N m (50)
+    loaded_radius,            ///< m (37)
+    cornering_stiffness,      ///< N/rad, at the temperature of `where` (52)
+    gas_pressure,             ///< Pa above the atmosphere, heated at constant volume to the temperature of `where`
+    bulk_temperature_factor,  ///< lambda_Tb of the Magic Formula at the temperature of `where` (60)
+    lateral_force,            ///< N, Magic Formula with the cornering stiffness at the temperature of `where` (59)
+    reference_lateral_force,  ///< N, Magic Formula that knows no temperature (10)
+    longitudinal_force        ///< N, Magic Formula in pure longitudinal slip (8)
 };
 [[nodiscard]] std::string_view unit_of(Quantity quantity);  ///< SI, as UDUNITS reads it
+
+/// The laws by which temperature reaches vehicle dynamics.
+struct Handling {
+    physics::EquivalentModulus modulus;                  ///< of the cornering stiffness
+    double lambda_CP = 1.0;                              ///< scale of the cornering stiffness
+    std::optional<physics::MagicFormula> magic_formula;  ///< of a property file
+};
 
 /// A named reading.
 struct Channel {
@@ -70,8 +82,7 @@ struct Problem {
     std::vector<physics::Material> materials;  ///< [n_layers]
     std::vector<physics::Curve> link_laws;     ///< [n_links] W/(m K) against K
     physics::Tire tire;
-    physics::EquivalentModulus modulus;  ///< of the cornering stiffness
-    double lambda_CP = 1.0;              ///< scale of the cornering stiffness
+    Handling handling;
     std::vector<physics::ActiveEffect> effects;
     Drive drive;
     std::vector<double> initial;  ///< [n_nodes] K

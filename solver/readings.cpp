@@ -96,12 +96,42 @@ double Readings::quantity(std::size_t channel, double followed, const physics::I
         case Quantity::loaded_radius:
             return tire.loaded_radius(inputs.vertical_load);
         case Quantity::cornering_stiffness:
-            return problem_->lambda_CP *
-                   physics::cornering_stiffness(problem_->modulus, tire, inputs.vertical_load, followed).value;
+            return stiffness(tire, inputs, followed);
+        case Quantity::bulk_temperature_factor:
+        case Quantity::lateral_force:
+        case Quantity::reference_lateral_force:
+        case Quantity::longitudinal_force:
+            return magic_formula(problem_->channels[channel].quantity, tire, inputs, followed);
         case Quantity::gas_pressure:
             return (inputs.inflation_pressure + atmosphere) * followed / gas_start_ - atmosphere;
     }
     return followed;
+}
+
+double Readings::stiffness(const physics::Tire& tire, const physics::Inputs& inputs, double T) const {
+    const Handling& handling = problem_->handling;
+    return handling.lambda_CP * physics::cornering_stiffness(handling.modulus, tire, inputs.vertical_load, T).value;
+}
+
+double Readings::magic_formula(Quantity quantity, const physics::Tire& tire, const physics::Inputs& inputs,
+                               double T) const {
+    const physics::MagicFormula& law = *problem_->handling.magic_formula;
+    physics::PureSlipState state{.load = inputs.vertical_load,
+                                 .slip = inputs.slip_angle,
+                                 .camber = inputs.camber,
+                                 .speed = inputs.speed,
+                                 .sliding_speed = std::abs(inputs.speed * std::tan(inputs.slip_angle))};
+    if (quantity == Quantity::longitudinal_force) {
+        state.slip = inputs.slip_ratio;
+        state.sliding_speed = std::abs(inputs.speed * inputs.slip_ratio);
+        return law.longitudinal(state).force;
+    }
+    if (quantity == Quantity::reference_lateral_force) {
+        return law.lateral(state).force;
+    }
+    const double lambda_Tb = physics::bulk_temperature_factor(
+        stiffness(tire, inputs, T), law.cornering_stiffness(inputs.vertical_load, inputs.camber));
+    return quantity == Quantity::bulk_temperature_factor ? lambda_Tb : law.lateral(state, lambda_Tb).force;
 }
 
 void Readings::begin(double t, std::span<const double> T, std::span<const double> watts,

@@ -48,14 +48,17 @@ private:
         mesh::Functional where;
         std::vector<Reader> before;  ///< the lag
         std::vector<Reader> after;
-        double lag = 0.0;    ///< s
-        double delay = 0.0;  ///< s
+        double lag = 0.0;         ///< s
+        double delay = 0.0;       ///< s
         std::vector<Piece> past;  ///< as far back as the delay looks
     };
 
     [[nodiscard]] double followed_quantity(std::size_t channel, std::span<const double> T,
                                            std::span<const double> watts) const;
     [[nodiscard]] double quantity(std::size_t channel, double followed, const physics::Inputs& logged) const;
+    [[nodiscard]] double stiffness(const physics::Tire& tire, const physics::Inputs& inputs, double T) const;
+    [[nodiscard]] double magic_formula(Quantity quantity, const physics::Tire& tire, const physics::Inputs& inputs,
+                                       double T) const;
     [[nodiscard]] static double followed(const Chain& chain, const Piece& piece, double t);
     [[nodiscard]] static double delayed(const Chain& chain, double t);
 

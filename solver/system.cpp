@@ -125,8 +125,12 @@ void System::find_loss_factors(std::span<const double> T, std::span<const double
     for (std::size_t e = 0; e < effects_.size(); ++e) {
         const physics::Effect& effect = *effects_[e].effect;
         if (effect.scale_loss != nullptr) {
-            loss_factors_.push_back(effect.scale_loss(
-                {.mesh = problem_->mesh, .stock = stock_, .temperature = T, .region_mean = means, .active = effects_[e], .intensities = {}}));
+            loss_factors_.push_back(effect.scale_loss({.mesh = problem_->mesh,
+                                                       .stock = stock_,
+                                                       .temperature = T,
+                                                       .region_mean = means,
+                                                       .active = effects_[e],
+                                                       .intensities = {}}));
         }
     }
 }
@@ -168,9 +172,8 @@ void System::evaluate(std::span<const double> T, std::span<const double> intensi
 
 void System::enthalpy(std::span<const double> T, std::span<double> H) const {
     for (std::size_t i = 0; i < T.size(); ++i) {
-        H[i] = mass_[i] > 0.0
-                   ? mass_[i] * stock_.materials[at(problem_->mesh.layer[i])].heat_capacity.integral(T[i])
-                   : lump_[i] * T[i];
+        H[i] = mass_[i] > 0.0 ? mass_[i] * stock_.materials[at(problem_->mesh.layer[i])].heat_capacity.integral(T[i])
+                              : lump_[i] * T[i];
     }
 }
 

@@ -1,0 +1,22 @@
+#pragma once
+
+namespace tiretherm::physics {
+
+/// Two half-spaces that meet for a short time with a conductance between their surfaces: tread and road in a rolling
+/// contact. Carslaw & Jaeger, Conduction of Heat in Solids, 2nd ed. 1959, sec. 2.5 and 2.8.
+struct ContactOfHalfSpaces {
+    double interface_h = 0.0;   ///< W/(m2 K) between the two surfaces, > 0
+    double effusivity_a = 0.0;  ///< sqrt(k rho c), W s^0.5/(m2 K), > 0
+    double effusivity_b = 0.0;
+
+    /// Mean flux over a contact of this duration, per kelvin between the two before they met.
+    ///     h_mean = h (e^tau erfc(sqrt tau) - 1 + 2 sqrt(tau/pi)) / tau,   tau = h^2 (1/e_a + 1/e_b)^2 t
+    /// The interface alone for a very short contact, 2 / ((1/e_a + 1/e_b) sqrt(pi t)) for a long one.
+    /// @param duration s, >= 0  @returns W/(m2 K)
+    [[nodiscard]] double mean_conductance(double duration) const;
+};
+
+/// e^(x^2) erfc(x), which stays finite where the two factors do not. @param x >= 0
+[[nodiscard]] double scaled_erfc(double x);
+
+}  // namespace tiretherm::physics

@@ -1,0 +1,179 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "tests/support/order.hpp"
+#include "tests/support/tire_section.hpp"
+
+// The section of a whole tire: limits, symmetry, grid convergence.
+namespace tiretherm {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Largest difference of two fields. K
+double apart(const std::vector<double>& a, const std::vector<double>& b) {
+    double worst = 0.0;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+        worst = std::max(worst, std::abs(a[i] - b[i]));
+    }
+    return a.size() == b.size() ? worst : std::nan("");
+}
+
+/// The thesis's tire with cells through its thickness, cornering a little, for ten minutes.
+void finish(solver::Problem& problem) {
+    problem.materials.assign(2, support::material(physics::Curve::quadratic_about(293.15, 0.29, 0.00943, 0.0), 1100.0,
+                                                  physics::Curve::constant(1800.0)));
+    for (const char* id : {"conduction", "strain_energy_loss", "sliding_friction", "air_convection", "road_contact"}) {
+        support::switch_on(problem, id);
+    }
+    support::hold(problem, "speed", 100.0 / 3.6);
+    support::hold(problem, "vertical_load", 4000.0);
+    support::hold(problem, "slip_angle", 0.03);
+    support::hold(problem, "lateral_force", 1500.0);
+    support::hold(problem, "air_temperature", 296.15);
+    support::hold(problem, "road_temperature", 300.15);
+    support::start_at(problem, 296.15);
+    problem.settings.end = 600.0;
+    problem.settings.fixed_step = 20.0;
+    problem.settings.output_interval = 60.0;
+    problem.settings.tolerance = 1e-9;
+    for (const mesh::Region& region : problem.mesh.regions) {
+        support::read(problem, region.name, region.mean);
+    }
+    support::read(problem, "inside", mesh::over_patch(problem.mesh, problem.mesh.find_patch("inside")));
+}
+
+}  // namespace
+
+// A crown alone, straight and one column wide, is the strip of layers: same areas 2 pi R0 W, same cells.
+TEST(TireSection, OneColumnIsTheStripOfLayers) {
+    const std::vector<mesh::Layer> stack{{"tread", 0.008, 8, 2.0}, {"below", 0.004, 4}};
+    solver::Problem section;
+    mesh::Section description;
+    description.meridian = mesh::Meridian(section.tire.unloaded_radius, {});
+    description.layers = stack;
+    description.zones = {{"crown", section.tire.width, 1, 1.0, {0, 1}}};
+    section.mesh = mesh::build(description);
+    finish(section);
+    solver::Problem layers;
+    layers.mesh = mesh::build(mesh::Layers{.area = layers.tire.outer_area(), .stack = stack});
+    finish(layers);
+
+    const support::History a = support::record(section);
+    const support::History b = support::record(layers);
+    ASSERT_EQ(a.time, b.time);
+    double worst = 0.0;
+    for (std::size_t i = 0; i < a.time.size(); ++i) {
+        worst = std::max(worst, apart(a.channels[i], b.channels[i]));
+    }
+    // 30 steps of sums in another order at 340 K: 1e-13 each, 1e-9 the tolerance of each step's iteration.
+    support::expect_below("section less layers, K", worst, 1e-9);
+    EXPECT_GT(a.channels.back()[1], 320.0);
+}
+
+// Without camber nothing tells left from right.
+TEST(TireSection, IsItsOwnMirrorImageWithoutCamber) {
+    solver::Problem problem = support::tire_problem(3);
+    support::switch_on(problem, "camber_asymmetry");
+    support::hold(problem, "camber", 0.0);
+    problem.settings.fixed_step = 20.0;
+    problem.settings.tolerance = 1e-9;
+    const std::vector<double> T = support::final_field(problem);
+    support::expect_below("field less its mirror image, K", apart(T, support::mirrored(problem.mesh, T)), 1e-9);
+}
+
+// Leaning the other way makes the mirror image; leaning at all makes a difference, on the side that the top leans to.
+TEST(TireSection, OppositeCamberMakesTheMirrorImage) {
+    std::vector<std::vector<double>> fields;
+    mesh::Mesh mesh;
+    for (const double camber : {-1.5 * support::deg, 1.5 * support::deg}) {
+        solver::Problem problem = support::tire_problem(3);
+        support::switch_on(problem, "camber_asymmetry");
+        support::hold(problem, "camber", camber);
+        problem.settings.fixed_step = 20.0;
+        problem.settings.tolerance = 1e-9;
+        fields.push_back(support::final_field(problem));
+        mesh = problem.mesh;
+    }
+    support::expect_below("mirror image, K", apart(fields[0], support::mirrored(mesh, fields[1])), 1e-9);
+    const double inside = mesh::over_cells(mesh, -1, mesh.find_zone("inside_shoulder"))(fields[0]);
+    const double outside = mesh::over_cells(mesh, -1, mesh.find_zone("outside_shoulder"))(fields[0]);
+    EXPECT_GT(inside, outside + 1.0);
+}
+
+// Heat made evenly between two beads that are cooled, insulated elsewhere, on a profile that turns: from the centre to s
+// flows q 2 pi t times the integral of r, through a ring of 2 pi r t. So
+//     T(0) - T_air = q/k int_0^L (int_0^s r)/r ds + q (int_0^L r)/(r(L) h).
+TEST(TireSection, ConductsAlongTheMeridianAtSecondOrder) {
+    constexpr double L = 0.12;
+    constexpr double k = 0.3;
+    constexpr double q = 2e4;
+    constexpr double h = 40.0;
+    const mesh::Meridian meridian(0.33, {{0.04, 0.5}, {0.08, 12.0}});
+    double swept = 0.0;
+    double rise = 0.0;
+    constexpr int n = 200'000;  // midpoint rule: 1e-10 of the rise
+    for (int i = 0; i < n; ++i) {
+        const double ds = L / n;
+        const double r = meridian.at((i + 0.5) * ds).radius;
+        rise += q / k * (swept + 0.5 * r * ds) / r * ds;
+        swept += r * ds;
+    }
+    rise += q * swept / (meridian.at(L).radius * h);
+
+    std::vector<double> errors;
+    for (const int cells : {9, 27, 81}) {  // odd, so that a column stands at the centre
+        solver::Problem problem;
+        mesh::Section description;
+        description.meridian = meridian;
+        description.layers = {{"rubber", 0.01, 1}};
+        description.zones = {{"crown", 2.0 * L, cells, 1.0, {0}}};
+        problem.mesh = mesh::build(description);
+        problem.materials = {support::material(k, 1100.0, 1800.0)};
+        support::switch_on(problem, "conduction");
+        support::switch_on(problem, "uniform_source", {{"power_density", q}});
+        support::switch_on(problem, "still_air", {{"h", h}}, {"beads"});
+        support::hold(problem, "air_temperature", 300.0);
+        support::start_at(problem, 300.0);
+        problem.settings.steady = true;
+        problem.settings.tolerance = 1e-9;
+        support::read(problem, "centre", mesh::at_point(problem.mesh, {0.0, 0.0, 0.005}));
+        errors.push_back(support::run_closed(problem).channel_final[0] - 300.0 - rise);
+    }
+    support::expect_order("centre", errors, 1.9, 2.1, 3.0);
+}
+
+// The hottest cell on three grids, each twice as fine, with an estimate of what the finest lacks: a third of its last
+// change at second order. Where the sidewall joins the thicker tread, the grid has a re-entrant corner, and the order is
+// lower there; the hot spot must converge all the same.
+TEST(TireSection, HottestCellConvergesWithTheGrid) {
+    std::vector<double> hottest;
+    for (const int refinement : {2, 4, 8}) {
+        solver::Problem problem = support::tire_problem(refinement);
+        problem.settings.steady = true;
+        problem.settings.end = 3600.0;
+        hottest.push_back(support::run_closed(problem).hottest.temperature);
+    }
+    const double change = hottest[1] - hottest[0];
+    const double last = hottest[2] - hottest[1];
+    const double order = std::log2(std::abs(change / last));
+    support::expect_below("change of the hottest cell, 8 against 4, K", last, 0.5);
+    RecordProperty("observed order", support::in_words({order}));
+    EXPECT_GT(order, 0.8) << support::in_words(hottest);
+}
+
+// An even density of rubber and an even share: the loss in the tread's band is its share of the mass, which by Pappus is
+// that of length times mean radius times thickness.
+TEST(TireSection, SharesTheLossByMass) {
+    solver::Problem problem = support::tire_problem(2);
+    const solver::Report report = support::run_closed(problem);
+    const double power = physics::strain_power(problem.tire, 100.0 / 3.6, 4000.0);
+    const physics::LossTangent law;
+    const double T_bulk = problem.mesh.regions[1].mean(support::final_field(problem));
+    const double tangent = law.value(T_bulk + law.shift(problem.tire.revolutions(100.0 / 3.6, 4000.0)));
+    EXPECT_NEAR(report.watts[1], power * tangent, 1e-9 * power);
+}
+
+}  // namespace tiretherm
