@@ -35,6 +35,28 @@ Curve Curve::table(std::vector<double> x, std::vector<double> y) {
     return curve;
 }
 
+Curve Curve::scaled(double factor) const {
+    if (!is_table_) {
+        return quadratic(factor * c0_, factor * c1_, factor * c2_);
+    }
+    std::vector<double> y = y_;
+    for (double& value : y) {
+        value *= factor;
+    }
+    return table(x_, std::move(y));
+}
+
+Curve Curve::plus_line(double origin, double slope) const {
+    if (!is_table_) {
+        return quadratic(c0_ - slope * origin, c1_ + slope, c2_);
+    }
+    std::vector<double> y = y_;
+    for (std::size_t i = 0; i < y.size(); ++i) {
+        y[i] += slope * (x_[i] - origin);
+    }
+    return table(x_, std::move(y));
+}
+
 double Curve::table_value(double x) const {
     if (x <= x_.front()) {
         return y_.front();

@@ -66,6 +66,19 @@ TEST(Curve, MinimumLooksInsideTheRange) {
     EXPECT_NEAR(Curve::quadratic(3.0, -4.0, 1.0).minimum(3.0, 5.0), 0.0, 1e-15);
 }
 
+TEST(Curve, TakesAFactorAndALine) {
+    for (const double x : {290.0, 296.0, 315.0, 330.0}) {
+        EXPECT_NEAR(bent.scaled(1.5).value(x), 1.5 * bent.value(x), 1e-12);
+        EXPECT_NEAR(steps.scaled(1.5).value(x), 1.5 * steps.value(x), 1e-12);
+        EXPECT_NEAR(bent.plus_line(300.0, 0.02).value(x), bent.value(x) + 0.02 * (x - 300.0), 1e-12);
+        EXPECT_NEAR(steps.plus_line(300.0, 0.02).value(x), steps.value(x) + 0.02 * (x - 300.0), 1e-12);
+    }
+    // A table stays held beyond its ends: at 290 it became 1 - 0.2.
+    EXPECT_NEAR(steps.plus_line(300.0, 0.02).value(250.0), 0.8, 1e-12);
+    EXPECT_EQ(bent.scaled(1.0), bent);
+    EXPECT_EQ(steps.plus_line(300.0, 0.0), steps);
+}
+
 TEST(Curve, KnowsWhenItIsConstant) {
     EXPECT_TRUE(Curve::constant(1800.0).is_constant());
     EXPECT_FALSE(bent.is_constant());
