@@ -117,7 +117,7 @@ const Effect air_convection{
     .needs_tire = true,
     .patches = patches,
     .n_intensities = 3,
-        .drive = drive,
+    .drive = drive,
     .speak = speak,
     .caution = caution,
 };

@@ -34,8 +34,8 @@ void place(const Setting& setting, ActiveEffect& active) {
     }
     for (const int patch : active.patches) {
         const bool disc = active.choices[profile] == 0;
-        std::vector<double> share = disc ? mesh::disc_overlap(mesh, patch, spot)
-                                         : mesh::gaussian_overlap(mesh, patch, spot);
+        std::vector<double> share =
+            disc ? mesh::disc_overlap(mesh, patch, spot) : mesh::gaussian_overlap(mesh, patch, spot);
         if (disc) {
             for (double& s : share) {
                 s /= std::numbers::pi * spot * spot;

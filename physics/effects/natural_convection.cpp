@@ -11,7 +11,7 @@ enum : std::size_t { factor, length, exponent };
 
 constexpr std::array parameters{
     Parameter{"factor", "1", 1.32, 0.0, 100.0,
-              "h in W/(m2 K) at 1 K and 1 m; 1.32 for a horizontal cylinder or plate facing up"},
+              "h in W/(m2 K) at 1 K and 1 m; 1.32 for a horizontal cylinder or plate facing up", false, 0.0},
     Parameter{"length", "m", 0.66, 1e-4, 10.0, "diameter of the tire or size of the heated spot"},
     Parameter{"exponent", "1", 0.25, 0.0, 1.0, "exponent of (T_surf - T_air) / length; 1/4 in laminar flow"},
 };
@@ -51,7 +51,7 @@ const Effect natural_convection{
     .reads = reads,
     .patches = patches,
     .n_intensities = 2,
-        .drive = drive,
+    .drive = drive,
     .speak = speak,
 };
 

@@ -9,7 +9,7 @@ namespace {
 enum : std::size_t { emissivity };
 
 constexpr std::array parameters{
-    Parameter{"emissivity", "1", 0.95, 0.0, 1.0, "emissivity of rubber, 0.90 to 0.95"},
+    Parameter{"emissivity", "1", 0.95, 0.0, 1.0, "emissivity of rubber, 0.90 to 0.95", false, 0.0},
 };
 constexpr std::array<std::string_view, 1> reads{"air_temperature"};
 constexpr std::array<std::string_view, 2> patches{"outside", "top"};
@@ -46,7 +46,7 @@ const Effect radiation{
     .reads = reads,
     .patches = patches,
     .n_intensities = 1,
-        .drive = drive,
+    .drive = drive,
     .speak = speak,
 };
 

@@ -19,7 +19,9 @@ constexpr std::array tables{Table{"profile", "m", "1",
 constexpr std::array<std::string_view, 2> reads{"vertical_load", "road_temperature"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
-void place(const Setting& setting, ActiveEffect& active) { spread_over_patches(setting, active, active.tables[profile]); }
+void place(const Setting& setting, ActiveEffect& active) {
+    spread_over_patches(setting, active, active.tables[profile]);
+}
 
 void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
     out[0] = active[lambda_Hc] * active[Hc] * driving.tire.contact_area(driving.inputs.vertical_load);
@@ -55,7 +57,7 @@ const Effect road_contact{
     .needs_tire = true,
     .patches = patches,
     .n_intensities = 2,
-        .place = place,
+    .place = place,
     .drive = drive,
     .speak = speak,
 };

@@ -27,10 +27,12 @@ constexpr std::array tables{Table{"profile", "m", "1",
                                   "outboard); without it the contact is as wide as the tread and evenly loaded"}};
 constexpr std::array<std::string_view, 1> reads{"speed"};
 constexpr std::array<std::string_view, 5> may_read{"vertical_load", "slip_angle", "slip_ratio", "lateral_force",
-                                                  "longitudinal_force"};
+                                                   "longitudinal_force"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
-void place(const Setting& setting, ActiveEffect& active) { spread_over_patches(setting, active, active.tables[profile]); }
+void place(const Setting& setting, ActiveEffect& active) {
+    spread_over_patches(setting, active, active.tables[profile]);
+}
 
 void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
     const Inputs& in = driving.inputs;
@@ -42,8 +44,9 @@ void drive(const ActiveEffect& active, const Driving& driving, std::span<double>
     const double along = std::abs(in.longitudinal_force * in.speed * in.slip_ratio);
     const double across = std::abs(in.lateral_force * in.speed) * std::tan(std::abs(in.slip_angle));
     // A law may take the share beyond 1, where it says that a term is missing; it never turns heat into cold.
-    out[0] = active[partition] * std::max(0.0, driving.laws.partition) * ((active.choices[longitudinal] == 0 ? active[lambda_x] * along : 0.0) +
-                                  (active.choices[lateral] == 0 ? active[lambda_y] * across : 0.0));
+    out[0] = active[partition] * std::max(0.0, driving.laws.partition) *
+             ((active.choices[longitudinal] == 0 ? active[lambda_x] * along : 0.0) +
+              (active.choices[lateral] == 0 ? active[lambda_y] * across : 0.0));
 }
 
 void speak(const Moment& m, Terms& terms) {
@@ -72,7 +75,7 @@ const Effect sliding_friction{
     .needs_tire = true,
     .patches = patches,
     .n_intensities = 1,
-        .place = place,
+    .place = place,
     .drive = drive,
     .speak = speak,
 };

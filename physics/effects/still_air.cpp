@@ -40,7 +40,7 @@ const Effect still_air{
     .reads = reads,
     .patches = patches,
     .n_intensities = 1,
-        .drive = drive,
+    .drive = drive,
     .speak = speak,
 };
 

@@ -48,9 +48,10 @@ constexpr std::array<std::string_view, 2> temperatures{"bulk_mean", "local"};
 constexpr std::array choices{
     Choice{"temperature", temperatures,
            "which temperature softens the loss tangent: the bulk's mean, as with two nodes, or that of each cell"}};
-constexpr std::array tables{Table{"profile", "m", "1",
-                                  "weight of the loss along the meridian, such as the contact pressure, against the arc "
-                                  "length from the centre plane (negative outboard); without it even"}};
+constexpr std::array tables{
+    Table{"profile", "m", "1",
+          "weight of the loss along the meridian, such as the contact pressure, against the arc "
+          "length from the centre plane (negative outboard); without it even"}};
 constexpr std::array scopes{Scope::layer, Scope::zone};
 constexpr std::array<std::string_view, 2> reads{"speed", "vertical_load"};
 

@@ -28,7 +28,7 @@ const Effect uniform_source{
     .source = "definition; used by reference problems",
     .meaning = "The same heat per volume everywhere, for problems with an exact solution.",
     .parameters = parameters,
-        .speak = speak,
+    .speak = speak,
 };
 
 }  // namespace tiretherm::physics::effects
