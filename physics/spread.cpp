@@ -66,7 +66,8 @@ void spread_over_patches(const Setting& setting, ActiveEffect& active, const std
 void spread_over_bulk(const Setting& setting, ActiveEffect& active) {
     active.nodes.clear();
     active.weights.clear();
-    const mesh::Functional& bulk = setting.mesh.regions[static_cast<std::size_t>(setting.mesh.find_region("bulk"))].mean;
+    const mesh::Functional& bulk =
+        setting.mesh.regions[static_cast<std::size_t>(setting.mesh.find_region("bulk"))].mean;
     for (const int cell : bulk.nodes) {
         const auto c = static_cast<std::size_t>(cell);
         const auto layer = static_cast<std::size_t>(setting.mesh.layer[c]);
@@ -74,6 +75,39 @@ void spread_over_bulk(const Setting& setting, ActiveEffect& active) {
         active.weights.push_back(setting.mesh.volume[c] * setting.stock.materials[layer].density);
     }
     normalise(active);
+}
+
+std::vector<int> join_patches(mesh::Mesh& mesh, const ActiveEffect& active, int appended_node) {
+    std::vector<int> joints;
+    for (const int patch : active.patches) {
+        for (const mesh::PatchFace& face : mesh.patches[static_cast<std::size_t>(patch)].faces) {
+            joints.push_back(mesh.add_joint(face.node, appended_node, face.area));
+        }
+    }
+    return joints;
+}
+
+double joined_area(const mesh::Mesh& mesh, const ActiveEffect& active) {
+    return std::accumulate(active.joints.begin(), active.joints.end(), 0.0, [&](double sum, int joint) {
+        return sum + mesh.faces[static_cast<std::size_t>(joint)].area;
+    });
+}
+
+void join_gas_and_rim(mesh::Mesh& mesh) {
+    const int gas = mesh.find_appended("gas");
+    const int rim = mesh.find_appended("rim");
+    if (gas >= 0 && rim >= 0 && face_between_gas_and_rim(mesh) < 0) {
+        mesh.add_joint(rim, gas, 1.0);
+    }
+}
+
+int face_between_gas_and_rim(const mesh::Mesh& mesh) {
+    const int gas = mesh.find_appended("gas");
+    const int rim = mesh.find_appended("rim");
+    const auto found = std::find_if(mesh.faces.begin(), mesh.faces.end(), [&](const mesh::Face& face) {
+        return gas >= 0 && rim >= 0 && face.a == rim && face.b == gas;
+    });
+    return found == mesh.faces.end() ? -1 : static_cast<int>(found - mesh.faces.begin());
 }
 
 }  // namespace tiretherm::physics

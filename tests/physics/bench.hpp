@@ -1,9 +1,13 @@
 #pragma once
 
+#include <cassert>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "mesh/builders.hpp"
 #include "physics/effect.hpp"
+#include "solver/system.hpp"
 
 namespace tiretherm::physics {
 
@@ -95,6 +99,30 @@ inline Bench specimen() {
     return bench;
 }
 
+/// A cross-section in five zones: tread, belt, carcass and liner between the shoulders, carcass and liner in the
+/// sidewalls. Warmer inside.
+inline Bench section() {
+    Bench bench;
+    const std::vector<int> crown{0, 1, 2, 3};
+    const std::vector<int> wall{2, 3};
+    bench.mesh = mesh::build(mesh::Section{
+        .meridian = mesh::Meridian{0.3308, {{.length = 0.07, .curvature = 1.0}, {.length = 0.04, .curvature = 20.0}}},
+        .layers = {{.name = "tread", .thickness = 0.008, .cells = 2},
+                   {.name = "belt", .thickness = 0.003},
+                   {.name = "carcass", .thickness = 0.002},
+                   {.name = "liner", .thickness = 0.002}},
+        .zones = {{.name = "outside_sidewall", .length = 0.07, .cells = 2, .stack = wall, .tread = false},
+                  {.name = "outside_shoulder", .length = 0.045, .cells = 2, .stack = crown},
+                  {.name = "crown", .length = 0.135, .cells = 3, .stack = crown},
+                  {.name = "inside_shoulder", .length = 0.045, .cells = 2, .stack = crown},
+                  {.name = "inside_sidewall", .length = 0.07, .cells = 2, .stack = wall, .tread = false}}});
+    bench.materials.assign(4, rubber());
+    for (int node = 0; node < bench.mesh.n_nodes; ++node) {
+        bench.T.push_back(308.15 + 1000.0 * bench.mesh.centre[static_cast<std::size_t>(node)][2]);
+    }
+    return bench;
+}
+
 /// 100 km/h, 4000 N, 2 degrees of slip, everything else at 23 C.
 inline Inputs rolling() {
     return {.speed = 100.0 / 3.6,
@@ -103,9 +131,82 @@ inline Inputs rolling() {
             .slip_ratio = 0.01,
             .lateral_force = 2000.0,
             .longitudinal_force = 500.0,
+            .camber = -0.05,
+            .inflation_pressure = 2.3e5,
             .air_temperature = 296.15,
             .road_temperature = 296.15,
+            .wet = 1.0,
             .laser_power = 1.0};
 }
+
+/// An effect to switch on, with the numbers that are not standard.
+struct Part {
+    std::string_view id;
+    std::vector<std::pair<std::string_view, double>> numbers{};
+};
+
+/// Several effects on a bench, asked as the solver asks them; nodes that they append start at 23 C. Two channels: the
+/// means of surface and bulk.
+class Whole {
+public:
+    Whole(const Bench& bench, const std::vector<Part>& parts) : problem_(problem_of(bench, parts)), system_(problem_) {}
+    Whole(const Whole&) = delete;
+    Whole& operator=(const Whole&) = delete;
+    ~Whole() = default;
+
+    /// Lets every effect speak; the answers stay until the next question.
+    const Whole& ask(const Inputs& inputs, const std::vector<double>& T) {
+        std::vector<double> intensities(system_.n_intensities());
+        system_.drive(inputs, intensities);
+        temperature_ = T;
+        system_.evaluate(temperature_, intensities);
+        return *this;
+    }
+    const Whole& ask(const Inputs& inputs) { return ask(inputs, problem_.initial); }
+
+    [[nodiscard]] std::size_t index(std::string_view id) const {
+        for (std::size_t e = 0; e < problem_.effects.size(); ++e) {
+            if (problem_.effects[e].effect->id == id) {
+                return e;
+            }
+        }
+        assert(false);
+        return 0;
+    }
+    [[nodiscard]] double watts(std::string_view id) const { return system_.terms().watts[index(id)]; }
+    /// Heat flow into a node. W
+    [[nodiscard]] double flow(int node) const { return system_.heat_flow()[static_cast<std::size_t>(node)]; }
+    [[nodiscard]] int node(std::string_view appended) const { return problem_.mesh.find_appended(appended); }
+    [[nodiscard]] const solver::Problem& problem() const { return problem_; }
+    [[nodiscard]] const solver::System& system() const { return system_; }
+
+    static solver::Problem problem_of(const Bench& bench, const std::vector<Part>& parts) {
+        solver::Problem problem;
+        problem.mesh = bench.mesh;
+        problem.materials = bench.materials;
+        problem.link_laws = bench.link_laws;
+        problem.tire = bench.tire;
+        problem.initial = bench.T;
+        problem.channels = {{.name = "surface", .meaning = "", .where = bench.mesh.regions[0].mean},
+                            {.name = "bulk", .meaning = "", .where = bench.mesh.regions[1].mean}};
+        for (const Part& part : parts) {
+            ActiveEffect active = activate(*find_effect(part.id), problem.mesh);
+            for (const auto& [key, value] : part.numbers) {
+                assert(find_parameter(*active.effect, key) >= 0);
+                active.parameters[static_cast<std::size_t>(find_parameter(*active.effect, key))] = value;
+            }
+            if (active.effect->on_channels) {
+                active.channels = {0, 1};
+            }
+            solver::switch_on(problem, std::move(active), 296.15);
+        }
+        return problem;
+    }
+
+private:
+    solver::Problem problem_;
+    solver::System system_;
+    std::vector<double> temperature_;
+};
 
 }  // namespace tiretherm::physics

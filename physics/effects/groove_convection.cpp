@@ -1,0 +1,90 @@
+#include <array>
+#include <cmath>
+
+#include "physics/convection.hpp"
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { area_share, depth, block_width, block_conductivity };
+
+constexpr std::array parameters{
+    Parameter{"area_share", "1", 0.25, 0.0, 3.0,
+              "area of the grooves' walls over that of the tread; 0.1 to 0.4, assumed", false, 0.0},
+    Parameter{"depth", "m", 0.008, 1e-4, 0.1, "depth of the grooves"},
+    Parameter{"block_width", "m", 0.020, 1e-4, 0.5, "width of the blocks between them"},
+    Parameter{"block_conductivity", "W m-1 K-1", 0.29, 1e-3, 100.0, "conductivity of the blocks"},
+};
+constexpr std::array<std::string_view, 3> reads{"speed", "vertical_load", "air_temperature"};
+constexpr std::array<std::string_view, 1> patches{"outside"};
+
+/// Keeps the numbers of air_convection's forced law in the order of ForcedConvection; those of the thesis when it is off.
+void place(const Setting& setting, ActiveEffect& active) {
+    const ForcedConvection thesis;
+    active.weights = {thesis.coefficient, thesis.exponent, thesis.air_conductivity, thesis.air_viscosity};
+    if (const ActiveEffect* air = setting.find("air_convection")) {
+        constexpr std::array<std::string_view, 4> keys{"coefficient", "exponent", "air_conductivity", "air_viscosity"};
+        for (std::size_t i = 0; i < keys.size(); ++i) {
+            active.weights[i] = (*air)[static_cast<std::size_t>(find_parameter(*air->effect, keys[i]))];
+        }
+    }
+}
+
+/// A block is a fin that is cooled on both sides: efficiency tanh(mL)/(mL) with m^2 = 2 h/(k width).
+double efficiency(const ActiveEffect& active, double h) {
+    const double mL = active[depth] * std::sqrt(2.0 * h / (active[block_conductivity] * active[block_width]));
+    return mL > 0.0 ? std::tanh(mL) / mL : 1.0;
+}
+
+void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
+    const ForcedConvection forced{.coefficient = active.weights[0],
+                                  .exponent = active.weights[1],
+                                  .air_conductivity = active.weights[2],
+                                  .air_viscosity = active.weights[3]};
+    const double h = driving.laws.forced * forced(driving.tire, driving.inputs.speed);
+    const double area = driving.tire.outer_area() - driving.tire.contact_area(driving.inputs.vertical_load);
+    out[0] = active[area_share] * efficiency(active, h) * h * area;
+    out[1] = out[0] * driving.inputs.air_temperature;
+}
+
+void speak(const Moment& m, Terms& terms) {
+    const double G = m.intensities[0];
+    if (G <= 0.0) {
+        return;
+    }
+    const double T_air = m.intensities[1] / G;
+    double area = 0.0;
+    for (const int patch : m.active.patches) {
+        area += m.mesh.patches[static_cast<std::size_t>(patch)].area();
+    }
+    for (const int patch : m.active.patches) {
+        for (const mesh::PatchFace& face : m.mesh.patches[static_cast<std::size_t>(patch)].faces) {
+            terms.exchange(face.node, G * face.area / area, T_air);
+        }
+    }
+}
+
+}  // namespace
+
+extern const Effect groove_convection;
+const Effect groove_convection{
+    .id = "groove_convection",
+    .kind = Kind::loss,
+    .equation = "q = area_share eta h_forced (S_tot - S_cont) (T_air - T_surf), eta = tanh(mL)/(mL), m^2 = 2 h/(k b)",
+    .source = "straight fin: Incropera & DeWitt, Fundamentals of Heat and Mass Transfer, ch. 3; thesis (32), (35)",
+    .meaning =
+        "The walls of the grooves, which the thesis leaves out: more area for the forced part of the convection, less "
+        "effective as the blocks cool towards their tops. Nothing at rest.",
+    .parameters = parameters,
+    .reads = reads,
+    .needs_tire = true,
+    .patches = patches,
+    .n_intensities = 2,
+    .place = place,
+    .drive = drive,
+    .speak = speak,
+};
+
+}  // namespace tiretherm::physics::effects

@@ -1,0 +1,72 @@
+#include <array>
+
+#include "physics/spread.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { liner, rim, capacity_of_gas };
+
+// 28 l of air at 2.3 bar above the atmosphere and 293 K weigh 0.11 kg, 75 J/K at constant volume. A film of 15 W/m2K on
+// 0.6 m2 of liner makes 9 W/K, on 0.27 m2 of rim 4 W/K.
+constexpr std::array parameters{
+    Parameter{"liner", "W K-1", 9.0, 0.0, 1e4, "conductance from the inner liner to the gas; assumed", false, 0.0},
+    Parameter{"rim", "W K-1", 4.0, 0.0, 1e4, "conductance from the gas to the rim; assumed", false, 0.0},
+    Parameter{"capacity", "J K-1", 70.0, 1.0, 1e5, "heat capacity of the gas at constant volume"},
+};
+constexpr std::array<std::string_view, 1> reads{"air_temperature"};
+constexpr std::array<std::string_view, 1> patches{"inside"};
+
+void extend(mesh::Mesh& mesh, ActiveEffect& active) {
+    const int gas = mesh.append("gas");
+    active.appended = {gas};
+    active.joints = join_patches(mesh, active, gas);
+    join_gas_and_rim(mesh);
+}
+
+double capacity(const ActiveEffect& active, std::size_t /*index*/) { return active[capacity_of_gas]; }
+
+/// Keeps the face between gas and rim, whichever of the two effects made it, or -1.
+void place(const Setting& setting, ActiveEffect& active) { active.nodes = {face_between_gas_and_rim(setting.mesh)}; }
+
+void drive(const ActiveEffect& /*active*/, const Driving& driving, std::span<double> out) {
+    out[0] = driving.inputs.air_temperature;
+}
+
+void speak(const Moment& m, Terms& terms) {
+    const double area = joined_area(m.mesh, m.active);
+    for (const int joint : m.active.joints) {
+        terms.conduct(joint, m.active[liner] * m.mesh.faces[static_cast<std::size_t>(joint)].area / area);
+    }
+    if (const int to_rim = m.active.nodes.front(); to_rim >= 0) {
+        terms.conduct(to_rim, m.active[rim]);
+    } else {
+        terms.exchange(m.active.appended.front(), m.active[rim], m.intensities[0]);
+    }
+}
+
+}  // namespace
+
+extern const Effect inner_gas;
+const Effect inner_gas{
+    .id = "inner_gas",
+    .kind = Kind::loss,
+    .equation = "C dT_gas/dt = liner (T_liner - T_gas) - rim (T_gas - T_rim); the tire loses liner (T_liner - T_gas)",
+    .source = "lumped gas, ideal and at constant volume; the conductances are assumed, this file",
+    .meaning =
+        "Heat that crosses the cavity from the inner liner to the rim through the gas, a node of its own. The rim "
+        "stands "
+        "at the air's temperature, or is the node of rim_conduction where that is on.",
+    .parameters = parameters,
+    .reads = reads,
+    .patches = patches,
+    .n_intensities = 1,
+    .extend = extend,
+    .capacity = capacity,
+    .place = place,
+    .drive = drive,
+    .speak = speak,
+};
+
+}  // namespace tiretherm::physics::effects

@@ -1,0 +1,81 @@
+#include <array>
+#include <cmath>
+
+#include "physics/contact.hpp"
+#include "physics/spread.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { scale, interface_h, tire_conductivity, tire_capacity, road_conductivity, road_capacity };
+enum : std::size_t { profile };
+
+constexpr std::array parameters{
+    Parameter{"scale", "1", 1.0, 0.0, 10.0, "factor on the whole", false, 0.0},
+    Parameter{"interface_h", "W m-2 K-1", 2.5e4, 1.0, 1e7, "conductance between the two surfaces; 1.2e4 to 5.7e4"},
+    Parameter{"tire_conductivity", "W m-1 K-1", 0.29, 1e-3, 1e3, "of the tread's rubber"},
+    Parameter{"tire_capacity", "J m-3 K-1", 1.98e6, 1e3, 1e8, "of the tread's rubber, per volume"},
+    Parameter{"road_conductivity", "W m-1 K-1", 1.2, 1e-3, 1e3, "of the road; asphalt concrete, 0.7 to 2.5 recalled"},
+    Parameter{"road_capacity", "J m-3 K-1", 2.07e6, 1e3, 1e8, "of the road, per volume; asphalt concrete"},
+};
+constexpr std::array tables{Table{"profile", "m", "1",
+                                  "weight along the meridian, against the arc length from the centre plane (negative "
+                                  "outboard); without it the contact is as wide as the tread and evenly loaded"}};
+constexpr std::array<std::string_view, 3> reads{"speed", "vertical_load", "road_temperature"};
+constexpr std::array<std::string_view, 1> patches{"outside"};
+
+void place(const Setting& setting, ActiveEffect& active) {
+    spread_over_patches(setting, active, active.tables[profile]);
+}
+
+void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
+    const Inputs& in = driving.inputs;
+    out[0] = 0.0;
+    if (driving.tire.touches(in.vertical_load) && in.speed != 0.0) {
+        const ContactOfHalfSpaces contact{.interface_h = active[interface_h],
+                                          .effusivity_a = std::sqrt(active[tire_conductivity] * active[tire_capacity]),
+                                          .effusivity_b = std::sqrt(active[road_conductivity] * active[road_capacity])};
+        const double duration = driving.tire.contact_length(in.vertical_load) / std::abs(in.speed);
+        out[0] = active[scale] * contact.mean_conductance(duration) * driving.tire.contact_area(in.vertical_load);
+    }
+    out[1] = out[0] * in.road_temperature;
+}
+
+void speak(const Moment& m, Terms& terms) {
+    const double G = m.intensities[0];
+    if (G <= 0.0) {
+        return;
+    }
+    const double T_road = m.intensities[1] / G;
+    for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
+        terms.exchange(m.active.nodes[i], G * m.active.weights[i], T_road);
+    }
+}
+
+}  // namespace
+
+extern const Effect resolved_contact;
+const Effect resolved_contact{
+    .id = "resolved_contact",
+    .kind = Kind::loss,
+    .equation = "q = scale h_mean(l/V) S_cont (T_road - T_surf), h_mean of two half-spaces joined by interface_h",
+    .source =
+        "Carslaw & Jaeger 1959, sec. 2.8; interface: Miller, NASA TN D-8161, 1976 (quoted by others, a lower limit); "
+        "asphalt concrete 1.2 W/mK, 2300 kg/m3, 900 J/kgK (quoted)",
+    .meaning =
+        "Heat to the road as a rolling tread gives it: each place meets fresh road for l/V. 70 W/K at 4 kN and 100 "
+        "km/h, "
+        "where the lumped Hc gives 5; nothing at rest. It does not replace road_contact: a case switches that off.",
+    .parameters = parameters,
+    .tables = tables,
+    .reads = reads,
+    .needs_tire = true,
+    .patches = patches,
+    .n_intensities = 2,
+    .place = place,
+    .drive = drive,
+    .speak = speak,
+};
+
+}  // namespace tiretherm::physics::effects
