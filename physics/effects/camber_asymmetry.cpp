@@ -1,0 +1,42 @@
+#include <array>
+
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { c };
+
+// A wheel leaning by gamma presses a place y from its centre plane down by delta + gamma y, and the energy of a spring
+// grows with the square: 1 + 2 gamma y/delta. At the shoulders of a 225/50 R17, y = 0.08 m, under 4 kN, delta = 17 mm:
+// c = 2 y/delta = 9.5 1/rad.
+constexpr std::array parameters{
+    Parameter{"c", "rad-1", 10.0, 0.0, 100.0, "how much of a shoulder's loss moves per radian of camber; from geometry",
+              false, 0.0},
+};
+constexpr std::array<std::string_view, 1> may_read{"camber"};
+
+void bend(const ActiveEffect& active, const Tire& /*tire*/, const Inputs& inputs, Laws& laws) {
+    laws.loss_skew += active[c] * inputs.camber;
+}
+
+}  // namespace
+
+extern const Effect camber_asymmetry;
+const Effect camber_asymmetry{
+    .id = "camber_asymmetry",
+    .kind = Kind::source,
+    .equation = "share of the loss: inside shoulder 1 - c gamma, outside shoulder 1 + c gamma, straight between",
+    .source = "geometry of a leaning band, this file; thesis VI: the inside shoulder runs 15 K above the outside one",
+    .meaning =
+        "Camber loads one shoulder more than the other: with the top leaning inboard (negative camber) the inside one. "
+        "The total stays. A mesh without shoulders does not show it.",
+    .parameters = parameters,
+    .may_read = may_read,
+    .needs_tire = true,
+    .needs_grid = true,
+    .bend = bend,
+};
+
+}  // namespace tiretherm::physics::effects

@@ -1,0 +1,37 @@
+#include <array>
+#include <cmath>
+
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { curvature };
+
+constexpr std::array parameters{
+    Parameter{"curvature", "m-1", 1.1716, 0.0, 10.0,
+              "1 / radius of the drum; 1.1716 for the drum of 1.707 m diameter, 0 for a flat road", false, 0.0},
+};
+
+void bend(const ActiveEffect& active, const Tire& tire, const Inputs& /*inputs*/, Laws& laws) {
+    laws.loss *= std::sqrt(1.0 + tire.unloaded_radius * active[curvature]);
+}
+
+}  // namespace
+
+extern const Effect drum_curvature;
+const Effect drum_curvature{
+    .id = "drum_curvature",
+    .kind = Kind::source,
+    .equation = "SEL' = SEL sqrt(1 + R0/R_drum)",
+    .source = "correction between drums of ISO 28580, taken to a flat road (recalled, not read)",
+    .meaning =
+        "A drum bends the contact more than a flat road: the loss is higher by one factor, 17 to 18 % on a drum of "
+        "1.7 m diameter.",
+    .parameters = parameters,
+    .needs_tire = true,
+    .bend = bend,
+};
+
+}  // namespace tiretherm::physics::effects

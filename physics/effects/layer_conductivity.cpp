@@ -1,0 +1,53 @@
+#include <array>
+
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { scale, slope, reference };
+
+constexpr std::array parameters{
+    Parameter{"scale", "1", 1.0, 1e-3, 1e3, "factor on k(T)", false, 1.0},
+    Parameter{"slope", "K-1", 0.0, -1.0, 1.0, "added to dk/dT, over k at the reference", false, 0.0},
+    Parameter{"reference", "K", 293.15, 200.0, 500.0, "temperature about which the slope turns"},
+};
+constexpr std::array scopes{Scope::layer};
+
+// The line is a share of k itself, so that factors on the same layer by other effects commute with it.
+Curve amended(const ActiveEffect& active, int layer, const Curve& k) {
+    const double line = active.at(slope, Scope::layer, layer) * k.value(active[reference]);
+    return k.plus_line(active[reference], line).scaled(active.at(scale, Scope::layer, layer));
+}
+
+/// Two lumps have no inner resistance: what conducts between them is the link, which takes the bulk's numbers.
+void amend(const ActiveEffect& active, const mesh::Mesh& mesh, Stock& stock) {
+    for (const int layer : active.layers) {
+        for (Curve& k : stock.materials[static_cast<std::size_t>(layer)].conductivity) {
+            k = amended(active, layer, k);
+        }
+        if (mesh.kind == "two_node" && layer == 1) {
+            stock.link_laws.front() = amended(active, layer, stock.link_laws.front());
+        }
+    }
+}
+
+}  // namespace
+
+extern const Effect layer_conductivity;
+const Effect layer_conductivity{
+    .id = "layer_conductivity",
+    .kind = Kind::property,
+    .equation = "k'(T) = scale (k(T) + slope k(reference) (T - reference))",
+    .source = "definition; thesis (34)",
+    .meaning =
+        "A layer that conducts better or worse than stated, or changes otherwise with temperature; on two nodes the "
+        "link between them. The ratio of back to front shows it, and with a slope the ratio of two powers.",
+    .parameters = parameters,
+    .scopes = scopes,
+    .on_layers = true,
+    .amend = amend,
+};
+
+}  // namespace tiretherm::physics::effects

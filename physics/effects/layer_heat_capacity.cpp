@@ -1,0 +1,39 @@
+#include <array>
+
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { scale };
+
+constexpr std::array parameters{
+    Parameter{"scale", "1", 1.0, 1e-2, 1e2, "factor on c(T)", false, 1.0},
+};
+constexpr std::array scopes{Scope::layer};
+
+void amend(const ActiveEffect& active, const mesh::Mesh& /*mesh*/, Stock& stock) {
+    for (const int layer : active.layers) {
+        Curve& c = stock.materials[static_cast<std::size_t>(layer)].heat_capacity;
+        c = c.scaled(active.at(scale, Scope::layer, layer));
+    }
+}
+
+}  // namespace
+
+extern const Effect layer_heat_capacity;
+const Effect layer_heat_capacity{
+    .id = "layer_heat_capacity",
+    .kind = Kind::property,
+    .equation = "c'(T) = scale c(T)",
+    .source = "definition; thesis (34)",
+    .meaning =
+        "A layer that stores more or less heat than stated: every time constant in it changes, no steady state does.",
+    .parameters = parameters,
+    .scopes = scopes,
+    .on_layers = true,
+    .amend = amend,
+};
+
+}  // namespace tiretherm::physics::effects

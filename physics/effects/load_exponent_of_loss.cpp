@@ -1,0 +1,41 @@
+#include <array>
+#include <cmath>
+
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { exponent, reference };
+
+constexpr std::array parameters{
+    Parameter{"exponent", "1", 0.0, -3.0, 3.0, "of the load, beside what the law has already", false, 0.0},
+    Parameter{"reference", "N", 4500.0, 1.0, 1e6, "load at which the loss is left as it is"},
+};
+constexpr std::array<std::string_view, 1> reads{"vertical_load"};
+
+void bend(const ActiveEffect& active, const Tire& tire, const Inputs& inputs, Laws& laws) {
+    if (tire.touches(inputs.vertical_load)) {
+        laws.loss *= std::pow(inputs.vertical_load / active[reference], active[exponent]);
+    }
+}
+
+}  // namespace
+
+extern const Effect load_exponent_of_loss;
+const Effect load_exponent_of_loss{
+    .id = "load_exponent_of_loss",
+    .kind = Kind::source,
+    .equation = "SEL' = SEL (Fz/reference)^exponent",
+    .source = "definition; thesis VI.1 over-estimates one tire at low load and under-estimates it at high",
+    .meaning =
+        "Loss that grows with the load otherwise than the law has it: (43) with (37), (44) and (57) makes it nearly "
+        "proportional to Fz, measured tires lie between Fz and Fz^2.",
+    .parameters = parameters,
+    .reads = reads,
+    .needs_tire = true,
+    .bend = bend,
+};
+
+}  // namespace tiretherm::physics::effects

@@ -1,0 +1,43 @@
+#include <array>
+#include <cmath>
+
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { per_decade, reference };
+
+constexpr std::array parameters{
+    Parameter{"per_decade", "K", 0.0, -100.0, 100.0,
+              "added to the equivalent temperature per decade of frequency above the reference", true, 0.0},
+    Parameter{"reference", "Hz", 52.0, 1e-3, 1e6, "frequency at which the compound was characterised, f0 of (48)"},
+};
+constexpr std::array<std::string_view, 2> reads{"speed", "vertical_load"};
+
+void bend(const ActiveEffect& active, const Tire& tire, const Inputs& inputs, Laws& laws) {
+    if (std::abs(inputs.speed) > standing_speed) {  // below it there is no loss, and no logarithm
+        const double frequency = tire.revolutions(inputs.speed, inputs.vertical_load);
+        laws.loss_shift += active[per_decade] * std::log10(frequency / active[reference]);
+    }
+}
+
+}  // namespace
+
+extern const Effect loss_frequency_shift;
+const Effect loss_frequency_shift{
+    .id = "loss_frequency_shift",
+    .kind = Kind::source,
+    .equation = "T_eq' = T_eq + per_decade log10(f/reference)",
+    .source = "definition, beside thesis (48): universal WLF constants are only a first guess for a filled compound",
+    .meaning =
+        "A time-temperature shift that is wrong: the loss tangent at a given temperature changes with the logarithm of "
+        "the speed. None at the frequency of the characterisation, none where there is no loss.",
+    .parameters = parameters,
+    .reads = reads,
+    .needs_tire = true,
+    .bend = bend,
+};
+
+}  // namespace tiretherm::physics::effects

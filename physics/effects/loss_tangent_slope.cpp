@@ -1,0 +1,41 @@
+#include <array>
+#include <cmath>
+
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { slope, reference };
+
+constexpr std::array parameters{
+    Parameter{"slope", "K-1", 0.0, -0.1, 0.1, "error of d ln(tan delta)/dT", false, 0.0},
+    Parameter{"reference", "K", 333.15, 200.0, 500.0, "bulk temperature at which the loss tangent is left as it is"},
+};
+
+Factor scale_loss(const Moment& m) {
+    const int bulk = m.mesh.find_region("bulk");
+    const double above = m.region_mean[static_cast<std::size_t>(bulk)] - m.active[reference];
+    const double value = std::exp(m.active[slope] * above);
+    return {.value = value, .by_mean = m.active[slope] * value, .region = bulk};
+}
+
+}  // namespace
+
+extern const Effect loss_tangent_slope;
+const Effect loss_tangent_slope{
+    .id = "loss_tangent_slope",
+    .kind = Kind::source,
+    .equation = "tan delta' = tan delta exp(slope (T_bulk - reference))",
+    .source = "definition; with the constants of thesis (49) d ln(tan delta)/dT is about -1.4 %/K",
+    .meaning =
+        "A compound whose loss falls faster or slower with temperature than its Gaussian says: more heat on one side "
+        "of "
+        "the reference, less on the other. Follows the bulk's mean also where the loss tangent is local.",
+    .parameters = parameters,
+    .needs_tire = true,
+    .scale_loss = scale_loss,
+};
+
+}  // namespace tiretherm::physics::effects

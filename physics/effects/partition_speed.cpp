@@ -1,0 +1,46 @@
+#include <array>
+#include <cmath>
+
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { slope };
+
+constexpr std::array parameters{
+    Parameter{"slope", "s m-1", 0.0, -10.0, 10.0,
+              "change of the tire's share with the sliding speed, relative to the share at none; the road takes more "
+              "(slope < 0) where fresh road comes in",
+              false, 0.0},
+};
+constexpr std::array<std::string_view, 1> reads{"speed"};
+constexpr std::array<std::string_view, 2> may_read{"slip_angle", "slip_ratio"};
+
+void bend(const ActiveEffect& active, const Tire& /*tire*/, const Inputs& inputs, Laws& laws) {
+    const double along = inputs.speed * inputs.slip_ratio;
+    const double across = inputs.speed * std::tan(inputs.slip_angle);
+    laws.partition *= 1.0 + active[slope] * std::hypot(along, across);
+}
+
+}  // namespace
+
+extern const Effect partition_speed;
+const Effect partition_speed{
+    .id = "partition_speed",
+    .kind = Kind::source,
+    .equation = "partition' = partition (1 + slope v_s), v_s = sqrt((V s)^2 + (V tan alpha)^2)",
+    .source =
+        "a straight line through the partition of moving heat sources: Jaeger, Proc. R. Soc. N.S.W. 76, 1942; Blok, "
+        "Proc. Inst. Mech. Eng. 2, 1937",
+    .meaning =
+        "The tire's share of the friction heat changes with the sliding speed. The line is not clamped above: a share "
+        "beyond 1 says that a term is missing. Without a slope it does nothing.",
+    .parameters = parameters,
+    .reads = reads,
+    .may_read = may_read,
+    .bend = bend,
+};
+
+}  // namespace tiretherm::physics::effects

@@ -1,0 +1,71 @@
+#include <algorithm>
+#include <array>
+
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { depth };
+
+constexpr std::array parameters{
+    Parameter{"depth", "m", 0.003, 0.0, 0.05, "rubber worn off the outer layer; 8 mm of tread end at 1.6 mm", false,
+              0.0},
+};
+/// What stays at least, as a share: a worn layer is thin, not gone.
+constexpr double least = 0.05;
+
+double thickness_of_outer_layer(const mesh::Mesh& mesh) {
+    double thickness = 0.0;
+    if (mesh.grid) {
+        for (int k = 0; k < mesh.grid->size(2); ++k) {
+            const auto z = static_cast<std::size_t>(k);
+            const int layer = mesh.layer[static_cast<std::size_t>(mesh.grid->cell(0, 0, k))];
+            thickness += layer == 0 ? mesh.grid->edge[2][z + 1] - mesh.grid->edge[2][z] : 0.0;
+        }
+    }
+    for (const mesh::Column& column : mesh.columns) {
+        double here = 0.0;
+        for (std::size_t k = 0; k + 1 < column.edge.size(); ++k) {
+            const int layer = mesh.layer[static_cast<std::size_t>(column.first_cell) + k];
+            here += layer == 0 ? column.edge[k + 1] - column.edge[k] : 0.0;
+        }
+        thickness = std::max(thickness, here);
+    }
+    return thickness;
+}
+
+/// A cell of the share w of its thickness has w of the mass, w of the section across it and 1/w of the resistance
+/// through it: the mesh stays and the material says so.
+void amend(const ActiveEffect& active, const mesh::Mesh& mesh, Stock& stock) {
+    const double thickness = thickness_of_outer_layer(mesh);
+    if (thickness <= 0.0) {
+        return;
+    }
+    const double w = std::max(least, 1.0 - active[depth] / thickness);
+    Material& outer = stock.materials.front();
+    outer.density *= w;
+    for (const mesh::Axis axis : {mesh::Axis::meridian, mesh::Axis::circumference, mesh::Axis::through}) {
+        Curve& k = outer.conductivity[static_cast<std::size_t>(axis)];
+        k = k.scaled(axis == mesh::Axis::through ? 1.0 / w : w);
+    }
+}
+
+}  // namespace
+
+extern const Effect tread_wear;
+const Effect tread_wear{
+    .id = "tread_wear",
+    .kind = Kind::property,
+    .equation = "w = 1 - depth/thickness of the outer layer: mass w, conductance across w, through 1/w",
+    .source = "geometry; time constants of conduction shrink as w^2",
+    .meaning =
+        "A tread that has lost rubber, spread evenly over the outer layer, the same during the whole run. The layer "
+        "takes its smaller share of the strain-energy loss by mass; the law of the total is that of the new tire.",
+    .parameters = parameters,
+    .needs_grid = true,
+    .amend = amend,
+};
+
+}  // namespace tiretherm::physics::effects
