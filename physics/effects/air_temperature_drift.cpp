@@ -1,0 +1,37 @@
+#include <array>
+
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { rate };
+
+constexpr std::array parameters{
+    Parameter{"rate", "K h-1", 0.0, -1000.0, 1000.0, "how fast the true temperature leaves the logged one", true, 0.0},
+};
+constexpr std::array<std::string_view, 1> reads{"air_temperature"};
+
+void transform(const ActiveEffect& active, Inputs& inputs) {
+    inputs.air_temperature += active[rate] * inputs.time / 3600.0;
+}
+
+}  // namespace
+
+extern const Effect air_temperature_drift;
+const Effect air_temperature_drift{
+    .id = "air_temperature_drift",
+    .kind = Kind::input,
+    .equation = "T_air = logged + rate t, t since the run's start",
+    .source = "definition; the thesis holds the air at one temperature (hypotheses of chapter V)",
+    .meaning =
+        "Air around the tire that warms or cools beside the log, as in a wheelhouse or a closed hall. Every loss to "
+        "the "
+        "air sees it; what a camera sees reflected stays the logged air. Without a rate it does nothing.",
+    .parameters = parameters,
+    .reads = reads,
+    .transform = transform,
+};
+
+}  // namespace tiretherm::physics::effects

@@ -1,0 +1,44 @@
+#include <algorithm>
+#include <array>
+
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { offset };
+
+constexpr std::array parameters{
+    Parameter{"offset", "K", 0.0, -200.0, 200.0, "true temperature at the start less the stated one", true, 0.0},
+};
+constexpr std::array scopes{Scope::layer};
+
+/// Surface nodes belong to their cell's layer, appended nodes to none.
+void start(const ActiveEffect& active, const mesh::Mesh& mesh, std::span<double> temperature) {
+    for (std::size_t node = 0; node < temperature.size(); ++node) {
+        const int layer = mesh.layer[node];
+        if (std::find(active.layers.begin(), active.layers.end(), layer) != active.layers.end()) {
+            temperature[node] += active.at(offset, Scope::layer, layer);
+        }
+    }
+}
+
+}  // namespace
+
+extern const Effect initial_temperature;
+const Effect initial_temperature{
+    .id = "initial_temperature",
+    .kind = Kind::state,
+    .equation = "T(0) = stated + offset in the layers named",
+    .source = "definition",
+    .meaning =
+        "Layers that start elsewhere than stated, such as a tire that soaked in the sun. What it changes decays with "
+        "the time constants and leaves nothing. Without an offset it does nothing.",
+    .parameters = parameters,
+    .scopes = scopes,
+    .on_layers = true,
+    .start = start,
+};
+
+}  // namespace tiretherm::physics::effects

@@ -1,0 +1,39 @@
+#include <array>
+#include <cmath>
+
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { factor, fall };
+
+constexpr std::array parameters{
+    Parameter{"factor", "1", 0.95, 0.0, 2.0, "absorbed power over that of the laser effect; 0.90 to 0.97 recalled",
+              false, 1.0},
+    Parameter{"fall", "h-1", 0.0, -100.0, 100.0, "rate at which the power falls off, of itself", false, 0.0},
+};
+constexpr std::array<std::string_view, 1> reads{"laser_power"};
+
+void transform(const ActiveEffect& active, Inputs& inputs) {
+    inputs.laser_power *= active[factor] * std::exp(-active[fall] * inputs.time / 3600.0);
+}
+
+}  // namespace
+
+extern const Effect laser_absorptivity;
+const Effect laser_absorptivity{
+    .id = "laser_absorptivity",
+    .kind = Kind::input,
+    .equation = "P = factor exp(-fall t) logged, t since the run's start",
+    .source = "definition; the values for carbon-black rubber are recalled",
+    .meaning =
+        "Light that the rubber reflects, and a laser whose power sags: front and back of a specimen fall by the same "
+        "share and the time constant stays.",
+    .parameters = parameters,
+    .reads = reads,
+    .transform = transform,
+};
+
+}  // namespace tiretherm::physics::effects

@@ -1,0 +1,33 @@
+#include <array>
+
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { gain };
+
+constexpr std::array parameters{
+    Parameter{"gain", "1", 1.0, 0.0, 10.0, "true vertical load over the logged one", false, 1.0},
+};
+constexpr std::array<std::string_view, 1> reads{"vertical_load"};
+
+void transform(const ActiveEffect& active, Inputs& inputs) { inputs.vertical_load *= active[gain]; }
+
+}  // namespace
+
+extern const Effect load_input_gain;
+const Effect load_input_gain{
+    .id = "load_input_gain",
+    .kind = Kind::input,
+    .equation = "Fz = gain logged",
+    .source = "definition",
+    .meaning =
+        "A load cell, or a load distribution, that is off by a factor: strain-energy loss, contact and radii follow.",
+    .parameters = parameters,
+    .reads = reads,
+    .transform = transform,
+};
+
+}  // namespace tiretherm::physics::effects

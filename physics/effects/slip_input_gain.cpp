@@ -1,0 +1,39 @@
+#include <array>
+#include <cmath>
+
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { gain };
+
+constexpr std::array parameters{
+    Parameter{"gain", "1", 1.0, 0.0, 10.0, "true sliding speed over that of the log", false, 1.0},
+};
+constexpr std::array<std::string_view, 2> may_read{"slip_angle", "slip_ratio"};
+
+/// On the tangent, not on the angle: the lateral sliding speed V tan(alpha), and with it the heat, take the gain exactly.
+void transform(const ActiveEffect& active, Inputs& inputs) {
+    inputs.slip_ratio *= active[gain];
+    inputs.slip_angle = std::atan(active[gain] * std::tan(inputs.slip_angle));
+}
+
+}  // namespace
+
+extern const Effect slip_input_gain;
+const Effect slip_input_gain{
+    .id = "slip_input_gain",
+    .kind = Kind::input,
+    .equation = "slip ratio = gain logged, tan(alpha) = gain tan(logged)",
+    .source = "definition; thesis (31): the friction heat is proportional to both",
+    .meaning =
+        "Slip that was logged too small or too large by a factor: the heat of sliding takes the same factor, forces "
+        "and all other heat are as logged. From temperatures it cannot be told from the partition or lambda_y.",
+    .parameters = parameters,
+    .may_read = may_read,
+    .transform = transform,
+};
+
+}  // namespace tiretherm::physics::effects

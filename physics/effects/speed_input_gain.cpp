@@ -1,0 +1,34 @@
+#include <array>
+
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { gain };
+
+constexpr std::array parameters{
+    Parameter{"gain", "1", 1.0, 0.0, 10.0, "true speed over the logged one", false, 1.0},
+};
+constexpr std::array<std::string_view, 1> reads{"speed"};
+
+void transform(const ActiveEffect& active, Inputs& inputs) { inputs.speed *= active[gain]; }
+
+}  // namespace
+
+extern const Effect speed_input_gain;
+const Effect speed_input_gain{
+    .id = "speed_input_gain",
+    .kind = Kind::input,
+    .equation = "V = gain logged",
+    .source = "definition",
+    .meaning =
+        "A speed that is off by a factor, such as one taken from a wheel of another radius: convection, loss and "
+        "friction follow, each by its own law of speed.",
+    .parameters = parameters,
+    .reads = reads,
+    .transform = transform,
+};
+
+}  // namespace tiretherm::physics::effects
