@@ -1,0 +1,37 @@
+#include <array>
+
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { seconds };
+
+constexpr std::array parameters{
+    Parameter{"delay", "s", 0.0, -100.0, 100.0, "how late the channel is written; negative: early", false, 0.0},
+};
+constexpr std::array scopes{Scope::channel};
+
+double delay(const ActiveEffect& active, std::size_t position) {
+    return active.at(seconds, Scope::channel, active.channels[position]);
+}
+
+}  // namespace
+
+extern const Effect clock_delay;
+const Effect clock_delay{
+    .id = "clock_delay",
+    .kind = Kind::sensor,
+    .equation = "reading(t) = value(t - delay)",
+    .source = "definition",
+    .meaning =
+        "A logger whose clock is late or early against that of the inputs, by 0.1 to 1 s when two loggers are put "
+        "together by hand. Without a delay it does nothing.",
+    .parameters = parameters,
+    .scopes = scopes,
+    .on_channels = true,
+    .delay = delay,
+};
+
+}  // namespace tiretherm::physics::effects

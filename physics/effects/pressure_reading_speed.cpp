@@ -1,0 +1,40 @@
+#include <array>
+
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { kappa };
+
+constexpr std::array parameters{
+    Parameter{"kappa", "s2 m-2", 1e-5, 0.0, 1.0, "1 % low at 32 m/s; assumed", false, 0.0},
+};
+constexpr std::array scopes{Scope::channel};
+constexpr std::array<std::string_view, 1> reads{"speed"};
+
+double read(const ActiveEffect& active, std::size_t position, double value, const Inputs& logged) {
+    const double per_square = active.at(kappa, Scope::channel, active.channels[position]);
+    return value / (1.0 + per_square * logged.speed * logged.speed);
+}
+
+}  // namespace
+
+extern const Effect pressure_reading_speed;
+const Effect pressure_reading_speed{
+    .id = "pressure_reading_speed",
+    .kind = Kind::sensor,
+    .equation = "reading = p/(1 + kappa V^2)",
+    .source = "definition: a membrane that the wheel's rotation loads with V^2; the number is assumed",
+    .meaning =
+        "A pressure sensor on the rim that reads lower the faster the wheel turns, at once and by the square of the "
+        "speed. For channels of pressure.",
+    .parameters = parameters,
+    .scopes = scopes,
+    .reads = reads,
+    .on_channels = true,
+    .read = read,
+};
+
+}  // namespace tiretherm::physics::effects

@@ -1,0 +1,38 @@
+#include <array>
+
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { offset };
+
+constexpr std::array parameters{
+    Parameter{"offset", "m", 0.0, -0.1, 0.1, "how much deeper than stated the sensor sits", false, 0.0},
+};
+constexpr std::array scopes{Scope::channel};
+
+double deeper(const ActiveEffect& active, std::size_t position) {
+    return active.at(offset, Scope::channel, active.channels[position]);
+}
+
+}  // namespace
+
+extern const Effect sensor_depth;
+const Effect sensor_depth{
+    .id = "sensor_depth",
+    .kind = Kind::sensor,
+    .equation = "z = stated + offset",
+    .source = "definition",
+    .meaning =
+        "A probe that sits deeper or shallower than stated, for channels that read at a point: what it changes follows "
+        "the heat flux and vanishes in a soaked tire. Without an offset it does nothing.",
+    .parameters = parameters,
+    .scopes = scopes,
+    .needs_grid = true,
+    .on_channels = true,
+    .deeper = deeper,
+};
+
+}  // namespace tiretherm::physics::effects

@@ -1,0 +1,40 @@
+#include <array>
+
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { excess, reference };
+
+constexpr std::array parameters{
+    Parameter{"excess", "1", 0.0, -1.0, 10.0, "gain of the channel less 1", false, 0.0},
+    Parameter{"reference", "K", 298.15, 0.0, 1000.0, "temperature that the channel reads right"},
+};
+constexpr std::array scopes{Scope::channel};
+
+double read(const ActiveEffect& active, std::size_t position, double value, const Inputs& /*logged*/) {
+    const int channel = active.channels[position];
+    const double about = active.at(reference, Scope::channel, channel);
+    return value + active.at(excess, Scope::channel, channel) * (value - about);
+}
+
+}  // namespace
+
+extern const Effect sensor_gain;
+const Effect sensor_gain{
+    .id = "sensor_gain",
+    .kind = Kind::sensor,
+    .equation = "reading = value + excess (value - reference), reference 25 degC",
+    .source = "definition",
+    .meaning =
+        "A temperature channel that is right at the temperature of its calibration and off in proportion beyond. "
+        "Without an excess it does nothing.",
+    .parameters = parameters,
+    .scopes = scopes,
+    .on_channels = true,
+    .read = read,
+};
+
+}  // namespace tiretherm::physics::effects

@@ -1,0 +1,38 @@
+#include <array>
+
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { kelvin };
+
+constexpr std::array parameters{
+    Parameter{"kelvin", "K", 0.0, -100.0, 100.0, "added to the reading; a lead of 0.4 ohm makes 1 K on a Pt100", true,
+              0.0},
+};
+constexpr std::array scopes{Scope::channel};
+
+double read(const ActiveEffect& active, std::size_t position, double value, const Inputs& /*logged*/) {
+    return value + active.at(kelvin, Scope::channel, active.channels[position]);
+}
+
+}  // namespace
+
+extern const Effect sensor_offset;
+const Effect sensor_offset{
+    .id = "sensor_offset",
+    .kind = Kind::sensor,
+    .equation = "reading = value + kelvin",
+    .source = "definition; a Pt100 changes by 0.385 ohm/K (IEC 60751)",
+    .meaning =
+        "A temperature channel that is off by the same amount from the first moment on, such as a resistance "
+        "thermometer with long leads. Without kelvin it does nothing.",
+    .parameters = parameters,
+    .scopes = scopes,
+    .on_channels = true,
+    .read = read,
+};
+
+}  // namespace tiretherm::physics::effects
