@@ -63,7 +63,8 @@ TEST(Library, EveryCaseIsSound) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(source_folder() / "cases")) {
         const std::filesystem::path& file = entry.path();
         const bool part = file.stem().string().ends_with("common") || file.parent_path().filename() == "tires";
-        if (file.extension() == ".toml" && !part) {
+        const bool table = file.filename() == "validation.toml";
+        if (file.extension() == ".toml" && !part && !table) {
             const Reading reading = read_case(file);
             EXPECT_TRUE(reading.problem.has_value()) << render(reading);
             EXPECT_TRUE(reading.warnings.empty()) << render(reading);

@@ -1,0 +1,126 @@
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "app/commands.hpp"
+#include "app/messages.hpp"
+#include "app/stop_signal.hpp"
+#include "app/validation_rows.hpp"
+#include "app/validation_runs.hpp"
+#include "cases/validation.hpp"
+#include "cases/words.hpp"
+#include "post/validation_table.hpp"
+
+namespace tiretherm::app {
+
+namespace {
+
+constexpr const char* shipped = "cases/validation.toml";
+
+struct Options {
+    std::string table = shipped;
+    std::vector<std::string> only;
+    unsigned threads = 0;
+    bool json = false;
+    bool markdown = false;
+};
+
+using Clock = std::chrono::steady_clock;
+
+/// Says what is wrong and returns true, or leaves the table as asked for.
+bool refuses(cases::ValidationReading& reading, const Options& options) {
+    if (!reading.table) {
+        std::error_code error;
+        if (!std::filesystem::exists(options.table, error) && options.table == shipped) {
+            tell_error(fmt::format("there is no {} here", shipped),
+                       "call it in the folder of the source, or give a table: tiretherm validate TABLE", options.json);
+        } else {
+            tell_mistakes({.problem = std::nullopt, .mistakes = reading.mistakes, .warnings = reading.warnings},
+                          "nothing was run", options.json);
+        }
+        return true;
+    }
+    const std::vector<std::string> known = reading.table->ids();
+    if (!options.only.empty()) {
+        if (const std::vector<std::string> unknown = reading.table->keep(options.only); !unknown.empty()) {
+            tell_error(fmt::format("there is no experiment \"{}\"", unknown.front()),
+                       cases::suggest(unknown.front(), known, "experiments"), options.json);
+            return true;
+        }
+    }
+    return false;
+}
+
+int validate(const Options& options) {
+    cases::ValidationReading reading = cases::read_validation(options.table);
+    if (refuses(reading, options)) {
+        return Exit::mistake;
+    }
+    const cases::Validation& table = *reading.table;
+    heed_stop_signals();
+    const Clock::time_point begin = Clock::now();
+    const bool watched = on_terminal(stderr) && on_terminal(stdout);
+    const RunResults results = run_all(table.runs, options.threads, [&](std::size_t done) {
+        if (watched) {
+            fmt::print(stderr, "\r{} of {} runs", done, table.runs.size());
+            std::fflush(stderr);
+        }
+    });
+    if (watched) {
+        fmt::print(stderr, "\r\033[K");
+    }
+    if (stop_requested()) {
+        tell_error("stopped", "there is no table", options.json);
+        return Exit::interrupted;
+    }
+    const post::ValidationRecord record{.title = table.title,
+                                        .models = {{"two_node", "two nodes"}, {"section", "section"}},
+                                        .rows = validation_rows(table, results),
+                                        .runs = table.runs.size(),
+                                        .seconds = std::chrono::duration<double>(Clock::now() - begin).count(),
+                                        .energy_closure = results.energy_closure,
+                                        .warnings = reading.warnings};
+    fmt::print("{}", options.json       ? post::validation_json(record)
+                     : options.markdown ? post::validation_markdown(record)
+                                        : post::validation_text(record, may_be_bold()));
+    const bool failed = std::any_of(results.failures.begin(), results.failures.end(),
+                                    [](const std::string& failure) { return !failure.empty(); });
+    return failed ? Exit::numerical_failure : Exit::done;
+}
+
+}  // namespace
+
+void add_validate_command(CLI::App& program, int& exit_code) {
+    CLI::App* command =
+        program.add_subcommand("validate", "Run the experiments and hold the models against what was measured");
+    const auto options = std::make_shared<Options>();
+    command->add_option("TABLE", options->table, "Table of measured numbers (TOML)")
+        ->capture_default_str()
+        ->option_text(fmt::format("[{}]", shipped));
+    command->add_option("--only", options->only, "Only these experiments: M8,M9")
+        ->option_text("ID,...")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command->add_option("--threads", options->threads, "Runs at a time. Default: as many as the machine can do")
+        ->option_text("N")
+        ->check(CLI::Range(1, 1024));
+    command->add_flag("--json", options->json, "One JSON object instead of the table");
+    command->add_flag("--markdown", options->markdown, "The table for a README")->excludes("--json");
+    command->footer(
+        "u is the standard uncertainty of a measured number; a model is within it up to 2 u.\n"
+        "What a table may say is described in cases/README.md.\n\n"
+        "Exit code: 0 done, whatever the verdicts; 1 a mistake in the call, the table or a case; 2 a run failed;\n"
+        "130 interrupted.\n\n"
+        "Example:\n"
+        "  tiretherm validate --only M8,M9");
+    command->callback([options, &exit_code] { exit_code = validate(*options); });
+}
+
+}  // namespace tiretherm::app

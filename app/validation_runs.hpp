@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cases/validation.hpp"
+
+namespace tiretherm::app {
+
+/// The cases of a table, run.
+struct RunResults {
+    std::vector<cases::Trace> traces;   ///< [runs]
+    std::vector<std::string> failures;  ///< [runs] why a run has no result: "case: reason"; empty when it has
+    double energy_closure = 0.0;        ///< largest of all runs that came to their end
+};
+
+/// Runs every case once, several at a time; the results do not depend on how many.
+/// @param threads 0: as many as the machine has   @param progress called after each run with the number that are done
+[[nodiscard]] RunResults run_all(const std::vector<cases::ValidationRun>& runs, unsigned threads,
+                                 const std::function<void(std::size_t done)>& progress);
+
+}  // namespace tiretherm::app
