@@ -7,14 +7,19 @@ namespace tiretherm::physics::effects {
 
 namespace {
 
-enum : std::size_t { factor, length, exponent };
+enum : std::size_t { factor, length, exponent, scale };
+enum : std::size_t { law };
 
 constexpr std::array parameters{
     Parameter{"factor", "1", 1.32, 0.0, 100.0,
-              "h in W/(m2 K) at 1 K and 1 m; 1.32 for a horizontal cylinder or plate facing up", false, 0.0},
+              "h in W/(m2 K) at 1 K and 1 m; 1.32 for a horizontal cylinder or plate facing up"},
     Parameter{"length", "m", 0.66, 1e-4, 10.0, "diameter of the tire or size of the heated spot"},
     Parameter{"exponent", "1", 0.25, 0.0, 1.0, "exponent of (T_surf - T_air) / length; 1/4 in laminar flow"},
+    Parameter{"scale", "1", 1.0, 0.0, 10.0, "factor on either law", false, 0.0},
 };
+constexpr std::array<std::string_view, 2> laws{"power", "churchill_chu"};
+constexpr std::array choices{
+    Choice{"law", laws, "factor (dT/length)^exponent, or Churchill and Chu's correlation for a horizontal cylinder"}};
 constexpr std::array<std::string_view, 1> reads{"air_temperature"};
 constexpr std::array<std::string_view, 2> patches{"outside", "top"};
 
@@ -24,15 +29,44 @@ void drive(const ActiveEffect& /*active*/, const Driving& driving, std::span<dou
     out[1] = driving.inputs.air_temperature;
 }
 
+/// A coefficient and its derivative with the temperature difference, which is not 0.
+struct Film {
+    double h;     ///< W/(m2 K)
+    double by_T;  ///< W/(m2 K2)
+};
+
+Film power_law(double above, double factor, double length, double exponent) {
+    const double h = factor * std::pow(std::abs(above) / length, exponent);
+    return {h, exponent * h / above};
+}
+
+/// Nu = (0.60 + 0.387 Ra^(1/6) / (1 + (0.559/Pr)^(9/16))^(8/27))^2, Ra = g dT D^3/(T_air nu alpha); air at 300 K.
+Film churchill_chu(double above, double T_air, double diameter) {
+    constexpr double k = 0.0263;         // W/(m K)
+    constexpr double nu = 1.589e-5;      // m2/s
+    constexpr double alpha = 2.25e-5;    // m2/s
+    constexpr double gravity = 9.80665;  // m/s2
+    const double rayleigh = gravity * std::abs(above) * std::pow(diameter, 3) / (T_air * nu * alpha);
+    const double spread = std::pow(1.0 + std::pow(0.559 * alpha / nu, 9.0 / 16.0), 8.0 / 27.0);
+    const double term = 0.387 * std::pow(rayleigh, 1.0 / 6.0) / spread;
+    const double root = 0.60 + term;
+    return {k / diameter * root * root, k / diameter * 2.0 * root * term / (6.0 * above)};
+}
+
 void speak(const Moment& m, Terms& terms) {
     const double T_air = m.intensities[1];
     for (std::size_t p = 0; p < m.active.patches.size(); ++p) {
-        const double n = m.active.on_patch(exponent, p);
-        const double scale = m.intensities[0] * m.active.on_patch(factor, p);
+        const double size = m.active.on_patch(length, p);
         for (const mesh::PatchFace& face : m.mesh.patches[static_cast<std::size_t>(m.active.patches[p])].faces) {
             const double above = m.temperature[static_cast<std::size_t>(face.node)] - T_air;
-            const double G = scale * face.area * std::pow(std::abs(above) / m.active.on_patch(length, p), n);
-            terms.exchange(face.node, G, T_air, above != 0.0 ? n * G / above : 0.0);
+            if (above == 0.0) {
+                continue;
+            }
+            const Film film = m.active.choices[law] == 0
+                                  ? power_law(above, m.active.on_patch(factor, p), size, m.active.on_patch(exponent, p))
+                                  : churchill_chu(above, T_air, size);
+            const double per_h = m.intensities[0] * m.active.on_patch(scale, p) * face.area;
+            terms.exchange(face.node, per_h * film.h, T_air, per_h * film.by_T);
         }
     }
 }
@@ -43,11 +77,14 @@ extern const Effect natural_convection;
 const Effect natural_convection{
     .id = "natural_convection",
     .kind = Kind::loss,
-    .equation = "q = 1.32 (|T_surf - T_air|/D)^0.25 A (T_air - T_surf), at rest only",
+    .equation =
+        "q = scale h A (T_air - T_surf), h = 1.32 (|T_surf - T_air|/D)^0.25 or of Churchill and Chu, at rest only",
     .source =
-        "simplified laminar relations for air at atmospheric pressure: McAdams, Heat Transmission, 3rd ed. 1954, ch. 7",
+        "simplified laminar relations for air at atmospheric pressure: McAdams, Heat Transmission, 3rd ed. 1954, "
+        "ch. 7; Churchill & Chu, Int. J. Heat Mass Transfer 18, 1975, 1049",
     .meaning = "Buoyant air on a tire or specimen at rest; grows weakly with the temperature difference.",
     .parameters = parameters,
+    .choices = choices,
     .reads = reads,
     .patches = patches,
     .n_intensities = 2,

@@ -179,4 +179,26 @@ TEST(NaturalConvectionEffect, FollowsTheQuarterPowerAndOnlyAtRest) {
     EXPECT_EQ(bench.watts(effect, {.speed = 20.0, .air_temperature = 300.0}), 0.0);
 }
 
+TEST(NaturalConvectionEffect, KnowsChurchillAndChu) {
+    // D = 0.66 m, 50 K in air of 300 K: Ra = 9.80665 * 50 * 0.287496/(300 * 1.589e-5 * 2.25e-5) = 1.31430e9,
+    // Ra^(1/6) = 33.0965; Pr = 0.70622, (1 + (0.559/Pr)^(9/16))^(8/27) = 1.20507; Nu = (0.60 + 10.6288)^2 = 126.085, so
+    // h = 126.085 * 0.0263/0.66 = 5.02429 W/m2K. The slope against a difference, as the contract tests the standard law.
+    Bench bench = specimen();
+    ActiveEffect effect = bench.active("natural_convection");
+    effect.choices = {1};
+    bench.T.assign(bench.T.size(), 350.0);
+    const Inputs in{.air_temperature = 300.0};
+    EXPECT_NEAR(bench.watts(effect, in), -50.0 * 5.02429 * 9e-4, 1e-6);
+    const int node = bench.mesh.patches[static_cast<std::size_t>(bench.mesh.find_patch("top"))].faces.front().node;
+    const auto n = static_cast<std::size_t>(node);
+    const Terms terms = bench.said(effect, in, bench.T);
+    const double slope = terms.node_slope[n] - terms.node_G[n];
+    std::vector<double> up = bench.T;
+    std::vector<double> down = bench.T;
+    up[n] += 1e-3;
+    down[n] -= 1e-3;
+    EXPECT_NEAR(slope, (bench.said(effect, in, up).node_q[n] - bench.said(effect, in, down).node_q[n]) / 2e-3,
+                1e-7 * std::abs(slope));
+}
+
 }  // namespace tiretherm::physics
