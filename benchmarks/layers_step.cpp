@@ -45,11 +45,7 @@ void session_step(benchmark::State& state) {
                           .heat_capacity = physics::Curve::constant(1800.0),
                           .conductivity = {k, k, k}}};
     for (const char* id : {"conduction", "air_convection", "road_contact", "strain_energy_loss", "sliding_friction"}) {
-        physics::ActiveEffect active = physics::activate(*physics::find_effect(id), problem.mesh);
-        if (active.effect->place != nullptr) {
-            active.effect->place({.mesh = problem.mesh, .materials = problem.materials, .tire = problem.tire}, active);
-        }
-        problem.effects.push_back(std::move(active));
+        solver::switch_on(problem, physics::activate(*physics::find_effect(id), problem.mesh), 300.0);
     }
     problem.initial.assign(static_cast<std::size_t>(problem.mesh.n_nodes), 300.0);
     const physics::Inputs inputs{

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "mesh/mesh.hpp"
 #include "mesh/meridian.hpp"
+#include "mesh/mesh.hpp"
 
 namespace tiretherm::mesh {
 

@@ -62,7 +62,8 @@ double Meridian::mean_radius(double from, double to) const {
         const double middle = 0.5 * (low + high);
         const double half = 0.5 * (high - low);
         for (int p = 0; p < 3; ++p) {
-            const double sum = p == 0 ? at(middle).radius : at(middle - half * x[p]).radius + at(middle + half * x[p]).radius;
+            const double sum =
+                p == 0 ? at(middle).radius : at(middle - half * x[p]).radius + at(middle + half * x[p]).radius;
             integral += half * w[p] * sum;
         }
         low = high;

@@ -94,8 +94,8 @@ enum class Shape : std::uint8_t { vertex = 1, line = 2, quadrilateral = 4, hexah
 /// Corner points of every cell, in VTK's order, `corners_per_cell(shape)` each.
 struct Drawing {
     Shape shape = Shape::vertex;
-    std::vector<Point> points;  ///< m
-    std::vector<int> corners;   ///< [n_cells * corners_per_cell]
+    std::vector<Point> points;    ///< m
+    std::vector<int> corners;     ///< [n_cells * corners_per_cell]
     std::vector<Point> places{};  ///< of the points of a folded drawing in the mesh's own coordinates; else empty
 };
 
@@ -130,12 +130,12 @@ struct Mesh {
     /// A face by which an effect joins a node to an appended one. @returns its index
     int add_joint(int node, int appended_node, double area);
 
-    [[nodiscard]] int find_patch(std::string_view name) const;   ///< -1 when absent
-    [[nodiscard]] int find_region(std::string_view name) const;  ///< -1 when absent
+    [[nodiscard]] int find_patch(std::string_view name) const;     ///< -1 when absent
+    [[nodiscard]] int find_region(std::string_view name) const;    ///< -1 when absent
     [[nodiscard]] int find_appended(std::string_view name) const;  ///< node, -1 when absent
     [[nodiscard]] int find_zone(std::string_view name) const;      ///< -1 when absent
     [[nodiscard]] int find_layer(std::string_view name) const;     ///< -1 when absent
-    [[nodiscard]] double total_volume() const;                   ///< m3, cells only
+    [[nodiscard]] double total_volume() const;                     ///< m3, cells only
 };
 
 /// What is wrong with a mesh, a sentence each (negative volume, face to itself, unconnected cell); empty when sound.

@@ -96,8 +96,8 @@ private:
         for (int k = 0; k < column.cells(); ++k) {
             const double thickness = column.edge[at(k + 1)] - column.edge[at(k)];
             const int layer = d_.zones[at(zone)].stack[at(stack.edges.layer_of_cell[at(k)])];
-            mesh_.add_cell(base * thickness, {column.middle(), 0.0, 0.5 * (column.edge[at(k)] + column.edge[at(k + 1)])},
-                           layer, zone);
+            mesh_.add_cell(base * thickness,
+                           {column.middle(), 0.0, 0.5 * (column.edge[at(k)] + column.edge[at(k + 1)])}, layer, zone);
         }
         for (int k = 0; k + 1 < column.cells(); ++k) {
             mesh_.faces.push_back({.a = column.first_cell + k,
@@ -146,9 +146,9 @@ private:
             column.outer = mesh_.add_patch_face(tread ? outside : sidewalls, column.first_cell, base,
                                                 0.5 * column.edge[1], {column.middle(), 0.0, 0.0}, Axis::through);
             mesh_.patches[at(tread ? outside : sidewalls)].faces.back().extent = extent;
-            column.inner =
-                mesh_.add_patch_face(inside, column.first_cell + n - 1, base, 0.5 * (column.edge[at(n)] - column.edge[at(n - 1)]),
-                                     {column.middle(), 0.0, column.edge[at(n)]}, Axis::through);
+            column.inner = mesh_.add_patch_face(inside, column.first_cell + n - 1, base,
+                                                0.5 * (column.edge[at(n)] - column.edge[at(n - 1)]),
+                                                {column.middle(), 0.0, column.edge[at(n)]}, Axis::through);
             mesh_.patches[at(inside)].faces.back().extent = extent;
         }
     }

@@ -11,6 +11,9 @@ namespace tiretherm::post {
 
 namespace {
 
+/// Where the thesis measures its bulk, dZ. m
+constexpr double bulk_depth = 0.010;
+
 /// Five figures at the largest of the values, so that a column shows what adds up to what.
 int decimals_for(const std::vector<double>& values) {
     double largest = 0.0;
@@ -30,8 +33,9 @@ std::string heat_budget_text(const RunRecord& run) {
     std::vector<std::string> names;
     for (std::size_t e = 0; e < run.problem.effects.size(); ++e) {
         const physics::Effect& effect = *run.problem.effects[e].effect;
-        // A property moves heat inside; only sources and losses have a line in the budget.
-        if (effect.kind != physics::Kind::property || report.joules[e] != 0.0) {
+        // Laws and readings have no heat of their own, and what conducts only moves it.
+        const bool speaks = effect.speak != nullptr && effect.kind != physics::Kind::property;
+        if (speaks || report.joules[e] != 0.0) {
             names.emplace_back(effect.id);
             watts.push_back(run.problem.symmetry * report.watts[e]);
             kilojoules.push_back(run.problem.symmetry * report.joules[e] / 1e3);
@@ -56,11 +60,18 @@ std::string heat_budget_text(const RunRecord& run) {
     text += fmt::format("  energy closure {:.1e}: {} over the heat turned over\n", report.energy_closure,
                         steady ? "sum" : "stored less sum,");
     const std::vector<physics::ActiveEffect>& effects = run.problem.effects;
+    for (std::size_t e = 0; e < effects.size(); ++e) {
+        if (std::isfinite(report.law_watts[e])) {
+            text += fmt::format("  of this, {} makes {:+.{}f} W\n", effects[e].effect->id,
+                                run.problem.symmetry * report.law_watts[e], of_watts);
+        }
+    }
     const bool is_tire = std::any_of(effects.begin(), effects.end(),
                                      [](const physics::ActiveEffect& active) { return active.effect->needs_tire; });
     if (is_tire && std::isfinite(report.effective_link)) {
-        text += fmt::format("  as a two-node model, its link would be {:.4g} W/K\n",
-                            run.problem.symmetry * report.effective_link);
+        const double link = run.problem.symmetry * report.effective_link;
+        text += fmt::format("  as a two-node model, its link would be {:.4g} W/K, or k = {:.3g} W/mK over 10 mm\n",
+                            link, link * bulk_depth / run.problem.tire.outer_area());
     }
     return text;
 }

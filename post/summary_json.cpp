@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <nlohmann/json.hpp>
 
@@ -35,6 +36,9 @@ Json budget(const RunRecord& run) {
         list.push_back({{"effect", run.problem.effects[e].effect->id},
                         {"watts_final", run.problem.symmetry * run.report.watts[e]},
                         {"joules", run.problem.symmetry * run.report.joules[e]}});
+        if (std::isfinite(run.report.law_watts[e])) {
+            list.back()["law_watts_final"] = run.problem.symmetry * run.report.law_watts[e];
+        }
     }
     return list;
 }

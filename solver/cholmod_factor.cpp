@@ -103,6 +103,7 @@ public:
         return std::max(2.0, flops_ / (3.0 * 4.0 * entries_));
     }
 
+    [[nodiscard]] bool is_exact() const override { return true; }
     [[nodiscard]] std::string description() const override {
         return fmt::format("CHOLMOD, {}, {:.0f} entries in the factor",
                            factor_->is_super != 0 ? "supernodal" : "simplicial", entries_);

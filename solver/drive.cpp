@@ -15,6 +15,9 @@ double Series::at(double t, Limit limit) const {
         return value.back();
     }
     const auto i = static_cast<std::size_t>(next - time.begin());
+    if (time[i] == t) {  // to the last digit the same from both sides
+        return value[i];
+    }
     const double width = time[i] - time[i - 1];
     return width > 0.0 ? value[i - 1] + (value[i] - value[i - 1]) * (t - time[i - 1]) / width : value[i];
 }

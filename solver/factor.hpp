@@ -24,6 +24,8 @@ public:
     virtual void solve(std::span<const double> b, std::span<double> x) = 0;
     /// Cost of a factorisation in units of one solve, from the analysis: decides when a new one pays.
     [[nodiscard]] virtual double factor_cost() const = 0;
+    /// Whether `solve` is exact for the matrix that was factorised.
+    [[nodiscard]] virtual bool is_exact() const = 0;
     [[nodiscard]] virtual std::string description() const = 0;
 };
 

@@ -48,6 +48,7 @@ public:
 
     [[nodiscard]] double factor_cost() const override { return 20.0; }
 
+    [[nodiscard]] bool is_exact() const override { return false; }
     [[nodiscard]] std::string description() const override {
         return "conjugate gradients, incomplete Cholesky (Eigen)";
     }

@@ -1,6 +1,7 @@
 #include "solver/march.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -31,6 +32,9 @@ private:
     double tolerance_;
     double exponent_;
 };
+
+/// A log that was too rough for a step stays so for a while, which no power of the step foretells.
+constexpr int rough_steps = 8;
 
 /// A run from its start to its end: chooses the steps, leaves checkpoints, fills the report.
 class Run {
@@ -77,6 +81,7 @@ private:
         rows_.visit(archive);
         archive(wanted_);
         archive.whole(fresh_);
+        archive.whole(hold_);
         archive.whole(report_.steps);
         archive.whole(report_.rejected);
         for (Report::Extreme* extreme : {&report_.hottest, &report_.coldest}) {
@@ -120,7 +125,7 @@ private:
                 wanted_ = wanted_ > 0.0 ? std::min(wanted_, first) : first;
             }
             fresh_ = false;
-            double t1 = t + wanted_;
+            double t1 = settings.fixed_step ? t + wanted_ : on_sample(t, t + wanted_);
             if (t1 > stop - smallest) {
                 t1 = stop;
             } else if (!settings.fixed_step && t1 + wanted_ > stop) {
@@ -139,6 +144,7 @@ private:
                 const double factor = control.factor(attempt.error);
                 if (!control.accepts(attempt.error)) {
                     ++report_.rejected;
+                    hold_ = problem_.drive.samples().empty() ? 0 : rough_steps;
                     wanted_ = std::min(factor, 0.8) * (t1 - t);
                     if (wanted_ < smallest) {
                         return stepper_.blame_error(
@@ -149,6 +155,10 @@ private:
                 }
                 // A step cut short by a stop says nothing against the size that was wanted.
                 wanted_ = std::max(factor * (t1 - t), t1 - t < wanted_ ? wanted_ : 0.0);
+                if (hold_ > 0) {
+                    --hold_;
+                    wanted_ = std::min(wanted_, t1 - t);
+                }
             }
             stepper_.accept();
             rows_.take_step();
@@ -180,6 +190,16 @@ private:
         return false;
     }
 
+    /// The end of a step over a log: on a sample, so that no piece of a straight line is left over, and 2, 4, 8 ...
+    /// samples on, so that steps are often alike and one factor serves them.
+    [[nodiscard]] double on_sample(double t, double t1) const {
+        const std::vector<double>& samples = problem_.drive.samples();
+        const auto first = std::upper_bound(samples.begin(), samples.end(), t);
+        const auto last = std::upper_bound(first, samples.end(), t1);
+        const auto count = static_cast<std::size_t>(last - first);
+        return count == 0 ? t1 : *(first + static_cast<std::ptrdiff_t>(std::bit_floor(count)) - 1);
+    }
+
     [[nodiscard]] double next_stop(double t) const {
         const std::vector<double>& stops = problem_.drive.stops();
         const auto next = std::upper_bound(stops.begin(), stops.end(), t);
@@ -201,9 +221,20 @@ private:
         report_.watts.assign(stepper_.watts().begin(), stepper_.watts().end());
         report_.joules.assign(stepper_.joules().begin(), stepper_.joules().end());
         report_.stored = stepper_.stored();
+        find_law_watts();
         report_.warnings = rows_.cautions();
         report_.effective_link = stepper_.effective_link();
         report_.energy_closure = problem_.settings.steady ? steady_closure() : stepper_.energy_closure();
+    }
+
+    void find_law_watts() {
+        const physics::Inputs inputs = problem_.drive.at(stepper_.time(), Limit::before);
+        for (std::size_t e = 0; e < problem_.effects.size(); ++e) {
+            const physics::Effect& effect = *problem_.effects[e].effect;
+            report_.law_watts.push_back(effect.bend != nullptr || effect.scale_loss != nullptr
+                                            ? stepper_.system().share_of_law(e, stepper_.temperature(), inputs)
+                                            : std::numeric_limits<double>::quiet_NaN());
+        }
     }
 
     /// In the steady state the watts themselves cancel.
@@ -224,6 +255,7 @@ private:
     Report report_;
     Checkpoint checkpoint_;
     double wanted_ = 0.0;  ///< s, size of the next step
+    int hold_ = 0;         ///< steps to come that do not grow
     bool fresh_ = true;    ///< at the start and after a jump the step is chosen anew
 };
 

@@ -31,9 +31,11 @@ struct Report {
     long newton_iterations = 0;
     long linear_iterations = 0;
     long factorisations = 0;
-    std::string linear_solver;    ///< "CHOLMOD supernodal, 560 000 entries in the factor", "CG, incomplete Cholesky"
-    std::vector<double> watts;    ///< [n_effects] W at the end
-    std::vector<double> joules;   ///< [n_effects] J
+    std::string linear_solver;   ///< "CHOLMOD supernodal, 560 000 entries in the factor", "CG, incomplete Cholesky"
+    std::vector<double> watts;   ///< [n_effects] W at the end
+    std::vector<double> joules;  ///< [n_effects] J
+    /// [n_effects] W at the end that a law effect adds to the heat of others; NaN for every other effect
+    std::vector<double> law_watts;
     double stored = 0.0;          ///< J
     double energy_closure = 0.0;  ///< |stored - sum of joules| over the heat turned over (sum of |watts| dt)
     double effective_link = 0.0;  ///< W/K at the end, see Stepper::effective_link; NaN where it has no meaning

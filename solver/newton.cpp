@@ -91,8 +91,7 @@ bool Newton::is_booked(const Stage& stage) const {
 /// Factorises when there is no usable factor, when the step has changed too much for the old one, or when the solves
 /// that a fresh factor would have saved have cost more than it does.
 Status Newton::prepare(const Stage& stage) {
-    const double ratio = factored_s_ > 0.0 ? stage.s / factored_s_ : 0.0;
-    if (ratio > 0.5 && ratio < 2.0 && debt_ < factor_->factor_cost()) {
+    if (has_factor_for(stage.s) && debt_ < factor_->factor_cost()) {
         return {};
     }
     const Stopwatch watch(counters_.factor_seconds);
@@ -110,6 +109,15 @@ Status Newton::prepare(const Stage& stage) {
 void Newton::assemble(const Stage& stage) {
     const Stopwatch watch(counters_.assembly_seconds);
     system_->matrices(stage.s, stage.steady, A_, J_);
+}
+
+/// Moves every temperature by the constant that closes a balance of the whole mesh. @returns K
+double Newton::shift_all(double joules, std::span<double> T) const {
+    const double shift = weight_ != 0.0 ? joules / weight_ : 0.0;
+    for (double& t : T) {
+        t += shift;
+    }
+    return shift;
 }
 
 Status Newton::solve(const Stage& stage, std::span<double> T) {
@@ -141,9 +149,14 @@ Status Newton::solve(const Stage& stage, std::span<double> T) {
         if (iteration > 0) {
             // The correction just made was for `before`; what is left of it shrank as the residual did.
             const double error = before > 0.0 ? correction * now / before : 0.0;
-            const bool small = solved || error <= stage.tolerance;
-            if (small && (is_booked(stage) || iteration > patience)) {
-                return {};
+            if (solved || error <= stage.tolerance) {
+                if (is_booked(stage) || iteration > patience) {
+                    return {};
+                }
+                // The field is found; only its mean still has to book the heat to the last digit.
+                correction = std::abs(shift_all(sum(residual_), T));
+                before = now;
+                continue;
             }
             assemble(stage);
         }
@@ -168,8 +181,8 @@ Status Newton::solve(const Stage& stage, std::span<double> T) {
             debt_ = 2.0 * factor_->factor_cost();  // a fresh factor next time
         }
         J_.multiply(ones_, J_ones_);
-        const double weight = sum(J_ones_);
-        const double shift = weight != 0.0 ? sum(remainder_) / weight : 0.0;
+        weight_ = sum(J_ones_);
+        const double shift = weight_ != 0.0 ? sum(remainder_) / weight_ : 0.0;
         correction = 0.0;
         for (std::size_t i = 0; i < correction_.size(); ++i) {
             correction_[i] += shift;
@@ -192,7 +205,12 @@ Status Newton::solve(const Stage& stage, std::span<double> T) {
 
 void Newton::filter(std::span<const double> b, std::span<double> x) {
     const Stopwatch watch(counters_.solve_seconds);
-    // An error estimate is wanted to one digit only.
+    // An error estimate is wanted to one digit only: an exact factor of a step nearby is enough.
+    if (factor_->is_exact()) {
+        factor_->solve(b, x);
+        ++counters_.linear_iterations;
+        return;
+    }
     counters_.linear_iterations += krylov_.solve(A_, *factor_, b, x, remainder_, 0.0, 0.1).solves;
 }
 

@@ -42,8 +42,13 @@ public:
     /// @param T [n_nodes] K, in: a guess; out: the solution, at which the system has been evaluated
     [[nodiscard]] Status solve(const Stage& stage, std::span<double> T);
 
-    /// x = A^-1 b, to one digit: filters the error estimate of a step into kelvin.
+    /// x = A^-1 b, to one digit: filters the error estimate of a step into kelvin. @pre a factor is at hand
     void filter(std::span<const double> b, std::span<double> x);
+
+    /// Whether the factor at hand serves a stage of this length.
+    [[nodiscard]] bool has_factor_for(double s) const {
+        return factored_s_ > 0.0 && s > 0.5 * factored_s_ && s < 2.0 * factored_s_;
+    }
 
     /// The next solve makes a new factor.
     void forget_factor() { factored_s_ = 0.0; }
@@ -56,6 +61,7 @@ private:
     [[nodiscard]] double scaled_residual();
     [[nodiscard]] bool is_booked(const Stage& stage) const;
     void assemble(const Stage& stage);
+    double shift_all(double joules, std::span<double> T) const;
     void find_residual(const Stage& stage, std::span<const double> T);
 
     System* system_;
@@ -71,6 +77,7 @@ private:
     std::vector<double> enthalpy_;
     bool has_nonlinear_capacity_ = false;
     int worst_node_ = 0;
+    double weight_ = 0.0;      ///< J/K, what the balance of the whole mesh changes by when every temperature does
     double factored_s_ = 0.0;  ///< s of the factor at hand; 0: none
     int fresh_solves_ = 0;     ///< solves of the first correction with the factor at hand
     double debt_ = 0.0;        ///< solves beyond the least since the last factorisation

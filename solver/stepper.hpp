@@ -68,8 +68,11 @@ public:
 
 private:
     [[nodiscard]] Attempt attempt_in_window(double t1);
+    [[nodiscard]] Attempt attempt_stages(double dt);
     void book(int stage);
     void predict(int stage, double dt);
+    [[nodiscard]] double largest_filtered();
+    [[nodiscard]] double estimate_left_out(double dt);
     [[nodiscard]] double estimate_error(double dt);
 
     const Problem* problem_;
@@ -86,6 +89,10 @@ private:
     std::vector<std::vector<double>> q_;       ///< [stages][n] W
     std::vector<std::vector<double>> booked_;  ///< [stages][n_effects] W
     std::vector<std::vector<double>> last_;    ///< [stages][n] stages of the last accepted step
+    bool end_is_known_ = false;                ///< what was said at the end of the last accepted step:
+    std::vector<double> end_q_;                ///< [n] W
+    std::vector<double> end_watts_;            ///< [n_effects] W
+    std::vector<double> end_intensities_;      ///< under these
     std::vector<double> known_;
     std::vector<double> H_;
     std::vector<double> H_start_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -13,6 +14,8 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Step of the difference quotient for effects without derivatives: far above round-off, far below any law's scale. K
 constexpr double difference_step = 1e-4;
+/// How nearly a surface without capacity follows the drive; Newton's next correction would be the square of it. K
+constexpr double surface_tolerance = 1e-8;
 
 }  // namespace
 
@@ -88,8 +91,9 @@ physics::Inputs System::transformed(physics::Inputs inputs) const {
 void System::drive(const physics::Inputs& logged, std::span<double> out) const {
     const physics::Inputs inputs = transformed(logged);
     physics::Laws laws;
-    for (const physics::ActiveEffect& active : effects_) {
-        if (active.effect->bend != nullptr) {
+    for (std::size_t e = 0; e < effects_.size(); ++e) {
+        const physics::ActiveEffect& active = effects_[e];
+        if (active.effect->bend != nullptr && e != silenced_) {
             active.effect->bend(active, stock_.tire, inputs, laws);
         }
     }
@@ -124,7 +128,7 @@ void System::find_loss_factors(std::span<const double> T, std::span<const double
     loss_factors_.clear();
     for (std::size_t e = 0; e < effects_.size(); ++e) {
         const physics::Effect& effect = *effects_[e].effect;
-        if (effect.scale_loss != nullptr) {
+        if (effect.scale_loss != nullptr && e != silenced_) {
             loss_factors_.push_back(effect.scale_loss({.mesh = problem_->mesh,
                                                        .stock = stock_,
                                                        .temperature = T,
@@ -168,6 +172,20 @@ void System::evaluate(std::span<const double> T, std::span<const double> intensi
         flow_[at(faces[f].a)] += flux;
         flow_[at(faces[f].b)] -= flux;
     }
+}
+
+double System::share_of_law(std::size_t effect, std::span<const double> T, const physics::Inputs& logged) {
+    std::vector<double> intensities(n_intensities_);
+    const auto total = [&] {
+        drive(logged, intensities);
+        evaluate(T, intensities);
+        return std::accumulate(terms_.watts.begin(), terms_.watts.end(), 0.0);
+    };
+    const double with = total();
+    silenced_ = effect;
+    const double without = total();
+    silenced_ = static_cast<std::size_t>(-1);
+    return with - without;
 }
 
 void System::enthalpy(std::span<const double> T, std::span<double> H) const {
@@ -231,12 +249,12 @@ void System::matrices(double s, bool steady, Matrix& A, Matrix& J) const {
 
 void System::make_consistent(std::span<double> T, std::span<const double> intensities) {
     const mesh::Mesh& mesh = problem_->mesh;
-    if (mesh.n_cells + std::ssize(mesh.appended) == mesh.n_nodes) {
-        return;
-    }
     // Surface nodes touch no other surface node, so that each Newton correction is a division.
-    for (int iteration = 0; iteration < 50; ++iteration) {
+    for (int iteration = 0;; ++iteration) {
         evaluate(T, intensities);
+        if (mesh.n_cells + std::ssize(mesh.appended) == mesh.n_nodes || iteration == 50) {
+            return;
+        }
         std::vector<double>& stiffness = shifted_;
         for (std::size_t i = 0; i < T.size(); ++i) {
             stiffness[i] = terms_.node_G[i] - terms_.node_slope[i];
@@ -248,13 +266,16 @@ void System::make_consistent(std::span<double> T, std::span<const double> intens
         double largest = 0.0;
         for (std::size_t i = 0; i < T.size(); ++i) {
             if (!has_capacity(i)) {
-                const double change = flow_[i] / stiffness[i];
-                T[i] += change;
-                largest = std::max(largest, std::abs(change));
+                largest = std::max(largest, std::abs(flow_[i] / stiffness[i]));
             }
         }
-        if (!(largest > 1e-12 * 300.0)) {
+        if (!(largest > surface_tolerance)) {
             return;
+        }
+        for (std::size_t i = 0; i < T.size(); ++i) {
+            if (!has_capacity(i)) {
+                T[i] += flow_[i] / stiffness[i];
+            }
         }
     }
 }

@@ -40,6 +40,8 @@ public:
     void evaluate(std::span<const double> T, std::span<const double> intensities);
     /// What was said at the last evaluation.
     [[nodiscard]] const physics::Terms& terms() const { return terms_; }
+    /// Heat of all effects at T under the inputs, less what it would be without one law effect. @returns W
+    [[nodiscard]] double share_of_law(std::size_t effect, std::span<const double> T, const physics::Inputs& logged);
     /// Heat flow into each node at the last evaluation. @returns [n_nodes] W
     [[nodiscard]] std::span<const double> heat_flow() const { return flow_; }
 
@@ -50,7 +52,8 @@ public:
     /// With `steady`, C is left out.
     void matrices(double s, bool steady, Matrix& A, Matrix& J) const;
 
-    /// Relaxes the surface nodes to q = 0 with the cells held: they follow a jump of the drive at once.
+    /// Relaxes the surface nodes to q = 0 with the cells held: they follow a jump of the drive at once. The system has
+    /// been evaluated at the result.
     void make_consistent(std::span<double> T, std::span<const double> intensities);
 
     /// A failure at a node in a sentence: why, when, where, and which effect pushes hardest there.
@@ -83,6 +86,7 @@ private:
     std::vector<double> mass_;  ///< [n_nodes] kg, density * volume; 0 for surfaces and appended nodes
     std::vector<double> lump_;  ///< [n_nodes] J/K of an appended node
     mutable std::vector<physics::Factor> loss_factors_;
+    std::size_t silenced_ = static_cast<std::size_t>(-1);  ///< a law effect that is being left out
 };
 
 /// A place in words: "cell 12 of layer tread, 3.2 mm deep".

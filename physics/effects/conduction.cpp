@@ -16,6 +16,15 @@ Half half(const Curve& k, double length, double T) {
     return {resistance, -resistance * k.slope(T) / value};
 }
 
+/// Area over length of every face, which is its conductance per conductivity.
+void place(const Setting& setting, ActiveEffect& active) {
+    active.weights.clear();
+    for (const mesh::Face& face : setting.mesh.faces) {
+        const double length = face.half_a + face.half_b;
+        active.weights.push_back(length > 0.0 ? face.area / length : 0.0);
+    }
+}
+
 void speak(const Moment& m, Terms& terms) {
     const std::vector<mesh::Face>& faces = m.mesh.faces;
     for (int f = 0; f < static_cast<int>(faces.size()); ++f) {
@@ -25,10 +34,9 @@ void speak(const Moment& m, Terms& terms) {
         if (face.joint) {
             continue;
         }
-        const double length = face.half_a + face.half_b;
         if (face.link < 0 && m.mesh.layer[a] == m.mesh.layer[b]) {
             const Curve& k = m.stock.materials[static_cast<std::size_t>(m.mesh.layer[a])].along(face.axis);
-            const double per_k = face.area / length;
+            const double per_k = m.active.weights[static_cast<std::size_t>(f)];
             const Curve::Mean mean = k.mean(m.temperature[a], m.temperature[b]);
             terms.conduct(f, per_k * mean.value, per_k * mean.by_a, per_k * mean.by_b);
             continue;
@@ -70,6 +78,7 @@ const Effect conduction{
     .equation = "q = -k(T) grad T inside the layers; (T_b - T_s) k(T_b)/dZ S_tot across a link",
     .source = "Fourier; thesis (31)(34)",
     .meaning = "Heat conducted between cells. The laws k(T) and c(T) belong to the materials of the layers.",
+    .place = place,
     .speak = speak,
 };
 

@@ -65,9 +65,8 @@ inline double source(const Point& p) {
 // The time travels in a signal: a straight series is exact at every stage.
 inline constexpr std::array<std::string_view, 1> reads{"inflation_pressure"};
 
-inline void drive(const physics::ActiveEffect& /*active*/, const physics::Tire& /*tire*/, const physics::Inputs& inputs,
-                  std::span<double> out) {
-    out[0] = inputs.inflation_pressure;
+inline void drive(const physics::ActiveEffect& /*active*/, const physics::Driving& driving, std::span<double> out) {
+    out[0] = driving.inputs.inflation_pressure;
 }
 
 inline void speak_of_source(const physics::Moment& m, physics::Terms& terms) {
@@ -93,20 +92,13 @@ inline void speak_of_sides(const physics::Moment& m, physics::Terms& terms) {
 inline physics::Effect effect(std::string_view id, void (*speak)(const physics::Moment&, physics::Terms&)) {
     return {.id = id,
             .kind = physics::Kind::source,
-            .on = false,
             .equation = "chosen field",
             .source = "this test",
             .meaning = "what a chosen field needs to be a solution",
-            .parameters = {},
-            .choices = {},
             .reads = reads,
-            .needs_tire = false,
-            .patches = {},
             .n_intensities = 1,
-            .place = nullptr,
             .drive = drive,
-            .speak = speak,
-            .gives_derivatives = true};
+            .speak = speak};
 }
 
 inline const physics::Effect inside = effect("chosen_source", speak_of_source);
