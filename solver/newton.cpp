@@ -15,7 +15,7 @@ constexpr int most_iterations = 25;
 /// Newton's corrections need only this relative accuracy of the linear solution: the next one mends the rest.
 constexpr double forcing = 1e-3;
 /// The share of the heat turned over in a stage that it may fail to book.
-constexpr double energy_closure = 1e-12;
+constexpr double energy_closure = 1e-11;
 /// Corrections after which a balance that is solved but not booked to the last digit is taken as it is.
 constexpr int patience = 8;
 
@@ -111,19 +111,45 @@ void Newton::assemble(const Stage& stage) {
     system_->matrices(stage.s, stage.steady, A_, J_);
 }
 
-/// Moves every temperature by the constant that closes a balance of the whole mesh. @returns K
-double Newton::shift_all(double joules, std::span<double> T) const {
-    const double shift = weight_ != 0.0 ? joules / weight_ : 0.0;
-    for (double& t : T) {
-        t += shift;
+/// One correction with the matrices at hand, and the constant that closes the balance of the whole mesh. @returns the
+/// largest change, K
+double Newton::polish(std::span<double> T) {
+    const Stopwatch watch(counters_.solve_seconds);
+    last_shift_ = 0.0;
+    factor_->solve(residual_, correction_);
+    ++counters_.linear_iterations;
+    J_.multiply(correction_, remainder_);
+    const double left = sum(residual_) - sum(remainder_);
+    const double shift = weight_ != 0.0 ? left / weight_ : 0.0;
+    double largest = 0.0;
+    for (std::size_t i = 0; i < T.size(); ++i) {
+        T[i] += correction_[i] + shift;
+        largest = std::max(largest, std::abs(correction_[i] + shift));
     }
-    return shift;
+    return largest;
+}
+
+/// Moves every temperature by the constant that closes the balance of the whole mesh, whose slope is learnt from one
+/// such move to the next. @returns K
+double Newton::shift_all(std::span<double> T) {
+    const double joules = sum(residual_);
+    if (last_shift_ != 0.0) {
+        const double slope = (last_joules_ - joules) / last_shift_;
+        weight_ = slope > 0.5 * weight_ && slope < 2.0 * weight_ ? slope : weight_;
+    }
+    last_joules_ = joules;
+    last_shift_ = weight_ != 0.0 ? joules / weight_ : 0.0;
+    for (double& t : T) {
+        t += last_shift_;
+    }
+    return std::abs(last_shift_);
 }
 
 Status Newton::solve(const Stage& stage, std::span<double> T) {
     double before = 0.0;      // scaled residual of the last iterate
     double correction = 0.0;  // size of the last correction, K
     bool solved = false;      // a linear balance needs one correction only
+    bool polished = false;
     for (int iteration = 0; iteration <= most_iterations; ++iteration) {
         {
             const Stopwatch watch(counters_.assembly_seconds);
@@ -149,15 +175,19 @@ Status Newton::solve(const Stage& stage, std::span<double> T) {
         if (iteration > 0) {
             // The correction just made was for `before`; what is left of it shrank as the residual did.
             const double error = before > 0.0 ? correction * now / before : 0.0;
-            if (solved || error <= stage.tolerance) {
-                if (is_booked(stage) || iteration > patience) {
-                    return {};
-                }
-                // The field is found; only its mean still has to book the heat to the last digit.
-                correction = std::abs(shift_all(sum(residual_), T));
+            const bool small = solved || error <= stage.tolerance;
+            if (small && (is_booked(stage) || iteration > patience)) {
+                return {};
+            }
+            // The field is as good as found: what is left needs no new matrix, and after that only the mean still has to
+            // book the heat to the last digit.
+            if (small && factor_->is_exact()) {
+                correction = polished ? shift_all(T) : polish(T);
+                polished = true;
                 before = now;
                 continue;
             }
+            polished = false;
             assemble(stage);
         }
         before = now;

@@ -61,7 +61,8 @@ private:
     [[nodiscard]] double scaled_residual();
     [[nodiscard]] bool is_booked(const Stage& stage) const;
     void assemble(const Stage& stage);
-    double shift_all(double joules, std::span<double> T) const;
+    double polish(std::span<double> T);
+    double shift_all(std::span<double> T);
     void find_residual(const Stage& stage, std::span<const double> T);
 
     System* system_;
@@ -78,6 +79,8 @@ private:
     bool has_nonlinear_capacity_ = false;
     int worst_node_ = 0;
     double weight_ = 0.0;      ///< J/K, what the balance of the whole mesh changes by when every temperature does
+    double last_shift_ = 0.0;  ///< K, and the imbalance that it was for
+    double last_joules_ = 0.0;
     double factored_s_ = 0.0;  ///< s of the factor at hand; 0: none
     int fresh_solves_ = 0;     ///< solves of the first correction with the factor at hand
     double debt_ = 0.0;        ///< solves beyond the least since the last factorisation
