@@ -3,6 +3,8 @@
 #include <numbers>
 #include <vector>
 
+#include "mesh/column_probe.hpp"
+#include "solver/system.hpp"
 #include "tests/support/order.hpp"
 #include "tests/support/tire_section.hpp"
 
@@ -162,6 +164,101 @@ TEST(TireSection, HottestCellConvergesWithTheGrid) {
     support::expect_below("change of the hottest cell, 8 against 4, K", last, 0.5);
     RecordProperty("observed order", support::in_words({order}));
     EXPECT_GT(order, 0.8) << support::in_words(hottest);
+}
+
+namespace {
+
+/// Heat of every effect at an even 330 K under given inputs. @returns [n_effects] W
+std::vector<double> watts_at_330K(const solver::Problem& problem) {
+    solver::System system(problem);
+    std::vector<double> intensities(system.n_intensities());
+    system.drive(problem.drive.at(0.0, solver::Limit::after), intensities);
+    const std::vector<double> T(static_cast<std::size_t>(problem.mesh.n_nodes), 330.0);
+    system.evaluate(T, intensities);
+    return system.terms().watts;
+}
+
+physics::ActiveEffect& effect(solver::Problem& problem, std::string_view id) {
+    return *std::find_if(problem.effects.begin(), problem.effects.end(),
+                         [&](const physics::ActiveEffect& active) { return active.effect->id == id; });
+}
+
+void set(physics::ActiveEffect& active, std::string_view key, double value) {
+    active.parameters[static_cast<std::size_t>(physics::find_parameter(*active.effect, key))] = value;
+}
+
+void override_at(physics::ActiveEffect& active, std::string_view key, physics::Scope scope, int index, double value) {
+    active.overrides.push_back({.scope = scope,
+                                .index = index,
+                                .parameter = static_cast<std::size_t>(physics::find_parameter(*active.effect, key)),
+                                .value = value});
+}
+
+}  // namespace
+
+// However the loss is shared out - by layers, zones, the belt's edges, a profile, camber - its total is the law's: with
+// T_eq = 330 K + shift, power times tan delta. The same for friction, partition 0.6 of Fy V tan(alpha), and for the
+// contact, Hc S_cont (T_road - T).
+TEST(TireSection, EveryWeightKeepsTheTotalOfItsLaw) {
+    constexpr double V = 100.0 / 3.6;
+    constexpr double Fz = 4000.0;
+    solver::Problem problem = support::tire_problem(2);
+    support::switch_on(problem, "camber_asymmetry");
+    support::hold(problem, "camber", -2.0 * support::deg);
+    support::hold(problem, "slip_angle", 2.0 * support::deg);
+    support::hold(problem, "lateral_force", 2500.0);
+    const mesh::Mesh& mesh = problem.mesh;
+    const physics::Curve profile = physics::Curve::table({-0.1, -0.05, 0.0, 0.1}, {0.5, 1.4, 1.0, 0.2});
+
+    physics::ActiveEffect& loss = effect(problem, "strain_energy_loss");
+    override_at(loss, "strain_energy_share", physics::Scope::layer, mesh.find_layer("belt"), 3.0);
+    override_at(loss, "loss_tangent_share", physics::Scope::layer, mesh.find_layer("tread"), 0.7);
+    override_at(loss, "strain_energy_share", physics::Scope::zone, mesh.find_zone("inside_sidewall"), 0.4);
+    set(loss, "belt_edge_gain", 2.0);
+    loss.tables[0] = profile;
+    effect(problem, "sliding_friction").tables[0] = profile;
+    effect(problem, "road_contact").tables[0] = profile;
+
+    const physics::Tire& tire = problem.tire;
+    const physics::LossTangent law;
+    const double expected_loss =
+        physics::strain_power(tire, V, Fz) * law.value(330.0 + law.shift(tire.revolutions(V, Fz)));
+    const double expected_friction = 0.6 * 2500.0 * V * std::tan(2.0 * support::deg);
+    const double expected_contact = 500.0 * tire.contact_area(Fz) * (296.15 - 330.0);
+    const std::vector<double> watts = watts_at_330K(problem);
+    support::expect_below("loss, relative", watts[1] / expected_loss - 1.0, 1e-13);
+    support::expect_below("friction, relative", watts[2] / expected_friction - 1.0, 1e-13);
+    support::expect_below("contact, relative", watts[4] / expected_contact - 1.0, 1e-13);
+    // At an even temperature the local loss tangent is the mean's.
+    loss.choices[0] = 1;
+    support::expect_below("local loss, relative", watts_at_330K(problem)[1] / expected_loss - 1.0, 1e-13);
+}
+
+// Where the weight of a layer is three times, its heat per mass is three times that of its neighbour; belt edges stand
+// at 0.8 of half the tread, where the excess is the gain, and the profile multiplies.
+TEST(TireSection, WeightsGoWhereTheyAreSaidTo) {
+    solver::Problem problem = support::tire_problem(8);
+    physics::ActiveEffect& loss = effect(problem, "strain_energy_loss");
+    override_at(loss, "strain_energy_share", physics::Scope::layer, problem.mesh.find_layer("belt"), 3.0);
+    set(loss, "belt_edge_gain", 2.0);
+    const solver::System system(problem);
+    const physics::ActiveEffect& placed = system.effects()[1];
+    const auto per_mass = [&](const mesh::Column& column, std::string_view layer) {
+        for (int cell = column.first_cell; cell < column.first_cell + column.cells(); ++cell) {
+            const auto c = static_cast<std::size_t>(cell);
+            if (problem.mesh.layers[static_cast<std::size_t>(problem.mesh.layer[c])] == layer) {
+                const double density = problem.materials[static_cast<std::size_t>(problem.mesh.layer[c])].density;
+                return placed.weights[c] / (problem.mesh.volume[c] * density);
+            }
+        }
+        return std::nan("");
+    };
+    const auto column = [&](double s) {
+        return problem.mesh.columns[static_cast<std::size_t>(mesh::column_at(problem.mesh, s))];
+    };
+    EXPECT_NEAR(per_mass(column(0.001), "belt") / per_mass(column(0.001), "tread"), 3.0, 1e-12);
+    // The column that holds 0.8 of 112.5 mm has its middle within half a column, 2.8 mm: exp(-(2.8/10)^2/...) >= 0.98.
+    EXPECT_NEAR(per_mass(column(0.09), "tread") / per_mass(column(0.001), "tread"), 3.0, 0.05);
 }
 
 // An even density of rubber and an even share: the loss in the tread's band is its share of the mass, which by Pappus is
