@@ -23,7 +23,7 @@ enum class Kind : std::uint8_t { source, loss, property, input, state, sensor };
 /// A number of an effect. `standard` is used where a case says nothing; a value outside [low, high] is refused.
 struct Parameter {
     std::string_view key;
-    std::string_view unit;  ///< UDUNITS; the value inside is in this unit, which is SI with kelvin
+    std::string_view unit;  ///< UDUNITS; the value inside is in this unit
     double standard;
     double low;
     double high;
