@@ -103,8 +103,8 @@ Judged judge(double written, const Conversion& unit_conversion, std::string_view
         return refuse(fmt::format("{} is {}, below absolute zero", name, shown));
     }
     if (judged.value < wanted.low || judged.value > wanted.high || (wanted.above && judged.value == wanted.low)) {
-        const bool forgotten =
-            wanted.unit == "K" && unit == "K" && written + 273.15 >= wanted.low && written + 273.15 <= wanted.high;
+        const bool forgotten = wanted.unit == "K" && wanted.scale == Scale::absolute && unit == "K" &&
+                               written + 273.15 >= wanted.low && written + 273.15 <= wanted.high;
         return refuse(fmt::format("{} is {}; it must be {}", name, shown,
                                   range(wanted, wanted.low, wanted.high, unit_conversion, unit)),
                       forgotten ? fmt::format("did you mean \"{:.6g} degC\"?", written) : "");

@@ -24,7 +24,7 @@ void read_files(Section& section, Asked& asked) {
 }
 
 void read_times(Section& section, Asked& asked) {
-    constexpr std::array keys{"at", "take", "time_to", "from", "to"};
+    constexpr std::array keys{"at", "to", "from", "take", "time_to"};
     section.know({"at", "take", "time_to", "from", "to"});
     const auto first = std::find_if(keys.begin(), keys.end(), [&](const char* key) { return section.has(key); });
     if (first == keys.end()) {
@@ -48,8 +48,7 @@ void read_times(Section& section, Asked& asked) {
         asked.share = *part;
     }
     const bool spans = section.has("take") || section.has("time_to");
-    if (section.has("at") && first + 1 != keys.end() &&
-        std::any_of(first + 1, keys.end(), [&](const char* key) { return section.has(key); })) {
+    if (section.has("at") && std::any_of(first + 1, keys.end(), [&](const char* key) { return section.has(key); })) {
         section.mistake("at", "at is one moment, and a span of time is given too", "keep at, or take with from and to");
     } else if (section.has("take") && section.has("time_to")) {
         section.mistake("time_to", "both take and time_to are given", "keep one of them");
@@ -57,6 +56,7 @@ void read_times(Section& section, Asked& asked) {
         section.mistake(*first, "from and to do not say what is taken between them", "add take = \"mean\"");
     }
     if (section.has("at")) {
+        asked.take = Window::Take::at;
         asked.from = asked.to = moment;
     }
 }

@@ -22,13 +22,14 @@ std::string number(const ValidationRow& row, double value) {
 }
 
 std::vector<std::string> figure_cells(const std::string& name, const ModelFigures& f) {
+    const bool any = f.temperatures > 0;
     return {name,
             fmt::format("{}", f.temperatures),
-            fmt::format("{:+.1f}", f.bias),
-            fmt::format("{:.1f}", f.rms),
-            fmt::format("{:.1f}", f.scatter),
-            fmt::format("{} of {}", f.within, f.temperatures),
-            fmt::format("{} of {}", f.holding, f.orders)};
+            any ? fmt::format("{:+.1f}", f.bias) : "-",
+            any ? fmt::format("{:.1f}", f.rms) : "-",
+            any ? fmt::format("{:.1f}", f.scatter) : "-",
+            any ? fmt::format("{} of {}", f.within, f.temperatures) : "-",
+            f.orders > 0 ? fmt::format("{} of {}", f.holding, f.orders) : "-"};
 }
 
 }  // namespace
@@ -69,7 +70,9 @@ std::vector<std::vector<std::string>> figure_rows(const ValidationRecord& record
     for (std::size_t m = 0; m < record.models.size(); ++m) {
         const ModelFigures common = figures(record, m, true);
         const ModelFigures all = figures(record, m, false);
-        rows.push_back(figure_cells(record.models[m].name, common));
+        if (common.temperatures + common.orders > 0) {
+            rows.push_back(figure_cells(record.models[m].name, common));
+        }
         if (all.temperatures != common.temperatures || all.orders != common.orders) {
             rows.push_back(figure_cells(record.models[m].name + ", all", all));
         }

@@ -1,0 +1,129 @@
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program.hpp"
+
+namespace tiretherm::app_test {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string folder = TIRETHERM_SOURCE_DIR "/cases/two_node/";
+
+/// Three numbers of two cases of the library, for the two-node model alone.
+const std::string numbers = R"(title = "Two loads"
+[[number]]
+id = "light"
+what = "bulk at 4000 N"
+files = { two_node = ")" + folder +
+                            R"(4000N_100kmh.toml" }
+channel = "bulk_temperature"
+value = "50 degC"
+uncertainty = "2 K"
+source = "a page"
+[[number]]
+id = "light"
+what = "surface at 4000 N"
+files = { two_node = ")" + folder +
+                            R"(4000N_100kmh.toml" }
+channel = "surface_temperature"
+below = "40 degC"
+source = "a page"
+[[number]]
+id = "heavy"
+what = "bulk at 7000 N less that at 4000 N"
+files = { two_node = ")" + folder +
+                            R"(7000N_100kmh.toml" }
+channel = "bulk_temperature"
+minus = { files = { two_node = ")" +
+                            folder + R"(4000N_100kmh.toml" } }
+value = "20 K"
+uncertainty = "2 K"
+source = "a page"
+)";
+
+/// A table with a case that the solver cannot carry to its end, beside one that it can.
+const std::string burning = numbers + R"([[number]]
+id = "fire"
+what = "inside of a strip that burns"
+files = { section = "exploding.toml" }
+channel = "inside"
+value = "50 degC"
+uncertainty = "2 K"
+source = "a page"
+)";
+
+}  // namespace
+
+// 64.0 and 80.6 degC, as an independent integration gives them: 14 K and thus 7.0 u above 50 degC; 16.6 K apart.
+TEST(Validate, TellsEachNumberBesideItsModelAndRunsEachCaseOnce) {
+    const sample::Scratch scratch;
+    post::replace_file(scratch / "table.toml", numbers);
+    const Call call_text = call("validate table.toml", scratch.path());
+    EXPECT_EQ(call_text.exit_code, 0);
+    EXPECT_EQ(call_text.err, "");
+    EXPECT_NE(call_text.out.find("64.0  7.0 u too hot"), std::string::npos) << call_text.out;
+    EXPECT_NE(call_text.out.find("16.6  within (1.7 u)"), std::string::npos) << call_text.out;
+    EXPECT_NE(call_text.out.find("  2 runs in "), std::string::npos) << call_text.out;
+    const Json json = Json::parse(call("validate --json table.toml", scratch.path()).out);
+    EXPECT_EQ(json["runs"], 2);
+    EXPECT_EQ(json["numbers"][1]["models"]["two_node"]["verdict"], "holds");
+    EXPECT_TRUE(json["numbers"][1]["models"]["section"].is_null());
+    EXPECT_LT(json["energy_closure"], 1e-10);
+    EXPECT_NE(call("validate --markdown table.toml", scratch.path()).out.find("| 50.0 ± 2.0 °C | 64.0 |"),
+              std::string::npos);
+}
+
+TEST(Validate, ResultDoesNotDependOnTheNumberOfThreads) {
+    const sample::Scratch scratch;
+    post::replace_file(scratch / "table.toml", numbers);
+    const auto found = [&](const char* threads) {
+        return Json::parse(
+            call(fmt::format("validate table.toml --json --threads {}", threads), scratch.path()).out)["numbers"];
+    };
+    EXPECT_EQ(found("1"), found("3"));
+}
+
+TEST(Validate, OnlyTheExperimentsThatAreAskedForAreRun) {
+    const sample::Scratch scratch;
+    post::replace_file(scratch / "table.toml", numbers);
+    const Json json = Json::parse(call("validate --only light table.toml --json", scratch.path()).out);
+    EXPECT_EQ(json["runs"], 1);
+    EXPECT_EQ(json["numbers"].size(), 2U);
+    const Call wrong = call("validate table.toml --only light,havy", scratch.path());
+    EXPECT_EQ(wrong.exit_code, 1);
+    EXPECT_EQ(wrong.err, "tiretherm: there is no experiment \"havy\"; did you mean `heavy`?\n");
+}
+
+TEST(Validate, RunThatFailsIsToldInItsRowAndTheOthersStand) {
+    const sample::Scratch scratch;
+    post::replace_file(scratch / "table.toml", burning);
+    post::replace_file(scratch / "exploding.toml", exploding);
+    const Call failed = call("validate table.toml", scratch.path());
+    EXPECT_EQ(failed.exit_code, 2);
+    EXPECT_NE(failed.out.find("64.0  7.0 u too hot"), std::string::npos) << failed.out;
+    EXPECT_NE(failed.out.find(" failed\n"), std::string::npos) << failed.out;
+    EXPECT_NE(failed.out.find("Runs that failed\n  exploding: "), std::string::npos) << failed.out;
+}
+
+TEST(Validate, MistakesOfTheTableAndItsCasesAreToldAtOnce) {
+    const Call wrong = call("validate cases.toml", TIRETHERM_SOURCE_DIR "/tests/bad_cases/validation");
+    EXPECT_EQ(wrong.exit_code, 1);
+    EXPECT_EQ(wrong.out, "");
+    EXPECT_NE(wrong.err.find("cases.toml:5:8: there is no case standrad_two_node.toml"), std::string::npos)
+        << wrong.err;
+    EXPECT_NE(wrong.err.find("bare_number.toml:6:9: "), std::string::npos) << wrong.err;
+    EXPECT_NE(wrong.err.find(" mistakes; nothing was run\n"), std::string::npos) << wrong.err;
+}
+
+TEST(Validate, ShippedTableIsSoughtInTheCurrentFolder) {
+    const sample::Scratch scratch;
+    const Call wrong = call("validate", scratch.path());
+    EXPECT_EQ(wrong.exit_code, 1);
+    EXPECT_EQ(
+        wrong.err,
+        "tiretherm: there is no cases/validation.toml here; call it in the folder of the source, or give a table: "
+        "tiretherm validate TABLE\n");
+}
+
+}  // namespace tiretherm::app_test

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include <gtest/gtest.h>
+
+#include "cases/reader.hpp"
+#include "cases/trace.hpp"
+#include "solver/march.hpp"
+
+/// Cases of the library as a user runs them, and what they read.
+namespace tiretherm::validation {
+
+inline std::filesystem::path library() { return std::filesystem::path(TIRETHERM_SOURCE_DIR) / "cases"; }
+
+/// A case that has been run.
+class Experiment {
+public:
+    /// @param name below the library, without its ending: "handling/panic_stop_section"
+    explicit Experiment(std::string_view name) {
+        cases::Reading reading = cases::read_case(library() / (std::string(name) + ".toml"));
+        EXPECT_TRUE(reading.problem.has_value()) << cases::render(reading);
+        if (!reading.problem) {
+            return;
+        }
+        problem_ = std::move(*reading.problem);
+        report_ = solver::run(problem_, [&](const solver::Snapshot& snapshot) {
+            trace_.take(snapshot);
+            return true;
+        });
+        EXPECT_TRUE(report_.status.ok()) << name << ": " << report_.status.message;
+    }
+    [[nodiscard]] const solver::Report& report() const { return report_; }
+
+    /// A channel at a time. @param t s
+    [[nodiscard]] double at(std::string_view channel, double t) const {
+        return read(channel, {.take = cases::Window::Take::at, .from = t, .to = t});
+    }
+    /// Its largest value from a time on. @param t s
+    [[nodiscard]] double highest_after(std::string_view channel, double t) const {
+        return read(channel, {.take = cases::Window::Take::max, .from = t, .to = problem_.settings.end});
+    }
+    /// Its mean over the last seconds of the run.
+    [[nodiscard]] double mean_of_last(std::string_view channel, double seconds) const {
+        const double end = problem_.settings.end;
+        return read(channel, {.take = cases::Window::Take::mean, .from = end - seconds, .to = end});
+    }
+
+private:
+    [[nodiscard]] double read(std::string_view channel, const cases::Window& window) const {
+        const auto& channels = problem_.channels;
+        const auto found =
+            std::find_if(channels.begin(), channels.end(), [&](const auto& c) { return c.name == channel; });
+        if (found == channels.end() || trace_.rows() == 0) {
+            ADD_FAILURE() << "no channel " << channel;
+            return 0.0;
+        }
+        return trace_.read(static_cast<std::size_t>(found - channels.begin()), window);
+    }
+
+    solver::Problem problem_;
+    solver::Report report_;
+    cases::Trace trace_;
+};
+
+}  // namespace tiretherm::validation
