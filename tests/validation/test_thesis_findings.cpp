@@ -32,8 +32,8 @@ TEST_P(Finding, PanicStopLeavesTheBulk) {
     EXPECT_GT(stop.at("surface_temperature", 1208.0), stop.at("surface_temperature", 1205.0) + 5.0);
 }
 
-// M12 against M11: 30 s up to 6 deg of slip lift the bulk by more than a sweep of 60 s to 0.4 g does. (How little of the
-// measured 15 K there is stands in the table.)
+// M12 against M11: 30 s up to 6 deg of slip lift the bulk by more than a sweep of 60 s to 0.4 g does. (How little of
+// the measured 15 K there is stands in the table.)
 TEST_P(Finding, RampSteerLiftsTheBulkMoreThanASweep) {
     const Experiment ramp = run("handling/steering_pad");
     const Experiment sweep = run("handling/sine_sweep");
@@ -69,8 +69,8 @@ TEST_P(Finding, ColderProcedureGivesTheStifferTire) {
     EXPECT_GT(cold.at(stiffness, 178.0), 1.02 * hot.at(stiffness, 598.0));
 }
 
-// M8, M9: under the negative camber of the rear axle the inside shoulder is hotter, and more so with the larger camber of
-// the laden car, which is hotter throughout.
+// M8, M9: under the negative camber of the rear axle the inside shoulder is hotter, and more so with the larger camber
+// of the laden car, which is hotter throughout.
 TEST(SectionFinding, InsideShoulderIsHotterUnderNegativeCamber) {
     const Experiment unladen("oval_track/unladen_140_RR_section");
     const Experiment laden("oval_track/laden_140_RR_section");
