@@ -1,6 +1,8 @@
 #include "cases/validation.hpp"
 
 #include <cmath>
+#include <fstream>
+#include <sstream>
 
 #include <gtest/gtest.h>
 
@@ -135,6 +137,23 @@ TEST(ShippedValidation, HasANumberOfEveryExperiment) {
     EXPECT_TRUE(reading.warnings.empty());
     EXPECT_EQ(reading.table->ids(), (std::vector<std::string>{"M1", "M2", "M4", "M5", "M6", "M7", "M8", "M9", "M10",
                                                               "M11", "M12", "M13", "M14", "M15", "M16"}));
+}
+
+// The example of the page that users copy from, with its case where it is.
+TEST(ShippedValidation, ExampleOfTheReadmeIsSound) {
+    std::ostringstream page;
+    page << std::ifstream(source_folder() / "cases" / "README.md").rdbuf();
+    const std::string text = page.str();
+    const std::size_t start = text.find("```toml\n", text.find("## The table of measured numbers")) + 8;
+    std::string table = text.substr(start, text.find("```", start) - start);
+    const std::string_view name = "handling/steering_pad";
+    table.replace(table.find(name), name.size(), (source_folder() / "cases" / name).generic_string());
+    const Written written;
+    const ValidationReading reading = read_validation(written.add("table.toml", table));
+    ASSERT_TRUE(reading.table.has_value())
+        << render(Reading{.problem = {}, .mistakes = reading.mistakes, .warnings = reading.warnings});
+    EXPECT_NEAR(reading.table->numbers.at(0).total_uncertainty(), std::sqrt(13.0), 1e-12);
+    EXPECT_EQ(reading.table->runs.size(), 2U);
 }
 
 }  // namespace tiretherm::cases
