@@ -20,8 +20,11 @@ void report_unknown(Section& effects) {
     for (const Entry& entry : effects.table().entries) {
         if (physics::find_effect(entry.key) == nullptr) {
             effects.know({entry.key});
-            effects.mistakes().add(entry.place, fmt::format("there is no effect \"{}\"", entry.key),
-                                   suggest(entry.key, known, "effects"));
+            // The catalogue is too long for a message.
+            const std::string remedy = nearest(entry.key, known).empty()
+                                           ? fmt::format("`tiretherm effects` lists all {} of them", known.size())
+                                           : suggest(entry.key, known, "effects");
+            effects.mistakes().add(entry.place, fmt::format("there is no effect \"{}\"", entry.key), remedy);
         }
     }
 }
@@ -30,6 +33,7 @@ void report_unknown(Section& effects) {
 
 void read_effects(Section& root, Draft& draft) {
     Section effects = root.section("effects");
+    const std::size_t before = root.mistakes().count();
     report_unknown(effects);
     for (const Effect* effect : physics::catalogue()) {
         const std::string id(effect->id);
@@ -49,6 +53,7 @@ void read_effects(Section& root, Draft& draft) {
         }
     }
     check_signals(root, draft);
+    draft.has_sound_effects = draft.has_mesh && root.mistakes().count() == before;
 }
 
 void bind_readings(Section& root, Draft& draft) {
@@ -61,7 +66,7 @@ void bind_readings(Section& root, Draft& draft) {
             bind_channels(section, draft, active);
         }
     }
-    if (root.mistakes().count() == 0) {
+    if (draft.has_sound_effects) {
         warn_of_unread_signals(root, draft);
     }
 }

@@ -128,9 +128,9 @@ bool read_section(Section& mesh, Draft& draft) {
     if (stretches[crown].length <= 0.0) {
         mesh.mistake("shoulder_width", fmt::format("two shoulders of {:.6g} mm leave no crown of a tread of {:.6g} mm",
                                                    shoulder * 1e3, tread * 1e3));
-        return false;
     }
-    if (section.layers.empty() || !draft.has_tire || !fill_stacks(mesh, zones, stretches)) {
+    const bool has_stacks = fill_stacks(mesh, zones, stretches);
+    if (stretches[crown].length <= 0.0 || section.layers.empty() || !draft.has_tire || !has_stacks) {
         return false;
     }
     section.meridian = profile(tire, crown_radius, stretches);

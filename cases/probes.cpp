@@ -237,6 +237,7 @@ Where read_zone(Section& sensor, const mesh::Mesh& mesh) {
 
 Where read_node(Section& sensor, const mesh::Mesh& mesh) {
     const std::vector<std::string> names = names_of(mesh.appended);
+    sensor.know({"node"});
     if (names.empty() && sensor.has("node")) {
         sensor.mistake("node", "no active effect brings a node of its own", "switch inner_gas or rim_conduction on");
         return std::nullopt;

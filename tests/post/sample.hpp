@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -90,6 +91,7 @@ inline solver::Report report() {
     report.linear_solver = "CHOLMOD simplicial, 99 entries in the factor";
     report.watts = {0.0, 1.0, -0.25};
     report.joules = {0.0, 60.0, -6.0};
+    report.law_watts.assign(3, std::numeric_limits<double>::quiet_NaN());  // none of the three is a law
     report.stored = 54.0;
     report.energy_closure = 1.25e-13;
     report.effective_link = 0.125;

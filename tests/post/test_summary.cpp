@@ -38,10 +38,10 @@ TEST(Summary, TextIsThisLineByLine) {
     EXPECT_EQ(Told().text(),
               "A warm spot (sample/spot)\n"
               "\n"
-              "Temperatures\n"
-              "  degC   final    min    max          measured  meas - sim  source\n"
-              "  spot   97.50  23.00  97.50                85      -12.50  camera\n"
-              "  liner  40.00  23.00  40.00  37 to 47 at 30 s       +7.00  thermocouple\n"
+              "Readings\n"
+              "  channel  unit  final    min    max          measured  meas - sim  source\n"
+              "  spot     degC  97.50  23.00  97.50                85      -12.50  camera\n"
+              "  liner    degC  40.00  23.00  40.00  37 to 47 at 30 s       +7.00  thermocouple\n"
               "  hottest  97.50 degC  at 60 s  tread, on top, radius 2.50 mm, depth 0.00 mm\n"
               "  coldest  23.00 degC  at 0 s   bulk, radius 17.50 mm, depth 11.00 mm\n"
               "\n"
@@ -132,8 +132,8 @@ TEST(Summary, CaseWithoutATitleIsNamedOnce) {
 TEST(Summary, HeadingsAreBoldOnATerminalOnly) {
     const Told told;
     const History history = sample::history(told.problem);
-    EXPECT_TRUE(
-        summary_text(told.record(history), true).starts_with("\033[1mA warm spot (sample/spot)\033[0m\n\n\033[1mTemp"));
+    EXPECT_TRUE(summary_text(told.record(history), true)
+                    .starts_with("\033[1mA warm spot (sample/spot)\033[0m\n\n\033[1mReadings"));
     EXPECT_EQ(told.text().find('\033'), std::string::npos);
 }
 
@@ -164,9 +164,11 @@ TEST(Summary, JsonHasTheAgreedKeys) {
 }
 
 TEST(Summary, TireIsComparedWithATwoNodeModelWhereThatHasAMeaning) {
+    // k = G dZ / S_tot = 0.125 * 0.010 / (2 pi 0.3308 0.225) = 0.00267
     Told told;
     told.problem.effects[2] = physics::activate(*physics::find_effect("air_convection"), told.problem.mesh);
-    EXPECT_NE(told.text().find("  as a two-node model, its link would be 0.125 W/K\n"), std::string::npos)
+    EXPECT_NE(told.text().find("  as a two-node model, its link would be 0.125 W/K, or k = 0.00267 W/mK over 10 mm\n"),
+              std::string::npos)
         << told.text();
     EXPECT_EQ(told.json()["effective_link"], 0.125);
     told.report.effective_link = std::numeric_limits<double>::quiet_NaN();
