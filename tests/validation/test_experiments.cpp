@@ -1,8 +1,11 @@
 #include <vector>
 
 #include "validation/library.hpp"
+#include "validation/section_ends.hpp"
 
-// The heat stored is the heat booked to the effects, in each experiment, to round-off.
+// Each experiment of the library as a user runs it: the heat stored is the heat booked to the effects, to round-off; on
+// the section it ends where it did, so that a change of its numbers must be meant (those of the two-node cases stand in
+// their headers and in test_two_node_cases.cpp).
 namespace tiretherm::validation {
 
 namespace {
@@ -35,10 +38,19 @@ class ShippedExperiment : public testing::TestWithParam<std::string> {};
 
 }  // namespace
 
-TEST_P(ShippedExperiment, ClosesItsEnergy) {
+TEST_P(ShippedExperiment, ClosesItsEnergyAndEndsWhereItDid) {
     const Experiment run(GetParam());
     EXPECT_LE(run.report().energy_closure, 1e-10);
     EXPECT_GT(run.report().steps, 0);
+    if (GetParam().ends_with("_two_node")) {
+        return;
+    }
+    const auto end = std::find_if(section_ends.begin(), section_ends.end(),
+                                  [](const SectionEnd& one) { return one.name == GetParam(); });
+    ASSERT_NE(end, section_ends.end()) << "add its numbers to section_ends.hpp";
+    constexpr double rounding = 0.06;  // of 0.1 K, and the stepper's tolerance
+    EXPECT_NEAR(run.at("bulk_temperature", 1e9) - 273.15, end->final_bulk, rounding);
+    EXPECT_NEAR(run.at("inner_liner_temperature", 1e9) - 273.15, end->final_liner, rounding);
 }
 INSTANTIATE_TEST_SUITE_P(All, ShippedExperiment, testing::ValuesIn(experiments()), test_name);
 
