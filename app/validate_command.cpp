@@ -80,13 +80,15 @@ int validate(const Options& options) {
         tell_error("stopped", "there is no table", options.json);
         return Exit::interrupted;
     }
+    std::vector<std::string> warnings = reading.warnings;
+    warnings.insert(warnings.end(), results.warnings.begin(), results.warnings.end());
     const post::ValidationRecord record{.title = table.title,
                                         .models = {{"two_node", "two nodes"}, {"section", "section"}},
                                         .rows = validation_rows(table, results),
                                         .runs = table.runs.size(),
                                         .seconds = std::chrono::duration<double>(Clock::now() - begin).count(),
                                         .energy_closure = results.energy_closure,
-                                        .warnings = reading.warnings};
+                                        .warnings = warnings};
     fmt::print("{}", options.json       ? post::validation_json(record)
                      : options.markdown ? post::validation_markdown(record)
                                         : post::validation_text(record, may_be_bold()));

@@ -18,11 +18,14 @@ namespace {
 
 struct Ending {
     std::string failure;
+    std::vector<std::string> warnings;
     double energy_closure = 0.0;
 };
 
 Ending run_one(const solver::Problem& problem, cases::Trace& trace) {
-    const auto because = [&](const std::string& reason) { return Ending{fmt::format("{}: {}", problem.name, reason)}; };
+    const auto because = [&](const std::string& reason) {
+        return Ending{.failure = fmt::format("{}: {}", problem.name, reason), .warnings = {}};
+    };
     try {
         if (const std::vector<std::string> defects = solver::defects(problem); !defects.empty()) {
             return because(fmt::format("{}", fmt::join(defects, "; ")));
@@ -31,7 +34,14 @@ Ending run_one(const solver::Problem& problem, cases::Trace& trace) {
             trace.take(snapshot);
             return !stop_requested();
         });
-        return report.status.ok() ? Ending{"", report.energy_closure} : because(report.status.message);
+        if (!report.status.ok()) {
+            return because(report.status.message);
+        }
+        Ending ending{.failure = {}, .warnings = {}, .energy_closure = report.energy_closure};
+        for (const std::string& warning : report.warnings) {
+            ending.warnings.push_back(fmt::format("{}: {}", problem.name, warning));
+        }
+        return ending;
     } catch (const std::exception& error) {
         return because(error.what());
     }
@@ -52,15 +62,18 @@ std::vector<std::size_t> largest_first(const std::vector<cases::ValidationRun>& 
 RunResults run_all(const std::vector<cases::ValidationRun>& runs, unsigned threads,
                    const std::function<void(std::size_t done)>& progress) {
     RunResults results{.traces = std::vector<cases::Trace>(runs.size()),
-                       .failures = std::vector<std::string>(runs.size())};
+                       .failures = std::vector<std::string>(runs.size()),
+                       .warnings = {}};
+    std::vector<std::vector<std::string>> warnings(runs.size());
     const std::vector<std::size_t> order = largest_first(runs);
     std::atomic<std::size_t> next{0};
     std::mutex talk;
     std::size_t done = 0;
     const auto work = [&] {
         for (std::size_t i = next++; i < order.size(); i = next++) {
-            const Ending ending = run_one(runs[order[i]].problem, results.traces[order[i]]);
-            results.failures[order[i]] = ending.failure;
+            Ending ending = run_one(runs[order[i]].problem, results.traces[order[i]]);
+            results.failures[order[i]] = std::move(ending.failure);
+            warnings[order[i]] = std::move(ending.warnings);
             const std::lock_guard lock(talk);
             results.energy_closure = std::max(results.energy_closure, ending.energy_closure);
             progress(++done);
@@ -73,6 +86,9 @@ RunResults run_all(const std::vector<cases::ValidationRun>& runs, unsigned threa
     }
     work();
     others.clear();
+    for (const std::vector<std::string>& of_run : warnings) {
+        results.warnings.insert(results.warnings.end(), of_run.begin(), of_run.end());
+    }
     return results;
 }
 

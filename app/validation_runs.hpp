@@ -13,6 +13,7 @@ namespace tiretherm::app {
 struct RunResults {
     std::vector<cases::Trace> traces;   ///< [runs]
     std::vector<std::string> failures;  ///< [runs] why a run has no result: "case: reason"; empty when it has
+    std::vector<std::string> warnings;  ///< of the runs: "case: sentence"
     double energy_closure = 0.0;        ///< largest of all runs that came to their end
 };
 

@@ -54,6 +54,11 @@ std::string validation_text(const ValidationRecord& record, bool bold) {
     }
     std::string text = strong(record.title) + table.text(2);
     text += "\n" + strong("Model against experiment") + summary.text(2) + "\n" + wrap(legend, 2);
+    std::string warnings;
+    for (const std::string& warning : record.warnings) {
+        warnings += wrap(warning, 2);
+    }
+    text += warnings.empty() ? "" : "\n" + strong("Warnings") + warnings;
     text += failures.empty() ? "" : "\n" + strong("Runs that failed") + failures;
     text += fmt::format("\n  {} runs in {:.1f} s; energy closes to {:.1e} at worst\n", record.runs, record.seconds,
                         record.energy_closure);

@@ -43,6 +43,7 @@ ValidationRecord record() {
     made.runs = 7;
     made.seconds = 1.25;
     made.energy_closure = 2e-13;
+    made.warnings = {"case y: it was warm"};
     return made;
 }
 
@@ -129,6 +130,7 @@ TEST(ValidationText, HasALineForEachNumberAndTellsWhatFailedOnce) {
               std::string::npos)
         << text;
     EXPECT_NE(text.find("15.5  within (0.2 u)   failed         failed\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("\nWarnings\n  case y: it was warm\n"), std::string::npos) << text;
     EXPECT_NE(text.find("\nRuns that failed\n  case x: it broke\n"), std::string::npos) << text;
     EXPECT_NE(text.find("  7 runs in 1.2 s; energy closes to 2.0e-13 at worst\n"), std::string::npos) << text;
     EXPECT_NE(validation_text(record(), true).find("\033[1mTwo models\033[0m\n"), std::string::npos);
