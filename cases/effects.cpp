@@ -68,6 +68,7 @@ void bind_readings(Section& root, Draft& draft) {
     }
     if (draft.has_sound_effects) {
         warn_of_unread_signals(root, draft);
+        warn_of_doubles(root, draft);
     }
 }
 

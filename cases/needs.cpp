@@ -45,6 +45,19 @@ void check_needs(Section& root, const ActiveEffect& active, const Place& place, 
     }
 }
 
+void warn_of_doubles(Section& root, const Draft& draft) {
+    for (const ActiveEffect& active : draft.problem.effects) {
+        const std::string_view other = active.effect->instead_of;
+        if (!other.empty() &&
+            std::ranges::any_of(draft.problem.effects, [&](const ActiveEffect& a) { return a.effect->id == other; })) {
+            const Node* table = root.table().find("effects")->find(active.effect->id);
+            root.mistakes().warn(table->place, fmt::format("{0} and {1} both act and count the same heat twice: "
+                                                           "[effects.{1}] on = false",
+                                                           active.effect->id, other));
+        }
+    }
+}
+
 void check_signals(Section& root, const Draft& draft) {
     for (const physics::Signal& signal : physics::signals()) {
         std::vector<std::string> needing;

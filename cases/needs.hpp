@@ -9,6 +9,9 @@ namespace tiretherm::cases {
 void check_needs(Section& root, const physics::ActiveEffect& active, const Place& place, bool chosen,
                  const Draft& draft);
 
+/// A warning about effects that are on beside the one that they stand for.
+void warn_of_doubles(Section& root, const Draft& draft);
+
 /// Signals that the active effects need and [drive] lacks.
 void check_signals(Section& root, const Draft& draft);
 

@@ -125,6 +125,7 @@ struct Effect {
     std::span<const Scope> scopes{};               ///< where its parameters may differ
     std::span<const std::string_view> reads{};     ///< names of the signals it needs
     std::span<const std::string_view> may_read{};  ///< names of signals it uses when they are given
+    std::string_view instead_of{};                 ///< an effect that it describes better: one of the two acts
     bool needs_tire = false;
     bool needs_grid = false;                      ///< cannot act on lumps
     std::span<const std::string_view> patches{};  ///< standard patches, or empty if it acts elsewhere
@@ -180,6 +181,7 @@ struct ActiveEffect {
     std::vector<int> joints;      ///< filled by `extend`: faces that lead to appended nodes
     std::vector<int> nodes;       ///< filled by `place`: where it acts
     std::vector<double> weights;  ///< filled by `place`: with which share
+    std::vector<int> groups;      ///< filled by `place`: where runs of alike places begin in `weights`, and their end
     std::vector<double> skew;     ///< filled by `place`: how far to the outside shoulder, -1 inside to 1 outside
 
     [[nodiscard]] double operator[](std::size_t parameter) const { return parameters[parameter]; }

@@ -47,14 +47,6 @@ void Terms::conduct_follows(int face, int region, double by_mean) {
     heat_follows(ends.b, region, -change);
 }
 
-void Terms::heat_follows(int node, int region, double by_mean) {
-    if (by_mean != 0.0) {
-        region_slope[at(region) * at(mesh_->n_nodes) + at(node)] += by_mean;
-        region_used[at(region)] = 1;
-        nonlinear = true;
-    }
-}
-
 void Terms::add_difference(const Terms& here, const Terms& there, double step) {
     for (std::size_t n = 0; n < node_q.size(); ++n) {
         node_G[n] += here.node_G[n];

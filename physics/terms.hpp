@@ -38,6 +38,17 @@ public:
             nonlinear = true;
         }
     }
+    /// The same for one who has the drop T_b - T_a [K] at hand.
+    void conduct(int face, double G, double by_a, double by_b, double drop) {
+        const auto f = static_cast<std::size_t>(face);
+        face_G[f] += G;
+        face_by_a[f] += by_a * drop;
+        face_by_b[f] += by_b * drop;
+        nonlinear = nonlinear || by_a != 0.0 || by_b != 0.0;
+        if (G < 0.0) {
+            note_negative(mesh_->faces[f].a);
+        }
+    }
 
     /// Adds to a face the derivative by_mean [W/K2] of its conductance with a region's mean temperature.
     void conduct_follows(int face, int region, double by_mean);
@@ -70,7 +81,13 @@ public:
     }
 
     /// Adds to a node the derivative by_mean [W/K] of its heat with a region's mean temperature.
-    void heat_follows(int node, int region, double by_mean);
+    void heat_follows(int node, int region, double by_mean) {
+        if (by_mean != 0.0) {
+            region_slope[static_cast<std::size_t>(region) * node_q.size() + static_cast<std::size_t>(node)] += by_mean;
+            region_used[static_cast<std::size_t>(region)] = 1;
+            nonlinear = true;
+        }
+    }
 
     /// Adds what an effect without derivatives of its own said at T (`here`) and at T + step (`there`).
     void add_difference(const Terms& here, const Terms& there, double step);

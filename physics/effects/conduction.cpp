@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "physics/effect.hpp"
 
 namespace tiretherm::physics::effects {
@@ -16,31 +18,71 @@ Half half(const Curve& k, double length, double T) {
     return {resistance, -resistance * k.slope(T) / value};
 }
 
-/// Area over length of every face, which is its conductance per conductivity.
+/// Faces inside one material come in groups of one layer and direction, three numbers each: the face and its nodes; their
+/// weight is area over length. The other faces follow as one group more.
 void place(const Setting& setting, ActiveEffect& active) {
+    const mesh::Mesh& mesh = setting.mesh;
+    active.nodes.clear();
     active.weights.clear();
-    for (const mesh::Face& face : setting.mesh.faces) {
+    active.groups = {0};
+    const auto add = [&](int f) {
+        const mesh::Face& face = mesh.faces[static_cast<std::size_t>(f)];
         const double length = face.half_a + face.half_b;
+        active.nodes.insert(active.nodes.end(), {f, face.a, face.b});
         active.weights.push_back(length > 0.0 ? face.area / length : 0.0);
+    };
+    const int n_faces = static_cast<int>(mesh.faces.size());
+    const auto layer_of = [&](int f) {
+        const mesh::Face& face = mesh.faces[static_cast<std::size_t>(f)];
+        const int layer = mesh.layer[static_cast<std::size_t>(face.a)];
+        return !face.joint && face.link < 0 && layer == mesh.layer[static_cast<std::size_t>(face.b)] ? layer : -1;
+    };
+    std::vector<std::vector<int>> alike(3 * mesh.layers.size());
+    for (int f = 0; f < n_faces; ++f) {
+        if (const int layer = layer_of(f); layer >= 0) {
+            const auto axis = static_cast<std::size_t>(mesh.faces[static_cast<std::size_t>(f)].axis);
+            alike[3 * static_cast<std::size_t>(layer) + axis].push_back(f);
+        }
+    }
+    for (const std::vector<int>& faces : alike) {
+        std::for_each(faces.begin(), faces.end(), add);
+        if (!faces.empty()) {
+            active.groups.push_back(static_cast<int>(active.weights.size()));
+        }
+    }
+    for (int f = 0; f < n_faces; ++f) {
+        if (layer_of(f) < 0 && !mesh.faces[static_cast<std::size_t>(f)].joint) {
+            add(f);
+        }
+    }
+}
+
+/// Faces inside one material, all with one law.
+void speak_inside(const Moment& m, std::size_t begin, std::size_t end, Terms& terms) {
+    const int* const node = m.active.nodes.data();
+    const mesh::Face& first = m.mesh.faces[static_cast<std::size_t>(node[3 * begin])];
+    const auto layer = static_cast<std::size_t>(m.mesh.layer[static_cast<std::size_t>(first.a)]);
+    const Curve& k = m.stock.materials[layer].along(first.axis);
+    const double* const T = m.temperature.data();
+    for (std::size_t i = begin; i < end; ++i) {
+        const double T_a = T[node[3 * i + 1]];
+        const double T_b = T[node[3 * i + 2]];
+        const double per_k = m.active.weights[i];
+        const Curve::Mean mean = k.mean(T_a, T_b);
+        terms.conduct(node[3 * i], per_k * mean.value, per_k * mean.by_a, per_k * mean.by_b, T_b - T_a);
     }
 }
 
 void speak(const Moment& m, Terms& terms) {
-    const std::vector<mesh::Face>& faces = m.mesh.faces;
-    for (int f = 0; f < static_cast<int>(faces.size()); ++f) {
-        const mesh::Face& face = faces[static_cast<std::size_t>(f)];
+    const std::vector<int>& groups = m.active.groups;
+    for (std::size_t g = 0; g + 1 < groups.size(); ++g) {
+        speak_inside(m, static_cast<std::size_t>(groups[g]), static_cast<std::size_t>(groups[g + 1]), terms);
+    }
+    for (auto i = static_cast<std::size_t>(groups.back()); i < m.active.weights.size(); ++i) {
+        const int f = m.active.nodes[3 * i];
+        const mesh::Face& face = m.mesh.faces[static_cast<std::size_t>(f)];
         const auto a = static_cast<std::size_t>(face.a);
         const auto b = static_cast<std::size_t>(face.b);
-        if (face.joint) {
-            continue;
-        }
-        if (face.link < 0 && m.mesh.layer[a] == m.mesh.layer[b]) {
-            const Curve& k = m.stock.materials[static_cast<std::size_t>(m.mesh.layer[a])].along(face.axis);
-            const double per_k = m.active.weights[static_cast<std::size_t>(f)];
-            const Curve::Mean mean = k.mean(m.temperature[a], m.temperature[b]);
-            terms.conduct(f, per_k * mean.value, per_k * mean.by_a, per_k * mean.by_b);
-            continue;
-        }
         Half on_a{};
         Half on_b{};
         if (face.half_a > 0.0) {

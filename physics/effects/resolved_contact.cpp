@@ -64,12 +64,13 @@ const Effect resolved_contact{
         "Carslaw & Jaeger 1959, sec. 2.8; interface: Miller, NASA TN D-8161, 1976 (quoted by others, a lower limit); "
         "asphalt concrete 1.2 W/mK, 2300 kg/m3, 900 J/kgK (quoted)",
     .meaning =
-        "Heat to the road as a rolling tread gives it: each place meets fresh road for l/V. 70 W/K at 4 kN and 100 "
+        "Heat to the road as a rolling tread gives it: each place meets fresh road for l/V. 68 W/K at 4 kN and 100 "
         "km/h, "
-        "where the lumped Hc gives 5; nothing at rest. It does not replace road_contact: a case switches that off.",
+        "where the lumped Hc gives 5; nothing at rest. A case that switches it on switches road_contact off.",
     .parameters = parameters,
     .tables = tables,
     .reads = reads,
+    .instead_of = "road_contact",
     .needs_tire = true,
     .patches = patches,
     .n_intensities = 2,

@@ -153,6 +153,17 @@ kind = "reference_lateral_force"
     EXPECT_NEAR(final("reference"), problem.handling.magic_formula->lateral(state).force, 1e-9);
 }
 
+// The contact that rolls stands for the one that does not: both would count the road's heat twice.
+TEST(SectionCase, WarnsOfTwoContacts) {
+    const Written written;
+    const std::string rolling = "[effects.resolved_contact]\n";
+    const Reading both = read_case(written.add("case.toml", included(rolling)));
+    ASSERT_EQ(both.warnings.size(), 1U) << render(both);
+    EXPECT_NE(both.warnings[0].find("resolved_contact and road_contact both act"), std::string::npos);
+    EXPECT_TRUE(read_case(written.add("case.toml", included(rolling + "[effects.road_contact]\non = false\n")))
+                    .warnings.empty());
+}
+
 // One offset for a sensor, another for a second.
 TEST(SectionCase, ReadingsAreBoundToSensors) {
     const solver::Problem problem = read(included(R"(
