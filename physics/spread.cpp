@@ -47,6 +47,17 @@ void normalise(ActiveEffect& active) {
     }
 }
 
+void exchange_by_weights(const Moment& moment, Terms& terms) {
+    const double G = moment.intensities[0];
+    if (G <= 0.0) {
+        return;
+    }
+    const double T_around = moment.intensities[1] / G;
+    for (std::size_t i = 0; i < moment.active.nodes.size(); ++i) {
+        terms.exchange(moment.active.nodes[i], G * moment.active.weights[i], T_around);
+    }
+}
+
 void spread_over_patches(const Setting& setting, ActiveEffect& active, const std::optional<Curve>& profile) {
     active.nodes.clear();
     active.weights.clear();

@@ -7,6 +7,12 @@
 /// How a total is shared out over a mesh: the weights that every distributed effect starts from.
 namespace tiretherm::physics {
 
+/// How the contact is loaded across the tread: the table of every effect that acts in it.
+inline constexpr Table contact_profile{"profile", "m", "1",
+                                       "weight along the meridian, against the arc length from the centre plane "
+                                       "(negative outboard); without it the contact "
+                                       "is as wide as the tread and evenly loaded"};
+
 /// Arc length along the meridian of a node of a section, negative outboard; 0 on any other mesh. @returns m
 [[nodiscard]] double along_meridian(const mesh::Mesh& mesh, int node);
 
@@ -34,5 +40,9 @@ void join_gas_and_rim(mesh::Mesh& mesh);
 
 /// Makes the weights sum to 1.
 void normalise(ActiveEffect& active);
+
+/// Speaks for an effect whose first intensity is a conductance [W/K] to surroundings and whose second is that times their
+/// temperature [W]: shares it out by the weights.
+void exchange_by_weights(const Moment& moment, Terms& terms);
 
 }  // namespace tiretherm::physics

@@ -19,9 +19,7 @@ constexpr std::array parameters{
     Parameter{"road_conductivity", "W m-1 K-1", 1.2, 1e-3, 1e3, "of the road; asphalt concrete, 0.7 to 2.5 recalled"},
     Parameter{"road_capacity", "J m-3 K-1", 2.07e6, 1e3, 1e8, "of the road, per volume; asphalt concrete"},
 };
-constexpr std::array tables{Table{"profile", "m", "1",
-                                  "weight along the meridian, against the arc length from the centre plane (negative "
-                                  "outboard); without it the contact is as wide as the tread and evenly loaded"}};
+constexpr std::array tables{contact_profile};
 constexpr std::array<std::string_view, 3> reads{"speed", "vertical_load", "road_temperature"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
@@ -40,17 +38,6 @@ void drive(const ActiveEffect& active, const Driving& driving, std::span<double>
         out[0] = active[scale] * contact.mean_conductance(duration) * driving.tire.contact_area(in.vertical_load);
     }
     out[1] = out[0] * in.road_temperature;
-}
-
-void speak(const Moment& m, Terms& terms) {
-    const double G = m.intensities[0];
-    if (G <= 0.0) {
-        return;
-    }
-    const double T_road = m.intensities[1] / G;
-    for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
-        terms.exchange(m.active.nodes[i], G * m.active.weights[i], T_road);
-    }
 }
 
 }  // namespace
@@ -76,7 +63,7 @@ const Effect resolved_contact{
     .n_intensities = 2,
     .place = place,
     .drive = drive,
-    .speak = speak,
+    .speak = exchange_by_weights,
 };
 
 }  // namespace tiretherm::physics::effects

@@ -13,9 +13,7 @@ constexpr std::array parameters{
     Parameter{"Hc", "W m-2 K-1", 500.0, 0.0, 1e6, "coefficient of a tire that does not roll, over the contact area"},
     Parameter{"lambda_Hc", "1", 1.0, 0.0, 10.0, "scale of the coefficient"},
 };
-constexpr std::array tables{Table{"profile", "m", "1",
-                                  "weight along the meridian, against the arc length from the centre plane (negative "
-                                  "outboard); without it the contact is as wide as the tread and evenly loaded"}};
+constexpr std::array tables{contact_profile};
 constexpr std::array<std::string_view, 2> reads{"vertical_load", "road_temperature"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
@@ -26,17 +24,6 @@ void place(const Setting& setting, ActiveEffect& active) {
 void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
     out[0] = active[lambda_Hc] * active[Hc] * driving.tire.contact_area(driving.inputs.vertical_load);
     out[1] = out[0] * driving.inputs.road_temperature;
-}
-
-void speak(const Moment& m, Terms& terms) {
-    const double G = m.intensities[0];
-    if (G <= 0.0) {
-        return;
-    }
-    const double T_road = m.intensities[1] / G;
-    for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
-        terms.exchange(m.active.nodes[i], G * m.active.weights[i], T_road);
-    }
 }
 
 }  // namespace
@@ -59,7 +46,7 @@ const Effect road_contact{
     .n_intensities = 2,
     .place = place,
     .drive = drive,
-    .speak = speak,
+    .speak = exchange_by_weights,
 };
 
 }  // namespace tiretherm::physics::effects

@@ -22,9 +22,7 @@ constexpr std::array choices{
     Choice{"longitudinal", on_off, "whether longitudinal sliding makes heat (a switch of the thesis)"},
     Choice{"lateral", on_off, "whether lateral sliding makes heat (a switch of the thesis)"},
 };
-constexpr std::array tables{Table{"profile", "m", "1",
-                                  "weight along the meridian, against the arc length from the centre plane (negative "
-                                  "outboard); without it the contact is as wide as the tread and evenly loaded"}};
+constexpr std::array tables{contact_profile};
 constexpr std::array<std::string_view, 1> reads{"speed"};
 constexpr std::array<std::string_view, 5> may_read{"vertical_load", "slip_angle", "slip_ratio", "lateral_force",
                                                    "longitudinal_force"};

@@ -34,17 +34,6 @@ void drive(const ActiveEffect& active, const Driving& driving, std::span<double>
     out[1] = out[0] * in.road_temperature;
 }
 
-void speak(const Moment& m, Terms& terms) {
-    const double G = m.intensities[0];
-    if (G <= 0.0) {
-        return;
-    }
-    const double T_film = m.intensities[1] / G;
-    for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
-        terms.exchange(m.active.nodes[i], G * m.active.weights[i], T_film);
-    }
-}
-
 }  // namespace
 
 extern const Effect wet_road;
@@ -63,7 +52,7 @@ const Effect wet_road{
     .n_intensities = 2,
     .place = place,
     .drive = drive,
-    .speak = speak,
+    .speak = exchange_by_weights,
 };
 
 }  // namespace tiretherm::physics::effects
