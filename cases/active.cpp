@@ -172,6 +172,29 @@ ActiveEffect read_active(Section& section, const Effect& effect, const Draft& dr
     return active;
 }
 
+namespace {
+
+/// Whether a reading effect can stand behind a channel.
+void check_channel(Section& section, const Word& word, const Effect& effect, const solver::Channel& channel) {
+    const bool is_temperature = channel.quantity == solver::Quantity::temperature;
+    const auto refuse = [&](std::string_view wanted) {
+        section.mistakes().add(word.place, fmt::format("{} is not {}, which {} reads", channel.name, wanted, effect.id),
+                               "name other sensors");
+    };
+    switch (effect.reads_what) {
+        case physics::Reads::anything:
+            return;
+        case physics::Reads::temperature:
+            return is_temperature ? void() : refuse("a temperature");
+        case physics::Reads::place:
+            return is_temperature && channel.point ? void() : refuse("a temperature at one point");
+        case physics::Reads::pressure:
+            return channel.quantity == solver::Quantity::gas_pressure ? void() : refuse("a pressure");
+    }
+}
+
+}  // namespace
+
 void bind_channels(Section& section, const Draft& draft, ActiveEffect& active) {
     const std::vector<std::string> known = names_of(draft.problem.channels);
     const auto find = [&](std::string_view name) {
@@ -185,6 +208,7 @@ void bind_channels(Section& section, const Draft& draft, ActiveEffect& active) {
     for (const Word& word : section.texts("channels")) {
         if (const int channel = find(word.text); channel >= 0) {
             active.channels.push_back(channel);
+            check_channel(section, word, *active.effect, draft.problem.channels[static_cast<std::size_t>(channel)]);
         } else {
             section.mistakes().add(word.place, fmt::format("there is no sensor \"{}\"", word.text),
                                    suggest(word.text, known, "sensors"));

@@ -26,7 +26,7 @@ struct Draft {
     bool has_tire = false;
     bool has_tire_density = false;  ///< given in [tire], not only by a material
     bool has_sound_effects = false;
-    bool has_mesh = false;          ///< false after a mistake in [mesh]: names of patches and layers are unknown
+    bool has_mesh = false;  ///< false after a mistake in [mesh]: names of patches and layers are unknown
     std::vector<Stock> stock;
     std::map<std::string, Place, std::less<>> given;  ///< signals of [drive], rightly or wrongly written
     std::optional<double> logged_from;                ///< s, first sample of any log

@@ -66,6 +66,9 @@ void bind_readings(Section& root, Draft& draft) {
             bind_channels(section, draft, active);
         }
     }
+    if (draft.has_sound_effects && root.mistakes().count() == 0) {
+        check_weights(root, draft);
+    }
     if (draft.has_sound_effects) {
         warn_of_unread_signals(root, draft);
         warn_of_doubles(root, draft);

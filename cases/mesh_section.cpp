@@ -81,6 +81,64 @@ mesh::Meridian profile(const physics::Tire& tire, double crown_radius, std::arra
     return {tire.unloaded_radius, std::move(arcs)};
 }
 
+double thickness_of(const mesh::Section& section, const Stretch& stretch) {
+    double sum = 0.0;
+    for (const int layer : stretch.stack) {
+        sum += section.layers[static_cast<std::size_t>(layer)].thickness;
+    }
+    return sum;
+}
+
+/// Whether the profile and what lies inside of it stay clear of the tire's axis.
+bool is_sound(Section& mesh, const mesh::Section& section, const std::array<Stretch, 3>& stretches) {
+    double reach = 0.5 * stretches[crown].length;
+    double thickest = thickness_of(section, stretches[crown]);
+    for (const std::size_t zone : {shoulders, sidewalls}) {
+        if (stretches[zone].cells > 0) {
+            reach += stretches[zone].length;
+            thickest = std::max(thickest, thickness_of(section, stretches[zone]));
+        }
+    }
+    double lowest = section.meridian.at(0.0).radius;
+    for (int i = 0; i <= 100; ++i) {
+        const double s = reach * i / 100.0;
+        lowest = std::min({lowest, section.meridian.at(s).radius, section.meridian.inside(s, thickest).radius});
+    }
+    if (lowest < 0.02) {
+        mesh.mistake(
+            mesh.has("sidewall_length") ? "sidewall_length" : "kind",
+            fmt::format("the profile, {:.4g} mm from the centre to the bead, would come within {:.4g} mm of the "
+                        "tire's axis",
+                        reach * 1e3, lowest * 1e3),
+            "shorten the sidewalls or the tread, or flatten the crown");
+        return false;
+    }
+    return true;
+}
+
+/// The loss follows the tire's thicknesses (66)(67), the mesh its layers': they should be one tire's.
+void warn_of_other_sizes(Section& mesh, const mesh::Section& section, const std::array<Stretch, 3>& stretches,
+                         const physics::Tire& tire) {
+    const auto warn = [&](std::string_view what, double layers, double stated) {
+        if (std::abs(layers / stated - 1.0) > 0.1) {
+            mesh.mistakes().warn(mesh.place(), fmt::format("the layers of the {} are {:.4g} mm thick, but [tire] says "
+                                                           "{:.4g} mm, from which the strain-energy loss follows",
+                                                           what, layers * 1e3, stated * 1e3));
+        }
+    };
+    warn("crown", thickness_of(section, stretches[crown]), tire.tread_thickness);
+    if (stretches[sidewalls].cells > 0) {
+        warn("sidewalls", thickness_of(section, stretches[sidewalls]), tire.sidewall_thickness);
+    }
+    const double tread =
+        stretches[crown].length + (stretches[shoulders].cells > 0 ? 2.0 * stretches[shoulders].length : 0.0);
+    if (tread > 1.1 * tire.width) {
+        mesh.mistakes().warn(
+            mesh.place("tread_width"),
+            fmt::format("the tread is {:.4g} mm wide on a tire of {:.4g} mm", tread * 1e3, tire.width * 1e3));
+    }
+}
+
 std::vector<mesh::Zone> zones_of(const std::array<Stretch, 3>& stretches) {
     std::vector<mesh::Zone> zones;
     const auto add = [&](std::string_view name, const Stretch& s, bool outboard, bool tread) {
@@ -134,6 +192,10 @@ bool read_section(Section& mesh, Draft& draft) {
         return false;
     }
     section.meridian = profile(tire, crown_radius, stretches);
+    if (!is_sound(mesh, section, stretches)) {
+        return false;
+    }
+    warn_of_other_sizes(mesh, section, stretches, tire);
     section.zones = zones_of(stretches);
     draft.problem.mesh = build(section);
     return true;

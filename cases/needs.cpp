@@ -1,11 +1,13 @@
 #include "cases/needs.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include "cases/wanted.hpp"
 #include "cases/words.hpp"
+#include "solver/system.hpp"
 
 namespace tiretherm::cases {
 
@@ -35,6 +37,11 @@ void check_needs(Section& root, const ActiveEffect& active, const Place& place, 
                             fmt::format("take layers or section, {}", off));
         return;
     }
+    if (draft.has_mesh && effect.objection != nullptr) {
+        if (const std::string sentence = effect.objection(active, draft.problem.mesh); !sentence.empty()) {
+            root.mistakes().add(place, fmt::format("{}: {}", effect.id, sentence));
+        }
+    }
     if (draft.has_mesh && !chosen && !effect.patches.empty() && active.patches.empty()) {
         const std::vector<std::string> patches = names_of(draft.problem.mesh.patches);
         const std::vector<std::string> standard(effect.patches.begin(), effect.patches.end());
@@ -42,6 +49,19 @@ void check_needs(Section& root, const ActiveEffect& active, const Place& place, 
             place, fmt::format("{} acts on the patch {}, which this mesh does not have", effect.id, listed(standard)),
             fmt::format("choose from {}: [effects.{}] patches = [\"{}\"], {}", listed(patches), effect.id,
                         patches.front(), off));
+    }
+}
+
+void check_weights(Section& root, const Draft& draft) {
+    const solver::System system(draft.problem);
+    for (const ActiveEffect& active : system.effects()) {
+        if (std::ranges::any_of(active.weights, [](double weight) { return !std::isfinite(weight); })) {
+            const Node* effects = root.table().find("effects");
+            const Node* table = effects != nullptr ? effects->find(active.effect->id) : nullptr;
+            root.mistakes().add(table != nullptr ? table->place : root.place(),
+                                fmt::format("the weights of {} are zero everywhere on this mesh", active.effect->id),
+                                "let its table or its shares be positive somewhere");
+        }
     }
 }
 

@@ -9,6 +9,9 @@ namespace tiretherm::cases {
 void check_needs(Section& root, const physics::ActiveEffect& active, const Place& place, bool chosen,
                  const Draft& draft);
 
+/// Weights that are all zero leave nowhere for an effect to act.
+void check_weights(Section& root, const Draft& draft);
+
 /// A warning about effects that are on beside the one that they stand for.
 void warn_of_doubles(Section& root, const Draft& draft);
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -70,9 +71,11 @@ Where read_quantity(Section& sensor, const Reading& reading, const Draft& draft)
         return channel;
     }
     if (const std::optional<std::string> of = sensor.text("temperature_of")) {
-        const auto& channels = draft.problem.channels;
+        std::vector<solver::Channel> channels;
+        std::ranges::copy_if(draft.problem.channels, std::back_inserter(channels),
+                             [](const auto& c) { return c.quantity == solver::Quantity::temperature; });
         const auto found = std::find_if(channels.begin(), channels.end(), [&](const auto& c) { return c.name == *of; });
-        if (found == channels.end() || found->quantity != solver::Quantity::temperature) {
+        if (found == channels.end()) {
             sensor.mistake("temperature_of",
                            fmt::format("no sensor of a temperature above this one is called \"{}\"", *of),
                            suggest(*of, names_of(channels), "sensors"));
@@ -106,6 +109,9 @@ void read_sensors(Section& root, Draft& draft) {
         const std::optional<std::string> name = sensor.name("name", Need::required);
         const std::optional<std::string> meaning = sensor.text("meaning");
         const std::optional<std::size_t> kind = sensor.choice("kind", names, Need::required);
+        if (name == "time") {
+            sensor.mistake("name", "time is the name of the clock", "rename the sensor");
+        }
         for (const solver::Channel& other : channels) {
             if (name && other.name == *name) {
                 sensor.mistake("name", fmt::format("a second sensor is called \"{}\"", *name), "rename one");

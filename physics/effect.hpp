@@ -51,6 +51,9 @@ struct Table {
 /// Where a parameter may differ: `<key>_by_patch = { outside = ... }` in a case.
 enum class Scope : std::uint8_t { patch, layer, zone, channel };
 
+/// What kind of channel a reading effect can stand behind.
+enum class Reads : std::uint8_t { anything, temperature, place, pressure };
+
 struct ActiveEffect;
 
 /// What a case gives the effects to work with before a run; an effect that amends it changes a property.
@@ -134,6 +137,7 @@ struct Effect {
     bool on_channels = false;                     ///< acts on the channels that a case names
     bool by_deformation = false;                  ///< its heat is work of deformation: what rolling resistance pays for
     bool before_lag = false;                      ///< a reading of what the sensor sees, not of what it gives
+    Reads reads_what = Reads::anything;           ///< of a reading; `place`: the temperature at a point
     int n_intensities = 0;
 
     /// Appends nodes and joints to the mesh, once, when the effect is switched on.
@@ -154,6 +158,8 @@ struct Effect {
     double (*lag)(const ActiveEffect& active, std::size_t position) = nullptr;     ///< time constant, s
     double (*delay)(const ActiveEffect& active, std::size_t position) = nullptr;   ///< s
     double (*deeper)(const ActiveEffect& active, std::size_t position) = nullptr;  ///< m below the stated depth
+    /// A sentence for the user when the numbers of a case cannot hold on this mesh, or an empty one.
+    std::string (*objection)(const ActiveEffect& active, const mesh::Mesh& mesh) = nullptr;
     /// A sentence for the user when the temperatures that its patches saw leave the range its law is known for, or an
     /// empty one. @param coldest, hottest K
     std::string (*caution)(const ActiveEffect& active, double coldest, double hottest) = nullptr;

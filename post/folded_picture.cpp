@@ -160,8 +160,10 @@ void draw_folded(const std::filesystem::path& path, const solver::Problem& probl
                  {.size = look::title, .ink = look::ink, .bold = true});
     const std::string moment =
         problem.settings.steady ? std::string("steady state") : fmt::format("t = {:.6g} s", time);
-    canvas.write({margin, 88.0}, moment + "; outboard on the left, inboard on the right",
-                 {.size = look::text, .ink = look::faint});
+    canvas.write(
+        {margin, 88.0},
+        fmt::format("{}; hottest {:.1f} °C at the ring; outboard on the left, inboard on the right", moment, high),
+        {.size = look::text, .ink = look::faint});
     for (int cell = 0; cell < mesh.n_cells; ++cell) {
         fill_cell(canvas, page, mesh, cell, kelvin, low, high);
     }
@@ -170,13 +172,6 @@ void draw_folded(const std::filesystem::path& path, const solver::Problem& probl
     const auto index = static_cast<std::size_t>(hottest - kelvin.begin());
     const Dot mark = page.dot(mesh.drawing.points[index]);
     canvas.disc(mark, 7.0, colour(0xffffff, 0.9), look::ink, 2.0);
-    const bool right = mark.x > 0.5 * look::page_width;
-    canvas.write({mark.x + (right ? -16.0 : 16.0), mark.y + 64.0}, fmt::format("hottest {:.1f} °C", high),
-                 {.size = look::text,
-                  .ink = look::ink,
-                  .align = right ? Align::right : Align::left,
-                  .bold = true,
-                  .halo = colour(0xffffff, 0.8)});
     draw_colour_bar(canvas, low, high, ticks(low, high, 9), room_above + page.height + 60.0);
     canvas.save(path);
 }

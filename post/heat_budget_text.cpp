@@ -35,7 +35,8 @@ std::string heat_budget_text(const RunRecord& run) {
         const physics::Effect& effect = *run.problem.effects[e].effect;
         // Laws and readings have no heat of their own, and what conducts only moves it.
         const bool speaks = effect.speak != nullptr && effect.kind != physics::Kind::property;
-        if (speaks || report.joules[e] != 0.0) {
+        const bool within = !run.problem.effects[e].joints.empty() && report.watts[e] == 0.0;  // from node to node
+        if ((speaks && !within) || report.joules[e] != 0.0) {
             names.emplace_back(effect.id);
             watts.push_back(run.problem.symmetry * report.watts[e]);
             kilojoules.push_back(run.problem.symmetry * report.joules[e] / 1e3);
@@ -61,14 +62,14 @@ std::string heat_budget_text(const RunRecord& run) {
                         steady ? "sum" : "stored less sum,");
     const std::vector<physics::ActiveEffect>& effects = run.problem.effects;
     for (std::size_t e = 0; e < effects.size(); ++e) {
-        if (std::isfinite(report.law_watts[e])) {
-            text += fmt::format("  of this, {} makes {:+.{}f} W\n", effects[e].effect->id,
-                                run.problem.symmetry * report.law_watts[e], of_watts);
+        const double share = run.problem.symmetry * report.law_watts[e];
+        if (std::abs(share) >= 0.5 * std::pow(10.0, -of_watts)) {  // neither NaN nor what is shown as nothing
+            text += fmt::format("  of this, {} makes {:+.{}f} W\n", effects[e].effect->id, share, of_watts);
         }
     }
     const bool is_tire = std::any_of(effects.begin(), effects.end(),
                                      [](const physics::ActiveEffect& active) { return active.effect->needs_tire; });
-    if (is_tire && std::isfinite(report.effective_link)) {
+    if (is_tire && report.effective_link > 0.0) {  // where heat goes the other way, no link carries it
         const double link = run.problem.symmetry * report.effective_link;
         text += fmt::format("  as a two-node model, its link would be {:.4g} W/K, or k = {:.3g} W/mK over 10 mm\n",
                             link, link * bulk_depth / run.problem.tire.outer_area());

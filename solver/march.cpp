@@ -47,6 +47,7 @@ public:
 
     Report go() {
         const Settings& settings = problem_.settings;
+        stepper_.find_watts(problem_.drive.at(settings.start, Limit::after));
         if (settings.steady) {
             report_.status = stepper_.solve_steady(settings.end);
             if (report_.status.ok()) {

@@ -136,8 +136,9 @@ double Readings::magic_formula(Quantity quantity, const physics::Tire& tire, con
 
 void Readings::begin(double t, std::span<const double> T, std::span<const double> watts,
                      const physics::Inputs& inputs) {
+    // The cold pressure is that at the start of the case, also where T is a steady state.
     const int gas = problem_->mesh.find_appended("gas");
-    gas_start_ = gas < 0 ? inputs.air_temperature : T[static_cast<std::size_t>(gas)];
+    gas_start_ = gas < 0 ? inputs.air_temperature : system_->initial()[static_cast<std::size_t>(gas)];
     for (std::size_t c = 0; c < chains_.size(); ++c) {
         Chain& chain = chains_[c];
         double value = followed_quantity(c, T, watts);

@@ -28,6 +28,7 @@ Session::Session(Problem problem, const physics::Inputs& start)
       inputs_(start),
       stage_inputs_(static_cast<std::size_t>(stepper_->stages())),
       channels_(problem_->channels.size()) {
+    stepper_->find_watts(start);
     readings_->begin(0.0, stepper_->temperature(), stepper_->watts(), start);
     readings_->at(0.0, start, channels_);
 }

@@ -237,6 +237,14 @@ void Stepper::interpolate_joules(double t, std::span<double> joules) const {
     }
 }
 
+void Stepper::find_watts(const physics::Inputs& logged) {
+    std::vector<double> intensities(system_.n_intensities());
+    system_.drive(logged, intensities);
+    T_[1] = T_[0];
+    system_.make_consistent(T_[1], intensities);
+    watts_ = system_.terms().watts;
+}
+
 Status Stepper::solve_steady(double t) {
     window_.open(t, t);
     std::fill(known_.begin(), known_.end(), 0.0);

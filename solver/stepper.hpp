@@ -30,6 +30,10 @@ public:
     /// A failure at the place of the largest error of the last attempt.
     [[nodiscard]] Status blame_error(std::string_view why);
 
+    /// Finds the watts at the present state under the drive just after `time()`, which a run reports before its first
+    /// step; the surfaces that follow the drive at once are not moved for it.
+    void find_watts(const physics::Inputs& logged);
+
     /// Solves q(T) = 0 for the drive at a time, from the present state as a guess.
     [[nodiscard]] Status solve_steady(double t);
 

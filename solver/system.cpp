@@ -215,6 +215,10 @@ void System::matrices(double s, bool steady, Matrix& A, Matrix& J) const {
         A.value[at(p.ab[f])] -= G;
         A.value[at(p.ba[f])] -= G;
     }
+    for (std::size_t i = 0; i < at(p.n); ++i) {  // a surface that nothing touches keeps its temperature
+        double& diagonal = A.value[at(p.diagonal[i])];
+        diagonal = diagonal == 0.0 ? 1.0 : diagonal;
+    }
     J.value = A.value;
     J.symmetric = true;
     J.outer.clear();
@@ -265,7 +269,7 @@ void System::make_consistent(std::span<double> T, std::span<const double> intens
         }
         double largest = 0.0;
         for (std::size_t i = 0; i < T.size(); ++i) {
-            if (!has_capacity(i)) {
+            if (!has_capacity(i) && stiffness[i] != 0.0) {
                 largest = std::max(largest, std::abs(flow_[i] / stiffness[i]));
             }
         }
@@ -273,7 +277,7 @@ void System::make_consistent(std::span<double> T, std::span<const double> intens
             return;
         }
         for (std::size_t i = 0; i < T.size(); ++i) {
-            if (!has_capacity(i)) {
+            if (!has_capacity(i) && stiffness[i] != 0.0) {
                 T[i] += flow_[i] / stiffness[i];
             }
         }

@@ -37,6 +37,7 @@ const Effect camera_emissivity{
     .reads = reads,
     .on_channels = true,
     .before_lag = true,
+    .reads_what = Reads::temperature,
     .read = read,
 };
 

@@ -24,7 +24,7 @@ extern const Effect drum_curvature;
 const Effect drum_curvature{
     .id = "drum_curvature",
     .kind = Kind::source,
-    .equation = "SEL' = SEL sqrt(1 + R0/R_drum)",
+    .equation = "SEL' = SEL sqrt(1 + R0 curvature), curvature = 1/R_drum",
     .source = "correction between drums of ISO 28580, taken to a flat road (recalled, not read)",
     .meaning =
         "A drum bends the contact more than a flat road: the loss is higher by one factor, 17 to 18 % on a drum of "

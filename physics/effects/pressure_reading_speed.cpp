@@ -34,6 +34,7 @@ const Effect pressure_reading_speed{
     .scopes = scopes,
     .reads = reads,
     .on_channels = true,
+    .reads_what = Reads::pressure,
     .read = read,
 };
 

@@ -32,6 +32,7 @@ const Effect sensor_depth{
     .scopes = scopes,
     .needs_grid = true,
     .on_channels = true,
+    .reads_what = Reads::place,
     .deeper = deeper,
 };
 

@@ -34,6 +34,7 @@ const Effect sensor_gain{
     .parameters = parameters,
     .scopes = scopes,
     .on_channels = true,
+    .reads_what = Reads::temperature,
     .read = read,
 };
 

@@ -32,6 +32,7 @@ const Effect sensor_offset{
     .parameters = parameters,
     .scopes = scopes,
     .on_channels = true,
+    .reads_what = Reads::temperature,
     .read = read,
 };
 

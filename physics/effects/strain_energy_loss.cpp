@@ -137,6 +137,12 @@ void speak(const Moment& m, Terms& terms) {
         factor *= f.value;
     }
     const double T_mean = m.region_mean[static_cast<std::size_t>(bulk)] + shift;
+    // A shoulder can give no more than it has; where the skew asks for that, the others give it all the same.
+    double kept = 0.0;
+    for (std::size_t i = 0; i < m.active.nodes.size() && skew != 0.0; ++i) {
+        kept += m.active.weights[i] * std::max(0.0, 1.0 + skew * m.active.skew[i]);
+    }
+    factor /= skew != 0.0 ? kept : 1.0;
     double loss = factor * law.value(T_mean);
     double slope = loss * law.log_slope(T_mean);
     for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
+
 #include "physics/effect.hpp"
 
 namespace tiretherm::physics::effects {
@@ -13,9 +15,6 @@ constexpr std::array parameters{
     Parameter{"depth", "m", 0.003, 0.0, 0.05, "rubber worn off the outer layer; 8 mm of tread end at 1.6 mm", false,
               0.0},
 };
-/// What stays at least, as a share: a worn layer is thin, not gone.
-constexpr double least = 0.05;
-
 double thickness_of_outer_layer(const mesh::Mesh& mesh) {
     double thickness = 0.0;
     if (mesh.grid) {
@@ -40,16 +39,23 @@ double thickness_of_outer_layer(const mesh::Mesh& mesh) {
 /// through it: the mesh stays and the material says so.
 void amend(const ActiveEffect& active, const mesh::Mesh& mesh, Stock& stock) {
     const double thickness = thickness_of_outer_layer(mesh);
-    if (thickness <= 0.0) {
-        return;
+    if (thickness <= 0.0 || active[depth] >= thickness) {
+        return;  // the case has been objected to
     }
-    const double w = std::max(least, 1.0 - active[depth] / thickness);
+    const double w = 1.0 - active[depth] / thickness;
     Material& outer = stock.materials.front();
     outer.density *= w;
     for (const mesh::Axis axis : {mesh::Axis::meridian, mesh::Axis::circumference, mesh::Axis::through}) {
         Curve& k = outer.conductivity[static_cast<std::size_t>(axis)];
         k = k.scaled(axis == mesh::Axis::through ? 1.0 / w : w);
     }
+}
+
+std::string objection(const ActiveEffect& active, const mesh::Mesh& mesh) {
+    const double thickness = thickness_of_outer_layer(mesh);
+    return active[depth] < thickness ? std::string()
+                                     : fmt::format("{:.4g} mm are worn off an outer layer of {:.4g} mm",
+                                                   1e3 * active[depth], 1e3 * thickness);
 }
 
 }  // namespace
@@ -66,6 +72,7 @@ const Effect tread_wear{
     .parameters = parameters,
     .needs_grid = true,
     .amend = amend,
+    .objection = objection,
 };
 
 }  // namespace tiretherm::physics::effects

@@ -13,12 +13,12 @@ struct SectionEnd {
 };
 
 inline constexpr std::array section_ends{
-    SectionEnd{"drum/205_55_R16_run_flat_section", 75.7, 76.2},
+    SectionEnd{"drum/205_55_R16_run_flat_section", 72.1, 80.9},
     SectionEnd{"drum/225_50_R17_spec_1_section", 82.3, 84.0},
     SectionEnd{"drum/225_50_R17_spec_2_section", 82.3, 84.0},
     SectionEnd{"drum/235_45_R17_section", 83.5, 84.2},
     SectionEnd{"drum/245_40_R18_section", 83.0, 83.2},
-    SectionEnd{"drum/265_65_R16C_section", 86.2, 98.7},
+    SectionEnd{"drum/265_65_R16C_section", 72.2, 97.2},
     SectionEnd{"flat_trac/load_steps_minutes_section", 70.4, 70.2},
     SectionEnd{"flat_trac/load_steps_seconds_section", 29.2, 28.7},
     SectionEnd{"flat_trac/second_test_section", 91.8, 94.4},
