@@ -164,6 +164,30 @@ TEST(SectionCase, WarnsOfTwoContacts) {
                     .warnings.empty());
 }
 
+// Heated at constant volume from the start of the case: p = (p0 + 101.325 kPa) T/T0 - 101.325 kPa, also where the run is
+// a steady state and never was cold.
+TEST(SectionCase, GasPressureCountsFromTheStart) {
+    const solver::Problem problem = read(included(R"(
+[effects.inner_gas]
+[drive]
+inflation_pressure = "220 kPa"
+[time]
+steady = true
+[[sensor]]
+name = "gas"
+kind = "node"
+node = "gas"
+[[sensor]]
+name = "pressure"
+kind = "gas_pressure"
+)"));
+    const solver::Report report = run(problem);
+    ASSERT_TRUE(report.status.ok()) << report.status.message;
+    const double gas = report.channel_final[channel(problem, "gas")];
+    EXPECT_GT(gas, zero + 30.0);
+    EXPECT_NEAR(report.channel_final[channel(problem, "pressure")], 321325.0 * gas / (zero + 23.0) - 101325.0, 1e-3);
+}
+
 // One offset for a sensor, another for a second.
 TEST(SectionCase, ReadingsAreBoundToSensors) {
     const solver::Problem problem = read(included(R"(

@@ -132,6 +132,25 @@ TEST(Run, BooksAllHeatInEveryRow) {
     }
 }
 
+TEST(Run, FirstRowHasTheWattsOfTheStart) {
+    // All at the air's 23 C but the loss: what is made at the start is the law's, and nothing leaves yet.
+    const Problem problem = two_node_tire();
+    std::vector<double> first;
+    (void)run(problem, [&](const Snapshot& now) {
+        if (first.empty()) {
+            first.assign(now.watts.begin(), now.watts.end());
+            EXPECT_EQ(now.joules[1], 0.0);
+        }
+        return true;
+    });
+    const physics::LossTangent law;
+    const double made = physics::strain_power(problem.tire, 100.0 / 3.6, 4000.0) *
+                        law.value(296.15 + law.shift(problem.tire.revolutions(100.0 / 3.6, 4000.0)));
+    EXPECT_NEAR(first[1], made, 1e-9 * made);
+    EXPECT_NEAR(first[3], 0.0, 1e-9);
+    EXPECT_NEAR(first[4], 0.0, 1e-9);
+}
+
 TEST(Run, LandsOnEveryPointOfASchedule) {
     Problem problem = heated_strip(5);
     const physics::Signal& air = *physics::find_signal("air_temperature");

@@ -234,6 +234,17 @@ TEST(TireSection, EveryWeightKeepsTheTotalOfItsLaw) {
     support::expect_below("local loss, relative", watts_at_330K(problem)[1] / expected_loss - 1.0, 1e-13);
 }
 
+// A lean so large that one shoulder would have to give more than it has: it gives all, and the total stays.
+TEST(TireSection, CamberKeepsTheTotalHoweverLarge) {
+    const double straight = watts_at_330K(support::tire_problem(2))[1];
+    for (const double degrees : {-2.0, 8.0, 40.0}) {
+        solver::Problem problem = support::tire_problem(2);
+        support::switch_on(problem, "camber_asymmetry");
+        support::hold(problem, "camber", degrees * support::deg);
+        support::expect_below("loss under camber, relative", watts_at_330K(problem)[1] / straight - 1.0, 1e-13);
+    }
+}
+
 // Where the weight of a layer is three times, its heat per mass is three times that of its neighbour; belt edges stand
 // at 0.8 of half the tread, where the excess is the gain, and the profile multiplies.
 TEST(TireSection, WeightsGoWhereTheyAreSaidTo) {
