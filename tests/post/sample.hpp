@@ -105,4 +105,15 @@ inline solver::Report report() {
     return report;
 }
 
+/// A crown, flat at 300 mm, and two sidewalls that turn by a quarter circle: 6 columns of 3 cells.
+inline mesh::Mesh section() {
+    mesh::Section d;
+    d.meridian = mesh::Meridian(0.3, {{0.06, 0.0}, {0.08, 1.5707963267948966 / 0.08}});
+    d.layers = {{"tread", 0.008, 2}, {"liner", 0.002, 1}};
+    d.zones = {{"outside_sidewall", 0.08, 2, 1.0, {0, 1}, false},
+               {"crown", 0.12, 2, 1.0, {0, 1}},
+               {"inside_sidewall", 0.08, 2, 1.0, {0, 1}, false}};
+    return mesh::build(d);
+}
+
 }  // namespace tiretherm::sample

@@ -158,6 +158,20 @@ TEST(Picture, OfAnEvenFieldIsDrawnToo) {
     EXPECT_EQ(read_text(scratch / "picture.png").substr(1, 3), "PNG");
 }
 
+TEST(Picture, OfASectionIsFolded) {
+    // 120 mm of flat crown and a quarter circle of 80 mm length, radius 50.93 mm, on either side: 221.9 mm wide and
+    // 50.93 mm high at the outside, on 1600 px less 110 px of margin twice. 150 px above, 215 px below.
+    const sample::Scratch scratch;
+    solver::Problem problem = sample::problem();
+    problem.mesh = sample::section();
+    const auto kelvin = [](const mesh::Point& p) { return 300.0 + 100.0 * p[0]; };
+    draw_folded(scratch / "folded.png", problem, 60.0, field(problem, kelvin));
+    const auto [width, height] = png_size(read_text(scratch / "folded.png"));
+    EXPECT_EQ(width, 1600U);
+    const double radius = 0.16 / 3.14159265358979;
+    EXPECT_NEAR(height, 150.0 + 1380.0 * radius / (0.12 + 2.0 * radius) + 215.0, 1.5);
+}
+
 TEST(Picture, OfChannelsIsWritten) {
     const sample::Scratch scratch;
     const solver::Problem problem = sample::problem();

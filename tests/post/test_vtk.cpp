@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <gtest/gtest.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
@@ -87,6 +89,41 @@ TEST(Vtk, PointsOfTheSurfaceShowTheSurfaceNotTheOutermostCells) {
         EXPECT_NEAR(points->GetTuple1(i), celsius(sample::warmth(depth, 0.0)), 1e-10);
         EXPECT_EQ(reader->GetOutput()->GetPoint(i)[1], 0.0);  // or turning the half plane about z would make a tube
     }
+}
+
+TEST(Vtk, SectionIsFoldedWithItsLayersAndZones) {
+    // Crown and two sidewalls at 300 K + 100 K/m along the meridian: the point 60 mm inboard of the centre, where the crown
+    // ends, stands at 306 K, 27.85 + 5 degC; x is the distance from the centre plane, z the radius.
+    const sample::Scratch scratch;
+    const mesh::Mesh mesh = sample::section();
+    std::vector<double> T;
+    for (const mesh::Point& centre : mesh.centre) {
+        T.push_back(300.0 + 100.0 * centre[0]);
+    }
+    VtkWriter(scratch.path(), mesh).write(0.0, T);
+    const auto reader = read(scratch / "field_0000.vtu");
+    vtkUnstructuredGrid* grid = reader->GetOutput();
+    ASSERT_EQ(grid->GetNumberOfCells(), mesh.n_cells);
+    vtkDataArray* zones = grid->GetCellData()->GetArray("zone");
+    ASSERT_NE(zones, nullptr);
+    for (int cell = 0; cell < mesh.n_cells; ++cell) {
+        EXPECT_EQ(zones->GetTuple1(cell), mesh.zone[static_cast<std::size_t>(cell)]);
+    }
+    auto* names = vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray("zone names"));
+    ASSERT_NE(names, nullptr);
+    EXPECT_EQ(names->GetValue(1), "crown");
+    EXPECT_NE(grid->GetFieldData()->GetAbstractArray("layer names"), nullptr);
+    vtkDataArray* points = grid->GetPointData()->GetArray(temperature);
+    ASSERT_NE(points, nullptr);
+    bool found = false;
+    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i) {
+        const double* place = grid->GetPoint(i);
+        if (std::abs(place[0] - 0.06) < 1e-9 && std::abs(place[2] - 0.3) < 1e-9) {
+            found = true;
+            EXPECT_NEAR(points->GetTuple1(i), celsius(306.0), 1e-6);
+        }
+    }
+    EXPECT_TRUE(found);
 }
 
 TEST(Vtk, SeriesNamesEachFileWithItsTimeAfterEveryWrite) {
