@@ -135,7 +135,8 @@ TEST(Run, NumericalFailureNamesPlaceEffectAndTimeAndKeepsTheResults) {
     const std::string arguments = "run burning.toml --out results";
     const Call run = call(arguments, scratch.path());
     EXPECT_EQ(run.exit_code, 2);
-    for (const char* part : {"t = ", "layer tread", "the effect that pushes hardest there is", "the results so far are in results"}) {
+    for (const char* part :
+         {"t = ", "layer tread", "the effect that pushes hardest there is", "the results so far are in results"}) {
         EXPECT_NE(run.err.find(part), std::string::npos) << part << " is not in: " << run.err;
     }
     EXPECT_EQ(post::read_text(scratch / "results/channels.csv"), "time [s],inside [degC]\n0,23.0000\n");
