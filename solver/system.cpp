@@ -14,8 +14,6 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Step of the difference quotient for effects without derivatives: far above round-off, far below any law's scale. K
 constexpr double difference_step = 1e-4;
-/// How nearly a surface without capacity follows the drive; Newton's next correction would be the square of it. K
-constexpr double surface_tolerance = 1e-8;
 
 }  // namespace
 
@@ -192,95 +190,6 @@ void System::enthalpy(std::span<const double> T, std::span<double> H) const {
     for (std::size_t i = 0; i < T.size(); ++i) {
         H[i] = mass_[i] > 0.0 ? mass_[i] * stock_.materials[at(problem_->mesh.layer[i])].heat_capacity.integral(T[i])
                               : lump_[i] * T[i];
-    }
-}
-
-void System::matrices(double s, bool steady, Matrix& A, Matrix& J) const {
-    const Pattern& p = pattern_;
-    const mesh::Mesh& mesh = problem_->mesh;
-    const physics::Terms& said = terms_;
-    A.pattern = J.pattern = &p;
-    A.value.assign(p.nonzeros(), 0.0);
-    for (std::size_t i = 0; i < at(p.n); ++i) {
-        double diagonal = s * said.node_G[i];
-        if (!steady) {
-            diagonal += capacity(i, said.temperature[i]);
-        }
-        A.value[at(p.diagonal[i])] = diagonal;
-    }
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-        const double G = s * said.face_G[f];
-        A.value[at(p.diagonal[at(mesh.faces[f].a)])] += G;
-        A.value[at(p.diagonal[at(mesh.faces[f].b)])] += G;
-        A.value[at(p.ab[f])] -= G;
-        A.value[at(p.ba[f])] -= G;
-    }
-    for (std::size_t i = 0; i < at(p.n); ++i) {  // a surface that nothing touches keeps its temperature
-        double& diagonal = A.value[at(p.diagonal[i])];
-        diagonal = diagonal == 0.0 ? 1.0 : diagonal;
-    }
-    J.value = A.value;
-    J.symmetric = true;
-    J.outer.clear();
-    if (!said.nonlinear) {
-        return;
-    }
-    for (std::size_t i = 0; i < at(p.n); ++i) {
-        const double slope = s * said.node_slope[i];
-        J.value[at(p.diagonal[i])] -= slope;
-        // A loss that grows with temperature keeps A positive definite and makes it the better preconditioner.
-        A.value[at(p.diagonal[i])] -= std::min(slope, 0.0);
-    }
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-        const double by_a = s * said.face_by_a[f];
-        const double by_b = s * said.face_by_b[f];
-        if (by_a != 0.0 || by_b != 0.0) {
-            J.symmetric = false;
-            J.value[at(p.diagonal[at(mesh.faces[f].a)])] -= by_a;
-            J.value[at(p.ab[f])] -= by_b;
-            J.value[at(p.ba[f])] += by_a;
-            J.value[at(p.diagonal[at(mesh.faces[f].b)])] += by_b;
-        }
-    }
-    for (std::size_t r = 0; r < mesh.regions.size(); ++r) {
-        if (said.region_used[r] != 0) {
-            J.outer.push_back({.row = std::span(said.region_slope).subspan(r * at(p.n), at(p.n)),
-                               .mean = &mesh.regions[r].mean,
-                               .scale = -s});
-        }
-    }
-}
-
-void System::make_consistent(std::span<double> T, std::span<const double> intensities) {
-    const mesh::Mesh& mesh = problem_->mesh;
-    // Surface nodes touch no other surface node, so that each Newton correction is a division.
-    for (int iteration = 0;; ++iteration) {
-        evaluate(T, intensities);
-        if (mesh.n_cells + std::ssize(mesh.appended) == mesh.n_nodes || iteration == 50) {
-            return;
-        }
-        std::vector<double>& stiffness = shifted_;
-        for (std::size_t i = 0; i < T.size(); ++i) {
-            stiffness[i] = terms_.node_G[i] - terms_.node_slope[i];
-        }
-        for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-            stiffness[at(mesh.faces[f].a)] += terms_.face_G[f] - terms_.face_by_a[f];
-            stiffness[at(mesh.faces[f].b)] += terms_.face_G[f] + terms_.face_by_b[f];
-        }
-        double largest = 0.0;
-        for (std::size_t i = 0; i < T.size(); ++i) {
-            if (!has_capacity(i) && stiffness[i] != 0.0) {
-                largest = std::max(largest, std::abs(flow_[i] / stiffness[i]));
-            }
-        }
-        if (!(largest > surface_tolerance)) {
-            return;
-        }
-        for (std::size_t i = 0; i < T.size(); ++i) {
-            if (!has_capacity(i) && stiffness[i] != 0.0) {
-                T[i] += flow_[i] / stiffness[i];
-            }
-        }
     }
 }
 
