@@ -263,6 +263,7 @@ Status Stepper::solve_steady(double t) {
     book(0);
     watts_ = booked_.front();
     T_[0] = T_[1];
+    end_is_known_ = false;
     for (std::vector<double>& stage : last_) {
         stage = T_[0];
     }
