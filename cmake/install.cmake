@@ -4,11 +4,11 @@ include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/tiretherm)
 
 install(TARGETS tiretherm)
-foreach(part core files)
+foreach(part core files diagnosis)
     install(TARGETS tiretherm_${part} EXPORT tiretherm_${part})
     install(EXPORT tiretherm_${part} NAMESPACE tiretherm:: FILE tiretherm_${part}.cmake DESTINATION ${package_dir})
 endforeach()
-install(DIRECTORY mesh physics solver cases post DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tiretherm
+install(DIRECTORY mesh physics solver cases post diagnosis DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tiretherm
     FILES_MATCHING PATTERN "*.hpp")
 # cases/ holds the reader beside the library of cases; only the latter is data.
 install(DIRECTORY cases/ DESTINATION ${CMAKE_INSTALL_DATADIR}/tiretherm/cases

@@ -57,6 +57,12 @@ Curve Curve::plus_line(double origin, double slope) const {
     return table(x_, std::move(y));
 }
 
+Curve Curve::plus_quadratic(double origin, double a, double b, double c) const {
+    assert(!is_table_);
+    const Curve more = quadratic_about(origin, a, b, c);
+    return quadratic(c0_ + more.c0_, c1_ + more.c1_, c2_ + more.c2_);
+}
+
 double Curve::table_value(double x) const {
     if (x <= x_.front()) {
         return y_.front();

@@ -44,6 +44,9 @@ public:
     /// The law plus slope (x - origin); of a table at its points, held beyond its ends as before.
     [[nodiscard]] Curve plus_line(double origin, double slope) const;
 
+    /// The law, which is no table, plus a quadratic about an origin: a + b (x - origin) + c (x - origin)^2.
+    [[nodiscard]] Curve plus_quadratic(double origin, double a, double b, double c) const;
+
     [[nodiscard]] bool is_constant() const { return !is_table_ && c1_ == 0.0 && c2_ == 0.0; }
     [[nodiscard]] bool is_table() const { return is_table_; }
     /// Smallest value on [low, high].

@@ -61,7 +61,8 @@ struct Channel {
     std::string meaning;  ///< says which temperature this is and where ("outer surface, mean over the spot")
     mesh::Functional where;
     Quantity quantity = Quantity::temperature;
-    std::optional<mesh::Point> point{};  ///< m, of a reading at a point
+    std::optional<mesh::Point> point{};          ///< m, of a reading at a point
+    std::optional<double> standard_deviation{};  ///< of the sensor, as its data sheet says, in the quantity's unit
 };
 
 /// A measured value quoted by a source, to stand beside the simulated one.

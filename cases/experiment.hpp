@@ -1,0 +1,68 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cases/mistake.hpp"
+#include "solver/adjustable.hpp"
+
+namespace tiretherm::cases {
+
+/// What one sensor gave.
+struct MeasuredSeries {
+    std::size_t channel = 0;    ///< index into Problem::channels
+    std::vector<double> value;  ///< [n_times] SI; NaN where it is missing
+};
+
+/// One number of a source, with its standard uncertainty.
+struct MeasuredNumber {
+    std::size_t channel = 0;          ///< index into Problem::channels
+    double time = 0.0;                ///< s; the run's end in a steady case
+    double value = 0.0;               ///< SI
+    double standard_deviation = 0.0;  ///< > 0
+    std::string source;
+};
+
+/// A column of the file that the model does not use.
+struct UnusedSignal {
+    std::string name;
+    std::string unit;           ///< as the file writes it
+    std::vector<double> value;  ///< [n_times] in that unit; NaN where it is missing
+};
+
+/// A run as it was measured: the case under this run's inputs, from its first time to its last, with its own initial
+/// state, and what was read.
+struct MeasuredRun {
+    std::string name;
+    std::string file;
+    solver::Problem problem;
+    std::vector<double> time;  ///< [n_times] s, ascending
+    std::vector<MeasuredSeries> series;
+    std::vector<MeasuredNumber> numbers;
+    std::vector<UnusedSignal> unused;
+};
+
+/// A case with its measured runs and the numbers of it that may be fitted.
+struct Experiment {
+    std::vector<MeasuredRun> runs;
+    std::vector<solver::Adjustable> parameters;  ///< those of one run say which; indices hold for every run's problem
+    std::string noise = "correlated";            ///< model of the noise: "correlated" (AR(1) + white) or "white"
+    bool robust = false;                         ///< outliers count less (Huber)
+};
+
+/// An experiment that has been read. There is one exactly when there is no mistake.
+struct ExperimentReading {
+    std::optional<Experiment> experiment;
+    std::vector<Mistake> mistakes;
+    std::vector<std::string> warnings;
+    std::vector<std::string> findings;  ///< what is suspicious about the data, a sentence each
+};
+
+/// Reads a case with its [[run]] tables and [[parameter]] tables, all files that they mention included.
+/// @param data files of runs that take the place of the case's own; their columns have standard names
+[[nodiscard]] ExperimentReading read_experiment(const std::filesystem::path& file,
+                                                const std::vector<std::filesystem::path>& data = {});
+
+}  // namespace tiretherm::cases
