@@ -69,9 +69,10 @@ struct Channel {
 struct Measured {
     std::string channel;
     double time = 0.0;  ///< s; the end of the run when not given
-    double low = 0.0;   ///< K
-    double high = 0.0;  ///< K, equal to low for a single number
+    double low = 0.0;   ///< in the unit of the channel's quantity
+    double high = 0.0;  ///< equal to low for a single number
     std::string source;
+    std::optional<double> uncertainty{};  ///< standard; of a range with its width as a flat distribution
 };
 
 /// A case as the solver sees it: a value, everything in SI and kelvin, names resolved to indices.
