@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <span>
 #include <vector>
 
 namespace tiretherm::physics {
@@ -49,6 +51,11 @@ public:
 
     [[nodiscard]] bool is_constant() const { return !is_table_ && c1_ == 0.0 && c2_ == 0.0; }
     [[nodiscard]] bool is_table() const { return is_table_; }
+    /// Of a quadratic: c0, c1, c2.
+    [[nodiscard]] std::array<double, 3> coefficients() const { return {c0_, c1_, c2_}; }
+    /// Of a table: its points.
+    [[nodiscard]] std::span<const double> table_x() const { return x_; }
+    [[nodiscard]] std::span<const double> table_y() const { return y_; }
     /// Smallest value on [low, high].
     [[nodiscard]] double minimum(double low, double high) const;
 
