@@ -14,7 +14,24 @@ std::string_view unquoted(std::string_view field) {
                                                                            : field;
 }
 
-/// Which separator the headings use; a comma when there is only one heading.
+/// Where the first field of a line ends. A quote that is not closed before a separator is a character like any other.
+std::size_t end_of_field(std::string_view line, char separator) {
+    const std::size_t first = line.find_first_not_of(" \t");
+    if (first != std::string_view::npos && line[first] == '"') {
+        const std::size_t closing = line.find('"', first + 1);
+        const std::size_t after =
+            closing == std::string_view::npos ? closing : line.find_first_not_of(' ', closing + 1);
+        if (closing != std::string_view::npos && (after == std::string_view::npos || line[after] == separator)) {
+            return std::min(after, line.size());
+        }
+    }
+    return std::min(line.find(separator), line.size());
+}
+
+int count_characters(std::string_view text) { return static_cast<int>(split_characters(text).size()); }
+
+}  // namespace
+
 char separator_of(std::string_view headings) {
     for (const char candidate : {'\t', ';'}) {
         if (headings.find(candidate) != std::string_view::npos) {
@@ -23,10 +40,6 @@ char separator_of(std::string_view headings) {
     }
     return ',';
 }
-
-int count_characters(std::string_view text) { return static_cast<int>(split_characters(text).size()); }
-
-}  // namespace
 
 std::optional<std::string_view> next_line(std::string_view& text) {
     if (text.empty()) {
@@ -41,10 +54,19 @@ std::optional<std::string_view> next_line(std::string_view& text) {
     return line;
 }
 
-void Csv::split(std::string_view line, std::vector<std::string_view>& fields) const {
+Csv::Line next_filled_line(std::string_view& text, int last) {
+    for (int number = last + 1; const auto line = next_line(text); ++number) {
+        if (!trim(*line).empty()) {
+            return {*line, number};
+        }
+    }
+    return {};
+}
+
+void split_fields(std::string_view line, char separator, std::vector<std::string_view>& fields) {
     fields.clear();
     while (true) {
-        const std::size_t end = std::min(line.find(separator_), line.size());
+        const std::size_t end = end_of_field(line, separator);
         fields.push_back(unquoted(line.substr(0, end)));
         if (end == line.size()) {
             return;
@@ -61,25 +83,40 @@ Place Csv::place(const Line& line, std::string_view field) const {
             .length = std::max(1, count_characters(field))};
 }
 
+void Csv::read_heads(const Line& names, const Line& units) {
+    std::vector<std::string_view> fields;
+    split_fields(names.text, separator_, fields);
+    for (const std::string_view field : fields) {
+        heads_.push_back({.heading = read_heading(field), .place = place(names, field)});
+    }
+    if (units.number == 0) {
+        return;
+    }
+    split_fields(units.text, separator_, fields);
+    for (std::size_t i = 0; i < std::min(fields.size(), heads_.size()); ++i) {
+        Head& head = heads_[i];
+        // An empty unit in a line of units is as good as none: the pure numbers of loggers are mostly unknown units.
+        if (!head.heading.unit && !fields[i].empty()) {
+            const Heading bracketed = read_heading(fields[i]);
+            head.heading.unit = bracketed.name.empty() && bracketed.unit ? *bracketed.unit : std::string(fields[i]);
+            head.unit_place = place(units, fields[i]);
+        }
+    }
+}
+
 std::optional<Csv> Csv::open(const TextFile& file, Mistakes& mistakes) {
     Csv csv;
     csv.file_ = file.number;
-    csv.body_ = file.text;
-    if (csv.body_.starts_with("\xEF\xBB\xBF")) {
-        csv.body_.remove_prefix(3);
+    std::string_view text = file.text;
+    if (text.starts_with("\xEF\xBB\xBF")) {
+        text.remove_prefix(3);
     }
-    Line head;
-    while (trim(head.text).empty()) {
-        head = {next_line(csv.body_).value_or(""), head.number + 1};
-    }
-    csv.first_line_ = head.number + 1;
-    csv.separator_ = separator_of(head.text);
-    std::vector<std::string_view> fields;
-    csv.split(head.text, fields);
-    for (const std::string_view field : fields) {
-        csv.heads_.push_back({read_heading(field), csv.place(head, field)});
-    }
-    if (leading_number(fields.front())) {
+    const HeadLines lines = find_head_lines(text);
+    csv.body_ = lines.body;
+    csv.first_line_ = std::max(lines.names.number, lines.units.number) + 1;
+    csv.separator_ = separator_of(lines.names.text);
+    csv.read_heads(lines.names, lines.units);
+    if (leading_number(csv.heads_.front().heading.name)) {
         mistakes.add(csv.heads_.front().place, "the first line holds numbers; it must name the columns",
                      "write a first line such as time [s],speed [km/h]");
         return std::nullopt;

@@ -145,6 +145,19 @@ std::string shown(const Node& node) {
     return {};
 }
 
+void lay_over(Node& document, const Node& over, std::span<const std::string_view> names) {
+    Node tables;
+    tables.kind = Node::Kind::table;
+    tables.place = document.place;
+    for (const Entry& entry : over.entries) {
+        if (std::find(names.begin(), names.end(), entry.key) != names.end()) {
+            tables.entries.push_back(entry);
+            tables.entries.back().value.in_braces = false;
+        }
+    }
+    merge(document, std::move(tables), 0);
+}
+
 std::optional<Node> read_document(const std::filesystem::path& path, Mistakes& mistakes) {
     std::vector<fs::path> open;
     return read(path, {}, open, mistakes);

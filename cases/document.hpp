@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -59,5 +60,9 @@ struct TextFile {
 /// top of a file whose tables have a `name` ([[material]], [[sensor]]) are merged by that name. A table that changes
 /// its `kind` is replaced as well. Nothing when a file could not be read.
 [[nodiscard]] std::optional<Node> read_document(const std::filesystem::path& path, Mistakes& mistakes);
+
+/// The tables `names` of `over` laid over those of a document as an including file's are, also where they stand in
+/// braces.
+void lay_over(Node& document, const Node& over, std::span<const std::string_view> names);
 
 }  // namespace tiretherm::cases

@@ -20,6 +20,32 @@ struct Stock {
     bool used = false;
 };
 
+/// An input that the file of a measured run gives.
+struct MeasuredInput {
+    const physics::Signal* signal = nullptr;
+    Place place;  ///< of its heading
+    std::vector<double> time;
+    std::vector<double> value;  ///< [time]; empty after a mistake
+};
+
+/// What the file of a measured run gives beside the tables of the case. It wins over them, but not over tables of the
+/// run's own.
+struct RunInputs {
+    const Node* table = nullptr;  ///< the run's own; null for a file given beside the case
+    std::string name;
+    Place place;  ///< where the file is mentioned, or the run
+    bool has_file = false;
+    bool unreadable = false;  ///< nobody knows which inputs the file would give: none is missed
+    std::vector<MeasuredInput> inputs{};
+    std::optional<double> first{};  ///< s, first time in the file
+    std::optional<double> last{};   ///< s, last time in the file
+
+    /// Whether the run has a value of its own for the key of a table.
+    [[nodiscard]] bool says(std::string_view of_table, std::string_view key) const;
+    /// Whether a signal that stands in [drive] at this key comes from the file instead.
+    [[nodiscard]] bool outranks(std::string_view key, std::string_view signal) const;
+};
+
 /// A case as far as it has been read.
 struct Draft {
     solver::Problem problem;
@@ -31,7 +57,16 @@ struct Draft {
     std::map<std::string, Place, std::less<>> given;  ///< signals of [drive], rightly or wrongly written
     std::optional<double> logged_from;                ///< s, first sample of any log
     std::optional<double> logged_to;                  ///< s, last sample of any log
+    std::optional<RunInputs> run{};                   ///< the measured run that is being read
+
+    /// Whether the measured run's file gives a signal that stands in [drive] at this key.
+    [[nodiscard]] bool outranked(std::string_view key, std::string_view signal) const {
+        return run && run->outranks(key, signal);
+    }
 };
+
+/// All tables of a case, in the order in which one may speak about another.
+void read_tables(Section& root, Draft& draft);
 
 void read_tire(Section& root, Draft& draft);
 void read_materials(Section& root, Draft& draft);

@@ -57,7 +57,8 @@ void read_schedule(Section& section, Draft& draft) {
                          suggest(column.heading.name, names_of(physics::signals()), "inputs"));
             continue;
         }
-        const bool is_new = claim_signal(signal->name, column.place, draft, mistakes);
+        const bool outranked = draft.outranked("schedule", signal->name);
+        const bool is_new = !outranked && claim_signal(signal->name, column.place, draft, mistakes);
         std::vector<double> values = read_numbers(column, wanted::of(*signal), mistakes);
         if (is_new && ordered && !values.empty()) {
             draft.problem.drive.add(
@@ -66,7 +67,33 @@ void read_schedule(Section& section, Draft& draft) {
     }
 }
 
+/// The inputs that a measured run's file gives.
+void add_measured(const RunInputs& run, Draft& draft, Mistakes& mistakes) {
+    if (run.unreadable) {
+        for (const Signal& signal : physics::signals()) {
+            draft.given.try_emplace(std::string(signal.name), run.place);
+        }
+    }
+    for (const MeasuredInput& input : run.inputs) {
+        if (claim_signal(input.signal->name, input.place, draft, mistakes) && !input.value.empty()) {
+            draft.problem.drive.add(
+                solver::Series{.signal = input.signal, .time = input.time, .value = input.value, .logged = true});
+        }
+    }
+}
+
 }  // namespace
+
+bool RunInputs::says(std::string_view of_table, std::string_view key) const {
+    const Node* own = table != nullptr ? table->find(of_table) : nullptr;
+    return own != nullptr && own->find(key) != nullptr;
+}
+
+bool RunInputs::outranks(std::string_view key, std::string_view signal) const {
+    const bool given =
+        std::ranges::any_of(inputs, [&](const MeasuredInput& input) { return input.signal->name == signal; });
+    return given && !says("drive", key);
+}
 
 bool claim_signal(std::string_view name, const Place& place, Draft& draft, Mistakes& mistakes) {
     const auto [known, is_new] = draft.given.try_emplace(std::string(name), place);
@@ -80,15 +107,19 @@ bool claim_signal(std::string_view name, const Place& place, Draft& draft, Mista
 void read_drive(Section& root, Draft& draft) {
     Section drive = root.section("drive");
     for (const Signal& signal : physics::signals()) {
-        if (const auto value = drive.quantity(signal.name, wanted::of(signal))) {
+        const bool outranked = draft.outranked(signal.name, signal.name);
+        if (const auto value = drive.quantity(signal.name, wanted::of(signal)); value && !outranked) {
             draft.problem.drive.add(signal, *value);
         }
-        if (drive.has(signal.name)) {
+        if (drive.has(signal.name) && !outranked) {
             claim_signal(signal.name, drive.place(signal.name), draft, drive.mistakes());
         }
     }
     drive.each("schedule", [&](Section& section) { read_schedule(section, draft); });
     drive.each("file", [&](Section& section) { read_logged(section, draft); });
+    if (draft.run) {
+        add_measured(*draft.run, draft, drive.mistakes());
+    }
 }
 
 }  // namespace tiretherm::cases

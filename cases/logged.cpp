@@ -20,7 +20,7 @@ std::map<std::string, Word> read_names(Section& section, const Csv& csv) {
     std::map<std::string, Word> names;
     Section renamed = section.section("columns");
     std::vector<std::string> known;
-    for (const Csv::Head& head : csv.heads()) {
+    for (const Head& head : csv.heads()) {
         known.push_back(head.heading.name);
     }
     for (const Entry& entry : renamed.table().entries) {
@@ -40,13 +40,15 @@ std::map<std::string, Word> read_names(Section& section, const Csv& csv) {
 }
 
 /// The columns of the file that are inputs, the time first.
-std::vector<Csv::Request> requests(Section& section, const Csv& csv, Draft& draft) {
+/// @param outranked out, how many inputs a measured run's file gives instead
+std::vector<ColumnRequest> requests(Section& section, const Csv& csv, Draft& draft, int& outranked) {
     Mistakes& mistakes = section.mistakes();
     const std::map<std::string, Word> renamed = read_names(section, csv);
     const std::vector<Word> ignored = section.texts("ignore");
-    std::vector<Csv::Request> found{{.column = -1, .name = "time", .wanted = wanted::moment, .ascending = true}};
+    std::vector<ColumnRequest> found{
+        {.column = -1, .name = "time", .wanted = wanted::moment, .purpose = Purpose::clock}};
     for (std::size_t i = 0; i < csv.heads().size(); ++i) {
-        const Csv::Head& head = csv.heads()[i];
+        const Head& head = csv.heads()[i];
         const auto entry = renamed.find(head.heading.name);
         const std::string name = entry == renamed.end() ? head.heading.name : entry->second.text;
         const bool skipped = std::any_of(ignored.begin(), ignored.end(),
@@ -60,6 +62,8 @@ std::vector<Csv::Request> requests(Section& section, const Csv& csv, Draft& draf
                 mistakes.add(head.place, "a second column time", "rename or ignore one");
             }
             found.front().column = static_cast<int>(i);
+        } else if (draft.outranked("file", name)) {
+            ++outranked;
         } else if (claim_signal(name, head.place, draft, mistakes)) {
             found.push_back({.column = static_cast<int>(i), .name = name, .wanted = wanted::of(*signal)});
         }
@@ -89,13 +93,14 @@ void read_logged(Section& section, Draft& draft) {
         return;
     }
     const std::size_t before = mistakes.count();
-    const std::vector<Csv::Request> wanted_columns = requests(section, *csv, draft);
+    int outranked = 0;
+    const std::vector<ColumnRequest> wanted_columns = requests(section, *csv, draft, outranked);
     if (wanted_columns.front().column < 0) {
         mistakes.add(csv->heads().front().place, "the file has no column time [s]",
                      "rename one: columns = { t = \"time\" }");
         return;
     }
-    if (wanted_columns.size() == 1 && mistakes.count() == before) {
+    if (wanted_columns.size() == 1 && outranked == 0 && mistakes.count() == before) {
         section.mistake("path", "no column of the file is an input",
                         "rename columns to inputs: columns = { V = \"speed\" }");
         return;

@@ -90,11 +90,17 @@ void check_signals(Section& root, const Draft& draft) {
         }
         if (!needing.empty() && !draft.given.contains(signal.name)) {
             const bool one = needing.size() == 1;
+            const std::string lacking =
+                draft.run ? fmt::format("run {}: neither its file nor [drive] gives {}", draft.run->name, signal.name)
+                          : fmt::format("[drive] lacks {}", signal.name);
+            const std::string column =
+                draft.run && !draft.run->inputs.empty() ? fmt::format("map a column to {}, ", signal.name) : "";
             root.mistakes().add(
-                root.place("drive"),
-                fmt::format("[drive] lacks {}, which {} {}", signal.name, listed(needing), one ? "needs" : "need"),
-                fmt::format("add {} = {}, or switch {} off: [effects.{}] on = false", signal.name,
-                            spell_example(wanted::of(signal)), one ? "the effect" : "the effects", needing.front()));
+                draft.run ? draft.run->place : root.place("drive"),
+                fmt::format("{}, which {} {}", lacking, listed(needing), one ? "needs" : "need"),
+                fmt::format("{}add {} = {}{}, or switch {} off: [effects.{}] on = false", column, signal.name,
+                            spell_example(wanted::of(signal)), draft.run ? " to [drive]" : "",
+                            one ? "the effect" : "the effects", needing.front()));
         }
     }
 }

@@ -6,15 +6,13 @@
 
 #include "cases/document.hpp"
 #include "cases/draft.hpp"
+#include "cases/runs.hpp"
 
 namespace tiretherm::cases {
 
-namespace {
-
 namespace fs = std::filesystem;
 
-/// "laser/one_watt" for .../cases/laser/one_watt.toml, otherwise the file's stem.
-std::string name_of(const fs::path& file) {
+std::string case_name(const fs::path& file) {
     std::error_code error;
     const fs::path whole = fs::absolute(file, error).lexically_normal();
     fs::path below;
@@ -36,34 +34,29 @@ void read_tables(Section& root, Draft& draft) {
     for (const Word& source : root.texts("sources")) {
         problem.sources.push_back(source.text);
     }
-    // A later table may speak about an earlier one: patches and layers of the mesh, channels, the end of the run.
+    // A later table may speak about an earlier one: patches and layers of the mesh, channels, the run's start and end.
     read_tire(root, draft);
     read_materials(root, draft);
     read_mesh(root, draft);
     read_drive(root, draft);
     read_effects(root, draft);
-    read_initial(root, draft);
     read_times(root, draft);
+    read_initial(root, draft);
     read_sensors(root, draft);
     bind_readings(root, draft);
     read_measured(root, draft);
     check_laws(root, draft);
 }
 
-}  // namespace
-
 Reading read_case(const fs::path& file) {
     Mistakes mistakes;
-    Draft draft;
-    draft.problem.name = name_of(file);
+    std::optional<solver::Problem> problem;
     if (const std::optional<Node> document = read_document(file, mistakes)) {
-        Section root(*document, "the case", mistakes);
-        root.know({"include"});
-        read_tables(root, draft);
+        problem = read_runs(*document, case_name(file), {}, mistakes).problem;
     }
-    Reading reading{.problem = std::nullopt, .mistakes = mistakes.in_order(), .warnings = mistakes.warnings()};
+    Reading reading{.problem = std::nullopt, .mistakes = mistakes.in_order(), .warnings = unique(mistakes.warnings())};
     if (reading.mistakes.empty()) {
-        reading.problem = std::move(draft.problem);
+        reading.problem = std::move(problem);
     }
     return reading;
 }

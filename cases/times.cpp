@@ -17,13 +17,21 @@ constexpr double many_steps = 1e7;
 
 void read_times(Section& root, Draft& draft) {
     solver::Settings& into = draft.problem.settings;
-    const bool implied = draft.logged_to.has_value();
+    // A measured run lasts as long as its file, unless its own table says otherwise.
+    const bool of_file = draft.run && draft.run->last;
+    const bool own_start = of_file && draft.run->says("time", "start");
+    const bool own_end = of_file && draft.run->says("time", "end");
+    const bool implied = draft.logged_to || (draft.run && draft.run->has_file);
     Section time = root.section("time", implied ? Need::optional : Need::required);
     into.steady = time.flag("steady").value_or(false);
     into.start = time.quantity("start", wanted::moment).value_or(draft.logged_from.value_or(0.0));
     const auto end = time.quantity("end", wanted::moment, implied || into.steady ? Need::optional : Need::required);
-    draft.problem.drive.start_at(into.start);
     into.end = end.value_or(draft.logged_to.value_or(into.start));
+    if (of_file) {
+        into.start = own_start ? into.start : *draft.run->first;
+        into.end = own_end ? into.end : *draft.run->last;
+    }
+    draft.problem.drive.start_at(into.start);
     into.fixed_step = time.quantity("step", wanted::duration);
     into.tolerance = time.quantity("tolerance", wanted::tolerance).value_or(into.tolerance);
     into.output_interval = time.quantity("output", wanted::interval).value_or(into.output_interval);
@@ -32,8 +40,9 @@ void read_times(Section& root, Draft& draft) {
     into.linear_solver = static_cast<solver::LinearSolver>(time.choice("linear_solver", linear_solvers).value_or(0));
 
     const double length = into.end - into.start;
-    if (end && !into.steady && !(length > 0.0)) {
-        time.mistake("end", fmt::format("the run ends at {:.6g} s and starts at {:.6g} s", into.end, into.start),
+    if ((end || own_start) && !into.steady && !(length > 0.0)) {
+        time.mistake(of_file && !own_end ? "start" : "end",
+                     fmt::format("the run ends at {:.6g} s and starts at {:.6g} s", into.end, into.start),
                      "let end be later than start");
         return;
     }

@@ -1,0 +1,78 @@
+#include "cases/column_reader.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "cases/words.hpp"
+
+namespace tiretherm::cases {
+
+ColumnReader::ColumnReader(const Head& head, const ColumnRequest& request, Mistakes& mistakes)
+    : request_(&request), complaints_(mistakes), unit_(head.heading.unit.value_or("")) {
+    if (request.purpose == Purpose::unused) {
+        return;
+    }
+    UnitRead read = read_heading_unit(head.heading, request.wanted);
+    conversion_ = read.conversion;
+    has_unit_ = !read.fault;
+    if (read.fault) {
+        if (!head.heading.unit && !request.missing_unit.empty()) {
+            read.fault->remedy = request.missing_unit;
+        }
+        mistakes.add(head.unit_place.file >= 0 ? head.unit_place : head.place, *read.fault);
+    }
+}
+
+bool ColumnReader::accept(std::string_view field, const std::optional<Number>& number) {
+    const bool whole = number && number->rest.empty();
+    const double value = whole ? conversion_.to_si(number->value) : std::nan("");
+    values.push_back(value);
+    switch (request_->purpose) {
+        case Purpose::unused:
+            return true;
+        case Purpose::measured:
+            if (field.empty() || (whole && std::isnan(number->value))) {
+                return true;
+            }
+            break;
+        case Purpose::clock:
+        case Purpose::input:
+            break;
+    }
+    const bool inside = value >= request_->wanted.low && value <= request_->wanted.high && std::isfinite(value);
+    const bool late = request_->purpose != Purpose::clock || value > last_;
+    return whole && (!has_unit_ || (inside && late));
+}
+
+void ColumnReader::remember() { last_ = std::isfinite(values.back()) ? values.back() : last_; }
+
+Fault ColumnReader::fault(std::string_view field, const std::optional<Number>& number) const {
+    const std::string& name = request_->name;
+    const bool clock = request_->purpose == Purpose::clock;
+    const bool may_miss = request_->purpose == Purpose::measured;
+    if (field.empty() || (number && number->rest.empty() && std::isnan(number->value))) {
+        return {fmt::format("{} is missing", name),
+                clock ? "remove the line" : "remove the line: between samples an input is interpolated"};
+    }
+    if (number && number->rest.starts_with(',')) {
+        return {fmt::format("{} is {}, with a decimal comma", name, field), "export the file with decimal points"};
+    }
+    const std::string empty_it = may_miss ? "leave the field empty where nothing was measured" : "";
+    if (!number || !number->rest.empty()) {
+        return {fmt::format("{} is \"{}\"; a number is wanted", name, field), empty_it};
+    }
+    const std::string shown = unit_.empty() || unit_ == "-" ? std::string(field) : fmt::format("{} {}", field, unit_);
+    if (Judged judged = judge(number->value, conversion_, unit_, request_->wanted, name, shown); judged.fault) {
+        if (may_miss && (judged.fault->remedy.empty() || !std::isfinite(number->value))) {
+            judged.fault->remedy = empty_it;
+        }
+        return *judged.fault;
+    }
+    return conversion_.to_si(number->value) == last_
+               ? Fault{fmt::format("{} stands still at {}", name, shown), "remove one of the lines"}
+               : Fault{fmt::format("{} goes backwards to {}", name, shown),
+                       "sort the lines, or split the file where its clock was set"};
+}
+
+}  // namespace tiretherm::cases

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <variant>
+
+#include "cases/csv.hpp"
+#include "cases/hdf5_columns.hpp"
+
+namespace tiretherm::cases {
+
+/// A file of measured columns: HDF5 where its name ends in .h5 or .hdf5, otherwise CSV.
+class DataFile {
+public:
+    /// @param mentioned where the case names it; file -1 when it was given beside the case
+    /// @returns nothing after a mistake
+    [[nodiscard]] static std::optional<DataFile> open(const std::filesystem::path& path, const Place& mentioned,
+                                                      Mistakes& mistakes);
+
+    [[nodiscard]] const std::vector<Head>& heads() const;
+    [[nodiscard]] std::vector<Head>& heads();
+    [[nodiscard]] int number() const { return number_; }  ///< of the file in the mistakes
+    /// What to do about a column without a unit.
+    [[nodiscard]] std::string missing_unit(const Head& head, const Wanted& wanted) const;
+    /// @returns the values of each request, all of one length; none after a mistake
+    [[nodiscard]] std::vector<std::vector<double>> read(const std::vector<ColumnRequest>& requests,
+                                                        Mistakes& mistakes) const;
+
+private:
+    int number_ = -1;
+    std::unique_ptr<TextFile> text_;  ///< of a CSV, which keeps no text of its own
+    std::variant<Csv, Hdf5Columns> columns_;
+};
+
+}  // namespace tiretherm::cases

@@ -1,0 +1,76 @@
+#include "cases/run_columns.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "cases/words.hpp"
+
+namespace tiretherm::cases {
+
+namespace {
+
+void apply_unit(Head& head, const Word& unit, Mistakes& mistakes) {
+    if (head.heading.unit && *head.heading.unit != unit.text) {
+        mistakes.warn(unit.place, fmt::format("the column {} is in [{}] by its heading; {} is taken instead",
+                                              head.heading.name, *head.heading.unit, unit.text));
+    }
+    head.heading.unit = unit.text;
+    head.unit_place = unit.place;
+}
+
+/// What a column may be called.
+std::vector<std::string> known_names(const std::vector<std::string>& sensors) {
+    std::vector<std::string> names = names_of(physics::signals());
+    std::copy_if(sensors.begin(), sensors.end(), std::back_inserter(names), [&](const std::string& sensor) {
+        return std::find(names.begin(), names.end(), sensor) == names.end();
+    });
+    names.emplace_back("time");
+    return names;
+}
+
+}  // namespace
+
+RunColumns tell_apart(DataFile& file, ColumnKeys& keys, const std::vector<std::string>& sensors, Mistakes& mistakes) {
+    RunColumns found;
+    std::map<std::string, std::string> taken;  // heading of each name
+    for (std::size_t i = 0; i < file.heads().size(); ++i) {
+        Head& head = file.heads()[i];
+        const std::string& heading = head.heading.name;
+        const bool ignored = keys.ignores(heading);
+        const Word name = keys.name_of(heading, head.place);
+        if (const Word* unit = keys.unit_of(heading)) {
+            apply_unit(head, *unit, mistakes);
+        }
+        if (ignored || heading.empty()) {
+            continue;
+        }
+        const auto column = static_cast<int>(i);
+        const physics::Signal* input = physics::find_signal(name.text);
+        const bool is_sensor = std::find(sensors.begin(), sensors.end(), name.text) != sensors.end();
+        if (name.text != "time" && input == nullptr && !is_sensor) {
+            if (name.text == heading) {
+                found.unused.push_back(column);
+            } else {
+                mistakes.add(name.place, fmt::format("\"{}\" is neither an input nor a sensor", name.text),
+                             suggest(name.text, known_names(sensors), "names"));
+            }
+            continue;
+        }
+        const auto [first, is_new] = taken.try_emplace(name.text, heading);
+        if (!is_new) {
+            const std::string twins = first->second == heading ? fmt::format("two columns {}", heading)
+                                                               : fmt::format("{} and {}", first->second, heading);
+            mistakes.add(head.place, fmt::format("{} are both {}", twins, name.text),
+                         fmt::format("leave one of them out: ignore = [\"{}\"]", heading));
+        } else if (name.text == "time") {
+            found.time = column;
+        } else {
+            found.used.push_back({.column = column, .name = name.text, .input = input, .is_sensor = is_sensor});
+        }
+    }
+    return found;
+}
+
+}  // namespace tiretherm::cases

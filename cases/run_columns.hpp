@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cases/data_file.hpp"
+#include "cases/run_table.hpp"
+#include "physics/signals.hpp"
+
+namespace tiretherm::cases {
+
+/// A column of a measured run's file that the model uses, as an input, as what a sensor read, or as both: the lateral
+/// force drives the friction and may be held against the Magic Formula's.
+struct UsedColumn {
+    int column = 0;
+    std::string name;
+    const physics::Signal* input = nullptr;  ///< null: not an input
+    bool is_sensor = false;
+};
+
+/// What the columns of a measured run's file are.
+struct RunColumns {
+    int time = -1;
+    std::vector<UsedColumn> used;
+    std::vector<int> unused;
+};
+
+/// Tells the columns apart by their names, after `columns`, `units` and `ignore` of the case have been applied to the
+/// headings.
+/// @param sensors names of the case's sensors
+[[nodiscard]] RunColumns tell_apart(DataFile& file, ColumnKeys& keys, const std::vector<std::string>& sensors,
+                                    Mistakes& mistakes);
+
+}  // namespace tiretherm::cases

@@ -1,0 +1,177 @@
+#include "cases/run_inputs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "cases/wanted.hpp"
+
+namespace tiretherm::cases {
+
+namespace {
+
+// Beyond these an input is no longer known: a share of the samples; a gap both longer than a tire's surface takes to
+// forget (s) and a share of the run.
+constexpr double most_missing = 0.1;
+constexpr double longest_gap = 60.0;
+constexpr double longest_share = 0.05;
+
+/// Stretches of missing samples.
+struct Missing {
+    std::size_t samples = 0;
+    double longest = 0.0;  ///< s, from the last value before to the first value after
+    double from = 0.0;     ///< s, where the longest begins
+};
+
+Missing find_missing(const std::vector<double>& time, const std::vector<double>& value) {
+    Missing missing;
+    double known = time.front();
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        const bool here = !std::isnan(value[i]);
+        missing.samples += here ? 0 : 1;
+        if (here || i + 1 == time.size()) {
+            const bool gap = i > 0 && (std::isnan(value[i - 1]) || !here);
+            if (gap && time[i] - known > missing.longest) {
+                missing.longest = time[i] - known;
+                missing.from = known;
+            }
+            known = time[i];
+        }
+    }
+    return missing;
+}
+
+/// Complains about gaps in an input, or warns of them. @returns whether the input is known well enough
+bool judge_gaps(const std::string& name, const std::vector<double>& time, const std::vector<double>& value,
+                const Place& place, Mistakes& mistakes) {
+    const Missing missing = find_missing(time, value);
+    const double length = time.back() - time.front();
+    const std::string elsewhere = fmt::format("or ignore the column and give {} in [drive]", name);
+    if (missing.samples == time.size()) {
+        mistakes.add(place, fmt::format("{} has no value in the run", name),
+                     fmt::format("ignore the column and give {} in [drive]", name));
+        return false;
+    }
+    if (missing.longest > longest_gap && missing.longest > longest_share * length) {
+        mistakes.add(
+            place,
+            fmt::format("{} is missing for {:.6g} s from {:.6g} s on, {:.0f} % of the run", name, missing.longest,
+                        missing.from, 100.0 * missing.longest / length),
+            fmt::format("split the run there: a [[run]] up to the gap and one from its end, with from and to; {}",
+                        elsewhere));
+        return false;
+    }
+    if (static_cast<double>(missing.samples) > most_missing * static_cast<double>(time.size())) {
+        mistakes.add(place, fmt::format("{} is missing in {} of {} samples", name, missing.samples, time.size()),
+                     fmt::format("leave out the part where it is missing, with from and to; {}", elsewhere));
+        return false;
+    }
+    if (missing.samples > 0) {
+        mistakes.warn(place, fmt::format("{} is missing in {} of {} samples, for at most {:.6g} s from {:.6g} s on: it "
+                                         "is taken as straight between its neighbours",
+                                         name, missing.samples, time.size(), missing.longest, missing.from));
+    }
+    return true;
+}
+
+bool find_samples(const RunTable& run, RunFile& file, Mistakes& mistakes) {
+    const std::vector<double>& time = file.time;
+    const auto first = run.from ? std::lower_bound(time.begin(), time.end(), *run.from) : time.begin();
+    const auto last = run.to ? std::upper_bound(time.begin(), time.end(), *run.to) : time.end();
+    const Place place = run.place.file >= 0 ? run.place : Place{.file = file.file.number()};
+    if (last - first < 2) {
+        const std::string span = fmt::format("the file goes from {:.6g} s to {:.6g} s", time.front(), time.back());
+        mistakes.add(place,
+                     run.from || run.to ? fmt::format("fewer than two samples lie between from and to: {}", span)
+                                        : "the file has a single sample: a run goes from one time to another",
+                     run.from || run.to ? "choose from and to within the file" : "");
+        return false;
+    }
+    file.first = static_cast<std::size_t>(first - time.begin());
+    file.last = static_cast<std::size_t>(last - time.begin());
+    return true;
+}
+
+}  // namespace
+
+std::optional<RunFile> open_run_file(const RunTable& run, const std::vector<std::string>& sensors, Mistakes& mistakes) {
+    std::optional<DataFile> file = DataFile::open(*run.file, run.place, mistakes);
+    if (!file) {
+        return std::nullopt;
+    }
+    RunColumns columns = tell_apart(*file, *run.keys, sensors, mistakes);
+    RunFile opened{.file = std::move(*file), .columns = std::move(columns)};
+    if (opened.columns.time < 0) {
+        mistakes.add(opened.file.heads().front().place, "the file has no column time [s]",
+                     "rename one: columns = { t = \"time\" }");
+        return opened;
+    }
+    const Head& head = opened.file.heads()[static_cast<std::size_t>(opened.columns.time)];
+    const std::string missing_unit = opened.file.missing_unit(head, wanted::moment);
+    std::vector<std::vector<double>> read = opened.file.read({{.column = opened.columns.time,
+                                                               .name = "time",
+                                                               .wanted = wanted::moment,
+                                                               .purpose = Purpose::clock,
+                                                               .missing_unit = missing_unit}},
+                                                             mistakes);
+    if (!read.empty()) {
+        opened.time = std::move(read.front());
+        if (!find_samples(run, opened, mistakes)) {
+            opened.time.clear();
+        }
+    }
+    return opened;
+}
+
+RunInputs read_run_inputs(const RunTable& run, const RunFile* file, Mistakes& mistakes) {
+    RunInputs into{.table = run.table, .name = run.name, .place = run.place};
+    into.has_file = run.file.has_value();
+    if (file == nullptr) {
+        into.unreadable = into.has_file;
+        return into;
+    }
+    if (into.place.file < 0) {
+        into.place = {.file = file->file.number()};
+    }
+    std::vector<ColumnRequest> requests;
+    std::vector<std::string> remedies;
+    remedies.reserve(file->columns.used.size());
+    for (const UsedColumn& column : file->columns.used) {
+        if (column.input != nullptr) {
+            const Head& head = file->file.heads()[static_cast<std::size_t>(column.column)];
+            remedies.push_back(file->file.missing_unit(head, wanted::of(*column.input)));
+            requests.push_back({.column = column.column,
+                                .name = column.name,
+                                .wanted = wanted::of(*column.input),
+                                .purpose = Purpose::measured,
+                                .missing_unit = remedies.back()});
+            into.inputs.push_back({.signal = column.input, .place = head.place, .time = {}, .value = {}});
+        }
+    }
+    const std::vector<std::vector<double>> read = file->file.read(requests, mistakes);
+    if (file->time.empty()) {
+        return into;
+    }
+    const auto first = static_cast<std::ptrdiff_t>(file->first);
+    const auto last = static_cast<std::ptrdiff_t>(file->last);
+    const std::vector<double> time(file->time.begin() + first, file->time.begin() + last);
+    into.first = time.front();
+    into.last = time.back();
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        MeasuredInput& input = into.inputs[i];
+        const std::vector<double> value(read[i].begin() + first, read[i].begin() + last);
+        if (!judge_gaps(requests[i].name, time, value, input.place, mistakes)) {
+            continue;
+        }
+        for (std::size_t k = 0; k < time.size(); ++k) {
+            if (!std::isnan(value[k])) {
+                input.time.push_back(time[k]);
+                input.value.push_back(value[k]);
+            }
+        }
+    }
+    return into;
+}
+
+}  // namespace tiretherm::cases
