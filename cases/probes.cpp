@@ -144,6 +144,43 @@ Where read_section_point(Section& sensor, const mesh::Mesh& mesh) {
     return found;
 }
 
+/// A piece of the meridian. m
+struct Reach {
+    double from = 0.0;
+    double to = 0.0;
+};
+
+/// The keys from and to, within the mesh.
+std::optional<Reach> read_reach(Section& sensor, const mesh::Mesh& mesh) {
+    const std::optional<double> from = sensor.quantity("from", wanted::coordinate, Need::required);
+    const std::optional<double> to = sensor.quantity("to", wanted::coordinate, Need::required);
+    if (plan_of(mesh) != Plan::section) {
+        sensor.mistake("kind", "there are strips only on a section", "take kind = \"patch\"");
+        return std::nullopt;
+    }
+    if (!from || !to) {
+        return std::nullopt;
+    }
+    if (*from >= *to) {
+        sensor.mistake("to", "the strip ends where it begins or before",
+                       "arc lengths run from outboard, negative, to inboard: swap from and to or widen the strip");
+        return std::nullopt;
+    }
+    const Reach whole{.from = mesh.columns.front().from, .to = mesh.columns.back().to};
+    const double slack = 1e-9 * (whole.to - whole.from);
+    if (*from < whole.from - slack || *to > whole.to + slack) {
+        sensor.mistake(*from < whole.from - slack ? "from" : "to", "the strip reaches beyond the mesh", extent(mesh));
+        return std::nullopt;
+    }
+    return Reach{.from = std::max(*from, whole.from), .to = std::min(*to, whole.to)};
+}
+
+solver::Channel strip(const mesh::Mesh& mesh, const Reach& reach) {
+    return channel(fmt::format("outer surface, mean from {:.6g} to {} along the meridian", reach.from * 1e3,
+                               millimetres(reach.to)),
+                   mesh::over_strip(mesh, reach.from, reach.to));
+}
+
 }  // namespace
 
 Where read_point(Section& sensor, const mesh::Mesh& mesh) {
@@ -233,6 +270,23 @@ Where read_zone(Section& sensor, const mesh::Mesh& mesh) {
     return zone ? Where(channel("mean over the zone " + mesh.zones[static_cast<std::size_t>(*zone)],
                                 mesh::over_cells(mesh, -1, *zone)))
                 : std::nullopt;
+}
+
+Where read_strip(Section& sensor, const mesh::Mesh& mesh) {
+    const std::optional<Reach> reach = read_reach(sensor, mesh);
+    return reach ? Where(strip(mesh, *reach)) : std::nullopt;
+}
+
+std::vector<solver::Channel> read_strips(Section& sensor, const mesh::Mesh& mesh) {
+    const std::optional<int> count = sensor.count("count", 2, 1000, Need::required);
+    const std::optional<Reach> reach = read_reach(sensor, mesh);
+    std::vector<solver::Channel> strips(static_cast<std::size_t>(count.value_or(0)));
+    for (std::size_t i = 0; reach && i < strips.size(); ++i) {
+        const double width = (reach->to - reach->from) / static_cast<double>(strips.size());
+        const double from = reach->from + static_cast<double>(i) * width;
+        strips[i] = strip(mesh, {.from = from, .to = from + width});
+    }
+    return strips;
 }
 
 Where read_node(Section& sensor, const mesh::Mesh& mesh) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "cases/section.hpp"
 #include "mesh/mesh.hpp"
@@ -20,6 +21,11 @@ using Where = std::optional<solver::Channel>;
 [[nodiscard]] Where read_layer(Section& sensor, const mesh::Mesh& mesh);
 [[nodiscard]] Where read_zone(Section& sensor, const mesh::Mesh& mesh);
 [[nodiscard]] Where read_region(Section& sensor, const mesh::Mesh& mesh);
+/// The mean over a strip round the outer surface of a section: from, to.
+[[nodiscard]] Where read_strip(Section& sensor, const mesh::Mesh& mesh);
+/// Strips side by side, as an array of infrared sensors sees them: count, from, to. The first is the outermost on the
+/// outboard side. They read nothing after a mistake.
+[[nodiscard]] std::vector<solver::Channel> read_strips(Section& sensor, const mesh::Mesh& mesh);
 /// A node beside the cells, such as the gas.
 [[nodiscard]] Where read_node(Section& sensor, const mesh::Mesh& mesh);
 

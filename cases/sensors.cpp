@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/channel_value.hpp"
 #include "cases/draft.hpp"
 #include "cases/needs.hpp"
 #include "cases/probes.hpp"
@@ -20,7 +21,8 @@ struct Kind {
 };
 constexpr std::array kinds{Kind{"point", read_point}, Kind{"spot", read_spot},     Kind{"patch", read_patch},
                            Kind{"layer", read_layer}, Kind{"region", read_region}, Kind{"zone", read_zone},
-                           Kind{"node", read_node}};
+                           Kind{"node", read_node},   Kind{"strip", read_strip}};
+constexpr std::string_view strips = "strips";
 
 /// What else than a temperature a sensor may read. `meaning` says it where the case does not.
 struct Reading {
@@ -97,14 +99,60 @@ Where read_quantity(Section& sensor, const Reading& reading, const Draft& draft)
     return channel;
 }
 
+/// What a [[sensor]] may be, by its key `kind`.
+std::vector<std::string_view> kind_names() {
+    std::vector<std::string_view> names;
+    const auto name_of = [](const auto& kind) { return kind.name; };
+    std::transform(kinds.begin(), kinds.end(), std::back_inserter(names), name_of);
+    std::transform(readings.begin(), readings.end(), std::back_inserter(names), name_of);
+    names.push_back(strips);
+    return names;
+}
+
+/// The channels of a sensor, without their names: one, or of strips several. Empty after a mistake.
+std::vector<solver::Channel> read_places(Section& sensor, std::string_view kind, const Draft& draft) {
+    if (kind == strips) {
+        return read_strips(sensor, draft.problem.mesh);
+    }
+    const auto by_name = [&](const auto& candidate) { return candidate.name == kind; };
+    const auto place = std::find_if(kinds.begin(), kinds.end(), by_name);
+    const Where where = place != kinds.end()
+                            ? place->read(sensor, draft.problem.mesh)
+                            : read_quantity(sensor, *std::find_if(readings.begin(), readings.end(), by_name), draft);
+    return where ? std::vector{*where} : std::vector<solver::Channel>{};
+}
+
+/// "ir" of one channel; "ir_1", "ir_2" ... of several.
+std::string numbered(const std::string& name, std::size_t i, std::size_t of) {
+    return of == 1 ? name : fmt::format("{}_{}", name, i + 1);
+}
+
+/// "camera", or of strips "camera, from -20 to 20 mm".
+std::string described(const std::optional<std::string>& meaning, const std::string& place, bool one) {
+    if (!meaning) {
+        return place;
+    }
+    return one ? *meaning : *meaning + ": " + place;
+}
+
+/// Adds the channels under their names, which nobody else may have.
+void add_channels(const Section& sensor, const std::string& name, std::vector<solver::Channel> found, Draft& draft) {
+    std::vector<solver::Channel>& channels = draft.problem.channels;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        found[i].name = numbered(name, i, found.size());
+        const bool taken = std::any_of(channels.begin(), channels.end(),
+                                       [&](const auto& other) { return other.name == found[i].name; });
+        if (taken && !name.empty()) {
+            sensor.mistake("name", fmt::format("a second sensor is called \"{}\"", found[i].name), "rename one");
+        }
+        channels.push_back(std::move(found[i]));
+    }
+}
+
 }  // namespace
 
 void read_sensors(Section& root, Draft& draft) {
-    std::array<std::string_view, kinds.size() + readings.size()> names;
-    const auto name_of = [](const auto& kind) { return kind.name; };
-    std::transform(kinds.begin(), kinds.end(), names.begin(), name_of);
-    std::transform(readings.begin(), readings.end(), names.begin() + kinds.size(), name_of);
-    std::vector<solver::Channel>& channels = draft.problem.channels;
+    const std::vector<std::string_view> names = kind_names();
     root.each("sensor", [&](Section& sensor) {
         const std::optional<std::string> name = sensor.name("name", Need::required);
         const std::optional<std::string> meaning = sensor.text("meaning");
@@ -112,27 +160,29 @@ void read_sensors(Section& root, Draft& draft) {
         if (name == "time") {
             sensor.mistake("name", "time is the name of the clock", "rename the sensor");
         }
-        for (const solver::Channel& other : channels) {
-            if (name && other.name == *name) {
-                sensor.mistake("name", fmt::format("a second sensor is called \"{}\"", *name), "rename one");
-            }
-        }
-        Where where;
+        std::vector<solver::Channel> found;
         if (kind && draft.has_mesh) {
-            where = *kind < kinds.size() ? kinds[*kind].read(sensor, draft.problem.mesh)
-                                         : read_quantity(sensor, readings[*kind - kinds.size()], draft);
+            found = read_places(sensor, names[*kind], draft);
         } else {
-            for (const std::string_view key : {"depth", "x", "y", "radius"}) {
+            for (const std::string_view key : {"depth", "x", "y", "radius", "from", "to"}) {
                 sensor.quantity(key, wanted::coordinate);
             }
+            sensor.know({"standard_deviation"});
             sensor.forgive();
         }
-        solver::Channel channel = where.value_or(solver::Channel{});
-        channel.name = name.value_or("");
-        channel.meaning = meaning.value_or(channel.meaning);
-        channels.push_back(std::move(channel));
+        if (found.empty()) {
+            sensor.know({"standard_deviation"});
+            found.emplace_back();  // others may speak of it
+        } else {
+            const auto sigma = sensor.quantity("standard_deviation", wanted_deviation(found.front().quantity));
+            for (solver::Channel& channel : found) {
+                channel.standard_deviation = sigma;
+                channel.meaning = described(meaning, channel.meaning, found.size() == 1);
+            }
+        }
+        add_channels(sensor, name.value_or(""), std::move(found), draft);
     });
-    if (channels.empty()) {
+    if (draft.problem.channels.empty()) {
         root.mistakes().warn(root.place(), "the case has no [[sensor]]: the run records fields only");
     }
 }

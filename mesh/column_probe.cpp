@@ -66,4 +66,21 @@ Functional at_column_point(const Mesh& mesh, const Point& point) {
     return result;
 }
 
+Functional over_strip(const Mesh& mesh, double from, double to) {
+    Functional mean;
+    for (const Column& column : mesh.columns) {
+        const double begin = std::max(from, column.from);
+        const double end = std::min(to, column.to);
+        if (end <= begin) {
+            continue;
+        }
+        const Functional middle = at_column_point(mesh, {0.5 * (begin + end), 0.0, 0.0});
+        for (std::size_t i = 0; i < middle.nodes.size(); ++i) {
+            mean.add(middle.nodes[i], middle.weights[i] * (end - begin) * column.radius);
+        }
+    }
+    mean.normalise();
+    return mean;
+}
+
 }  // namespace tiretherm::mesh

@@ -16,4 +16,8 @@ namespace tiretherm::mesh {
 /// Temperature at a point, linear in depth and between columns of the same thickness. @pre in_columns
 [[nodiscard]] Functional at_column_point(const Mesh& mesh, const Point& point);
 
+/// Mean over the outer surface between two places of the meridian, by area; exact for a temperature that is linear along
+/// the meridian, also where the strip ends inside a column. @param from, to m, from < to  @pre both within the columns
+[[nodiscard]] Functional over_strip(const Mesh& mesh, double from, double to);
+
 }  // namespace tiretherm::mesh
