@@ -1,0 +1,75 @@
+// The logs that the cases come with are what their generators write: make_bench_logs, make_laser_logs.
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "hidden_effects/shipped_truth.hpp"
+
+namespace hidden_effects {
+
+namespace {
+
+std::string text_of(const std::string& file) {
+    std::ifstream in(std::string(TIRETHERM_SOURCE_DIR) + "/cases/" + file, std::ios::binary);
+    EXPECT_TRUE(in) << file;
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::vector<double> numbers(std::string row) {
+    std::vector<double> out;
+    std::istringstream in(row);
+    for (std::string cell; std::getline(in, cell, ',');) {
+        out.push_back(std::stod(cell));
+    }
+    return out;
+}
+
+/// The same headings and rows; a number may differ by one of its last digit, as libraries round sines differently.
+void expect_as_shipped(const ShippedLog& log) {
+    SCOPED_TRACE(log.file);
+    std::istringstream shipped(text_of(log.file));
+    std::istringstream made(written(log.columns));
+    std::string shipped_row;
+    std::string made_row;
+    ASSERT_TRUE(std::getline(shipped, shipped_row));
+    ASSERT_TRUE(std::getline(made, made_row));
+    EXPECT_EQ(shipped_row, made_row);
+    std::size_t row = 0;
+    for (; std::getline(made, made_row); ++row) {
+        ASSERT_TRUE(std::getline(shipped, shipped_row)) << "row " << row;
+        const std::vector<double> a = numbers(shipped_row);
+        const std::vector<double> b = numbers(made_row);
+        ASSERT_EQ(a.size(), log.columns.size());
+        ASSERT_EQ(b.size(), log.columns.size());
+        for (std::size_t c = 0; c < a.size(); ++c) {
+            ASSERT_NEAR(a[c], b[c], 1.01 * std::pow(10.0, -log.columns[c].digits))
+                << log.columns[c].heading << ", row " << row;
+        }
+    }
+    EXPECT_EQ(row, log.columns.front().value.size());
+    EXPECT_FALSE(std::getline(shipped, shipped_row)) << "more rows than are made";
+}
+
+}  // namespace
+
+TEST(ShippedData, BenchLogsAreWhatIsMade) {
+    for (const ShippedLog& log : bench_logs()) {
+        expect_as_shipped(log);
+    }
+}
+
+TEST(ShippedData, LaserLogsAreWhatIsMade) {
+    for (const ShippedLog& log : laser_logs()) {
+        expect_as_shipped(log);
+    }
+}
+
+TEST(ShippedData, ARowHasItsDigitsAndNoMinusBeforeAZero) {
+    EXPECT_EQ(written({{"time [s]", 0, {0.0, 4.0}}, {"T [degC]", 2, {-0.001, 23.456}}}),
+              "time [s],T [degC]\n0,0.00\n4,23.46\n");
+}
+
+}  // namespace hidden_effects
