@@ -1,0 +1,82 @@
+#include "cases/data_findings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+namespace tiretherm::cases {
+
+namespace {
+
+/// What is looked for in each column, in this order. Where the unit is doubted, that an input is unusual follows.
+struct Rule {
+    std::string (*look)(const Recording& recording, const Watched& column);
+    bool ends = false;  ///< rules after it are not asked when it has found something
+};
+constexpr std::array rules{Rule{find_stuck}, Rule{find_outliers}, Rule{find_unit_slip, true}, Rule{find_unusual}};
+
+double quantile(std::vector<double> values, double share) {
+    const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
+    std::nth_element(values.begin(), values.begin() + at, values.end());
+    return values[static_cast<std::size_t>(at)];
+}
+
+}  // namespace
+
+std::string three_digits(double value) {
+    return fmt::format("{}", std::strtod(fmt::format("{:.3g}", value).c_str(), nullptr));
+}
+
+double Watched::low(double share) const { return quantile(value, share); }
+
+double Watched::high(double share) const { return quantile(value, share); }
+
+double Watched::largest() const {
+    std::vector<double> magnitudes(value.size());
+    std::transform(value.begin(), value.end(), magnitudes.begin(), [](double v) { return std::abs(v); });
+    return quantile(std::move(magnitudes), 0.99);
+}
+
+std::string Watched::show(double si_value) const {
+    const bool bare = unit.empty() || unit == "-" || unit == "1";
+    const std::string number = three_digits(conversion.from_si(si_value));
+    return bare ? number : fmt::format("{} {}", number, unit);
+}
+
+std::string Watched::show_difference(double si_value) const {
+    if (is_temperature()) {
+        return fmt::format("{} K", three_digits(si_value));
+    }
+    return show(si_value + conversion.offset);
+}
+
+const Watched* Recording::find(std::string_view name) const {
+    const auto found =
+        std::find_if(columns.begin(), columns.end(), [&](const Watched& column) { return column.name == name; });
+    return found == columns.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> find_suspicious(const Recording& recording) {
+    std::vector<std::string> sentences;
+    if (const std::string jumps = find_time_jumps(recording); !jumps.empty()) {
+        sentences.push_back(fmt::format("{}: time {}", recording.file, jumps));
+    }
+    for (const Watched& column : recording.columns) {
+        const std::string aside = column.heading == column.name ? "" : fmt::format(" (column {})", column.heading);
+        for (const Rule& rule : rules) {
+            const std::string sentence = column.value.empty() ? "" : rule.look(recording, column);
+            if (!sentence.empty()) {
+                sentences.push_back(fmt::format("{}: {}{} {}", recording.file, column.name, aside, sentence));
+                if (rule.ends) {
+                    break;
+                }
+            }
+        }
+    }
+    return sentences;
+}
+
+}  // namespace tiretherm::cases

@@ -1,0 +1,205 @@
+#include "cases/run_readings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "cases/channel_value.hpp"
+#include "cases/words.hpp"
+
+namespace tiretherm::cases {
+
+namespace {
+
+int find_channel(const solver::Problem& problem, std::string_view name) {
+    const auto found = std::find_if(problem.channels.begin(), problem.channels.end(),
+                                    [&](const solver::Channel& channel) { return channel.name == name; });
+    return found == problem.channels.end() ? -1 : static_cast<int>(found - problem.channels.begin());
+}
+
+/// Samples of the file that lie within the run.
+struct Samples {
+    std::size_t first = 0;
+    std::size_t last = 0;
+
+    [[nodiscard]] std::vector<double> of(const std::vector<double>& all) const {
+        return {all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(last)};
+    }
+};
+
+Samples samples_within(const RunFile& file, const solver::Settings& settings) {
+    const auto begin = file.time.begin() + static_cast<std::ptrdiff_t>(file.first);
+    const auto end = file.time.begin() + static_cast<std::ptrdiff_t>(file.last);
+    return {.first = static_cast<std::size_t>(std::lower_bound(begin, end, settings.start) - file.time.begin()),
+            .last = static_cast<std::size_t>(std::upper_bound(begin, end, settings.end) - file.time.begin())};
+}
+
+/// A column by its heading, with no values yet.
+Watched watch(const RunFile& file, const UsedColumn& column, std::string_view si) {
+    const Heading& heading = file.file.heads()[static_cast<std::size_t>(column.column)].heading;
+    Watched watched;
+    watched.name = column.name;
+    watched.heading = heading.name;
+    watched.unit = heading.unit.value_or("");
+    watched.si = si;
+    const auto read = conversion(watched.unit, si, Scale::absolute);
+    if (const auto* found = std::get_if<Conversion>(&read)) {
+        watched.conversion = *found;
+    }
+    return watched;
+}
+
+}  // namespace
+
+void read_series(const RunFile& file, const Draft& draft, Mistakes& mistakes, MeasuredRun& run) {
+    std::vector<ColumnRequest> requests;
+    std::vector<std::size_t> channels;
+    std::vector<std::string> remedies;
+    remedies.reserve(file.columns.used.size());
+    for (const UsedColumn& column : file.columns.used) {
+        const int channel = column.is_sensor ? find_channel(draft.problem, column.name) : -1;
+        if (channel < 0) {
+            continue;
+        }
+        const auto index = static_cast<std::size_t>(channel);
+        const Wanted wanted = wanted_value(draft.problem.channels[index].quantity);
+        remedies.push_back(file.file.missing_unit(file.file.heads()[static_cast<std::size_t>(column.column)], wanted));
+        requests.push_back({.column = column.column,
+                            .name = column.name,
+                            .wanted = wanted,
+                            .purpose = Purpose::measured,
+                            .missing_unit = remedies.back()});
+        channels.push_back(index);
+    }
+    const std::vector<std::vector<double>> read = file.file.read(requests, mistakes);
+    if (file.time.empty()) {
+        return;
+    }
+    const Samples samples = samples_within(file, draft.problem.settings);
+    run.time = samples.of(file.time);
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        MeasuredSeries series{.channel = channels[i], .value = samples.of(read[i])};
+        if (std::all_of(series.value.begin(), series.value.end(), [](double v) { return std::isnan(v); })) {
+            const Head& head = file.file.heads()[static_cast<std::size_t>(requests[i].column)];
+            mistakes.add(head.place, fmt::format("{} has no value in the run", requests[i].name),
+                         fmt::format("leave the column out: ignore = [\"{}\"]", head.heading.name));
+        } else {
+            run.series.push_back(std::move(series));
+        }
+    }
+}
+
+void read_unused(const RunFile& file, const solver::Settings& settings, Mistakes& mistakes, MeasuredRun& run) {
+    std::vector<ColumnRequest> requests;
+    for (const int column : file.columns.unused) {
+        requests.push_back({.column = column,
+                            .name = file.file.heads()[static_cast<std::size_t>(column)].heading.name,
+                            .wanted = {.unit = "1"},
+                            .purpose = Purpose::unused});
+    }
+    std::vector<std::vector<double>> read = file.file.read(requests, mistakes);
+    if (file.time.empty()) {
+        return;
+    }
+    const Samples samples = samples_within(file, settings);
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        std::vector<double> value = samples.of(read[i]);
+        if (std::any_of(value.begin(), value.end(), [](double v) { return std::isfinite(v); })) {
+            const Heading& heading = file.file.heads()[static_cast<std::size_t>(requests[i].column)].heading;
+            run.unused.push_back({.name = heading.name, .unit = heading.unit.value_or(""), .value = std::move(value)});
+        }
+    }
+}
+
+void read_numbers(const Draft& draft, const Node& document, const RunTable& table, Mistakes& mistakes,
+                  MeasuredRun& run) {
+    const Node* list = document.find("measured");
+    const bool own = table.table != nullptr && table.table->find("measured") != nullptr;
+    const std::vector<solver::Measured>& numbers = draft.problem.measured;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const solver::Measured& number = numbers[i];
+        const int channel = find_channel(draft.problem, number.channel);
+        if (channel < 0) {
+            continue;
+        }
+        const auto index = static_cast<std::size_t>(channel);
+        const std::optional<double> sd =
+            number.uncertainty ? number.uncertainty : draft.problem.channels[index].standard_deviation;
+        if (sd) {
+            run.numbers.push_back({.channel = index,
+                                   .time = number.time,
+                                   .value = 0.5 * (number.low + number.high),
+                                   .standard_deviation = *sd,
+                                   .source = number.source});
+        } else if (own) {
+            const Place place = list != nullptr && i < list->items.size() ? list->items[i].place : table.place;
+            mistakes.add(place, fmt::format("the number of {} has no uncertainty", number.channel),
+                         fmt::format("add uncertainty = {}, its standard uncertainty",
+                                     spell_example(wanted_deviation(draft.problem.channels[index].quantity))));
+        }
+    }
+}
+
+void require_readings(const MeasuredRun& run, const RunTable& table, const RunFile* file,
+                      const std::vector<std::string>& sensors, Mistakes& mistakes) {
+    const bool has_column = file != nullptr && std::any_of(file->columns.used.begin(), file->columns.used.end(),
+                                                           [](const UsedColumn& column) { return column.is_sensor; });
+    if (has_column || !run.numbers.empty() || (table.file && file == nullptr)) {
+        return;
+    }
+    const std::string known =
+        sensors.empty() ? "the case has no [[sensor]]; add one" : fmt::format("the sensors are {}", listed(sensors));
+    if (file == nullptr) {
+        mistakes.add(table.place, fmt::format("the run {} measures nothing", table.name),
+                     fmt::format("give it a file, or measured = [{{ channel = \"{}\", value = \"...\", uncertainty = "
+                                 "\"...\" }}]",
+                                 sensors.empty() ? "..." : sensors.front()));
+        return;
+    }
+    const Place place = table.place.file >= 0 ? table.place : Place{.file = file->file.number()};
+    mistakes.add(
+        place, fmt::format("no column of the file is a sensor of the case: the run {} measures nothing", table.name),
+        fmt::format("map one: columns = {{ T = \"{}\" }}; {}", sensors.empty() ? "..." : sensors.front(), known));
+}
+
+Recording recording_of(const RunFile& file, const Draft& draft, const MeasuredRun& run) {
+    Recording recording;
+    recording.file = run.file;
+    recording.time = run.time;
+    if (file.columns.time >= 0) {
+        recording.time_unit = file.file.heads()[static_cast<std::size_t>(file.columns.time)].heading.unit.value_or("");
+    }
+    for (const UsedColumn& column : file.columns.used) {
+        if (column.input != nullptr) {
+            Watched watched = watch(file, column, column.input->unit);
+            watched.is_input = true;
+            for (const MeasuredInput& input : draft.run->inputs) {
+                if (input.signal == column.input) {
+                    watched.time = input.time;
+                    watched.value = input.value;
+                }
+            }
+            recording.columns.push_back(std::move(watched));
+            continue;
+        }
+        for (const MeasuredSeries& series : run.series) {
+            const solver::Channel& channel = draft.problem.channels[series.channel];
+            if (channel.name != column.name) {
+                continue;
+            }
+            Watched watched = watch(file, column, solver::unit_of(channel.quantity));
+            for (std::size_t i = 0; i < run.time.size(); ++i) {
+                if (!std::isnan(series.value[i])) {
+                    watched.time.push_back(run.time[i]);
+                    watched.value.push_back(series.value[i]);
+                }
+            }
+            recording.columns.push_back(std::move(watched));
+        }
+    }
+    return recording;
+}
+
+}  // namespace tiretherm::cases
