@@ -114,7 +114,7 @@ void move(Problem& problem, const Adjustable& adjustable, double from, double to
 }
 
 double typical_step(const Adjustable& adjustable, double value) {
-    double size = std::abs(value);
+    double size = std::max(std::abs(value), std::abs(adjustable.prior));
     if (std::isfinite(adjustable.standard_deviation)) {
         size = std::max(size, adjustable.standard_deviation);
     }

@@ -22,6 +22,13 @@ public:
     [[nodiscard]] virtual std::string factorise(const Matrix& matrix) = 0;
     /// x = M^-1 b, with M the matrix last factorised. b and x do not overlap.
     virtual void solve(std::span<const double> b, std::span<double> x) = 0;
+    /// The same for several right-hand sides, one after the other in memory. @param B, X [n_columns][n]
+    virtual void solve_block(std::span<const double> B, std::span<double> X, std::size_t n_columns) {
+        const std::size_t n = B.size() / n_columns;
+        for (std::size_t j = 0; j < n_columns; ++j) {
+            solve(B.subspan(j * n, n), X.subspan(j * n, n));
+        }
+    }
     /// Cost of a factorisation in units of one solve, from the analysis: decides when a new one pays.
     [[nodiscard]] virtual double factor_cost() const = 0;
     /// Whether `solve` is exact for the matrix that was factorised.

@@ -37,6 +37,10 @@ struct Matrix {
 
     /// y = M x. Allocates nothing.
     void multiply(std::span<const double> x, std::span<double> y) const;
+    /// y = M' x. Allocates nothing.
+    void multiply_transposed(std::span<const double> x, std::span<double> y) const;
+    /// Y = M X for several columns, one after the other in memory. Allocates nothing. @param X, Y [n_columns][n]
+    void multiply_block(std::span<const double> X, std::span<double> Y, std::size_t n_columns) const;
 };
 
 }  // namespace tiretherm::solver

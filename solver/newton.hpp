@@ -47,11 +47,18 @@ public:
 
     /// Whether the factor at hand serves a stage of this length.
     [[nodiscard]] bool has_factor_for(double s) const {
-        return factored_s_ > 0.0 && s > 0.5 * factored_s_ && s < 2.0 * factored_s_;
+        return factored_s_ > 0.0 && reach_ * s > factored_s_ && s < reach_ * factored_s_;
     }
 
     /// The next solve makes a new factor.
     void forget_factor() { factored_s_ = 0.0; }
+
+    /// Lets the factor serve others: sensitivities and adjoints of the same steps.
+    [[nodiscard]] Factor& factor() { return *factor_; }
+    /// A factor serves stages up to this many times longer or shorter than its own. @param ratio > 1
+    void set_reach(double ratio) { reach_ = ratio; }
+    /// Solves that others needed because the factor is old count when a new one is weighed up.
+    void owe(double solves) { debt_ += solves; }
 
     [[nodiscard]] const Counters& counters() const { return counters_; }
     [[nodiscard]] std::string linear_solver() const { return factor_->description(); }
@@ -81,6 +88,7 @@ private:
     double weight_ = 0.0;      ///< J/K, what the balance of the whole mesh changes by when every temperature does
     double last_shift_ = 0.0;  ///< K, and the imbalance that it was for
     double last_joules_ = 0.0;
+    double reach_ = 2.0;
     double factored_s_ = 0.0;  ///< s of the factor at hand; 0: none
     int fresh_solves_ = 0;     ///< solves of the first correction with the factor at hand
     double debt_ = 0.0;        ///< solves beyond the least since the last factorisation

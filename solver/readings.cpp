@@ -149,17 +149,17 @@ void Readings::begin(double t, std::span<const double> T, std::span<const double
     }
 }
 
-void Readings::take_step(const Stepper& stepper, std::span<const physics::Inputs> inputs) {
-    const auto n = static_cast<std::size_t>(stepper.stages());
+void Readings::take_step(std::span<const Stage> stages, std::span<const physics::Inputs> inputs) {
+    const std::size_t n = stages.size();
     std::array<double, 3> u{};
     std::array<double, 3> v{};
-    const double begin = stepper.stage(0).time;
-    const double end = stepper.time();
+    const double begin = stages.front().time;
+    const double end = stages.back().time;
     for (std::size_t c = 0; c < chains_.size(); ++c) {
         Chain& chain = chains_[c];
         const double lagged = followed(chain, chain.past.back(), begin);
         for (std::size_t i = 0; i < n; ++i) {
-            const Stepper::Stage stage = stepper.stage(static_cast<int>(i));
+            const Stage& stage = stages[i];
             u[i] = stage.time - begin;
             v[i] = followed_quantity(c, stage.temperature, stage.watts);
             for (const Reader& reader : chain.before) {

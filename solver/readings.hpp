@@ -18,8 +18,8 @@ public:
 
     /// The state at the start, before any step. @param inputs logged
     void begin(double t, std::span<const double> T, std::span<const double> watts, const physics::Inputs& inputs);
-    /// After an accepted step. @param inputs logged ones at its stages, [stages]
-    void take_step(const Stepper& stepper, std::span<const physics::Inputs> inputs);
+    /// After an accepted step. @param stages its begin and its end among them  @param inputs logged ones at its stages
+    void take_step(std::span<const Stage> stages, std::span<const physics::Inputs> inputs);
     /// A moment of the last step, or the start. @param t s  @param logged inputs of that moment
     /// @param out [n_channels] SI
     void at(double t, const physics::Inputs& logged, std::span<double> out) const;

@@ -31,10 +31,10 @@ void Rows::read(double t) { readings_.at(t, problem_->drive.at(t, Limit::before)
 
 void Rows::take_step() {
     inputs_.clear();
-    for (int i = 0; i < stepper_->stages(); ++i) {
-        inputs_.push_back(problem_->drive.at(stepper_->stage(i).time, i == 0 ? Limit::after : Limit::before));
+    for (const Stage& stage : stepper_->stages()) {
+        inputs_.push_back(problem_->drive.at(stage.time, inputs_.empty() ? Limit::after : Limit::before));
     }
-    readings_.take_step(*stepper_, inputs_);
+    readings_.take_step(stepper_->stages(), inputs_);
 }
 
 void Rows::watch(Report& report) {

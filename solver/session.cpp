@@ -26,7 +26,7 @@ Session::Session(Problem problem, const physics::Inputs& start)
       stepper_(std::make_unique<Stepper>(*problem_)),
       readings_(std::make_unique<Readings>(*problem_, stepper_->system())),
       inputs_(start),
-      stage_inputs_(static_cast<std::size_t>(stepper_->stages())),
+      stage_inputs_(stepper_->stages().size()),
       channels_(problem_->channels.size()) {
     stepper_->find_watts(start);
     readings_->begin(0.0, stepper_->temperature(), stepper_->watts(), start);
@@ -47,10 +47,10 @@ Status Session::advance(double dt, const physics::Inputs& inputs) {
     if (attempt.status.ok()) {
         stepper_->accept();
         for (std::size_t i = 0; i < stage_inputs_.size(); ++i) {
-            const double t = stepper_->stage(static_cast<int>(i)).time;
+            const double t = stepper_->stages()[i].time;
             stage_inputs_[i] = physics::between(inputs_, at_end, (t - inputs_.time) / dt);
         }
-        readings_->take_step(*stepper_, stage_inputs_);
+        readings_->take_step(stepper_->stages(), stage_inputs_);
         readings_->at(stepper_->time(), at_end, channels_);
         inputs_ = at_end;
     }

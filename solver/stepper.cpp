@@ -29,6 +29,7 @@ Stepper::Stepper(const Problem& problem)
     const std::vector<double> initial = system_.initial();
     T_.assign(stages + 1, initial);
     last_.assign(stages, initial);
+    stages_.resize(stages);
     q_.assign(stages, std::vector<double>(n));
     booked_.assign(stages, std::vector<double>(effects));
     end_q_.resize(n);
@@ -202,11 +203,10 @@ void Stepper::accept() {
     step_begin_ = time_;
     time_ = tried_;
     has_history_ = true;
-}
-
-Stepper::Stage Stepper::stage(int i) const {
-    const double end = i + 1 == tableau_->stages ? time_ : step_begin_ + tableau_->c[at(i)] * (time_ - step_begin_);
-    return {.time = end, .temperature = last_[at(i)], .watts = booked_[at(i)]};
+    for (int i = 0; i < tableau_->stages; ++i) {
+        const double end = i + 1 == tableau_->stages ? time_ : step_begin_ + tableau_->c[at(i)] * dt;
+        stages_[at(i)] = {.time = end, .temperature = last_[at(i)], .watts = booked_[at(i)]};
+    }
 }
 
 void Stepper::interpolate(double t, std::span<double> T) const {

@@ -10,6 +10,13 @@
 
 namespace tiretherm::solver {
 
+/// The state at a moment inside a step.
+struct Stage {
+    double time = 0.0;                    ///< s
+    std::span<const double> temperature;  ///< [n_nodes] K
+    std::span<const double> watts;        ///< [n_effects] W
+};
+
 /// Steps a system through time. Holds the state, the ledger and every buffer; a step allocates nothing but what the
 /// linear algebra libraries need when a new factor is made.
 class Stepper {
@@ -59,14 +66,15 @@ public:
     /// |stored - sum of joules| over the heat turned over (sum of |watts| dt) since the start; 0 before the first step.
     [[nodiscard]] double energy_closure() const;
     /// The stages of the last accepted step, its begin and its end among them; one after a steady solve.
-    struct Stage {
-        double time = 0.0;                    ///< s
-        std::span<const double> temperature;  ///< [n_nodes] K
-        std::span<const double> watts;        ///< [n_effects] W
-    };
-    [[nodiscard]] int stages() const { return tableau_->stages; }
-    [[nodiscard]] Stage stage(int i) const;
+    [[nodiscard]] std::span<const Stage> stages() const { return stages_; }
+    /// Intensities of all effects at a stage of the last attempted step. @returns [n_intensities]
+    [[nodiscard]] std::span<const double> intensities(int i) const { return window_.stage(i); }
+    [[nodiscard]] const Tableau& method() const { return *tableau_; }
+    /// Length of the last accepted step. @returns s
+    [[nodiscard]] double width() const { return time_ - step_begin_; }
+    [[nodiscard]] double begin() const { return step_begin_; }  ///< s, of the last accepted step
     [[nodiscard]] const Newton& newton() const { return newton_; }
+    [[nodiscard]] Newton& newton() { return newton_; }
     [[nodiscard]] System& system() { return system_; }
     [[nodiscard]] const System& system() const { return system_; }
 
@@ -93,6 +101,7 @@ private:
     std::vector<std::vector<double>> q_;       ///< [stages][n] W
     std::vector<std::vector<double>> booked_;  ///< [stages][n_effects] W
     std::vector<std::vector<double>> last_;    ///< [stages][n] stages of the last accepted step
+    std::vector<Stage> stages_;                ///< of the last accepted step
     bool end_is_known_ = false;                ///< what was said at the end of the last accepted step:
     std::vector<double> end_q_;                ///< [n] W
     std::vector<double> end_watts_;            ///< [n_effects] W
