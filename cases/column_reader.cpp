@@ -17,8 +17,8 @@ ColumnReader::ColumnReader(const Head& head, const ColumnRequest& request, Mista
     conversion_ = read.conversion;
     has_unit_ = !read.fault;
     if (read.fault) {
-        if (!head.heading.unit && !request.missing_unit.empty()) {
-            read.fault->remedy = request.missing_unit;
+        if (!request.unit_remedy.empty()) {
+            read.fault->remedy = request.unit_remedy;
         }
         mistakes.add(head.unit_place.file >= 0 ? head.unit_place : head.place, *read.fault);
     }
@@ -65,7 +65,11 @@ Fault ColumnReader::fault(std::string_view field, const std::optional<Number>& n
     const std::string shown = unit_.empty() || unit_ == "-" ? std::string(field) : fmt::format("{} {}", field, unit_);
     if (Judged judged = judge(number->value, conversion_, unit_, request_->wanted, name, shown); judged.fault) {
         if (may_miss && (judged.fault->remedy.empty() || !std::isfinite(number->value))) {
-            judged.fault->remedy = empty_it;
+            const double turned = conversion_.to_si(-number->value);
+            const bool other_sign = turned >= request_->wanted.low && turned <= request_->wanted.high;
+            judged.fault->remedy = other_sign && request_->wanted.low == 0.0 && request_->wanted.unit != "K"
+                                       ? "turn the sign of the column, or " + empty_it
+                                       : empty_it;
         }
         return *judged.fault;
     }

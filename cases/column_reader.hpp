@@ -31,7 +31,8 @@ struct ColumnRequest {
     std::string name;  ///< what messages call it
     Wanted wanted;
     Purpose purpose = Purpose::input;
-    std::string_view missing_unit{};  ///< remedy where there is no unit; empty: to write it into the heading
+    std::string_view
+        unit_remedy{};  ///< what to do about a unit that is missing or wrong; empty: to write it into the heading
 };
 
 /// One column being read: turns its fields into SI values and complains about those that are wrong.

@@ -51,7 +51,7 @@ std::vector<Head>& DataFile::heads() {
     return std::visit([](auto& columns) -> std::vector<Head>& { return columns.heads(); }, columns_);
 }
 
-std::string DataFile::missing_unit(const Head& head, const Wanted& wanted) const {
+std::string DataFile::unit_remedy(const Head& head, const Wanted& wanted) const {
     const std::string example = dimension(wanted.unit, wanted.scale).example;
     const std::size_t blank = example.find(' ');
     const std::string unit = blank == std::string::npos ? std::string(wanted.unit) : example.substr(blank + 1);

@@ -20,8 +20,8 @@ public:
     [[nodiscard]] const std::vector<Head>& heads() const;
     [[nodiscard]] std::vector<Head>& heads();
     [[nodiscard]] int number() const { return number_; }  ///< of the file in the mistakes
-    /// What to do about a column without a unit.
-    [[nodiscard]] std::string missing_unit(const Head& head, const Wanted& wanted) const;
+    /// What to do about a column whose unit is missing or wrong.
+    [[nodiscard]] std::string unit_remedy(const Head& head, const Wanted& wanted) const;
     /// @returns the values of each request, all of one length; none after a mistake
     [[nodiscard]] std::vector<std::vector<double>> read(const std::vector<ColumnRequest>& requests,
                                                         Mistakes& mistakes) const;

@@ -35,22 +35,26 @@ double Watched::low(double share) const { return quantile(value, share); }
 double Watched::high(double share) const { return quantile(value, share); }
 
 double Watched::largest() const {
-    std::vector<double> magnitudes(value.size());
-    std::transform(value.begin(), value.end(), magnitudes.begin(), [](double v) { return std::abs(v); });
-    return quantile(std::move(magnitudes), 0.99);
+    double found = 0.0;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        const double before = i > 0 ? std::abs(value[i - 1]) : 0.0;
+        const double after = i + 1 < value.size() ? std::abs(value[i + 1]) : 0.0;
+        found = std::max(found, std::min(std::abs(value[i]), 2.0 * std::max(before, after)));
+    }
+    return found;
 }
 
-std::string Watched::show(double si_value) const {
+std::string Watched::show(double si_amount) const {
     const bool bare = unit.empty() || unit == "-" || unit == "1";
-    const std::string number = three_digits(conversion.from_si(si_value));
+    const std::string number = three_digits(conversion.from_si(si_amount));
     return bare ? number : fmt::format("{} {}", number, unit);
 }
 
-std::string Watched::show_difference(double si_value) const {
+std::string Watched::show_difference(double si_amount) const {
     if (is_temperature()) {
-        return fmt::format("{} K", three_digits(si_value));
+        return fmt::format("{} K", three_digits(si_amount));
     }
-    return show(si_value + conversion.offset);
+    return show(si_amount + conversion.offset);
 }
 
 const Watched* Recording::find(std::string_view name) const {

@@ -23,11 +23,11 @@ struct Watched {
     [[nodiscard]] bool is_temperature() const { return si == "K"; }
     [[nodiscard]] double low(double share = 0.01) const;   ///< below which this share of the values lies
     [[nodiscard]] double high(double share = 0.99) const;  ///< below which this share of the values lies
-    [[nodiscard]] double largest() const;                  ///< magnitude, but for a hundredth of the values
+    [[nodiscard]] double largest() const;  ///< magnitude; a spike of one sample counts as twice its neighbours
     /// A value as the file would write it, to three digits: "27.8 km/h".
-    [[nodiscard]] std::string show(double si_value) const;
+    [[nodiscard]] std::string show(double si_amount) const;
     /// A difference of two values: "41 K".
-    [[nodiscard]] std::string show_difference(double si_value) const;
+    [[nodiscard]] std::string show_difference(double si_amount) const;
 };
 
 /// What was recorded in a run.

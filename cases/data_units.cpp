@@ -91,7 +91,8 @@ struct Span {
 constexpr std::array spans{Span{"air_temperature", celsius - 40.0, celsius + 55.0},
                            Span{"road_temperature", celsius - 40.0, celsius + 75.0},
                            Span{"", celsius - 50.0, celsius + 200.0}};
-constexpr std::array<std::string_view, 3> temperature_units{"degC", "degF", "K"};
+/// What may be meant, the likeliest first: numbers of 300 are rather kelvin than degrees Fahrenheit.
+constexpr std::array<std::string_view, 3> temperature_units{"K", "degC", "degF"};
 constexpr double agreeing = 3.0;      ///< K: a tire that starts with the air
 constexpr double disagreeing = 20.0;  ///< K
 
@@ -124,9 +125,9 @@ std::optional<Conversion> in_unit(const Watched& column, std::string_view unit) 
 }
 
 /// @param is what is seen: "reaches 100 m/s"
-std::string doubt(const Watched& column, double si_value, std::string_view is, const Conversion& as,
+std::string doubt(const Watched& column, double si_amount, std::string_view is, const Conversion& as,
                   std::string_view unit) {
-    const double written = column.conversion.from_si(si_value);
+    const double written = column.conversion.from_si(si_amount);
     return fmt::format("{}, and {} {} would be {}: is the column in {}?", is, three_digits(written), unit,
                        column.show(as.to_si(written)), unit);
 }

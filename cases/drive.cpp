@@ -69,15 +69,15 @@ void read_schedule(Section& section, Draft& draft) {
 
 /// The inputs that a measured run's file gives.
 void add_measured(const RunInputs& run, Draft& draft, Mistakes& mistakes) {
-    if (run.unreadable) {
-        for (const Signal& signal : physics::signals()) {
-            draft.given.try_emplace(std::string(signal.name), run.place);
-        }
-    }
     for (const MeasuredInput& input : run.inputs) {
         if (claim_signal(input.signal->name, input.place, draft, mistakes) && !input.value.empty()) {
             draft.problem.drive.add(
                 solver::Series{.signal = input.signal, .time = input.time, .value = input.value, .logged = true});
+        }
+    }
+    if (run.unreadable) {
+        for (const Signal& signal : physics::signals()) {
+            draft.given.try_emplace(std::string(signal.name), run.place);
         }
     }
 }

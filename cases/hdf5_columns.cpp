@@ -105,7 +105,9 @@ std::vector<Dataset> datasets(hid_t group) {
     for (const std::string& name : members(group, H5O_TYPE_DATASET)) {
         const Handle dataset(H5Dopen2(group, name.c_str(), H5P_DEFAULT));
         if (auto values = dataset >= 0 ? numbers(dataset) : std::nullopt) {
-            found.push_back({.heading = {name, attribute(dataset, "units")}, .values = std::move(*values)});
+            std::optional<std::string> unit = attribute(dataset, "units");
+            found.push_back({.heading = {name, unit.value_or("").empty() ? std::nullopt : std::move(unit)},
+                             .values = std::move(*values)});
         }
     }
     return found;

@@ -53,6 +53,7 @@ RunColumns tell_apart(DataFile& file, ColumnKeys& keys, const std::vector<std::s
             if (name.text == heading) {
                 found.unused.push_back(column);
             } else {
+                found.misnamed = true;
                 mistakes.add(name.place, fmt::format("\"{}\" is neither an input nor a sensor", name.text),
                              suggest(name.text, known_names(sensors), "names"));
             }

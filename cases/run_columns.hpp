@@ -23,6 +23,7 @@ struct RunColumns {
     int time = -1;
     std::vector<UsedColumn> used;
     std::vector<int> unused;
+    bool misnamed = false;  ///< a column is mapped to a name that nothing has: it may be anything
 };
 
 /// Tells the columns apart by their names, after `columns`, `units` and `ignore` of the case have been applied to the

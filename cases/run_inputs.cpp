@@ -108,12 +108,12 @@ std::optional<RunFile> open_run_file(const RunTable& run, const std::vector<std:
         return opened;
     }
     const Head& head = opened.file.heads()[static_cast<std::size_t>(opened.columns.time)];
-    const std::string missing_unit = opened.file.missing_unit(head, wanted::moment);
+    const std::string unit_remedy = opened.file.unit_remedy(head, wanted::moment);
     std::vector<std::vector<double>> read = opened.file.read({{.column = opened.columns.time,
                                                                .name = "time",
                                                                .wanted = wanted::moment,
                                                                .purpose = Purpose::clock,
-                                                               .missing_unit = missing_unit}},
+                                                               .unit_remedy = unit_remedy}},
                                                              mistakes);
     if (!read.empty()) {
         opened.time = std::move(read.front());
@@ -134,18 +134,19 @@ RunInputs read_run_inputs(const RunTable& run, const RunFile* file, Mistakes& mi
     if (into.place.file < 0) {
         into.place = {.file = file->file.number()};
     }
+    into.unreadable = file->columns.misnamed;
     std::vector<ColumnRequest> requests;
     std::vector<std::string> remedies;
     remedies.reserve(file->columns.used.size());
     for (const UsedColumn& column : file->columns.used) {
         if (column.input != nullptr) {
             const Head& head = file->file.heads()[static_cast<std::size_t>(column.column)];
-            remedies.push_back(file->file.missing_unit(head, wanted::of(*column.input)));
+            remedies.push_back(file->file.unit_remedy(head, wanted::of(*column.input)));
             requests.push_back({.column = column.column,
                                 .name = column.name,
                                 .wanted = wanted::of(*column.input),
                                 .purpose = Purpose::measured,
-                                .missing_unit = remedies.back()});
+                                .unit_remedy = remedies.back()});
             into.inputs.push_back({.signal = column.input, .place = head.place, .time = {}, .value = {}});
         }
     }

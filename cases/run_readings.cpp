@@ -65,12 +65,12 @@ void read_series(const RunFile& file, const Draft& draft, Mistakes& mistakes, Me
         }
         const auto index = static_cast<std::size_t>(channel);
         const Wanted wanted = wanted_value(draft.problem.channels[index].quantity);
-        remedies.push_back(file.file.missing_unit(file.file.heads()[static_cast<std::size_t>(column.column)], wanted));
+        remedies.push_back(file.file.unit_remedy(file.file.heads()[static_cast<std::size_t>(column.column)], wanted));
         requests.push_back({.column = column.column,
                             .name = column.name,
                             .wanted = wanted,
                             .purpose = Purpose::measured,
-                            .missing_unit = remedies.back()});
+                            .unit_remedy = remedies.back()});
         channels.push_back(index);
     }
     const std::vector<std::vector<double>> read = file.file.read(requests, mistakes);
@@ -161,7 +161,11 @@ void require_readings(const MeasuredRun& run, const RunTable& table, const RunFi
     const Place place = table.place.file >= 0 ? table.place : Place{.file = file->file.number()};
     mistakes.add(
         place, fmt::format("no column of the file is a sensor of the case: the run {} measures nothing", table.name),
-        fmt::format("map one: columns = {{ T = \"{}\" }}; {}", sensors.empty() ? "..." : sensors.front(), known));
+        fmt::format("map one: columns = {{ {} = \"{}\" }}; {}",
+                    file->columns.unused.empty()
+                        ? "T"
+                        : file->file.heads()[static_cast<std::size_t>(file->columns.unused.front())].heading.name,
+                    sensors.empty() ? "..." : sensors.front(), known));
 }
 
 Recording recording_of(const RunFile& file, const Draft& draft, const MeasuredRun& run) {

@@ -59,7 +59,7 @@ Runs read_runs(const Node& document, const std::string& name, const std::vector<
             lay_over(merged, *table.table, tables_of_a_run);
         }
         std::optional<RunFile> file = table.file ? open_run_file(table, sensors, mistakes) : std::nullopt;
-        if (table.file && !file) {
+        if (!file) {
             table.keys->forgive();
         }
         Draft draft;

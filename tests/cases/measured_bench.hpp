@@ -45,6 +45,14 @@ inline constexpr std::string_view log_of_five =
     "6,72,4200,26,31,0.40,26.3,26.6\n"
     "10,36,4000,26,31,0.15,26.1,27.0\n";
 
+/// A text with every `what` turned into `by`.
+inline std::string replaced(std::string text, const std::string& what, const std::string& by) {
+    for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size()) {
+        text.replace(at, what.size(), by);
+    }
+    return text;
+}
+
 inline std::string complaints(const ExperimentReading& reading) {
     std::string text;
     for (const Mistake& mistake : reading.mistakes) {

@@ -16,13 +16,6 @@ ExperimentReading read_bench(std::string_view tables, std::string_view log = log
     return read_experiment(written.add("case.toml", std::string(bench) + std::string(tables)));
 }
 
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-    for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size()) {
-        text.replace(at, what.size(), by);
-    }
-    return text;
-}
-
 double input(const MeasuredRun& run, double t, double physics::Inputs::*member) {
     return run.problem.drive.at(t, solver::Limit::after).*member;
 }
