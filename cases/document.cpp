@@ -11,14 +11,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string* name_of(const Node& node) {
-    const Node* name = node.kind == Node::Kind::table ? node.find("name") : nullptr;
-    return name != nullptr && name->kind == Node::Kind::text ? &name->text : nullptr;
+const std::string* text_of(const Node& node, std::string_view key) {
+    const Node* text = node.kind == Node::Kind::table ? node.find(key) : nullptr;
+    return text != nullptr && text->kind == Node::Kind::text ? &text->text : nullptr;
 }
 
 bool all_named(const Node& array) {
-    return array.kind == Node::Kind::array && std::all_of(array.items.begin(), array.items.end(),
-                                                          [](const Node& item) { return name_of(item) != nullptr; });
+    return array.kind == Node::Kind::array && std::all_of(array.items.begin(), array.items.end(), [](const Node& item) {
+               return text_of(item, "name") != nullptr;
+           });
+}
+
+/// The name of a table that is in a list, by its own word or, as a run may leave it, by its file's.
+std::string name_of(const Node& node) {
+    const std::string* name = text_of(node, "name");
+    const std::string* file = text_of(node, "file");
+    return name != nullptr ? *name : file != nullptr ? fs::path(*file).stem().string() : std::string();
+}
+
+bool all_can_be_named(const Node& array) {
+    return array.kind == Node::Kind::array &&
+           std::all_of(array.items.begin(), array.items.end(), [](const Node& item) { return !name_of(item).empty(); });
 }
 
 void merge(Node& into, Node&& over, int depth);
@@ -27,7 +40,7 @@ void merge(Node& into, Node&& over, int depth);
 void merge_by_name(Node& into, Node&& over) {
     for (Node& item : over.items) {
         const auto same = std::find_if(into.items.begin(), into.items.end(),
-                                       [&](const Node& known) { return *name_of(known) == *name_of(item); });
+                                       [&](const Node& known) { return name_of(known) == name_of(item); });
         // A name that the same file uses twice is left for the reader to complain about.
         const bool mine = same != into.items.end() && same->place.file == item.place.file;
         if (same == into.items.end() || mine) {
@@ -57,7 +70,7 @@ void merge(Node& into, Node&& over, int depth) {
                                        [&](const Entry& known) { return known.key == entry.key; });
         if (same == into.entries.end()) {
             into.entries.push_back(std::move(entry));
-        } else if (depth == 0 && all_named(same->value) && all_named(entry.value)) {
+        } else if (depth == 0 && all_can_be_named(same->value) && all_named(entry.value)) {
             merge_by_name(same->value, std::move(entry.value));
         } else {
             same->place = entry.place;

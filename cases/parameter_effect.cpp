@@ -125,9 +125,11 @@ bool read_place(Section& section, const Draft& draft, const ActiveEffect& active
             section.mistake(place.key, what, suggest(*name, known.names, place.plural));
             sound = false;
         } else if (std::find(known.acting.begin(), known.acting.end(), number.place) == known.acting.end()) {
-            section.mistake(place.key, fmt::format("{} does not act on the {} \"{}\"", effect.id, place.key, *name),
-                            fmt::format("name it in {} of [effects.{}]",
-                                        place.scope == Scope::channel ? "channels" : place.plural, effect.id));
+            const bool is_channel = place.scope == Scope::channel;
+            section.mistake(
+                place.key,
+                fmt::format("{} does not act on the {} \"{}\"", effect.id, is_channel ? "sensor" : place.key, *name),
+                fmt::format("name it in {} of [effects.{}]", is_channel ? "channels" : place.plural, effect.id));
             sound = false;
         } else {
             number.name += " at " + *name;

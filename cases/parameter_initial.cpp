@@ -29,6 +29,7 @@ std::vector<int> nodes_of(const mesh::Mesh& mesh, const std::string& word) {
 }  // namespace
 
 std::optional<Freed> free_initial(Section& parameter, const Draft& draft, const std::vector<std::string>& run_names) {
+    const std::size_t before = parameter.mistakes().count();
     const std::vector<Word> words = parameter.texts("initial");
     const mesh::Mesh& mesh = draft.problem.mesh;
     Freed freed{.numbers = {}, .wanted = shift};
@@ -44,7 +45,7 @@ std::optional<Freed> free_initial(Section& parameter, const Draft& draft, const 
     known.insert(known.end(), mesh.layers.begin(), mesh.layers.end());
     const std::vector<std::string> appended = names_of(mesh.appended);
     known.insert(known.end(), appended.begin(), appended.end());
-    if (words.empty() && parameter.has("initial")) {
+    if (words.empty() && parameter.mistakes().count() == before) {
         parameter.mistake("initial", "initial names nothing", "write initial = \"temperature\", which is all of it");
     }
     for (const Word& word : words) {

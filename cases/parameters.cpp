@@ -18,6 +18,10 @@ using solver::Adjustable;
 
 bool is_law(const Adjustable& number) { return !number.knots.empty(); }
 
+/// Whether a value is beyond the bounds by more than rounding: a case may hold what a fit has left at one of them.
+bool is_below(double value, double low) { return value < low - 1e-9 * std::abs(value); }
+bool is_above(double value, double high) { return value > high + 1e-9 * std::abs(value); }
+
 /// Values as messages show them: "0.29 W m-1 K-1".
 std::string shown(double value, std::string_view unit) {
     return unit == "1" ? fmt::format("{:.6g}", value) : fmt::format("{:.6g} {}", value, unit);
@@ -55,6 +59,8 @@ void read_expected(Section& section, Freed& freed) {
 
 /// What is known of the numbers beforehand, and how far they may go.
 void read_prior(Section& section, const Draft& draft, Freed& freed) {
+    const Wanted deviation{.unit = freed.wanted.unit, .scale = Scale::difference, .low = 0.0, .above = true};
+    const auto sigma = section.quantity("standard_deviation", deviation);
     const std::size_t before = section.mistakes().count();
     std::vector<double> now;
     for (Adjustable& number : freed.numbers) {
@@ -62,8 +68,6 @@ void read_prior(Section& section, const Draft& draft, Freed& freed) {
         number.prior = now.back();
     }
     read_expected(section, freed);
-    const Wanted deviation{.unit = freed.wanted.unit, .scale = Scale::difference, .low = 0.0, .above = true};
-    const auto sigma = section.quantity("standard_deviation", deviation);
     const auto low = section.quantity("low", freed.wanted);
     const auto high = section.quantity("high", freed.wanted);
     const bool sound = section.mistakes().count() == before;
@@ -86,22 +90,22 @@ void read_prior(Section& section, const Draft& draft, Freed& freed) {
                             "let low be smaller than high");
             return;
         }
-        if (number.prior < number.low || number.prior > number.high) {
+        const auto complain = [&](std::string_view key, std::string_view whose, double value) {
+            section.mistake(
+                key, fmt::format("{}, {}, lies outside of the bounds, {}", whose, shown(value, number.unit), bounds),
+                key == "expected" ? "widen the bounds" : "widen the bounds, or change the case's value");
+        };
+        if (is_below(number.prior, number.low) || is_above(number.prior, number.high)) {
+            const std::string_view bound = low && is_below(number.prior, number.low) ? "low" : "high";
             const bool given = section.has("expected");
-            section.mistake(
-                given ? "expected" : (low && number.prior < number.low ? "low" : "high"),
-                fmt::format("{}, {}, lies outside of the bounds, {}", given ? "what is expected" : "the case's value",
-                            shown(number.prior, number.unit), bounds),
-                given ? "widen the bounds" : "widen the bounds, or change the case's value");
+            complain(given ? "expected" : bound, given ? "what is expected" : "the case's value", number.prior);
             return;
         }
-        if (now[i] < number.low || now[i] > number.high) {
-            section.mistake(
-                low && now[i] < number.low ? "low" : "high",
-                fmt::format("the case's value, {}, lies outside of the bounds, {}", shown(now[i], number.unit), bounds),
-                "widen the bounds, or change the case's value");
+        if (is_below(now[i], number.low) || is_above(now[i], number.high)) {
+            complain(low && is_below(now[i], number.low) ? "low" : "high", "the case's value", now[i]);
             return;
         }
+        number.prior = std::clamp(number.prior, number.low, number.high);
     }
 }
 
@@ -152,25 +156,29 @@ std::string_view word_of(physics::Scope scope) {
 void add(const Section& section, const Draft& draft, const Freed& freed, std::vector<Place>& places,
          std::vector<Adjustable>& into) {
     const std::size_t before = into.size();
+    const auto refuse = [&](std::string what, std::string remedy) {
+        section.mistakes().add(section.place(), std::move(what), std::move(remedy));
+    };
     for (const Adjustable& number : freed.numbers) {
-        for (std::size_t i = 0; i < into.size(); ++i) {
-            const std::string other =
-                i < before ? fmt::format("{}, at {}", into[i].name, section.mistakes().spell(places[i])) : into[i].name;
-            if (same(number, into[i])) {
-                section.mistakes().add(section.place(), fmt::format("{} is free twice: {}", number.name, other),
-                                       "remove one");
+        // The values of one law at its temperatures are told apart by its knots.
+        for (std::size_t i = 0; i < (is_law(number) ? before : into.size()); ++i) {
+            const Adjustable& other = into[i];
+            const std::string where =
+                i < before ? ", at " + section.mistakes().spell(places[i]) : " in this [[parameter]]";
+            if (same(number, other)) {
+                const bool alike = number.name == other.name;
+                refuse(fmt::format("{} is free already{}{}", number.name, alike ? "" : " with " + other.name, where),
+                       is_law(number) ? "name all temperatures of a law in one [[parameter]]" : "remove one");
                 return;
             }
-            const bool general = follows(draft, number, into[i]);
-            if (general || follows(draft, into[i], number)) {
-                const Adjustable& here = general ? into[i] : number;
+            const bool general = follows(draft, number, other);
+            if (general || follows(draft, other, number)) {
+                const Adjustable& here = general ? other : number;
                 const physics::ActiveEffect& active = draft.problem.effects[here.effect];
-                const std::string_view key = active.effect->parameters[here.parameter].key;
-                section.mistakes().add(
-                    section.place(),
-                    fmt::format("{} is free everywhere, and there: {}", general ? number.name : here.name, other),
-                    fmt::format("give the place a value of its own, {}_by_{} in [effects.{}], or free one of them", key,
-                                word_of(here.scope), active.effect->id));
+                refuse(
+                    fmt::format("{} follows {}: both are free{}", here.name, general ? number.name : other.name, where),
+                    fmt::format("give the place a value of its own, {}_by_{} in [effects.{}], or free one of them",
+                                active.effect->parameters[here.parameter].key, word_of(here.scope), active.effect->id));
                 return;
             }
         }

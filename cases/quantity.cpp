@@ -99,7 +99,9 @@ Judged judge(double written, const Conversion& unit_conversion, std::string_view
     if (!std::isfinite(written)) {
         return refuse(fmt::format("{} is {}, not a finite number", name, shown), write_like(wanted));
     }
-    if (wanted.unit == "K" && wanted.scale == Scale::absolute && judged.value < 0.0) {
+    // A constant of a law may lie below zero on the scale of temperatures; it says so by its bounds.
+    const bool only_a_place = std::isfinite(wanted.low) && wanted.low < 0.0;
+    if (wanted.unit == "K" && wanted.scale == Scale::absolute && !only_a_place && judged.value < 0.0) {
         return refuse(fmt::format("{} is {}, below absolute zero", name, shown));
     }
     if (judged.value < wanted.low || judged.value > wanted.high || (wanted.above && judged.value == wanted.low)) {

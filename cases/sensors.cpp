@@ -104,8 +104,8 @@ std::vector<std::string_view> kind_names() {
     std::vector<std::string_view> names;
     const auto name_of = [](const auto& kind) { return kind.name; };
     std::transform(kinds.begin(), kinds.end(), std::back_inserter(names), name_of);
-    std::transform(readings.begin(), readings.end(), std::back_inserter(names), name_of);
     names.push_back(strips);
+    std::transform(readings.begin(), readings.end(), std::back_inserter(names), name_of);
     return names;
 }
 

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "solver/adjustable.hpp"
+
+namespace tiretherm::cases {
+
+/// A measured run that a case was fitted to.
+struct FittedRun {
+    std::string name;
+    const solver::Problem* problem = nullptr;  ///< with the fitted values
+    std::filesystem::path file{};              ///< of its measured values, where it was given beside the case
+};
+
+/// A case and what a fit has made of it.
+struct FittedCase {
+    std::filesystem::path original;                  ///< the case's file
+    const solver::Problem* before = nullptr;         ///< the case as it is
+    const solver::Problem* fitted = nullptr;         ///< with the fitted values, and with effects that were switched on
+    std::span<const solver::Adjustable> parameters;  ///< that were fitted
+    std::vector<FittedRun> runs;                     ///< empty: those of the case, none of which starts elsewhere
+    std::vector<std::string> remarks{};              ///< lines to stand at the top
+};
+
+/// The case with its fitted values as a TOML text: it includes the original and lays over it what has changed, each
+/// number with all its digits, so that reading it gives the fitted problem again.
+/// @param folder where the text will stand: paths in it are relative to there
+[[nodiscard]] std::string fitted_case(const FittedCase& fitted, const std::filesystem::path& folder);
+
+/// Writes it to a file.
+/// @errors std::system_error with the path and the reason
+void write_fitted_case(const FittedCase& fitted, const std::filesystem::path& file);
+
+}  // namespace tiretherm::cases
