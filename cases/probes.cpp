@@ -278,7 +278,7 @@ Where read_strip(Section& sensor, const mesh::Mesh& mesh) {
 }
 
 std::vector<solver::Channel> read_strips(Section& sensor, const mesh::Mesh& mesh) {
-    const std::optional<int> count = sensor.count("count", 2, 1000, Need::required);
+    const std::optional<int> count = sensor.count("count", 2, most_strips, Need::required);
     const std::optional<Reach> reach = read_reach(sensor, mesh);
     std::vector<solver::Channel> strips(static_cast<std::size_t>(count.value_or(0)));
     for (std::size_t i = 0; reach && i < strips.size(); ++i) {

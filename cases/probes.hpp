@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "cases/section.hpp"
@@ -23,10 +24,14 @@ using Where = std::optional<solver::Channel>;
 [[nodiscard]] Where read_region(Section& sensor, const mesh::Mesh& mesh);
 /// The mean over a strip round the outer surface of a section: from, to.
 [[nodiscard]] Where read_strip(Section& sensor, const mesh::Mesh& mesh);
+inline constexpr int most_strips = 1000;
 /// Strips side by side, as an array of infrared sensors sees them: count, from, to. The first is the outermost on the
 /// outboard side. They read nothing after a mistake.
 [[nodiscard]] std::vector<solver::Channel> read_strips(Section& sensor, const mesh::Mesh& mesh);
 /// A node beside the cells, such as the gas.
 [[nodiscard]] Where read_node(Section& sensor, const mesh::Mesh& mesh);
+
+/// The channels that the [[sensor]] tables of a case make, by name, before they are read: what columns may be called.
+[[nodiscard]] std::vector<std::string> sensor_names(const Node& document);
 
 }  // namespace tiretherm::cases

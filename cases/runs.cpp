@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "cases/parameters.hpp"
+#include "cases/probes.hpp"
 #include "cases/run_readings.hpp"
 #include "cases/words.hpp"
 
@@ -15,18 +16,6 @@ namespace tiretherm::cases {
 namespace {
 
 constexpr std::array<std::string_view, 4> tables_of_a_run{"drive", "initial", "time", "measured"};
-
-std::vector<std::string> sensor_names(const Node& document) {
-    std::vector<std::string> names;
-    const Node* sensors = document.find("sensor");
-    for (const Node& sensor : sensors != nullptr ? sensors->items : std::vector<Node>{}) {
-        const Node* name = sensor.find("name");
-        if (name != nullptr && name->kind == Node::Kind::text) {
-            names.push_back(name->text);
-        }
-    }
-    return names;
-}
 
 }  // namespace
 

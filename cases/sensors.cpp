@@ -151,6 +151,26 @@ void add_channels(const Section& sensor, const std::string& name, std::vector<so
 
 }  // namespace
 
+std::vector<std::string> sensor_names(const Node& document) {
+    std::vector<std::string> names;
+    const Node* sensors = document.find("sensor");
+    for (const Node& sensor : sensors != nullptr ? sensors->items : std::vector<Node>{}) {
+        const Node* name = sensor.find("name");
+        const Node* kind = sensor.find("kind");
+        const Node* count = sensor.find("count");
+        if (name == nullptr || name->kind != Node::Kind::text) {
+            continue;
+        }
+        const bool several =
+            kind != nullptr && kind->text == strips && count != nullptr && count->number <= most_strips;
+        const std::size_t of = several ? static_cast<std::size_t>(std::max(1.0, count->number)) : 1;
+        for (std::size_t i = 0; i < of; ++i) {
+            names.push_back(numbered(name->text, i, of));
+        }
+    }
+    return names;
+}
+
 void read_sensors(Section& root, Draft& draft) {
     const std::vector<std::string_view> names = kind_names();
     root.each("sensor", [&](Section& sensor) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cases/experiment.hpp"
 #include "cases/written.hpp"
 #include "solver/march.hpp"
 
@@ -109,6 +110,32 @@ emissivity = 0.9
     ASSERT_EQ(first.size(), 3U);
     EXPECT_NEAR(first[1], zero + 25.0, 1e-9);  // surface and surroundings are alike: the emissivity does not show
     EXPECT_NEAR(first[2], zero + 22.8, 1e-9);
+}
+
+// What an array of infrared sensors has written is read by the names of its strips.
+TEST(Strips, AreColumnsOfAMeasuredRun) {
+    const Written written;
+    const std::string base = (source_folder() / "tests/bad_cases/good/section.toml").string();
+    written.add("camera.csv", "time [s],ir_1 [degC],ir_2 [degC]\n0,23,23\n30,24,25\n60,25,\n");
+    const ExperimentReading reading = read_experiment(written.add("case.toml", "include = [\"" + base + R"("]
+[[sensor]]
+name = "ir"
+kind = "strips"
+count = 2
+from = "-40 mm"
+to = "40 mm"
+[[run]]
+file = "camera.csv"
+)"));
+    for (const Mistake& mistake : reading.mistakes) {
+        ADD_FAILURE() << render(mistake);
+    }
+    ASSERT_TRUE(reading.experiment.has_value());
+    const MeasuredRun& run = reading.experiment->runs.front();
+    ASSERT_EQ(run.series.size(), 2U);
+    EXPECT_EQ(run.problem.channels[run.series[1].channel].name, "ir_2");
+    EXPECT_NEAR(run.series[1].value[1], zero + 25.0, 1e-9);
+    EXPECT_TRUE(std::isnan(run.series[1].value[2]));
 }
 
 TEST(Strips, HaveNoDepthToBeWrongAbout) {
