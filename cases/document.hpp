@@ -57,7 +57,7 @@ struct TextFile {
 
 /// A case file and what it includes, merged: tables key by key, the including file's values win, a later included
 /// file wins over an earlier one. Lists and tables in braces are values and replaced as a whole; only the lists at the
-/// top of a file whose tables have a `name` ([[material]], [[sensor]]) are merged by that name. A table that changes
+/// top of a file whose tables have a `name` ([[material]], [[sensor]], [[run]]) are merged by it. A table that changes
 /// its `kind` is replaced as well. Nothing when a file could not be read.
 [[nodiscard]] std::optional<Node> read_document(const std::filesystem::path& path, Mistakes& mistakes);
 

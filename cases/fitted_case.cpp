@@ -101,7 +101,7 @@ std::string materials_text(const FittedCase& fitted, const Node& original) {
     }
     std::string text;
     for (const auto& [name, laws] : materials) {
-        text += fmt::format("\n[[material]]\nname = {}\n", toml_text::quoted(name));
+        text += fmt::format("\n[[material]]\nname = {}\n", toml_text::in_quotes(name));
         for (const auto& [key, law] : laws) {
             text += fmt::format("{} = {}\n", key, law);
         }
@@ -136,7 +136,8 @@ std::vector<std::string> initial_lines(const solver::Problem& problem) {
 }
 
 /// The runs that start at fitted temperatures, and those whose files were given beside the case.
-std::string runs_text(const FittedCase& fitted, const fs::path& folder) {
+std::string runs_text(const FittedCase& fitted, const Node& original, const fs::path& folder) {
+    const Node* data = original.find("data");  // how columns of files beside the case are read
     std::set<int> moved;
     for (const solver::Adjustable& number : fitted.parameters) {
         if (number.kind == Kind::initial) {
@@ -159,10 +160,13 @@ std::string runs_text(const FittedCase& fitted, const fs::path& folder) {
         text += "\n[[run]]\n";
         // A list in which a name is missing takes the place of the original's runs instead of joining them.
         if (run.file.empty() || run.name != run.file.stem().string()) {
-            text += fmt::format("name = {}\n", toml_text::quoted(run.name));
+            text += fmt::format("name = {}\n", toml_text::in_quotes(run.name));
         }
         if (!run.file.empty()) {
             text += fmt::format("file = {}\n", toml_text::path(run.file, folder));
+            for (const Entry& entry : data != nullptr ? data->entries : std::vector<Entry>{}) {
+                text += fmt::format("{} = {}\n", toml_text::key(entry.key), toml_text::value(entry.value));
+            }
         }
         if (starts_elsewhere) {
             text += fmt::format("initial = {{ {} }}\n", fmt::join(initial_lines(*run.problem), ", "));
@@ -193,7 +197,7 @@ std::string fitted_case(const FittedCase& fitted, const fs::path& folder) {
     const std::optional<Node> original = read_document(fitted.original, mistakes);
     return heading(fitted) + fmt::format("include = [{}]\n", toml_text::path(fitted.original, folder)) +
            effects_text(*fitted.before, *fitted.fitted, fitted.parameters) + link_text(fitted) +
-           materials_text(fitted, original.value_or(Node{})) + runs_text(fitted, folder);
+           materials_text(fitted, original.value_or(Node{})) + runs_text(fitted, original.value_or(Node{}), folder);
 }
 
 void write_fitted_case(const FittedCase& fitted, const fs::path& file) {

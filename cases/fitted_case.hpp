@@ -22,8 +22,8 @@ struct FittedCase {
     const solver::Problem* before = nullptr;         ///< the case as it is
     const solver::Problem* fitted = nullptr;         ///< with the fitted values, and with effects that were switched on
     std::span<const solver::Adjustable> parameters;  ///< that were fitted
-    std::vector<FittedRun> runs;                     ///< empty: those of the case, none of which starts elsewhere
-    std::vector<std::string> remarks{};              ///< lines to stand at the top
+    std::vector<FittedRun> runs;         ///< in the order of Adjustable::run; may be empty for the case's own
+    std::vector<std::string> remarks{};  ///< lines to stand at the top
 };
 
 /// The case with its fitted values as a TOML text: it includes the original and lays over it what has changed, each

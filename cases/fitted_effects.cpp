@@ -72,7 +72,7 @@ std::string places_line(const solver::Problem& problem, const ActiveEffect& acti
 std::string parts_line(std::string_view key, const std::vector<int>& parts, const std::vector<std::string>& names) {
     std::vector<std::string> words;
     for (const int part : parts) {
-        words.push_back(toml_text::quoted(names[static_cast<std::size_t>(part)]));
+        words.push_back(toml_text::in_quotes(names[static_cast<std::size_t>(part)]));
     }
     return fmt::format("{} = [{}]\n", key, fmt::join(words, ", "));
 }
@@ -94,7 +94,8 @@ std::string switched_on_text(const solver::Problem& problem, const ActiveEffect&
     for (std::size_t i = 0; i < effect.choices.size(); ++i) {
         if (active.choices[i] != standard.choices[i]) {
             const auto word = static_cast<std::size_t>(active.choices[i]);
-            text += fmt::format("{} = {}\n", effect.choices[i].key, toml_text::quoted(effect.choices[i].options[word]));
+            text +=
+                fmt::format("{} = {}\n", effect.choices[i].key, toml_text::in_quotes(effect.choices[i].options[word]));
         }
     }
     for (std::size_t i = 0; i < effect.parameters.size(); ++i) {

@@ -277,6 +277,31 @@ key = "Hc"
     EXPECT_NE(text_of(written.folder() / "out/fitted.toml").find("file = \"../logs/two.csv\""), std::string::npos);
 }
 
+// What [data] says of the columns of such files is then said of each run.
+TEST(FittedCase, SaysOfEachFileHowItsColumnsAreRead) {
+    const Written written;
+    const fs::path log = written.add("logs/one.csv", "t [min],T bulk,junk [1]\n0,23,1\n1,25,2\n2,26,3\n");
+    const fs::path file = written.add("cases/tire.toml", including("tire.toml") + R"(
+[data]
+columns = { t = "time", "T bulk" = "bulk_temperature" }
+units = { "T bulk" = "degC" }
+ignore = ["junk"]
+from = "30 s"
+[[parameter]]
+effect = "road_contact"
+key = "Hc"
+)");
+    const Experiment before = read(file, {log});
+    ASSERT_EQ(before.runs.size(), 1U);
+    const Experiment fitted = moved(before, {432.1});
+    const Experiment again = written_and_read(file, before, fitted, true, written.folder() / "out/fitted.toml");
+    ASSERT_EQ(again.runs.size(), 1U);
+    EXPECT_EQ(again.runs[0].time, before.runs[0].time);
+    ASSERT_EQ(again.runs[0].series.size(), 1U);
+    EXPECT_EQ(again.runs[0].series[0].value, before.runs[0].series[0].value);
+    expect_same(again.runs[0].problem, fitted.runs[0].problem);
+}
+
 // A run that the case names by its file alone is the same run in what lies over it.
 TEST(FittedCase, FindsARunThatOnlyItsFileNames) {
     const Written written;
