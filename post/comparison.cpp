@@ -21,7 +21,7 @@ std::vector<Comparison> compare(const solver::Problem& problem, const History& h
                              .simulated = simulated,
                              .low = measured.low,
                              .high = measured.high,
-                             .difference = std::clamp(simulated, measured.low, measured.high) - simulated,
+                             .difference = simulated - std::clamp(simulated, measured.low, measured.high),
                              .source = measured.source});
         }
     }

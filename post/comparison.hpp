@@ -16,7 +16,7 @@ struct Comparison {
     double simulated = 0.0;   ///< K, at that time
     double low = 0.0;         ///< K, measured
     double high = 0.0;        ///< K, measured; equal to low for a single number
-    double difference = 0.0;  ///< K, measured - simulated, to the nearest end of a range; 0 inside it
+    double difference = 0.0;  ///< K, simulated - measured, from the nearest end of a range; 0 inside it
     std::string source;
 };
 

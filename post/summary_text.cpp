@@ -25,7 +25,7 @@ std::string readings(const RunRecord& run) {
     Table table({true, true, false, false, false, false, false, true});
     std::vector<std::string> heading{"channel", "unit", "final", "min", "max"};
     if (!compared.empty()) {
-        heading.insert(heading.end(), {"measured", "meas - sim", "source"});
+        heading.insert(heading.end(), {"measured", "sim - meas", "source"});
     }
     table.add(heading);
     for (std::size_t c = 0; c < run.problem.channels.size(); ++c) {

@@ -34,14 +34,14 @@ struct Told {
 };
 
 TEST(Summary, TextIsThisLineByLine) {
-    // spot: 85 - 97.5 = -12.5 K. liner at 30 s: 30 degC simulated, 37 to 47 measured, 7 K below the nearer end.
+    // spot: 97.5 - 85 = 12.5 K. liner at 30 s: 30 degC simulated, 37 to 47 measured, 7 K below the nearer end.
     EXPECT_EQ(Told().text(),
               "A warm spot (sample/spot)\n"
               "\n"
               "Readings\n"
-              "  channel  unit  final    min    max          measured  meas - sim  source\n"
-              "  spot     degC  97.50  23.00  97.50                85      -12.50  camera\n"
-              "  liner    degC  40.00  23.00  40.00  37 to 47 at 30 s       +7.00  thermocouple\n"
+              "  channel  unit  final    min    max          measured  sim - meas  source\n"
+              "  spot     degC  97.50  23.00  97.50                85      +12.50  camera\n"
+              "  liner    degC  40.00  23.00  40.00  37 to 47 at 30 s       -7.00  thermocouple\n"
               "  hottest  97.50 degC  at 60 s  tread, on top, radius 2.50 mm, depth 0.00 mm\n"
               "  coldest  23.00 degC  at 0 s   bulk, radius 17.50 mm, depth 11.00 mm\n"
               "\n"

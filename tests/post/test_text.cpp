@@ -57,14 +57,14 @@ TEST(History, IsStraightBetweenRowsAndHeldBeyond) {
     EXPECT_EQ(history.at(1, 99.0), 313.15);
 }
 
-TEST(Comparison, DifferenceIsMeasuredLessSimulatedToTheNearerEnd) {
+TEST(Comparison, DifferenceIsSimulatedLessMeasuredFromTheNearerEnd) {
     const solver::Problem problem = sample::problem();
     const std::vector<Comparison> found = compare(problem, sample::history(problem));
     ASSERT_EQ(found.size(), 2u);
-    EXPECT_NEAR(found[0].difference, -12.5, 1e-9);
+    EXPECT_NEAR(found[0].difference, 12.5, 1e-9);
     EXPECT_TRUE(found[0].at_end);
     EXPECT_NEAR(found[1].simulated, 303.15, 1e-9);
-    EXPECT_NEAR(found[1].difference, 7.0, 1e-9);
+    EXPECT_NEAR(found[1].difference, -7.0, 1e-9);
     EXPECT_FALSE(found[1].at_end);
 }
 

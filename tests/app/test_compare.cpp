@@ -1,0 +1,97 @@
+#include <algorithm>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program.hpp"
+#include "tests/cases/written.hpp"
+#include "tests/diagnosis/compared_bench.hpp"
+
+namespace tiretherm::app_test {
+namespace {
+
+using Json = nlohmann::json;
+
+/// The idle bench with its two logs in a folder: it stays at 23 degC, the bulk is read 7/6 K lower on the whole.
+struct Bench {
+    cases::Written written;
+    std::string file;
+
+    Bench() {
+        written.add("first.csv", diagnosis::sample::first_log);
+        written.add("second.csv", diagnosis::sample::second_log);
+        file = written.add("idle.toml", diagnosis::sample::idle_bench).string();
+    }
+    [[nodiscard]] Call compare(const std::string& arguments = "") const {
+        return call("compare " + file + " --out " + (written.folder() / "out").string() + " " + arguments);
+    }
+};
+
+TEST(Compare, EndsWithAPageAndTwoFiles) {
+    const Bench bench;
+    const Call run = bench.compare();
+    EXPECT_EQ(run.exit_code, 0);
+    EXPECT_EQ(run.err, "");
+    EXPECT_EQ(run.out.find('\033'), std::string::npos);
+    EXPECT_TRUE(run.out.starts_with("idle: 2 runs, simulated in ")) << run.out;
+    EXPECT_NE(run.out.find("bulk_temperature     K     all           6  +1.17"), std::string::npos) << run.out;
+    for (const char* name : {"compare.csv", "compare_statistics.csv"}) {
+        EXPECT_GT(std::filesystem::file_size(bench.written.folder() / "out" / name), 100u);
+        EXPECT_NE(run.out.find(name), std::string::npos);
+    }
+}
+
+TEST(Compare, JsonIsOneObject) {
+    const Bench bench;
+    const Call run = bench.compare("--json");
+    EXPECT_EQ(run.exit_code, 0);
+    const Json json = Json::parse(run.out);
+    EXPECT_EQ(json["case"], "idle");
+    EXPECT_EQ(json["channels"].size(), 2u);
+    EXPECT_EQ(json["numbers"].size(), 1u);
+    EXPECT_EQ(json["outputs"].size(), 2u);
+}
+
+TEST(Compare, OtherRunsTakeThePlaceOfTheCasesOwn) {
+    // The second log alone: the bulk is read 3 K lower, the surface not at all.
+    const Bench bench;
+    const Call run = bench.compare("--json --data " + (bench.written.folder() / "second.csv").string());
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    const Json json = Json::parse(run.out);
+    ASSERT_EQ(json["runs"].size(), 1u);
+    ASSERT_EQ(json["channels"].size(), 1u);
+    EXPECT_NEAR(json["channels"][0]["bias"].get<double>(), 3.0, 1e-9);
+}
+
+TEST(Compare, MistakesAreToldAndEndWith1) {
+    const Bench bench;
+    const std::string log = bench.written.add("wrong.csv", "time [s],speed [km/h]\n0,1\n0,2\n").string();
+    const Call wrong = bench.compare("--data " + log);
+    EXPECT_EQ(wrong.exit_code, 1);
+    EXPECT_NE(wrong.err.find("nothing was compared"), std::string::npos) << wrong.err;
+    EXPECT_NE(wrong.err.find("wrong.csv"), std::string::npos) << wrong.err;
+    const Call json = bench.compare("--json --data " + log);
+    EXPECT_EQ(json.exit_code, 1);
+    EXPECT_FALSE(Json::parse(json.out)["mistakes"].empty());
+    EXPECT_EQ(call("compare " + two_node).exit_code, 1);  // a case without any measured run
+    EXPECT_EQ(call("compare no_such_case.toml").exit_code, 1);
+    const Call nowhere = call("compare " + bench.file + " --out /proc/nowhere");
+    EXPECT_EQ(nowhere.exit_code, 1);
+    EXPECT_NE(nowhere.err.find("--out"), std::string::npos) << nowhere.err;
+}
+
+TEST(Compare, ASolverThatFailsEndsWith2) {
+    const Bench bench;
+    const Call run = call("compare " + bench.written.add("hot.toml", diagnosis::sample::burning_bench).string());
+    EXPECT_EQ(run.exit_code, 2) << run.err;
+    EXPECT_NE(run.err.find("run \"first\""), std::string::npos) << run.err;
+}
+
+TEST(Compare, HelpHasAnExample) {
+    const Call help = call("compare --help");
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_NE(help.out.find("tiretherm compare cases/practice/two_node_bench.toml"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tiretherm::app_test
