@@ -68,12 +68,14 @@ int main(int argc, char** argv) {
     program.require_subcommand(1);
     app::add_run_command(program, exit_code);
     app::add_check_command(program, exit_code);
+    app::add_compare_command(program, exit_code);
     app::add_validate_command(program, exit_code);
     app::add_effects_command(program, exit_code);
     program.footer(
         "Examples:\n"
         "  tiretherm run cases/laser/one_watt.toml\n"
         "  tiretherm check cases/laser/one_watt.toml\n"
+        "  tiretherm compare cases/practice/two_node_bench.toml\n"
         "  tiretherm validate\n"
         "  tiretherm effects air_convection\n\n"
         "Help for a command: tiretherm COMMAND --help");
