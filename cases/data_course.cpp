@@ -15,6 +15,7 @@ constexpr double long_recording = 2e5;  ///< s; no test of a tire lasts two days
 constexpr std::size_t stuck_samples = 20;
 constexpr double stuck_share = 0.02;
 constexpr double stuck_factor = 5.0;     ///< over the stretch of equal values in which a typical sample lies
+constexpr double coarse = 3.0;           ///< steps of the logger; a signal that moves no further hardly moves
 constexpr double noisy = 0.2;            ///< reversals a sample; a ramp has none, white noise two thirds
 constexpr double outlying = 8.0;         ///< robust standard deviations
 constexpr double least_scale = 0.0025;   ///< of a sensor's range: what is small beside it is no outlier
@@ -95,17 +96,40 @@ std::vector<double> off_median(const std::vector<double>& value) {
     return off;
 }
 
+/// The smallest step between two samples; 0 where there is none.
+double resolution_of(const std::vector<double>& value) {
+    double resolution = 0.0;
+    for (std::size_t i = 1; i < value.size(); ++i) {
+        const double step = std::abs(value[i] - value[i - 1]);
+        resolution = step > 0.0 && (resolution == 0.0 || step < resolution) ? step : resolution;
+    }
+    return resolution;
+}
+
+/// Whether the run has not begun yet: a stretch from its first sample on in which the tire stands.
+bool is_soak(const Recording& recording, const Watched& column, const Stretch& stretch) {
+    const Watched* speed = recording.find("speed");
+    if (stretch.first != 0 || speed == nullptr) {
+        return false;
+    }
+    const double last = column.time[stretch.length - 1];
+    std::size_t i = 0;
+    while (i < speed->time.size() && speed->time[i] <= last) {
+        if (std::abs(speed->value[i]) > 0.1) {
+            return false;
+        }
+        ++i;
+    }
+    return true;
+}
+
 /// A robust standard deviation of the differences, not below what the logger resolves and what would matter.
 double scale_of(const Watched& column, const std::vector<double>& off) {
     std::vector<double> magnitudes(off.size());
     std::transform(off.begin(), off.end(), magnitudes.begin(), [](double v) { return std::abs(v); });
-    double resolution = 0.0;
-    for (std::size_t i = 1; i < column.value.size(); ++i) {
-        const double step = std::abs(column.value[i] - column.value[i - 1]);
-        resolution = step > 0.0 && (resolution == 0.0 || step < resolution) ? step : resolution;
-    }
     const double least = column.is_input ? least_of_input : least_scale;
-    return std::max({1.4826 * median(std::move(magnitudes)), least * (column.high() - column.low()), resolution});
+    return std::max(
+        {1.4826 * median(std::move(magnitudes)), least * (column.high() - column.low()), resolution_of(column.value)});
 }
 
 /// Whether an input changes so much between two times that a sensor's jump may be real.
@@ -153,7 +177,7 @@ std::string find_time_jumps(const Recording& recording) {
     return fmt::format("{}, where a sample mostly comes every {:.6g} s: was the logger paused?", how, usual);
 }
 
-std::string find_stuck(const Recording&, const Watched& column) {
+std::string find_stuck(const Recording& recording, const Watched& column) {
     const std::vector<Stretch> all = stretches(column.value);
     const auto longest = std::max_element(all.begin(), all.end(),
                                           [](const Stretch& a, const Stretch& b) { return a.length < b.length; });
@@ -163,7 +187,9 @@ std::string find_stuck(const Recording&, const Watched& column) {
     const double value = column.value[longest->first];
     // An input that rests at zero or is held by a controller is no sensor that hangs.
     const bool held = column.is_input && (value == 0.0 || reversals(column.value, *longest) < noisy);
-    if (all.size() < 2 || held || static_cast<double>(longest->length) <= least ||
+    const bool coarsely = column.high() - column.low() <= coarse * resolution_of(column.value);
+    if (all.size() < 2 || held || coarsely || is_soak(recording, column, *longest) ||
+        static_cast<double>(longest->length) <= least ||
         static_cast<double>(longest->length) <= stuck_factor * static_cast<double>(typical)) {
         return {};
     }

@@ -17,6 +17,23 @@ namespace {
 
 constexpr std::array<std::string_view, 4> tables_of_a_run{"drive", "initial", "time", "measured"};
 
+/// A number of the case counts in each run that has none of its own; it was hardly measured in several.
+void warn_of_shared_numbers(const Node& document, const std::vector<RunTable>& tables, const Experiment& experiment,
+                            Mistakes& mistakes) {
+    const Node* numbers = document.find("measured");
+    std::size_t sharing = 0;
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+        const bool own = tables[i].table != nullptr && tables[i].table->find("measured") != nullptr;
+        sharing += !own && !experiment.runs[i].numbers.empty() ? 1 : 0;
+    }
+    if (numbers != nullptr && sharing > 1) {
+        mistakes.warn(numbers->place,
+                      fmt::format("the numbers of the case count in each of {} runs: give them to the run "
+                                  "in which they were measured",
+                                  sharing));
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> unique(const std::vector<std::string>& sentences) {
@@ -83,6 +100,7 @@ Runs read_runs(const Node& document, const std::string& name, const std::vector<
     for (const RunTable& table : tables) {
         table.keys->complain(mistakes);
     }
+    warn_of_shared_numbers(document, tables, into.experiment, mistakes);
     return into;
 }
 

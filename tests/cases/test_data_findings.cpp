@@ -156,6 +156,29 @@ TEST(Findings, ACoarseSensorDoesNotHang) {
     EXPECT_EQ(session.findings(), Sentences{});
 }
 
+// Written to 0.1 K, air that hardly changes flickers on the edge of a step for a while and then no more.
+TEST(Findings, AirThatHardlyChangesDoesNotHang) {
+    Session session;
+    for (std::size_t i = 0; i < 100; ++i) {
+        session.column("air_temperature").numbers[i] = i % 3 == 0 ? 25.1 : 25.0;
+    }
+    EXPECT_EQ(session.findings(), Sentences{});
+}
+
+// Before it rolls, a tire stays as it is; when it rolls, it does not.
+TEST(Findings, ATireThatStandsFromTheStartDoesNotHang) {
+    Session session;
+    std::vector<double>& speed = session.column("speed").numbers;
+    std::fill(speed.begin(), speed.begin() + 60, 0.0);
+    std::vector<double>& bulk = session.column("bulk_temperature").numbers;
+    std::fill(bulk.begin(), bulk.begin() + 50, 25.0);
+    EXPECT_EQ(session.findings(), Sentences{});
+    speed[30] = 80.0;
+    EXPECT_EQ(session.findings(),
+              Sentences{"run1.csv: bulk_temperature stands at 25 degC for 50 samples, from 0 s to 294 "
+                        "s, while it otherwise changes: was it stuck?"});
+}
+
 TEST(Findings, AnInputThatHangs) {
     Session session;
     std::mt19937 random(11);

@@ -273,4 +273,40 @@ TEST(Runs, AUnitOfTheCaseWinsOverTheHeadingWithAWarning) {
     EXPECT_TRUE(reading.warnings[0].ends_with("the column speed is in [km/h] by its heading; m/s is taken instead"));
 }
 
+TEST(Runs, ANumberOfTheCaseCountsInEachRunWithAWarning) {
+    const std::string number =
+        "[[measured]]\nchannel = \"bulk_temperature\"\nvalue = \"33 degC\"\nuncertainty = \"1 K\"\n";
+    const ExperimentReading reading = Bench(std::string(both) + number).read();
+    const auto& runs = runs_of(reading, 2);
+    EXPECT_EQ(runs[0].numbers.size(), 1U);
+    EXPECT_EQ(runs[1].numbers.size(), 1U);
+    ASSERT_EQ(reading.warnings.size(), 1U) << complaints(reading);
+    EXPECT_TRUE(
+        reading.warnings[0].ends_with("the numbers of the case count in each of 2 runs: give them to the run in "
+                                      "which they were measured"));
+    // Without uncertainty it only stands beside the simulated ones.
+    const ExperimentReading shown = Bench(std::string(both) + replaced(number, "uncertainty = \"1 K\"\n", "")).read();
+    EXPECT_TRUE(runs_of(shown, 2)[0].numbers.empty());
+    EXPECT_TRUE(shown.warnings.empty());
+}
+
+TEST(Runs, AFileWinsOverALogOfTheCaseColumnByColumn) {
+    const Bench rig("[[run]]\nfile = \"slow.csv\"\n[[drive.file]]\npath = \"rig.csv\"\n");
+    rig.add("rig.csv", "time [s],speed [km/h],camber [deg]\n0,1,0\n200,1,2\n");
+    const ExperimentReading reading = rig.read();
+    const auto& runs = runs_of(reading, 1);
+    EXPECT_NEAR(input(runs[0], 50.0, &Inputs::speed), 10.0, 1e-12);
+    EXPECT_NEAR(input(runs[0], 50.0, &Inputs::camber), 0.5 * M_PI / 180.0, 1e-12);
+    EXPECT_EQ(runs[0].problem.settings.end, 100.0) << "the run's file says how long, not the log of the case";
+}
+
+TEST(Runs, MistakesOfAllRunsAreToldAtOnce) {
+    const ExperimentReading reading =
+        Bench("[[run]]\nfile = \"slow.csv\"\nfrom = \"500 s\"\n[[run]]\nfile = \"fast.csv\"\nto = \"-1 s\"\n").read();
+    ASSERT_EQ(reading.mistakes.size(), 2U) << complaints(reading);
+    EXPECT_EQ(reading.mistakes[0].what,
+              "fewer than two samples lie between from and to: the file goes from 0 s to 100 s");
+    EXPECT_EQ(reading.mistakes[0].line + 3, reading.mistakes[1].line);
+}
+
 }  // namespace tiretherm::cases
