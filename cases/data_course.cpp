@@ -10,13 +10,8 @@ namespace tiretherm::cases {
 
 namespace {
 
-constexpr double long_interval = 10.0;  ///< times the median one: the logger was paused
-constexpr double long_recording = 2e5;  ///< s; no test of a tire lasts two days at this many samples
-constexpr std::size_t stuck_samples = 20;
-constexpr double stuck_share = 0.02;
-constexpr double stuck_factor = 5.0;     ///< over the stretch of equal values in which a typical sample lies
-constexpr double coarse = 3.0;           ///< steps of the logger; a signal that moves no further hardly moves
-constexpr double noisy = 0.2;            ///< reversals a sample; a ramp has none, white noise two thirds
+constexpr double long_interval = 10.0;   ///< times the median one: the logger was paused
+constexpr double long_recording = 2e5;   ///< s; no test of a tire lasts two days at this many samples
 constexpr double outlying = 8.0;         ///< robust standard deviations
 constexpr double least_scale = 0.0025;   ///< of a sensor's range: what is small beside it is no outlier
 constexpr double least_of_input = 0.01;  ///< of an input's range, which may have corners
@@ -29,58 +24,6 @@ double median(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
     return *middle;
-}
-
-/// Samples of one value, one after another.
-struct Stretch {
-    std::size_t first = 0;
-    std::size_t length = 0;
-};
-
-std::vector<Stretch> stretches(const std::vector<double>& value) {
-    std::vector<Stretch> found;
-    for (std::size_t i = 0; i < value.size(); ++i) {
-        if (i > 0 && value[i] == value[i - 1]) {
-            ++found.back().length;
-        } else {
-            found.push_back({i, 1});
-        }
-    }
-    return found;
-}
-
-/// The length of the stretch in which the middle sample lies when they are sorted by length, one left out.
-std::size_t typical_length(const std::vector<Stretch>& all, std::size_t without) {
-    std::vector<std::size_t> lengths;
-    std::size_t samples = 0;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (i != without) {
-            lengths.push_back(all[i].length);
-            samples += all[i].length;
-        }
-    }
-    std::sort(lengths.begin(), lengths.end());
-    std::size_t counted = 0;
-    for (const std::size_t length : lengths) {
-        counted += length;
-        if (2 * counted >= samples) {
-            return length;
-        }
-    }
-    return 0;
-}
-
-/// How often, a sample, a signal turns round outside a stretch. A setpoint and a ramp hardly ever do.
-double reversals(const std::vector<double>& value, const Stretch& without) {
-    std::size_t turns = 0;
-    std::size_t counted = 0;
-    for (std::size_t i = 1; i + 1 < value.size(); ++i) {
-        if (i + 1 < without.first || i > without.first + without.length) {
-            turns += (value[i] - value[i - 1]) * (value[i + 1] - value[i]) < 0.0 ? 1 : 0;
-            ++counted;
-        }
-    }
-    return counted == 0 ? 0.0 : static_cast<double>(turns) / static_cast<double>(counted);
 }
 
 /// How far each sample lies from the median of those about it.
@@ -96,40 +39,13 @@ std::vector<double> off_median(const std::vector<double>& value) {
     return off;
 }
 
-/// The smallest step between two samples; 0 where there is none.
-double resolution_of(const std::vector<double>& value) {
-    double resolution = 0.0;
-    for (std::size_t i = 1; i < value.size(); ++i) {
-        const double step = std::abs(value[i] - value[i - 1]);
-        resolution = step > 0.0 && (resolution == 0.0 || step < resolution) ? step : resolution;
-    }
-    return resolution;
-}
-
-/// Whether the run has not begun yet: a stretch from its first sample on in which the tire stands.
-bool is_soak(const Recording& recording, const Watched& column, const Stretch& stretch) {
-    const Watched* speed = recording.find("speed");
-    if (stretch.first != 0 || speed == nullptr) {
-        return false;
-    }
-    const double last = column.time[stretch.length - 1];
-    std::size_t i = 0;
-    while (i < speed->time.size() && speed->time[i] <= last) {
-        if (std::abs(speed->value[i]) > 0.1) {
-            return false;
-        }
-        ++i;
-    }
-    return true;
-}
-
 /// A robust standard deviation of the differences, not below what the logger resolves and what would matter.
 double scale_of(const Watched& column, const std::vector<double>& off) {
     std::vector<double> magnitudes(off.size());
     std::transform(off.begin(), off.end(), magnitudes.begin(), [](double v) { return std::abs(v); });
     const double least = column.is_input ? least_of_input : least_scale;
     return std::max(
-        {1.4826 * median(std::move(magnitudes)), least * (column.high() - column.low()), resolution_of(column.value)});
+        {1.4826 * median(std::move(magnitudes)), least * (column.high() - column.low()), column.resolution()});
 }
 
 /// Whether an input changes so much between two times that a sensor's jump may be real.
@@ -175,28 +91,6 @@ std::string find_time_jumps(const Recording& recording) {
                                 ? fmt::format("jumps by {:.6g} s after {}", *longest, from)
                                 : fmt::format("jumps {} times, at most by {:.6g} s after {}", jumps, *longest, from);
     return fmt::format("{}, where a sample mostly comes every {:.6g} s: was the logger paused?", how, usual);
-}
-
-std::string find_stuck(const Recording& recording, const Watched& column) {
-    const std::vector<Stretch> all = stretches(column.value);
-    const auto longest = std::max_element(all.begin(), all.end(),
-                                          [](const Stretch& a, const Stretch& b) { return a.length < b.length; });
-    const auto least =
-        std::max(static_cast<double>(stuck_samples), stuck_share * static_cast<double>(column.value.size()));
-    const std::size_t typical = typical_length(all, static_cast<std::size_t>(longest - all.begin()));
-    const double value = column.value[longest->first];
-    // An input that rests at zero or is held by a controller is no sensor that hangs.
-    const bool held = column.is_input && (value == 0.0 || reversals(column.value, *longest) < noisy);
-    const bool coarsely = column.high() - column.low() <= coarse * resolution_of(column.value);
-    if (all.size() < 2 || held || coarsely || is_soak(recording, column, *longest) ||
-        static_cast<double>(longest->length) <= least ||
-        static_cast<double>(longest->length) <= stuck_factor * static_cast<double>(typical)) {
-        return {};
-    }
-    return fmt::format(
-        "stands at {} for {} samples, from {:.6g} s to {:.6g} s, while it otherwise changes: was it stuck?",
-        column.show(value), longest->length, column.time[longest->first],
-        column.time[longest->first + longest->length - 1]);
 }
 
 std::string find_outliers(const Recording& recording, const Watched& column) {

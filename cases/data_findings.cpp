@@ -44,6 +44,15 @@ double Watched::largest() const {
     return found;
 }
 
+double Watched::resolution() const {
+    double smallest = 0.0;
+    for (std::size_t i = 1; i < value.size(); ++i) {
+        const double step = std::abs(value[i] - value[i - 1]);
+        smallest = step > 0.0 && (smallest == 0.0 || step < smallest) ? step : smallest;
+    }
+    return smallest;
+}
+
 std::string Watched::show(double si_amount) const {
     const bool bare = unit.empty() || unit == "-" || unit == "1";
     const std::string number = three_digits(conversion.from_si(si_amount));

@@ -23,7 +23,8 @@ struct Watched {
     [[nodiscard]] bool is_temperature() const { return si == "K"; }
     [[nodiscard]] double low(double share = 0.01) const;   ///< below which this share of the values lies
     [[nodiscard]] double high(double share = 0.99) const;  ///< below which this share of the values lies
-    [[nodiscard]] double largest() const;  ///< magnitude; a spike of one sample counts as twice its neighbours
+    [[nodiscard]] double largest() const;     ///< magnitude; a spike of one sample counts as twice its neighbours
+    [[nodiscard]] double resolution() const;  ///< smallest step between two samples, 0 without any
     /// A value as the file would write it, to three digits: "27.8 km/h".
     [[nodiscard]] std::string show(double si_amount) const;
     /// A difference of two values: "41 K".

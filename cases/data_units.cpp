@@ -9,7 +9,7 @@
 
 #include "cases/data_findings.hpp"
 
-/// Suspicions that the size of a signal raises: its unit is another one, or the input is unusual.
+/// Suspicions that the size of a signal raises: its unit is another one.
 namespace tiretherm::cases {
 
 namespace {
@@ -95,24 +95,6 @@ constexpr std::array spans{Span{"air_temperature", celsius - 40.0, celsius + 55.
 constexpr std::array<std::string_view, 3> temperature_units{"K", "degC", "degF"};
 constexpr double agreeing = 3.0;      ///< K: a tire that starts with the air
 constexpr double disagreeing = 20.0;  ///< K
-
-/// What is usual of an input.
-struct Usual {
-    std::string_view name;
-    double low;
-    double high;
-};
-constexpr std::array usual{Usual{"speed", -none, 300.0 * km_h},
-                           Usual{"vertical_load", 0.0, 1.5e4},
-                           Usual{"slip_angle", -15.0 * degree, 15.0 * degree},
-                           Usual{"slip_ratio", -1.0, 1.0},
-                           Usual{"lateral_force", -2e4, 2e4},
-                           Usual{"longitudinal_force", -2e4, 2e4},
-                           Usual{"camber", -10.0 * degree, 10.0 * degree},
-                           Usual{"inflation_pressure", 1.0 * bar, 5.0 * bar},
-                           Usual{"air_temperature", celsius - 30.0, celsius + 50.0},
-                           Usual{"road_temperature", celsius - 30.0, celsius + 70.0},
-                           Usual{"laser_power", 0.0, 10.0}};
 
 /// How the numbers of a column would be read in another unit; nothing when that is the same.
 std::optional<Conversion> in_unit(const Watched& column, std::string_view unit) {
@@ -209,23 +191,6 @@ std::string find_unit_slip(const Recording& recording, const Watched& column) {
             const std::string sentence = doubt_span(column, span);
             return sentence.empty() ? doubt_start(recording, column) : sentence;
         }
-    }
-    return {};
-}
-
-std::string find_unusual(const Recording&, const Watched& column) {
-    const auto range = std::find_if(usual.begin(), usual.end(), [&](const Usual& u) { return u.name == column.name; });
-    if (!column.is_input || range == usual.end()) {
-        return {};
-    }
-    const auto [low, high] = std::minmax_element(column.value.begin(), column.value.end());
-    if (*high > range->high) {
-        return fmt::format("reaches {}, which is unusual: it is mostly at most {}", column.show(*high),
-                           column.show(range->high));
-    }
-    if (*low < range->low) {
-        return fmt::format("falls to {}, which is unusual: it is mostly at least {}", column.show(*low),
-                           column.show(range->low));
     }
     return {};
 }

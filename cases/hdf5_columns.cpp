@@ -1,137 +1,18 @@
 #include "cases/hdf5_columns.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstdio>
-#include <memory>
-#include <system_error>
 
 #include <fmt/format.h>
-#include <hdf5.h>
 
-#include "cases/document.hpp"
+#include "cases/hdf5_datasets.hpp"
 #include "cases/words.hpp"
 
 namespace tiretherm::cases {
 
-namespace {
-
-/// Closes a handle of HDF5 at the end of a scope; the kind is known to the library.
-class Handle {
-public:
-    explicit Handle(hid_t handle) : handle_(handle) {}
-    ~Handle() {
-        if (handle_ >= 0) {
-            H5Idec_ref(handle_);
-        }
-    }
-    Handle(const Handle&) = delete;
-    Handle& operator=(const Handle&) = delete;
-    operator hid_t() const { return handle_; }
-
-private:
-    hid_t handle_;
-};
-
-/// A text attribute, of fixed or of variable length; nothing where there is none.
-std::optional<std::string> attribute(hid_t object, const char* name) {
-    if (H5Aexists(object, name) <= 0) {
-        return std::nullopt;
-    }
-    const Handle opened(H5Aopen(object, name, H5P_DEFAULT));
-    const Handle type(H5Aget_type(opened));
-    const Handle space(H5Aget_space(opened));
-    if (H5Tget_class(type) != H5T_STRING || H5Sget_simple_extent_npoints(space) != 1) {
-        return std::nullopt;
-    }
-    if (H5Tis_variable_str(type) > 0) {
-        char* text = nullptr;
-        if (H5Aread(opened, type, static_cast<void*>(&text)) < 0 || text == nullptr) {
-            return std::nullopt;
-        }
-        std::string result(text);
-        H5free_memory(text);
-        return result;
-    }
-    std::string text(H5Tget_size(type), '\0');
-    if (H5Aread(opened, type, text.data()) < 0) {
-        return std::nullopt;
-    }
-    text.resize(std::min(text.find('\0'), text.size()));
-    return std::string(trim(text));
-}
-
-std::vector<std::string> members(hid_t group, H5O_type_t kind) {
-    struct Found {
-        H5O_type_t kind;
-        std::vector<std::string> names;
-    } found{kind, {}};
-    const auto take = [](hid_t in, const char* name, const H5L_info_t*, void* into) -> herr_t {
-        auto* all = static_cast<Found*>(into);
-        const Handle object(H5Oopen(in, name, H5P_DEFAULT));
-        H5O_info_t about{};
-        if (object >= 0 && H5Oget_info2(object, &about, H5O_INFO_BASIC) >= 0 && about.type == all->kind) {
-            all->names.emplace_back(name);
-        }
-        return 0;
-    };
-    H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, take, &found);
-    return found.names;
-}
-
-/// The numbers of a dataset of one dimension; nothing for any other.
-std::optional<std::vector<double>> numbers(hid_t dataset) {
-    const Handle type(H5Dget_type(dataset));
-    const Handle space(H5Dget_space(dataset));
-    const H5T_class_t kind = H5Tget_class(type);
-    if ((kind != H5T_INTEGER && kind != H5T_FLOAT) || H5Sget_simple_extent_ndims(space) != 1) {
-        return std::nullopt;
-    }
-    std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
-    if (!values.empty() && H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
-        return std::nullopt;
-    }
-    return values;
-}
-
-struct Dataset {
-    Heading heading;
-    std::vector<double> values;
-};
-
-std::vector<Dataset> datasets(hid_t group) {
-    std::vector<Dataset> found;
-    for (const std::string& name : members(group, H5O_TYPE_DATASET)) {
-        const Handle dataset(H5Dopen2(group, name.c_str(), H5P_DEFAULT));
-        if (auto values = dataset >= 0 ? numbers(dataset) : std::nullopt) {
-            std::optional<std::string> unit = attribute(dataset, "units");
-            found.push_back({.heading = {name, unit.value_or("").empty() ? std::nullopt : std::move(unit)},
-                             .values = std::move(*values)});
-        }
-    }
-    return found;
-}
-
-/// Why a file cannot be opened, or that it is not HDF5; empty for one that can.
-Fault defect(const std::filesystem::path& path) {
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-    if (!file) {
-        return {fmt::format("cannot be read: {}", std::system_category().message(errno)), ""};
-    }
-    if (H5Fis_hdf5(path.c_str()) <= 0) {
-        return {"is not an HDF5 file", "export it as HDF5; a text file ends in .csv"};
-    }
-    return {};
-}
-
-}  // namespace
-
 std::optional<Hdf5Columns> Hdf5Columns::open(const std::filesystem::path& path, const Place& mentioned,
                                              Mistakes& mistakes) {
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // reasons go into mistakes, not to stderr
     const std::string shown = path.generic_string();
-    if (const Fault fault = defect(path); !fault.what.empty()) {
+    if (const Fault fault = hdf5_defect(path); !fault.what.empty()) {
         if (mentioned.file < 0) {
             mistakes.add({.file = mistakes.add_file(shown, "")}, "the file " + fault.what, fault.remedy);
         } else {
@@ -142,18 +23,7 @@ std::optional<Hdf5Columns> Hdf5Columns::open(const std::filesystem::path& path, 
     Hdf5Columns columns;
     columns.number_ = mistakes.add_file(shown, "");
     const Place place{.file = columns.number_};
-    const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
-    const bool ours = attribute(file, "format").value_or("").starts_with("tiretherm results");
-    std::vector<Dataset> found = ours ? std::vector<Dataset>{} : datasets(file);
-    std::vector<std::string> groups;
-    for (const std::string& name : found.empty() ? members(file, H5O_TYPE_GROUP) : std::vector<std::string>{}) {
-        const Handle group(H5Gopen2(file, name.c_str(), H5P_DEFAULT));
-        std::vector<Dataset> in_group = ours && name != "channels" ? std::vector<Dataset>{} : datasets(group);
-        if (!in_group.empty()) {
-            groups.push_back(name);
-            found = std::move(in_group);
-        }
-    }
+    auto [found, groups] = read_datasets(path);
     if (groups.size() > 1) {
         mistakes.add(place, fmt::format("several groups of the file hold datasets: {}", listed(groups)),
                      "keep the run's datasets in the root or in one group");

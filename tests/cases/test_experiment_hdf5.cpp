@@ -150,6 +150,21 @@ TEST(Hdf5, AWrongValueIsFoundByItsNumber) {
               "nothing was measured");
 }
 
+TEST(Hdf5, AFileThatWasCutOffIsRefused) {
+    const Written written;
+    const std::filesystem::path file = written.folder() / "run.h5";
+    {
+        Writer writer(file);
+        write_sound(writer, "");
+    }
+    std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
+    const std::string mistake =
+        only_mistake(read_experiment(written.add("case.toml", std::string(bench) + "[[run]]\nfile = \"run.h5\"\n")));
+    EXPECT_NE(mistake.find("run.h5 is HDF5, but cannot be opened: it is cut off, damaged or still being written | "),
+              std::string::npos)
+        << mistake;
+}
+
 TEST(Hdf5, AFileOfNothingButTextHasNoColumns) {
     EXPECT_EQ(
         only_mistake(read_hdf5([](Writer& writer) { writer.file().write("/note", std::string("nothing"), {}); })),
