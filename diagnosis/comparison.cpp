@@ -7,6 +7,8 @@
 #include <map>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "diagnosis/comparison_regressors.hpp"
 #include "solver/prediction.hpp"
 
@@ -83,6 +85,21 @@ ComparedNumber Beside::number(const cases::MeasuredNumber& measured) const {
             .source = measured.source};
 }
 
+/// A reading that is not a number would spoil every figure without a word.
+solver::Status finite(const cases::MeasuredRun& run, const std::vector<double>& times,
+                      const solver::Prediction& prediction) {
+    for (std::size_t t = 0; t < times.size(); ++t) {
+        for (std::size_t c = 0; c < prediction.n_channels; ++c) {
+            if (!std::isfinite(prediction.at(t, c))) {
+                return {.outcome = solver::Outcome::not_finite,
+                        .message = fmt::format("simulated {} at {:.6g} s is not a number", run.problem.channels[c].name,
+                                               times[t])};
+            }
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 std::vector<double> ComparedSeries::difference() const {
@@ -109,9 +126,12 @@ Comparison compare(const cases::Experiment& experiment, const std::string& name)
         const Clock::time_point begin = Clock::now();
         beside.prediction = solver::predict(run.problem, {.times = beside.times});
         result.seconds += std::chrono::duration<double>(Clock::now() - begin).count();
-        if (!beside.prediction.status.ok()) {
-            result.status = beside.prediction.status;
-            result.status.message = "run \"" + run.name + "\": " + result.status.message;
+        result.status = beside.prediction.status;
+        if (result.status.ok()) {
+            result.status = finite(run, beside.times, beside.prediction);
+        }
+        if (!result.status.ok()) {
+            result.status.message = fmt::format("run \"{}\": {}", run.name, result.status.message);
             return result;
         }
         for (const cases::MeasuredSeries& series : run.series) {
