@@ -42,6 +42,10 @@ Pattern pattern_of(const mesh::Mesh& mesh) {
 }
 
 void Matrix::multiply(std::span<const double> x, std::span<double> y) const {
+    if (transposed) {
+        multiply_transposed(x, y);
+        return;
+    }
     const Pattern& p = *pattern;
     for (int i = 0; i < p.n; ++i) {
         double sum = 0.0;

@@ -12,6 +12,8 @@ namespace tiretherm::solver {
 namespace {
 
 constexpr double atmosphere = 101325.0;  // Pa
+/// Half the step of a difference quotient with temperature: readings are smooth over kelvins. K
+constexpr double difference = 0.01;
 
 /// The parabola through three points, or the line through two; times u since the begin.
 struct Parabola {
@@ -189,14 +191,18 @@ double Readings::followed(const Chain& chain, const Piece& piece, double t) {
     return particular(t) + (piece.lagged - particular(piece.begin)) * decay;
 }
 
+double Readings::ahead(const Chain& chain, const Piece& piece, double t) {
+    const double value = followed(chain, piece, piece.end);
+    const double slope = chain.lag > 0.0 ? (piece.value(piece.end) - value) / chain.lag : piece.slope(piece.end);
+    return value + (t - piece.end) * slope;
+}
+
 /// Lag and delay commute: a delayed reading is the lagged one of an earlier time.
 double Readings::delayed(const Chain& chain, double t) {
     const double when = t - chain.delay;
     const Piece& now = chain.past.back();
-    if (when > now.end) {  // a clock that runs ahead reads what is to come as it is changing now
-        const double value = followed(chain, now, now.end);
-        const double slope = chain.lag > 0.0 ? (now.value(now.end) - value) / chain.lag : now.slope(now.end);
-        return value + (when - now.end) * slope;
+    if (when > now.end) {  // a clock that runs ahead
+        return ahead(chain, now, when);
     }
     const auto piece = std::find_if(chain.past.rbegin(), chain.past.rend(),
                                     [&](const Piece& candidate) { return when >= candidate.begin; });
@@ -205,13 +211,56 @@ double Readings::delayed(const Chain& chain, double t) {
 
 void Readings::at(double t, const physics::Inputs& logged, std::span<double> out) const {
     for (std::size_t c = 0; c < chains_.size(); ++c) {
-        const Chain& chain = chains_[c];
-        double value = quantity(c, delayed(chain, t), logged);
-        for (const Reader& reader : chain.after) {
-            value = reader.active->effect->read(*reader.active, reader.position, value, logged);
-        }
-        out[c] = value;
+        out[c] = shown(c, delayed(chains_[c], t), logged);
     }
+}
+
+double Readings::shown(std::size_t channel, double followed, const physics::Inputs& logged) const {
+    double value = quantity(channel, followed, logged);
+    for (const Reader& reader : chains_[channel].after) {
+        value = reader.active->effect->read(*reader.active, reader.position, value, logged);
+    }
+    return value;
+}
+
+double Readings::slope(std::size_t channel, double t, const physics::Inputs& logged) const {
+    const double followed = delayed(chains_[channel], t);
+    return (shown(channel, followed + difference, logged) - shown(channel, followed - difference, logged)) /
+           (2.0 * difference);
+}
+
+Readings::Form Readings::form(std::size_t channel, std::span<const Stage> stages,
+                              std::span<const physics::Inputs> inputs, double t) const {
+    const Quantity kind = problem_->channels[channel].quantity;
+    if (kind == Quantity::drag_force || kind == Quantity::rolling_moment || kind == Quantity::loaded_radius) {
+        return {};
+    }
+    const Chain& chain = chains_[channel];
+    const std::size_t n = stages.size();
+    const double begin = stages.front().time;
+    const double end = stages.back().time;
+    std::array<double, 3> u{};
+    for (std::size_t i = 0; i < n; ++i) {
+        u[i] = stages[i].time - begin;
+    }
+    const auto response = [&](const std::array<double, 3>& v, double lagged) {
+        const Parabola p = through({u.data(), n}, {v.data(), n});
+        const Piece piece{.begin = begin, .end = end, .a = p.a, .b = p.b, .c = p.c, .lagged = lagged};
+        return t > end ? ahead(chain, piece, t) : followed(chain, piece, t);
+    };
+    Form form{.lagged = response({}, 1.0)};
+    for (std::size_t i = 0; i < n; ++i) {
+        std::array<double, 3> unit{};
+        unit[i] = 1.0;
+        double above = chain.where(stages[i].temperature) + difference;
+        double below = above - 2.0 * difference;
+        for (const Reader& reader : chain.before) {
+            above = reader.active->effect->read(*reader.active, reader.position, above, inputs[i]);
+            below = reader.active->effect->read(*reader.active, reader.position, below, inputs[i]);
+        }
+        form.stage[i] = response(unit, 0.0) * (above - below) / (2.0 * difference);
+    }
+    return form;
 }
 
 void Readings::visit(Archive& archive) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,20 @@ public:
     /// A moment of the last step, or the start. @param t s  @param logged inputs of that moment
     /// @param out [n_channels] SI
     void at(double t, const physics::Inputs& logged, std::span<double> out) const;
+
+    /// What a channel follows at a moment, as a linear form of small changes: of the temperature at its place at the
+    /// stages of a step, and of what a lagging sensor gave at its begin. All zero for what follows no temperature.
+    struct Form {
+        std::array<double, 3> stage{};
+        double lagged = 0.0;
+    };
+    /// @param stages of the step, in which the moment lies or after which it comes  @param t s, on the sensor's clock
+    [[nodiscard]] Form form(std::size_t channel, std::span<const Stage> stages, std::span<const physics::Inputs> inputs,
+                            double t) const;
+    /// Slope of what a channel shows with what it follows. @param t s, @param logged inputs of that moment
+    [[nodiscard]] double slope(std::size_t channel, double t, const physics::Inputs& logged) const;
+    [[nodiscard]] double delay(std::size_t channel) const { return chains_[channel].delay; }  ///< s
+    [[nodiscard]] const mesh::Functional& place(std::size_t channel) const { return chains_[channel].where; }
 
     void visit(Archive& archive);
 
@@ -60,6 +75,9 @@ private:
     [[nodiscard]] double magic_formula(Quantity quantity, const physics::Tire& tire, const physics::Inputs& inputs,
                                        double T) const;
     [[nodiscard]] static double followed(const Chain& chain, const Piece& piece, double t);
+    /// After the end of the last piece, as it is changing there.
+    [[nodiscard]] static double ahead(const Chain& chain, const Piece& piece, double t);
+    [[nodiscard]] double shown(std::size_t channel, double followed, const physics::Inputs& logged) const;
     [[nodiscard]] static double delayed(const Chain& chain, double t);
 
     const Problem* problem_;

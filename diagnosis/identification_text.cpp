@@ -1,0 +1,235 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "diagnosis/identification_report.hpp"
+#include "post/channel_unit.hpp"
+#include "post/table.hpp"
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+/// Correlations from here on are shown.
+constexpr double close = 0.9;
+/// Parts of a direction smaller than this are not told.
+constexpr double small = 0.2;
+
+/// A number to four digits, as long as the interval's own digits need.
+std::string shown(double value) { return std::isfinite(value) ? fmt::format("{:.5g}", value) : "-"; }
+
+std::string interval(const Fitted& one, bool planned) {
+    if (one.sight == Sight::not_determined && !one.profiled) {
+        return "-";
+    }
+    if (planned) {
+        return fmt::format("+- {:.2g}", 0.5 * (one.high - one.low));
+    }
+    return fmt::format("{}{} to {}{}", one.low_is_open ? "< " : "", shown(one.low), shown(one.high),
+                       one.high_is_open ? " and more" : "");
+}
+
+std::string known_before(const solver::Adjustable& parameter) {
+    return std::isfinite(parameter.standard_deviation)
+               ? fmt::format("{} +- {:.2g}", shown(parameter.prior), parameter.standard_deviation)
+               : "-";
+}
+
+std::string numbers_table(const IdentificationRecord& record) {
+    const bool planned = record.planned;
+    post::Table table({true, true, false, false, false, false, true});
+    table.add({"number", "unit", "case", planned ? "" : "fitted", "95 %", "known before, sd", ""});
+    bool profiled = false;
+    for (std::size_t j = 0; j < record.result.fitted.size(); ++j) {
+        const Fitted& one = record.result.fitted[j];
+        const solver::Adjustable& parameter = record.experiment.parameters[j];
+        profiled = profiled || one.profiled;
+        table.add({parameter.name, parameter.unit, shown(one.before), planned ? "" : shown(one.value),
+                   interval(one, planned), known_before(parameter), std::string(word_of(one.sight))});
+    }
+    std::string text = table.text(2);
+    const auto any = [&](Sight sight) {
+        return std::ranges::any_of(record.result.fitted, [&](const Fitted& one) { return one.sight == sight; });
+    };
+    if (profiled) {
+        text += post::wrap("The intervals are those of the profile likelihood.", 2);
+    }
+    if (any(Sight::with_prior)) {
+        text += post::wrap(
+            "with prior: the interval would be more than twice as wide without what was known before, "
+            "or the data halve it at best.",
+            2);
+    }
+    if (any(Sight::prior_only)) {
+        text += post::wrap("prior only: the data do not see it; the interval is the one that was known before.", 2);
+    }
+    if (any(Sight::not_determined)) {
+        text += post::wrap(
+            "not determined: the data do not see it and nothing was known before; the value is where "
+            "the search ended and means nothing.",
+            2);
+    }
+    if (any(Sight::at_bound)) {
+        text += post::wrap("at bound: the data want a value beyond what is allowed; a finding about the model.", 2);
+    }
+    return text;
+}
+
+std::string directions_text(const IdentificationRecord& record) {
+    std::string text;
+    std::size_t unseen = 0;
+    for (const Direction& direction : record.result.directions) {
+        if (direction.strength < 1.0) {
+            ++unseen;
+            text += post::wrap(
+                fmt::format("- {}: {}", describe(direction, record.experiment, record.result.values),
+                            direction.strength < 1e-3
+                                ? "the data say nothing"
+                                : fmt::format("the data say {:.2g} of what was known before", direction.strength)),
+                4);
+        }
+    }
+    if (unseen == 0) {
+        return "";
+    }
+    return post::wrap(fmt::format("{} of {} combinations of the numbers are known less well from the data than before:",
+                                  unseen, record.result.directions.size()),
+                      2) +
+           text;
+}
+
+std::string correlations_text(const IdentificationRecord& record) {
+    struct Pair {
+        std::size_t a;
+        std::size_t b;
+        double value;
+    };
+    std::vector<Pair> pairs;
+    const Eigen::MatrixXd& correlation = record.result.correlation;
+    for (Eigen::Index a = 0; a < correlation.rows(); ++a) {
+        for (Eigen::Index b = 0; b < a; ++b) {
+            if (std::abs(correlation(a, b)) >= close) {
+                pairs.push_back({static_cast<std::size_t>(b), static_cast<std::size_t>(a), correlation(a, b)});
+            }
+        }
+    }
+    std::ranges::sort(pairs, [](const Pair& x, const Pair& y) { return std::abs(x.value) > std::abs(y.value); });
+    post::Table table({true, true, false});
+    for (const Pair& pair : pairs) {
+        table.add({record.experiment.parameters[pair.a].name, record.experiment.parameters[pair.b].name,
+                   fmt::format("{:+.3f}", pair.value)});
+    }
+    return pairs.empty() ? "" : table.text(2);
+}
+
+std::string fit_text(const IdentificationRecord& record) {
+    const std::vector<solver::Channel>& channels = record.experiment.runs.front().problem.channels;
+    const Identification& result = record.result;
+    std::string text;
+    if (!result.channels.empty()) {
+        post::Table table({true, true, false, false, false, false, false, false});
+        table.add({"channel", "unit", "samples", "rms before", "rms after", "noise", "sensor", "correlation time"});
+        for (const ChannelFit& fit : result.channels) {
+            const solver::Channel& channel = channels[fit.channel];
+            const post::ShownUnit unit = post::shown_unit(channel.quantity);
+            const auto show = [&](double si) { return fmt::format("{:.3g}", unit.difference(si)); };
+            table.add({channel.name, channel.quantity == solver::Quantity::temperature ? "K" : unit.name,
+                       post::grouped(static_cast<double>(fit.samples)), show(fit.rmse_before), show(fit.rmse_after),
+                       show(fit.noise.sigma), channel.standard_deviation ? show(*channel.standard_deviation) : "-",
+                       fit.noise.white_share < 1.0 ? fmt::format("{:.3g} s", fit.noise.correlation_time) : "white"});
+        }
+        text += table.text(2);
+        for (const ChannelFit& fit : result.channels) {
+            for (const std::string& caution : fit.cautions) {
+                text += post::wrap("- " + caution, 2);
+            }
+        }
+    }
+    if (!result.numbers.empty()) {
+        post::Table table({true, true, false, false, false, false, false});
+        table.add({"channel", "run", "measured", "+-", "case", "fitted", "off by"});
+        for (const NumberFit& fit : result.numbers) {
+            const Observations::Row& row = record.observations.rows[fit.row];
+            const solver::Channel& channel = channels[row.channel];
+            const post::ShownUnit unit = post::shown_unit(channel.quantity);
+            const double measured = record.observations.measured[static_cast<Eigen::Index>(fit.row)];
+            table.add({channel.name, record.experiment.runs[row.run].name,
+                       fmt::format("{:.4g} {}", unit.value(measured), unit.name),
+                       fmt::format("{:.2g}", unit.difference(fit.standard_deviation)),
+                       fmt::format("{:.2f}", unit.value(fit.before)), fmt::format("{:.2f}", unit.value(fit.after)),
+                       fmt::format("{:+.1f} u", (fit.after - measured) / fit.standard_deviation)});
+        }
+        text += table.text(2) + "  u: standard uncertainty of the measured number\n";
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string describe(const Direction& direction, const cases::Experiment& experiment, const Eigen::VectorXd& values) {
+    const Eigen::VectorXd scale = scales_of(experiment, values);
+    std::vector<Eigen::Index> order;
+    for (Eigen::Index j = 0; j < direction.share.size(); ++j) {
+        if (std::abs(direction.share[j]) >= small) {
+            order.push_back(j);
+        }
+    }
+    std::ranges::sort(order, [&](Eigen::Index a, Eigen::Index b) {
+        return std::abs(direction.share[a]) > std::abs(direction.share[b]);
+    });
+    std::string text;
+    const double sign = order.empty() || direction.share[order.front()] > 0.0 ? 1.0 : -1.0;
+    for (const Eigen::Index j : order) {
+        const solver::Adjustable& parameter = experiment.parameters[static_cast<std::size_t>(j)];
+        const std::string unit = parameter.unit == "1" ? "" : " " + parameter.unit;
+        text += fmt::format("{}{} {:+.2g}{}", text.empty() ? "" : " with ", parameter.name,
+                            sign * direction.share[j] * scale[j], unit);
+    }
+    return text;
+}
+
+std::string identification_text(const IdentificationRecord& record, bool bold) {
+    const auto section = [&](const char* title, const std::string& body) {
+        if (body.empty()) {
+            return std::string();
+        }
+        return (bold ? fmt::format("\n\033[1m{}\033[0m\n", title) : fmt::format("\n{}\n", title)) + body;
+    };
+    const auto list = [](const std::vector<std::string>& items) {
+        std::string text;
+        for (const std::string& item : items) {
+            text += post::wrap(item, 2);
+        }
+        return text;
+    };
+    const Identification& result = record.result;
+    const std::size_t n_runs = record.experiment.runs.size();
+    std::string text =
+        fmt::format("{}: {} numbers {} {} run{}, {} measured values\n", record.experiment.runs.front().problem.title,
+                    result.fitted.size(), record.planned ? "planned for" : "fitted to", n_runs, n_runs == 1 ? "" : "s",
+                    post::grouped(static_cast<double>(record.observations.measured.size())));
+    text +=
+        record.planned
+            ? fmt::format("Predicted from the case as it stands, {} simulations in {:.2g} s: nothing was measured.\n",
+                          result.simulations, result.seconds)
+            : fmt::format("{} simulations, {:.2g} s{}\n", result.simulations, result.seconds,
+                          result.converged ? "" : "; THE SEARCH DID NOT CONVERGE");
+    text += section("Numbers", numbers_table(record));
+    text += section("What the data do not tell", directions_text(record));
+    text += section("Pairs that the data hardly tell apart (correlation)", correlations_text(record));
+    if (!record.planned) {
+        text += section("Fit", fit_text(record));
+    }
+    if (!result.kinks.empty()) {
+        text += section("At a switch or a clamp",
+                        post::wrap(fmt::format("{}: the slope is that of one side, and the interval with it.",
+                                               fmt::join(result.kinks, ", ")),
+                                   2));
+    }
+    text += section("Findings about the data", list(record.findings));
+    text += section("Warnings", list(record.warnings));
+    return text;
+}
+
+}  // namespace tiretherm::diagnosis

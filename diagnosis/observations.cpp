@@ -1,0 +1,161 @@
+#include "diagnosis/observations.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "solver/prediction.hpp"
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+std::vector<double> times_of(const cases::MeasuredRun& run) {
+    std::vector<double> times = run.time;
+    for (const cases::MeasuredNumber& number : run.numbers) {
+        times.push_back(number.time);
+    }
+    std::ranges::sort(times);
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    return times;
+}
+
+std::size_t index_of(const std::vector<double>& times, double time) {
+    return static_cast<std::size_t>(std::ranges::lower_bound(times, time) - times.begin());
+}
+
+}  // namespace
+
+Observations observe(const cases::Experiment& experiment) {
+    Observations all;
+    std::vector<double> values;
+    for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+        const cases::MeasuredRun& run = experiment.runs[r];
+        all.times.push_back(times_of(run));
+        for (const cases::MeasuredSeries& series : run.series) {
+            const auto known = std::ranges::find(all.channels, series.channel);
+            const auto noise = static_cast<int>(known - all.channels.begin());
+            if (known == all.channels.end()) {
+                all.channels.push_back(series.channel);
+            }
+            all.blocks.push_back(series_block(noise, static_cast<Eigen::Index>(values.size()), run.time, series.value));
+            for (std::size_t i = 0; i < run.time.size(); ++i) {
+                if (!std::isnan(series.value[i])) {
+                    all.rows.push_back({r, series.channel, index_of(all.times[r], run.time[i])});
+                    values.push_back(series.value[i]);
+                }
+            }
+        }
+    }
+    std::vector<double> deviations;
+    const auto first = static_cast<Eigen::Index>(values.size());
+    for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+        for (const cases::MeasuredNumber& number : experiment.runs[r].numbers) {
+            all.rows.push_back({r, number.channel, index_of(all.times[r], number.time)});
+            values.push_back(number.value);
+            deviations.push_back(number.standard_deviation);
+        }
+    }
+    if (!deviations.empty()) {
+        all.blocks.push_back(numbers_block(first, std::move(deviations)));
+    }
+    all.measured = Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+    return all;
+}
+
+Simulator::Simulator(const cases::Experiment& experiment, const Observations& observations)
+    : experiment_(&experiment),
+      observations_(&observations),
+      start_(static_cast<Eigen::Index>(experiment.parameters.size())),
+      step_ends_(experiment.runs.size()),
+      parameters_(experiment.runs.size()),
+      rows_(experiment.runs.size()) {
+    for (std::size_t j = 0; j < experiment.parameters.size(); ++j) {
+        const solver::Adjustable& parameter = experiment.parameters[j];
+        const auto own = static_cast<std::size_t>(std::max(0, parameter.run));
+        start_[static_cast<Eigen::Index>(j)] = solver::value_of(experiment.runs[own].problem, parameter);
+        for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+            if (parameter.run < 0 || own == r) {
+                parameters_[r].push_back(j);
+            }
+        }
+    }
+    for (std::size_t row = 0; row < observations.rows.size(); ++row) {
+        rows_[observations.rows[row].run].push_back(static_cast<Eigen::Index>(row));
+    }
+}
+
+solver::Problem Simulator::problem(std::size_t run, const Eigen::VectorXd& values) const {
+    solver::Problem problem = experiment_->runs[run].problem;
+    for (const std::size_t j : parameters_[run]) {
+        const auto i = static_cast<Eigen::Index>(j);
+        solver::move(problem, experiment_->parameters[j], start_[i], values[i]);
+    }
+    return problem;
+}
+
+Forecast Simulator::at(const Eigen::VectorXd& values, bool with_slopes) {
+    const std::size_t n_runs = experiment_->runs.size();
+    std::vector<solver::Prediction> predictions(n_runs);
+    std::atomic<std::size_t> next{0};
+    const auto work = [&] {
+        for (std::size_t r = next++; r < n_runs; r = next++) {
+            const solver::Problem moved = problem(r, values);
+            std::vector<solver::Adjustable> asked;
+            std::vector<double> now;
+            for (const std::size_t j : parameters_[r]) {
+                if (with_slopes) {
+                    asked.push_back(experiment_->parameters[j]);
+                    now.push_back(values[static_cast<Eigen::Index>(j)]);
+                }
+            }
+            predictions[r] = solver::predict(moved, {.times = observations_->times[r],
+                                                     .parameters = asked,
+                                                     .values = now,
+                                                     .step_ends = step_ends_[r],
+                                                     .tolerance = 1e-5});
+        }
+    };
+    {
+        const std::size_t threads = std::min<std::size_t>(std::max(1U, std::thread::hardware_concurrency()), n_runs);
+        std::vector<std::jthread> others;
+        for (std::size_t i = 1; i < threads; ++i) {
+            others.emplace_back(work);
+        }
+        work();
+    }
+    simulations_ += static_cast<long>(n_runs);
+
+    Forecast forecast;
+    const auto n_rows = static_cast<Eigen::Index>(observations_->rows.size());
+    forecast.simulated.resize(n_rows);
+    forecast.slope.setZero(n_rows, with_slopes ? start_.size() : 0);
+    for (std::size_t r = 0; r < n_runs; ++r) {
+        solver::Prediction& prediction = predictions[r];
+        if (!prediction.status.ok()) {
+            prediction.status.message = fmt::format("run {}: {}", experiment_->runs[r].name, prediction.status.message);
+            forecast.status = prediction.status;
+            return forecast;
+        }
+        step_ends_[r] = std::move(prediction.step_ends);
+        for (const Eigen::Index row : rows_[r]) {
+            const Observations::Row& what = observations_->rows[static_cast<std::size_t>(row)];
+            forecast.simulated[row] = prediction.at(what.time, what.channel);
+            for (std::size_t k = 0; with_slopes && k < parameters_[r].size(); ++k) {
+                forecast.slope(row, static_cast<Eigen::Index>(parameters_[r][k])) =
+                    prediction.slope_at(k, what.time, what.channel);
+            }
+        }
+        for (const std::string& kink : prediction.kinks) {
+            if (std::ranges::find(forecast.kinks, kink) == forecast.kinks.end()) {
+                forecast.kinks.push_back(kink);
+            }
+        }
+    }
+    return forecast;
+}
+
+}  // namespace tiretherm::diagnosis

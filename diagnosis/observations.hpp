@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "cases/experiment.hpp"
+#include "diagnosis/noise.hpp"
+#include "solver/status.hpp"
+
+namespace tiretherm::diagnosis {
+
+/// All measured values of an experiment in one stack: channel by channel of each run, then the single numbers.
+struct Observations {
+    /// What a row is.
+    struct Row {
+        std::size_t run = 0;
+        std::size_t channel = 0;  ///< index into Problem::channels
+        std::size_t time = 0;     ///< index into `times` of the run
+    };
+    std::vector<Block> blocks;
+    std::vector<Row> rows;
+    Eigen::VectorXd measured;                ///< [n_rows] SI
+    std::vector<std::vector<double>> times;  ///< [n_runs] s, ascending: when the run is asked
+    std::vector<std::size_t> channels;       ///< [n_noises] indices into Problem::channels: Block::channel counts these
+};
+[[nodiscard]] Observations observe(const cases::Experiment& experiment);
+
+/// What the model says of the observations at some values of its numbers.
+struct Forecast {
+    solver::Status status;
+    Eigen::VectorXd simulated;       ///< [n_rows] SI
+    Eigen::MatrixXd slope;           ///< [n_rows][n_parameters] SI per unit of the parameter
+    std::vector<std::string> kinks;  ///< names of numbers at a switch or a clamp
+};
+
+/// Simulates the runs of an experiment, several at a time, over steps that stay the same from one call to the next, so
+/// that what it gives follows the parameters smoothly.
+class Simulator {
+public:
+    /// @param experiment, observations live longer
+    Simulator(const cases::Experiment& experiment, const Observations& observations);
+
+    /// @param values [n_parameters] in the units of the experiment's parameters
+    [[nodiscard]] Forecast at(const Eigen::VectorXd& values, bool with_slopes = true);
+    /// Chooses the steps anew at these values, by the error control of each run.
+    void forget_steps() { step_ends_.assign(step_ends_.size(), {}); }
+    /// A run's problem at these values.
+    [[nodiscard]] solver::Problem problem(std::size_t run, const Eigen::VectorXd& values) const;
+    /// The values that the experiment's case has.
+    [[nodiscard]] const Eigen::VectorXd& start() const { return start_; }
+    [[nodiscard]] long simulations() const { return simulations_; }  ///< runs so far
+
+private:
+    const cases::Experiment* experiment_;
+    const Observations* observations_;
+    Eigen::VectorXd start_;
+    std::vector<std::vector<double>> step_ends_;        ///< [n_runs]
+    std::vector<std::vector<std::size_t>> parameters_;  ///< [n_runs] those that a run follows
+    std::vector<std::vector<Eigen::Index>> rows_;       ///< [n_runs]
+    long simulations_ = 0;
+};
+
+}  // namespace tiretherm::diagnosis
