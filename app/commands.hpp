@@ -15,6 +15,7 @@ void add_run_command(CLI::App& program, int& exit_code);
 void add_check_command(CLI::App& program, int& exit_code);
 void add_compare_command(CLI::App& program, int& exit_code);
 void add_effects_command(CLI::App& program, int& exit_code);
+void add_identify_command(CLI::App& program, int& exit_code);
 void add_validate_command(CLI::App& program, int& exit_code);
 
 }  // namespace tiretherm::app

@@ -69,6 +69,7 @@ int main(int argc, char** argv) {
     app::add_run_command(program, exit_code);
     app::add_check_command(program, exit_code);
     app::add_compare_command(program, exit_code);
+    app::add_identify_command(program, exit_code);
     app::add_validate_command(program, exit_code);
     app::add_effects_command(program, exit_code);
     program.footer(
