@@ -26,8 +26,14 @@ Terms::Terms(const mesh::Mesh& mesh, std::size_t n_effects)
 
 void Terms::begin(std::span<const double> at_temperature) {
     temperature = at_temperature;
-    for (std::vector<double>* values : {&face_G, &face_by_a, &face_by_b, &node_G, &node_q, &node_slope, &watts}) {
+    for (std::vector<double>* values : {&node_G, &node_q, &node_slope, &watts}) {
         clear(*values);
+    }
+    if (faces_used) {
+        clear(face_G);
+        clear(face_by_a);
+        clear(face_by_b);
+        faces_used = false;
     }
     const auto n = at(mesh_->n_nodes);
     for (std::size_t region = 0; region < region_used.size(); ++region) {

@@ -27,6 +27,7 @@ public:
     /// Conductance G [W/K] >= 0 of a face, and its derivatives [W/K2] with the temperatures of its nodes a and b.
     void conduct(int face, double G, double by_a = 0.0, double by_b = 0.0) {
         const auto f = static_cast<std::size_t>(face);
+        faces_used = true;
         face_G[f] += G;
         if (G < 0.0) {
             note_negative(mesh_->faces[f].a);
@@ -41,6 +42,7 @@ public:
     /// The same for one who has the drop T_b - T_a [K] at hand.
     void conduct(int face, double G, double by_a, double by_b, double drop) {
         const auto f = static_cast<std::size_t>(face);
+        faces_used = true;
         face_G[f] += G;
         face_by_a[f] += by_a * drop;
         face_by_b[f] += by_b * drop;
@@ -102,6 +104,7 @@ public:
     std::vector<char> region_used;        ///< [n_regions]
     std::vector<double> watts;            ///< [n_effects] W
     std::span<const double> temperature;  ///< [n_nodes] K
+    bool faces_used = false;              ///< whether any face was spoken of
     bool nonlinear = false;
     int negative_node = -1;  ///< first node given a negative conductance, and by which effect
     int negative_effect = -1;

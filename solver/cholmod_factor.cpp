@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -65,7 +66,7 @@ public:
     ~CholeskyFactor() override {
         cholmod_free_sparse(&matrix_, &common_);
         cholmod_free_factor(&factor_, &common_);
-        for (Buffers* buffers : {&one_, &four_}) {
+        for (Buffers* buffers : {&one_, &many_}) {
             cholmod_free_dense(&buffers->solution, &common_);
             cholmod_free_dense(&buffers->y, &common_);
             cholmod_free_dense(&buffers->e, &common_);
@@ -84,15 +85,17 @@ public:
 
     void solve(std::span<const double> b, std::span<double> x) override { solve_with(one_, b, x, 1); }
 
-    /// A simplicial factor takes four columns at a time: each of its entries is then fetched once for four.
+    /// CHOLMOD takes four columns at a time through a simplicial factor; eight side by side fetch each entry half as often
+    /// and keep the processor's vectors full.
     void solve_block(std::span<const double> B, std::span<double> X, std::size_t n_columns) override {
-        const std::size_t n = matrix_->nrow;
-        std::size_t done = 0;
-        for (; done + at_once <= n_columns; done += at_once) {
-            solve_with(four_, B.subspan(done * n, at_once * n), X.subspan(done * n, at_once * n), at_once);
+        if (factor_->is_super != 0 || factor_->is_ll == 0) {
+            solve_with(many_, B, X, n_columns);
+            return;
         }
-        for (; done < n_columns; ++done) {
-            solve(B.subspan(done * n, n), X.subspan(done * n, n));
+        const std::size_t n = matrix_->nrow;
+        for (std::size_t done = 0; done < n_columns; done += at_once) {
+            const std::size_t width = std::min(at_once, n_columns - done);
+            solve_side_by_side(B.subspan(done * n, width * n), X.subspan(done * n, width * n), width);
         }
     }
 
@@ -110,7 +113,7 @@ public:
     [[nodiscard]] double entries_per_row() const { return entries_ / static_cast<double>(matrix_->nrow); }
 
 private:
-    static constexpr std::size_t at_once = 4;
+    static constexpr std::size_t at_once = 8;
     /// What a solve works in, for one number of columns.
     struct Buffers {
         cholmod_dense* solution = nullptr;
@@ -138,6 +141,59 @@ private:
         std::copy(result, result + X.size(), X.begin());
     }
 
+    /// L L' X = B in the factor's order, row by row with its columns next to each other. @param width <= at_once
+    void solve_side_by_side(std::span<const double> B, std::span<double> X, std::size_t width) {
+        const std::size_t n = matrix_->nrow;
+        const auto* order = static_cast<const int*>(factor_->Perm);
+        const auto* start = static_cast<const int*>(factor_->p);
+        const auto* count = static_cast<const int*>(factor_->nz);
+        const auto* row = static_cast<const int*>(factor_->i);
+        const auto* value = static_cast<const double*>(factor_->x);
+        side_by_side_.resize(n * at_once);
+        double* const y = side_by_side_.data();
+        for (std::size_t k = 0; k < n; ++k) {
+            const auto from = static_cast<std::size_t>(order[k]);
+            for (std::size_t c = 0; c < width; ++c) {
+                y[k * at_once + c] = B[c * n + from];
+            }
+        }
+        for (std::size_t j = 0; j < n; ++j) {
+            std::array<double, at_once> here;
+            const int first = start[j];
+            const double diagonal = 1.0 / value[first];
+            for (std::size_t c = 0; c < at_once; ++c) {
+                here[c] = y[j * at_once + c] *= diagonal;
+            }
+            for (int e = first + 1; e < first + count[j]; ++e) {
+                double* const there = y + static_cast<std::size_t>(row[e]) * at_once;
+                for (std::size_t c = 0; c < at_once; ++c) {
+                    there[c] -= value[e] * here[c];
+                }
+            }
+        }
+        for (std::size_t j = n; j-- > 0;) {
+            std::array<double, at_once> here;
+            std::copy_n(y + j * at_once, at_once, here.begin());
+            const int first = start[j];
+            for (int e = first + 1; e < first + count[j]; ++e) {
+                const double* const there = y + static_cast<std::size_t>(row[e]) * at_once;
+                for (std::size_t c = 0; c < at_once; ++c) {
+                    here[c] -= value[e] * there[c];
+                }
+            }
+            const double diagonal = 1.0 / value[first];
+            for (std::size_t c = 0; c < at_once; ++c) {
+                y[j * at_once + c] = here[c] * diagonal;
+            }
+        }
+        for (std::size_t k = 0; k < n; ++k) {
+            const auto to = static_cast<std::size_t>(order[k]);
+            for (std::size_t c = 0; c < width; ++c) {
+                X[c * n + to] = y[k * at_once + c];
+            }
+        }
+    }
+
     [[nodiscard]] std::string status() const {
         switch (common_.status) {
             case CHOLMOD_NOT_POSDEF:
@@ -158,8 +214,9 @@ private:
     cholmod_sparse* matrix_ = nullptr;
     cholmod_factor* factor_ = nullptr;
     Buffers one_;
-    Buffers four_;
-    std::vector<int> source_;  ///< place in the pattern of each entry of the lower triangle
+    Buffers many_;
+    std::vector<double> side_by_side_;  ///< [n][at_once]
+    std::vector<int> source_;           ///< place in the pattern of each entry of the lower triangle
     double entries_ = 0.0;
     double flops_ = 0.0;
 };

@@ -126,7 +126,7 @@ private:
                 wanted_ = wanted_ > 0.0 ? std::min(wanted_, first) : first;
             }
             fresh_ = false;
-            double t1 = settings.fixed_step ? t + wanted_ : on_sample(t, t + wanted_);
+            double t1 = settings.fixed_step ? t + wanted_ : on_sample(t, t + wanted_, smallest);
             if (t1 > stop - smallest) {
                 t1 = stop;
             } else if (!settings.fixed_step && t1 + wanted_ > stop) {
@@ -193,10 +193,10 @@ private:
 
     /// The end of a step over a log: on a sample, so that no piece of a straight line is left over, and 2, 4, 8 ...
     /// samples on, so that steps are often alike and one factor serves them.
-    [[nodiscard]] double on_sample(double t, double t1) const {
+    [[nodiscard]] double on_sample(double t, double t1, double round_off) const {
         const std::vector<double>& samples = problem_.drive.samples();
-        const auto first = std::upper_bound(samples.begin(), samples.end(), t);
-        const auto last = std::upper_bound(first, samples.end(), t1);
+        const auto first = std::upper_bound(samples.begin(), samples.end(), t + round_off);
+        const auto last = std::upper_bound(first, samples.end(), t1 + round_off);
         const auto count = static_cast<std::size_t>(last - first);
         return count == 0 ? t1 : *(first + static_cast<std::ptrdiff_t>(std::bit_floor(count)) - 1);
     }

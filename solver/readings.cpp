@@ -25,7 +25,8 @@ struct Parabola {
 Parabola through(std::span<const double> u, std::span<const double> v) {
     const std::size_t last = u.size() - 1;
     const double chord = (v[last] - v[0]) / (u[last] - u[0]);
-    if (u.size() == 2) {
+    // In a step as short as the rounding of its times the stages fall together.
+    if (u.size() == 2 || !(u[0] < u[1] && u[1] < u[last])) {
         return {.a = v[0], .b = chord, .c = 0.0};
     }
     const double first = (v[1] - v[0]) / (u[1] - u[0]);

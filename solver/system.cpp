@@ -172,23 +172,23 @@ void System::evaluate(std::span<const double> T, std::span<const double> intensi
     }
 }
 
-void System::find_flow_of(std::span<const std::size_t> which, std::span<const double> T,
+void System::find_flow_of(std::span<const std::size_t> which, std::span<const double> T, std::span<const double> means,
                           std::span<const double> intensities, std::span<double> q) {
     here_.begin(T);
-    find_means(T, shifted_means_);
-    find_loss_factors(T, shifted_means_);
+    find_loss_factors(T, means);
     for (const std::size_t e : which) {
         here_.book_to(e);
-        effects_[e].effect->speak(moment(e, T, shifted_means_, intensities), here_);
+        effects_[e].effect->speak(moment(e, T, means, intensities), here_);
     }
     std::copy(here_.node_q.begin(), here_.node_q.end(), q.begin());
+    if (!here_.faces_used) {
+        return;
+    }
     const std::vector<mesh::Face>& faces = problem_->mesh.faces;
     for (std::size_t f = 0; f < faces.size(); ++f) {
-        if (here_.face_G[f] != 0.0) {
-            const double flux = here_.face_G[f] * (T[at(faces[f].b)] - T[at(faces[f].a)]);
-            q[at(faces[f].a)] += flux;
-            q[at(faces[f].b)] -= flux;
-        }
+        const double flux = here_.face_G[f] * (T[at(faces[f].b)] - T[at(faces[f].a)]);
+        q[at(faces[f].a)] += flux;
+        q[at(faces[f].b)] -= flux;
     }
 }
 

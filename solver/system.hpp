@@ -43,9 +43,11 @@ public:
     /// Heat of all effects at T under the inputs, less what it would be without one law effect. @returns W
     [[nodiscard]] double share_of_law(std::size_t effect, std::span<const double> T, const physics::Inputs& logged);
     /// Heat flow into each node on account of some effects alone; what was said at the last evaluation stays.
-    /// @param which indices into effects()  @param q out, [n_nodes] W
-    void find_flow_of(std::span<const std::size_t> which, std::span<const double> T,
+    /// @param which indices into effects()  @param means of the regions at T  @param q out, [n_nodes] W
+    void find_flow_of(std::span<const std::size_t> which, std::span<const double> T, std::span<const double> means,
                       std::span<const double> intensities, std::span<double> q);
+    /// Mean temperature of every region at the last evaluation. @returns [n_regions] K
+    [[nodiscard]] std::span<const double> means() const { return means_; }
     /// An effect's intensities among those of all.
     [[nodiscard]] std::span<const double> intensities_of(std::size_t effect, std::span<const double> all) const {
         return all.subspan(first_intensity_[effect], static_cast<std::size_t>(effects_[effect].effect->n_intensities));

@@ -11,7 +11,7 @@ namespace {
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// A kept factor serves sensitivities less long than a run: all of them pay for its age.
-constexpr double reach = 1.3;
+constexpr double reach = 1.7;
 }  // namespace
 
 Tangent::Tangent(const Problem& problem, Stepper& stepper, std::span<const Adjustable> adjustables,
@@ -27,6 +27,8 @@ Tangent::Tangent(const Problem& problem, Stepper& stepper, std::span<const Adjus
     }
     const std::size_t all = n_ * variations_.size();
     const auto stages = at(stepper.method().stages);
+    capacity_.resize(n_);
+    base_flow_.resize(n_);
     S_.assign(stages, Block(all));
     dq_.assign(stages, Block(all));
     for (Block* block : {&before_, &enthalpy_begin_, &enthalpy_end_, &known_, &partial_, &product_}) {
@@ -49,13 +51,26 @@ void Tangent::begin(const physics::Inputs& inputs) {
 /// dq/dp of every number at a given temperature, into partial_.
 void Tangent::find_flow_slopes(int stage, std::span<const double> T) {
     const std::span<const double> base = stepper_->intensities(stage);
+    bool base_is_known = false;
     for (std::size_t j = 0; j < size(); ++j) {
         const std::span<double> out = column(partial_, j);
-        if (variations_[j]->moves_flow()) {
-            variations_[j]->flow(stage, T, base, out);
+        if (const std::span<const std::size_t> straight = variations_[j]->straight(); !straight.empty()) {
+            if (!base_is_known) {
+                system_->find_flow_of(straight, T, system_->means(), base, base_flow_);
+                base_is_known = true;
+            }
+            variations_[j]->flow_above(T, system_->means(), base, base_flow_, out);
+        } else if (variations_[j]->moves_flow()) {
+            variations_[j]->flow(stage, T, system_->means(), base, out);
         } else {
             std::fill(out.begin(), out.end(), 0.0);
         }
+    }
+}
+
+void Tangent::find_capacities(std::span<const double> T) {
+    for (std::size_t i = 0; i < n_; ++i) {
+        capacity_[i] = system_->has_capacity(i) ? system_->capacity(i, T[i]) : 0.0;
     }
 }
 
@@ -75,6 +90,7 @@ void Tangent::start_step(double s) {
     system_->matrices(s, false, A_, J_);
     find_flow_slopes(0, T);
     settle_surfaces(s);
+    find_capacities(T);
     // s dq/dT S = C S - J S
     J_.multiply_block(S_.front(), product_, size());
     for (std::size_t j = 0; j < size(); ++j) {
@@ -82,7 +98,7 @@ void Tangent::start_step(double s) {
         const std::span<double> H = column(enthalpy_begin_, j);
         variations_[j]->enthalpy(T, H);
         for (std::size_t i = 0; i < n_; ++i) {
-            const double stored = system_->has_capacity(i) ? system_->capacity(i, T[i]) * S_.front()[j * n_ + i] : 0.0;
+            const double stored = capacity_[i] * S_.front()[j * n_ + i];
             dq[i] = (stored - product_[j * n_ + i]) / s + partial_[j * n_ + i];
             H[i] += stored;
         }
@@ -146,17 +162,18 @@ Status Tangent::solve_stage(int stage, double dt) {
     find_flow_slopes(stage, T);
     guess(stage, dt);
     for (std::size_t j = 0; j < size(); ++j) {
-        const std::span<double> H = column(product_, j);
-        variations_[j]->enthalpy(T, H);
-        for (std::size_t i = j * n_; i < (j + 1) * n_; ++i) {
-            double sum = 0.0;
-            for (int k = 0; k < stage; ++k) {
-                sum += method.a[at(stage)][at(k)] * dq_[at(k)][i];
-            }
-            known_[i] = enthalpy_begin_[i] + dt * sum;
-            dq_[at(stage)][i] = -known_[i] / s;
-            known_[i] += s * partial_[i] - product_[i];
+        variations_[j]->enthalpy(T, column(product_, j));
+    }
+    known_ = enthalpy_begin_;
+    for (int k = 0; k < stage; ++k) {
+        const double weight = dt * method.a[at(stage)][at(k)];
+        for (std::size_t i = 0; i < known_.size(); ++i) {
+            known_[i] += weight * dq_[at(k)][i];
         }
+    }
+    for (std::size_t i = 0; i < known_.size(); ++i) {
+        dq_[at(stage)][i] = -known_[i] / s;
+        known_[i] += s * partial_[i] - product_[i];
     }
     Newton& newton = stepper_->newton();
     const BlockSolver::Result result = solver_.solve(J_, newton.factor(), known_, S_[at(stage)], tolerance_);
@@ -166,11 +183,12 @@ Status Tangent::solve_stage(int stage, double dt) {
         return {Outcome::not_converged,
                 fmt::format("the sensitivities did not converge at t = {:.6g} s", stepper_->stages()[at(stage)].time)};
     }
+    find_capacities(T);
     // dq = (C S + dH/dp - known) / s
     for (std::size_t j = 0; j < size(); ++j) {
         for (std::size_t i = 0; i < n_; ++i) {
             const std::size_t k = j * n_ + i;
-            const double stored = system_->has_capacity(i) ? system_->capacity(i, T[i]) * S_[at(stage)][k] : 0.0;
+            const double stored = capacity_[i] * S_[at(stage)][k];
             enthalpy_end_[k] = product_[k] + stored;
             dq_[at(stage)][k] += enthalpy_end_[k] / s;
         }

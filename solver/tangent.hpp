@@ -47,6 +47,7 @@ private:
         return std::span(block).subspan(j * n_, n_);
     }
     void find_flow_slopes(int stage, std::span<const double> T);
+    void find_capacities(std::span<const double> T);
     void start_step(double s);
     void settle_surfaces(double s);
     [[nodiscard]] Status solve_stage(int stage, double dt);
@@ -69,7 +70,9 @@ private:
     Block known_;            ///< right-hand side of a stage, J per unit
     Block partial_;          ///< dq/dp or dH/dp at a given temperature
     Block product_;
-    std::vector<double> ended_;  ///< intensities at the end of the last step
+    std::vector<double> capacity_;   ///< [n_nodes] J/K at a stage
+    std::vector<double> base_flow_;  ///< [n_nodes] W, of straight effects in the base problem
+    std::vector<double> ended_;      ///< intensities at the end of the last step
     double last_width_ = 0.0;
     long sweeps_ = 0;
 };

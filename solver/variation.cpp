@@ -24,8 +24,10 @@ bool same_places(const physics::ActiveEffect& a, const physics::ActiveEffect& b)
            a.weights == b.weights && a.groups == b.groups && a.skew == b.skew;
 }
 
-bool same_stock(const physics::Stock& a, const physics::Stock& b) {
-    return a.materials == b.materials && a.link_laws == b.link_laws && a.tire == b.tire;
+bool same_conductivity(const physics::Stock& a, const physics::Stock& b) {
+    return a.link_laws == b.link_laws && std::ranges::equal(a.materials, b.materials, [](const auto& x, const auto& y) {
+               return x.conductivity == y.conductivity;
+           });
 }
 
 bool same_capacity(const System& a, const System& b) {
@@ -60,28 +62,35 @@ Variation::Side::Side(const Problem& base, const Adjustable& adjustable, double 
 }
 
 Variation::Variation(const Problem& base, const Adjustable& adjustable, double value) : base_(&base) {
+    using Kind = Adjustable::Kind;
+    const bool is_conductivity = adjustable.kind == Kind::conductivity || adjustable.kind == Kind::link_conductivity;
+    // What follows a conductivity is bent only where two materials meet: a small step to one side is as good.
+    const double step = (is_conductivity ? 1e-2 : 1.0) * typical_step(adjustable, value);
     // At a bound the number moves to one side only: beyond it there may be nothing (a lag below zero).
-    const double step = typical_step(adjustable, value);
     const double high = value + step > adjustable.high ? value : value + step;
-    const double low = value - step < adjustable.low ? value : value - step;
+    is_straight_ = is_conductivity && high > value;
+    const double low = is_straight_ || value - step < adjustable.low ? value : value - step;
     plus_ = std::make_unique<Side>(base, adjustable, value, high);
     minus_ = std::make_unique<Side>(base, adjustable, value, low);
     width_ = high - low;
 
     const std::span<const physics::ActiveEffect> ours = plus_->system.effects();
     const std::span<const physics::ActiveEffect> theirs = minus_->system.effects();
-    moves_stock_ = !same_stock(plus_->system.stock(), minus_->system.stock());
+    // Properties reach the heat by what speaks without inputs (conduction), by places, by laws of the tire.
+    const bool moves_conductivity = !same_conductivity(plus_->system.stock(), minus_->system.stock());
+    const bool moves_tire = !(plus_->system.stock().tire == minus_->system.stock().tire);
     moves_enthalpy_ = !same_capacity(plus_->system, minus_->system);
     bool scales_loss = false;
     for (std::size_t e = 0; e < ours.size(); ++e) {
         const physics::Effect& effect = *ours[e].effect;
         const bool moved_one = !same_places(ours[e], theirs[e]);
-        if (effect.speak != nullptr && (moves_stock_ || moved_one)) {
+        const bool conducts = moves_conductivity && effect.n_intensities == 0;
+        if (effect.speak != nullptr && (moved_one || conducts)) {
             moved_effects_.push_back(e);
         }
         scales_loss = scales_loss || (moved_one && effect.scale_loss != nullptr);
         moves_intensities_ =
-            moves_intensities_ || moves_stock_ ||
+            moves_intensities_ || moves_tire ||
             (moved_one && (effect.drive != nullptr || effect.bend != nullptr || effect.transform != nullptr));
     }
     for (std::size_t e = 0; scales_loss && e < ours.size(); ++e) {
@@ -120,7 +129,8 @@ bool Variation::goes_on() const {
                                    std::ranges::equal(minus_->window.stage(0), minus_->ended));
 }
 
-void Variation::flow(int stage, std::span<const double> T, std::span<const double> base, std::span<double> out) {
+void Variation::flow(int stage, std::span<const double> T, std::span<const double> means, std::span<const double> base,
+                     std::span<double> out) {
     const std::span<const double> above = moves_intensities_ ? plus_->window.stage(stage) : base;
     const std::span<const double> below = moves_intensities_ ? minus_->window.stage(stage) : base;
     speaking_ = moved_effects_;
@@ -146,10 +156,18 @@ void Variation::flow(int stage, std::span<const double> T, std::span<const doubl
         std::fill(out.begin(), out.end(), 0.0);
         return;
     }
-    plus_->system.find_flow_of(speaking_, T, above, plus_->q);
-    minus_->system.find_flow_of(speaking_, T, below, minus_->q);
+    plus_->system.find_flow_of(speaking_, T, means, above, plus_->q);
+    minus_->system.find_flow_of(speaking_, T, means, below, minus_->q);
     for (std::size_t n = 0; n < out.size(); ++n) {
         out[n] = (plus_->q[n] - minus_->q[n]) / width_;
+    }
+}
+
+void Variation::flow_above(std::span<const double> T, std::span<const double> means, std::span<const double> base,
+                           std::span<const double> base_flow, std::span<double> out) {
+    plus_->system.find_flow_of(moved_effects_, T, means, base, plus_->q);
+    for (std::size_t n = 0; n < out.size(); ++n) {
+        out[n] = (plus_->q[n] - base_flow[n]) / width_;
     }
 }
 

@@ -21,7 +21,7 @@ public:
     /// @returns d(initial state)/dp [n_nodes] K per unit
     [[nodiscard]] std::vector<double> start() const;
     /// Whether the heat flow or the enthalpy follows the number at a given state.
-    [[nodiscard]] bool moves_flow() const { return moves_stock_ || !moved_effects_.empty() || moves_intensities_; }
+    [[nodiscard]] bool moves_flow() const { return !moved_effects_.empty() || moves_intensities_; }
     [[nodiscard]] bool moves_enthalpy() const { return moves_enthalpy_; }
 
     /// Finds the intensities over a step. @param t0, t1 s
@@ -29,8 +29,17 @@ public:
     /// Whether this step begins with what the last one ended with.
     [[nodiscard]] bool goes_on() const;
     /// d(heat flow)/dp at a stage of the step. @param base intensities of the base problem at this stage
-    /// @param out [n_nodes] W per unit
-    void flow(int stage, std::span<const double> T, std::span<const double> base, std::span<double> out);
+    /// @param means of the regions at T  @param out [n_nodes] W per unit
+    void flow(int stage, std::span<const double> T, std::span<const double> means, std::span<const double> base,
+              std::span<double> out);
+    /// Effects that follow the number without inputs and as good as straight, as conduction follows a conductivity; empty
+    /// where that does not hold. What they say in the base problem then serves as the lower side for all such numbers.
+    [[nodiscard]] std::span<const std::size_t> straight() const {
+        return is_straight_ ? std::span<const std::size_t>(moved_effects_) : std::span<const std::size_t>{};
+    }
+    /// d(heat flow)/dp of a straight number. @param base_flow of its effects in the base problem, [n_nodes] W
+    void flow_above(std::span<const double> T, std::span<const double> means, std::span<const double> base,
+                    std::span<const double> base_flow, std::span<double> out);
     /// d(enthalpy)/dp. @param out [n_nodes] J per unit
     void enthalpy(std::span<const double> T, std::span<double> out) const;
 
@@ -65,8 +74,8 @@ private:
     std::unique_ptr<Side> plus_;
     std::unique_ptr<Side> minus_;
     double width_ = 1.0;  ///< plus_->shift - minus_->shift
-    bool moves_stock_ = false;
     bool moves_enthalpy_ = false;
+    bool is_straight_ = false;
     bool moves_intensities_ = false;
     bool follows_watts_ = false;              ///< a channel reads the heat of effects
     std::vector<std::size_t> moved_effects_;  ///< heat effects whose numbers or places differ

@@ -339,4 +339,30 @@ TEST(Defects, ListsAllThatIsWrongWithAProblem) {
     EXPECT_TRUE(defects(heated_strip(3)).empty());
 }
 
+// A schedule has a point at 0.3 s, a log a sample at 0.1 + 0.2 s, which is 5.6e-17 s later. No step leads from one to the
+// other: in a step of no length a reading would be a difference over nothing.
+TEST(March, NoStepOfNoLengthIsLeftUpToASample) {
+    Problem problem = heated_strip(10);
+    problem.drive.add(
+        {.signal = physics::find_signal("vertical_load"), .time = {0.0, 0.3, 0.9}, .value = {0.0, 1.0, 0.0}});
+    problem.drive.add({.signal = physics::find_signal("speed"),
+                       .time = {0.0, 0.1 + 0.2, 0.9},
+                       .value = {0.0, 1.0, 0.0},
+                       .logged = true});
+    problem.settings.end = 0.9;
+    problem.settings.tolerance = 1e-6;
+    double last = 0.0;
+    double shortest = 0.9;
+    const Report report = run(problem, [&](const Snapshot& now) {
+        EXPECT_TRUE(std::isfinite(now.channels[0])) << "at " << now.time << " s";
+        if (now.time > 0.0) {
+            shortest = std::min(shortest, now.time - last);
+        }
+        last = now.time;
+        return true;
+    });
+    ASSERT_TRUE(report.status.ok()) << report.status.message;
+    EXPECT_GT(shortest, 1e-9);
+}
+
 }  // namespace tiretherm::solver

@@ -1,0 +1,110 @@
+// What 16 sensitivities cost on a section of 24 x 64 cells: an hour at constant inputs and ten minutes under a rough log,
+// each alone over its steps and with the derivatives of its channels with 16 numbers. The ratio of the two is the figure.
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "benchmarks/ratio.hpp"
+#include "benchmarks/rolling_section.hpp"
+#include "mesh/probe.hpp"
+#include "solver/prediction.hpp"
+
+namespace tiretherm::benchmarks {
+
+namespace {
+
+solver::Adjustable number(const solver::Problem& problem, std::string_view effect, std::string_view key) {
+    solver::Adjustable adjustable{.name = std::string(key), .unit = {}, .layers = {}, .knots = {}, .nodes = {}};
+    for (std::size_t e = 0; e < problem.effects.size(); ++e) {
+        if (problem.effects[e].effect->id == effect) {
+            adjustable.effect = e;
+            adjustable.parameter = static_cast<std::size_t>(physics::find_parameter(*problem.effects[e].effect, key));
+        }
+    }
+    return adjustable;
+}
+
+solver::Adjustable law(solver::Adjustable::Kind kind, std::vector<int> layers, std::vector<double> knots,
+                       std::size_t knot) {
+    return {.name = "law",
+            .unit = {},
+            .kind = kind,
+            .layers = std::move(layers),
+            .knots = std::move(knots),
+            .knot = knot,
+            .nodes = {}};
+}
+
+/// Scales of every effect, conductivities and heat capacities of the layers, the start.
+std::vector<solver::Adjustable> sixteen(const solver::Problem& problem) {
+    using Kind = solver::Adjustable::Kind;
+    const std::vector<double> knots{313.15, 363.15, 413.15};
+    solver::Adjustable start{
+        .name = "start", .unit = "K", .kind = Kind::initial, .layers = {}, .knots = {}, .nodes = {}};
+    for (int node = 0; node < problem.mesh.n_nodes; ++node) {
+        start.nodes.push_back(node);
+    }
+    return {number(problem, "strain_energy_loss", "lambda_srf"),
+            number(problem, "strain_energy_loss", "lambda_blk"),
+            number(problem, "strain_energy_loss", "tan_delta_a"),
+            number(problem, "sliding_friction", "partition"),
+            number(problem, "air_convection", "lambda_h"),
+            number(problem, "air_convection", "exponent"),
+            number(problem, "road_contact", "Hc"),
+            number(problem, "sidewall_convection", "conductance"),
+            number(problem, "inner_gas", "liner"),
+            law(Kind::conductivity, {0}, knots, 0),
+            law(Kind::conductivity, {0}, knots, 1),
+            law(Kind::conductivity, {0}, knots, 2),
+            law(Kind::conductivity, {1, 3, 4}, {363.15}, 0),
+            law(Kind::heat_capacity, {0}, {363.15}, 0),
+            law(Kind::heat_capacity, {1, 3, 4}, {363.15}, 0),
+            start};
+}
+
+void run(benchmark::State& state, void (*drive)(solver::Problem&), double end, bool with_slopes) {
+    solver::Problem problem = rolling_section();
+    drive(problem);
+    problem.settings.end = end;
+    for (const mesh::Region& region : problem.mesh.regions) {
+        problem.channels.push_back({.name = region.name, .meaning = "", .where = region.mean});
+    }
+    std::vector<double> times;
+    for (double t = 0.0; t <= end; t += 2.0) {
+        times.push_back(t);
+    }
+    const std::vector<solver::Adjustable> parameters = sixteen(problem);
+    std::vector<double> values;
+    for (const solver::Adjustable& parameter : parameters) {
+        values.push_back(solver::value_of(problem, parameter));
+    }
+    const std::vector<double> steps = solver::predict(problem, {.times = times}).step_ends;
+    solver::Question question{.times = times, .step_ends = steps, .tolerance = 1e-3};
+    if (with_slopes) {
+        question.parameters = parameters;
+        question.values = values;
+    }
+    for (auto _ : state) {
+        const solver::Prediction prediction = solver::predict(problem, question);
+        if (!prediction.status.ok()) {
+            state.SkipWithError(prediction.status.message.c_str());
+        }
+    }
+    state.counters["steps"] = static_cast<double>(steps.size());
+}
+
+void constant_alone(benchmark::State& state) { run(state, drive_constant, 3600.0, false); }
+void constant_with_16(benchmark::State& state) { run(state, drive_constant, 3600.0, true); }
+void logged_alone(benchmark::State& state) { run(state, drive_logged, 600.0, false); }
+void logged_with_16(benchmark::State& state) { run(state, drive_logged, 600.0, true); }
+
+BENCHMARK(constant_alone)->Unit(benchmark::kMillisecond);
+BENCHMARK(constant_with_16)->Unit(benchmark::kMillisecond);
+BENCHMARK(logged_alone)->Unit(benchmark::kMillisecond);
+BENCHMARK(logged_with_16)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+}  // namespace tiretherm::benchmarks
+
+int main(int argc, char** argv) { return tiretherm::benchmarks::main_with_ratios(argc, argv); }
