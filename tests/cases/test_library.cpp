@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cases/experiment.hpp"
 #include "cases/written.hpp"
 #include "solver/system.hpp"
 
@@ -58,6 +59,22 @@ std::vector<double> placed_weights(const solver::Problem& problem, std::string_v
         }
     }
     return {};
+}
+
+/// A case as it is held against what was measured.
+Experiment read_measured(std::string_view name) {
+    ExperimentReading reading = read_experiment(source_folder() / "cases" / (std::string(name) + ".toml"));
+    EXPECT_TRUE(reading.experiment.has_value()) << (reading.mistakes.empty() ? "" : render(reading.mistakes.front()));
+    EXPECT_TRUE(reading.warnings.empty()) << reading.warnings.front();
+    return reading.experiment ? std::move(*reading.experiment) : Experiment{};
+}
+
+std::vector<std::string> free_numbers(const Experiment& experiment) {
+    std::vector<std::string> names;
+    for (const solver::Adjustable& number : experiment.parameters) {
+        names.push_back(number.name);
+    }
+    return names;
 }
 
 const physics::ActiveEffect& effect(const solver::Problem& problem, std::string_view id) {
@@ -176,6 +193,78 @@ TEST(Library, LaserCasesAreAxisymmetricWithTwoLayers) {
         EXPECT_DOUBLE_EQ(problem.measured[1].low, zero + low);
         EXPECT_DOUBLE_EQ(problem.measured[1].high, zero + high);
     }
+}
+
+// A film and a loss of 10 %, two lumps that start within 3 K of the air in each of three runs of 601 samples.
+TEST(Library, BenchToPractiseOnFreesEightNumbers) {
+    const Experiment bench = read_measured("practice/two_node_bench");
+    ASSERT_EQ(bench.runs.size(), 3U);
+    for (const MeasuredRun& run : bench.runs) {
+        EXPECT_EQ(run.time.size(), 601U);
+        EXPECT_DOUBLE_EQ(run.time.back(), 2400.0);
+        EXPECT_EQ(run.series.size(), 2U);
+    }
+    EXPECT_EQ(
+        free_numbers(bench),
+        (std::vector<std::string>{"air_convection.lambda_h", "strain_energy_loss.tan_delta_a",
+                                  "initial surface, run run1", "initial surface, run run2", "initial surface, run run3",
+                                  "initial bulk, run run1", "initial bulk, run run2", "initial bulk, run run3"}));
+    EXPECT_DOUBLE_EQ(bench.parameters[0].standard_deviation, 0.1);
+    EXPECT_DOUBLE_EQ(bench.parameters[1].prior, 2.14e15);
+    EXPECT_DOUBLE_EQ(bench.parameters[1].standard_deviation, 0.214e15);
+    EXPECT_DOUBLE_EQ(bench.parameters[7].standard_deviation, 3.0);
+    const std::vector<solver::Channel>& sensors = bench.runs[0].problem.channels;
+    EXPECT_DOUBLE_EQ(sensors[0].standard_deviation.value_or(0.0), 0.5);
+    EXPECT_DOUBLE_EQ(sensors[1].standard_deviation.value_or(0.0), 0.3);
+}
+
+// 50, 70 and 80 degC (M7) against the link's k, of which nothing is known, and three numbers with priors.
+TEST(Library, SaturationHoldsThreeNumbersAgainstFour) {
+    const Experiment saturation = read_measured("two_node/identify_saturation");
+    ASSERT_EQ(saturation.runs.size(), 3U);
+    const std::vector<double> bulk{50.0, 70.0, 80.0};
+    const std::vector<double> uncertainty{2.8, 2.8, 3.6};
+    for (std::size_t i = 0; i < 3; ++i) {
+        ASSERT_EQ(saturation.runs[i].numbers.size(), 1U);
+        EXPECT_NEAR(saturation.runs[i].numbers[0].value, zero + bulk[i], 1e-12);
+        EXPECT_DOUBLE_EQ(saturation.runs[i].numbers[0].standard_deviation, uncertainty[i]);
+        EXPECT_DOUBLE_EQ(saturation.runs[i].numbers[0].time, 3600.0);
+    }
+    EXPECT_EQ(free_numbers(saturation),
+              (std::vector<std::string>{"link.conductivity at 70 degC", "air_convection.lambda_h",
+                                        "strain_energy_loss.tan_delta_a", "road_contact.Hc"}));
+    EXPECT_FALSE(std::isfinite(saturation.parameters[0].standard_deviation));
+    EXPECT_DOUBLE_EQ(saturation.parameters[3].standard_deviation, 350.0);
+}
+
+// A range of 10 K is a flat distribution of 10 K/sqrt(12) about its middle, beside the reading's 2.8 K.
+TEST(Library, QuotedLaserNumbersAreFour) {
+    const Experiment quoted = read_measured("laser/quoted_numbers");
+    ASSERT_EQ(quoted.runs.size(), 2U);
+    ASSERT_EQ(quoted.runs[0].numbers.size(), 2U);
+    EXPECT_NEAR(quoted.runs[0].numbers[0].value, zero + 85.0, 1e-12);
+    EXPECT_NEAR(quoted.runs[0].numbers[1].value, zero + 45.0, 1e-12);
+    EXPECT_NEAR(quoted.runs[0].numbers[1].standard_deviation, std::hypot(2.8, 10.0 / std::sqrt(12.0)), 1e-12);
+    EXPECT_DOUBLE_EQ(quoted.runs[1].problem.drive.at(0.0, solver::Limit::after).laser_power, 3.0);
+    EXPECT_EQ(free_numbers(quoted),
+              (std::vector<std::string>{"K1.conductivity at 90 degC", "K2.conductivity at 90 degC",
+                                        "laser.absorptivity", "still_air.h"}));
+}
+
+// Two quadratics by three values each, four numbers of the bench, three starts; 15 minutes at every 5 s.
+TEST(Library, LaserToIdentifyFreesTwoQuadraticsAndTheBench) {
+    const Experiment laser = read_measured("laser/identify");
+    ASSERT_EQ(laser.runs.size(), 3U);
+    const std::vector<double> power{0.5, 1.5, 3.0};
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(laser.runs[i].time.size(), 181U);
+        EXPECT_DOUBLE_EQ(laser.runs[i].problem.drive.at(0.0, solver::Limit::after).laser_power, power[i]);
+    }
+    EXPECT_EQ(laser.runs[0].problem.mesh.n_cells, 58 * 34);
+    ASSERT_EQ(laser.parameters.size(), 13U);
+    EXPECT_EQ(laser.parameters[5].name, "K2.conductivity at 140 degC");
+    EXPECT_DOUBLE_EQ(laser.parameters[6].prior, 0.93);
+    EXPECT_DOUBLE_EQ(laser.parameters[7].standard_deviation, 1e-4);
 }
 
 // Performance page, section 1: 30 x 30 x 15 mm of a quarter, K1 above 3 mm; K1(40) = 0.29 + 0.0094 20 = 0.478,
