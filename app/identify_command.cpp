@@ -21,24 +21,69 @@ struct Options {
     std::string case_file;
     std::vector<std::string> data;
     std::string directory;
+    double correlation_time = 10.0;  ///< s, of a plan's noise
     bool profile = false;
+    bool plan = false;
     bool json = false;
 };
 
+/// Of a plan's noise, what is new in every sample.
+constexpr double white_share = 0.3;
+
+/// What a fit would say: there is nothing to write.
+int plan(const Options& options, const std::vector<std::filesystem::path>& data, cases::ExperimentReading& reading) {
+    const cases::Experiment experiment = diagnosis::planned(std::move(*reading.experiment));
+    const diagnosis::Observations observations = diagnosis::observe(experiment);
+    if (observations.rows.empty()) {
+        tell_error(fmt::format("{}: no sensor says how well it measures", options.case_file),
+                   "state standard_deviation with each [[sensor]] that will be there", options.json);
+        return Exit::mistake;
+    }
+    const diagnosis::Identification result =
+        diagnosis::plan(experiment, observations,
+                        diagnosis::stated_noise(experiment, observations, options.correlation_time, white_share));
+    if (!result.status.ok()) {
+        tell_error(result.status.message, "nothing was planned", options.json);
+        return Exit::numerical_failure;
+    }
+    const diagnosis::IdentificationRecord record{.experiment = experiment,
+                                                 .observations = observations,
+                                                 .result = result,
+                                                 .case_file = options.case_file,
+                                                 .data = data,
+                                                 .warnings = reading.warnings,
+                                                 .findings = {},
+                                                 .planned = true};
+    if (options.json) {
+        fmt::print("{}", diagnosis::identification_json(record, {}));
+    } else {
+        fmt::print("{}", diagnosis::identification_text(record, may_be_bold()));
+        fmt::print(
+            "\nNoise assumed: as stated with the sensors; {:.0f} % of its variance new in every sample, the rest "
+            "forgotten over {:g} s (--correlation-time).\n",
+            100.0 * (options.correlation_time > 0.0 ? white_share : 1.0), options.correlation_time);
+    }
+    return Exit::done;
+}
+
 int identify(const Options& options) {
     const std::vector<std::filesystem::path> data(options.data.begin(), options.data.end());
-    const cases::ExperimentReading reading = cases::read_experiment(options.case_file, data);
+    cases::ExperimentReading reading = cases::read_experiment(
+        options.case_file, data, options.plan ? cases::Occasion::planned : cases::Occasion::measured);
     if (!reading.experiment) {
         tell_mistakes({.problem = std::nullopt, .mistakes = reading.mistakes, .warnings = reading.warnings},
                       "nothing was fitted", options.json);
         return Exit::mistake;
     }
-    const cases::Experiment& experiment = *reading.experiment;
-    if (experiment.parameters.empty()) {
+    if (reading.experiment->parameters.empty()) {
         tell_error(fmt::format("{}: no number of the case is free", options.case_file),
                    "name those to be fitted: [[parameter]], see cases/README.md", options.json);
         return Exit::mistake;
     }
+    if (options.plan) {
+        return plan(options, data, reading);
+    }
+    const cases::Experiment& experiment = *reading.experiment;
     const diagnosis::Observations observations = diagnosis::observe(experiment);
     const diagnosis::Identification result =
         diagnosis::identify(experiment, observations, {.profile = options.profile});
@@ -91,15 +136,23 @@ void add_identify_command(CLI::App& program, int& exit_code) {
         ->option_text("DIR");
     command->add_flag("--profile", options->profile,
                       "Intervals by profile likelihood, which need not be symmetric: some ten fits a number");
+    command->add_flag("--plan", options->plan,
+                      "Before anything is measured: the intervals that these runs and sensors would give");
+    command
+        ->add_option("--correlation-time", options->correlation_time, "Of the noise that a plan assumes. Default: 10")
+        ->option_text("SECONDS")
+        ->check(CLI::NonNegativeNumber);
     command->add_flag("--json", options->json, "One JSON object instead of the page");
     command->footer(
         "All runs and channels are fitted at once. The noise of each channel, correlated and white, is estimated from\n"
         "what no number can explain. A number that the data do not see is named as such.\n"
+        "A plan takes every sensor with a standard_deviation, at the times of the runs' files or of [time] output.\n"
         "Files: identified.toml (the case with the fitted values), identify.csv (a row for each sample).\n\n"
         "Exit code: 0 done; 1 a mistake in the call, the case or the data; 2 the solver failed or the search did not\n"
         "converge.\n\n"
         "Example:\n"
-        "  tiretherm identify cases/practice/two_node_bench.toml --data run1.csv --data run2.csv --out /tmp/bench");
+        "  tiretherm identify cases/practice/two_node_bench.toml --data run1.csv --data run2.csv --out /tmp/bench\n"
+        "  tiretherm identify cases/laser/identify.toml --plan");
     command->callback([options, &exit_code] { exit_code = identify(*options); });
 }
 

@@ -5,13 +5,14 @@
 
 namespace tiretherm::cases {
 
-ExperimentReading read_experiment(const std::filesystem::path& file, const std::vector<std::filesystem::path>& data) {
+ExperimentReading read_experiment(const std::filesystem::path& file, const std::vector<std::filesystem::path>& data,
+                                  Occasion occasion) {
     Mistakes mistakes;
     ExperimentReading reading;
     Runs runs;
     if (const std::optional<Node> document = read_document(file, mistakes)) {
-        runs = read_runs(*document, case_name(file), data, mistakes);
-        const bool has_runs = !data.empty() || document->find("run") != nullptr;
+        runs = read_runs(*document, case_name(file), data, occasion, mistakes);
+        const bool has_runs = occasion == Occasion::planned || !data.empty() || document->find("run") != nullptr;
         if (!has_runs && mistakes.count() == 0 && runs.experiment.runs.front().numbers.empty()) {
             mistakes.add(document->place, "the case has no measured run",
                          "add [[run]] with file = \"....csv\", or give files beside the case: --data run.csv");

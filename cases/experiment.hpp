@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -60,9 +61,16 @@ struct ExperimentReading {
     std::vector<std::string> findings;  ///< what is suspicious about the data, a sentence each
 };
 
+/// What an experiment is read for.
+enum class Occasion : std::uint8_t {
+    measured,  ///< something must have been measured
+    planned    ///< runs without measured values say what is going to be done
+};
+
 /// Reads a case with its [[run]] tables and [[parameter]] tables, all files that they mention included.
 /// @param data files of runs that take the place of the case's own; their columns have standard names
 [[nodiscard]] ExperimentReading read_experiment(const std::filesystem::path& file,
-                                                const std::vector<std::filesystem::path>& data = {});
+                                                const std::vector<std::filesystem::path>& data = {},
+                                                Occasion occasion = Occasion::measured);
 
 }  // namespace tiretherm::cases

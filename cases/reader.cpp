@@ -52,7 +52,7 @@ Reading read_case(const fs::path& file) {
     Mistakes mistakes;
     std::optional<solver::Problem> problem;
     if (const std::optional<Node> document = read_document(file, mistakes)) {
-        problem = read_runs(*document, case_name(file), {}, mistakes).problem;
+        problem = read_runs(*document, case_name(file), {}, Occasion::measured, mistakes).problem;
     }
     Reading reading{.problem = std::nullopt, .mistakes = mistakes.in_order(), .warnings = unique(mistakes.warnings())};
     if (reading.mistakes.empty()) {

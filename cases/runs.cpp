@@ -47,7 +47,7 @@ std::vector<std::string> unique(const std::vector<std::string>& sentences) {
 }
 
 Runs read_runs(const Node& document, const std::string& name, const std::vector<std::filesystem::path>& data,
-               Mistakes& mistakes) {
+               Occasion occasion, Mistakes& mistakes) {
     Runs into;
     std::vector<RunTable> tables;
     {
@@ -86,7 +86,7 @@ Runs read_runs(const Node& document, const std::string& name, const std::vector<
             std::ranges::move(find_suspicious(recording_of(*file, draft, run)), std::back_inserter(into.findings));
         }
         read_numbers(draft, merged, table, mistakes, run);
-        if (measured) {
+        if (measured && occasion == Occasion::measured) {
             require_readings(run, table, file ? &*file : nullptr, sensors, mistakes);
         }
         if (documents.size() == 1) {

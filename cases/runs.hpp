@@ -19,7 +19,7 @@ struct Runs {
 /// Reads the case once for each of its runs, with the run's tables over its own; the case itself where it has none.
 /// @param name of the case  @param data files that take the place of the case's runs
 [[nodiscard]] Runs read_runs(const Node& document, const std::string& name,
-                             const std::vector<std::filesystem::path>& data, Mistakes& mistakes);
+                             const std::vector<std::filesystem::path>& data, Occasion occasion, Mistakes& mistakes);
 
 /// "laser/one_watt" for .../cases/laser/one_watt.toml, otherwise the file's stem.
 [[nodiscard]] std::string case_name(const std::filesystem::path& file);

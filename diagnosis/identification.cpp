@@ -104,7 +104,7 @@ public:
     }
 
     [[nodiscard]] std::optional<Residuals> residuals(const Eigen::VectorXd& values) {
-        const Forecast found = simulator_.at(values);
+        const Forecast& found = simulator_.at(values);
         if (!found.status.ok()) {
             return std::nullopt;
         }
@@ -322,6 +322,41 @@ Identification identify(const cases::Experiment& experiment, const Observations&
     result.simulations = fit.simulator_.simulations();
     result.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     return result;
+}
+
+cases::Experiment planned(cases::Experiment experiment) {
+    for (cases::MeasuredRun& run : experiment.runs) {
+        const solver::Settings& settings = run.problem.settings;
+        if (run.time.empty() && settings.steady) {
+            run.time = {settings.end};
+        }
+        if (run.time.empty()) {
+            const double length = settings.end - settings.start;
+            const double interval = settings.output_interval > 0.0 ? settings.output_interval : 0.01 * length;
+            for (int i = 0; i * interval <= length * (1.0 + 1e-12); ++i) {
+                run.time.push_back(settings.start + i * interval);
+            }
+        }
+        run.series.clear();
+        for (std::size_t c = 0; c < run.problem.channels.size(); ++c) {
+            if (run.problem.channels[c].standard_deviation) {
+                run.series.push_back({.channel = c, .value = std::vector<double>(run.time.size())});
+            }
+        }
+    }
+    return experiment;
+}
+
+std::vector<Noise> stated_noise(const cases::Experiment& experiment, const Observations& observations,
+                                double correlation_time, double white_share) {
+    std::vector<Noise> noise;
+    for (const std::size_t channel : observations.channels) {
+        const solver::Channel& sensor = experiment.runs.front().problem.channels[channel];
+        noise.push_back({.sigma = sensor.standard_deviation.value_or(1.0),
+                         .correlation_time = correlation_time,
+                         .white_share = correlation_time > 0.0 ? white_share : 1.0});
+    }
+    return noise;
 }
 
 Identification plan(const cases::Experiment& experiment, const Observations& observations,

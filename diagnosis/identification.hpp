@@ -91,10 +91,18 @@ struct IdentificationChoice {
 [[nodiscard]] Identification identify(const cases::Experiment& experiment, const Observations& observations,
                                       const IdentificationChoice& choice = {});
 
-/// What the fit would say of data that are yet to be measured: at the case's values, with noise as stated.
+/// What the fit would say of data that are yet to be measured: the intervals at the case's values, to first order.
 /// @param noise [Observations::channels] assumed
 [[nodiscard]] Identification plan(const cases::Experiment& experiment, const Observations& observations,
                                   const std::vector<Noise>& noise);
+
+/// An experiment as it is going to be: every sensor with a standard deviation gives a reading at every time of each
+/// run's file, or where there is none at the case's output times (every hundredth of the run when it has none).
+[[nodiscard]] cases::Experiment planned(cases::Experiment experiment);
+/// Noise as the sensors' standard deviations say, of which this share is new in every sample.
+/// @param correlation_time s, of the rest
+[[nodiscard]] std::vector<Noise> stated_noise(const cases::Experiment& experiment, const Observations& observations,
+                                              double correlation_time, double white_share);
 
 /// The unit in which a number is measured against the data: its prior's standard deviation, or its size.
 [[nodiscard]] Eigen::VectorXd scales_of(const cases::Experiment& experiment, const Eigen::VectorXd& values);

@@ -65,7 +65,7 @@ LeastSquaresResult minimise(const LeastSquares& question) {
     options.max_num_iterations = 50;
     options.initial_trust_region_radius = 1e4;
     // The sum of squares is a chi-square: changes of a thousandth say nothing about the parameters.
-    options.function_tolerance = 1e-9;
+    options.function_tolerance = 1e-7;
     options.parameter_tolerance = 1e-6;
     options.gradient_tolerance = 1e-8;
     ceres::Solver::Summary summary;

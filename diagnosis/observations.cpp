@@ -97,7 +97,17 @@ solver::Problem Simulator::problem(std::size_t run, const Eigen::VectorXd& value
     return problem;
 }
 
-Forecast Simulator::at(const Eigen::VectorXd& values, bool with_slopes) {
+const Forecast& Simulator::at(const Eigen::VectorXd& values) {
+    // Values that went through units and back may differ in their last digits.
+    if (values.size() > 0 && last_values_.size() == values.size() && last_values_.isApprox(values, 1e-14)) {
+        return last_;
+    }
+    last_values_ = values;
+    last_ = forecast(values);
+    return last_;
+}
+
+Forecast Simulator::forecast(const Eigen::VectorXd& values) {
     const std::size_t n_runs = experiment_->runs.size();
     std::vector<solver::Prediction> predictions(n_runs);
     std::atomic<std::size_t> next{0};
@@ -107,16 +117,14 @@ Forecast Simulator::at(const Eigen::VectorXd& values, bool with_slopes) {
             std::vector<solver::Adjustable> asked;
             std::vector<double> now;
             for (const std::size_t j : parameters_[r]) {
-                if (with_slopes) {
-                    asked.push_back(experiment_->parameters[j]);
-                    now.push_back(values[static_cast<Eigen::Index>(j)]);
-                }
+                asked.push_back(experiment_->parameters[j]);
+                now.push_back(values[static_cast<Eigen::Index>(j)]);
             }
             predictions[r] = solver::predict(moved, {.times = observations_->times[r],
                                                      .parameters = asked,
                                                      .values = now,
                                                      .step_ends = step_ends_[r],
-                                                     .tolerance = 1e-5});
+                                                     .tolerance = 1e-4});
         }
     };
     {
@@ -132,7 +140,7 @@ Forecast Simulator::at(const Eigen::VectorXd& values, bool with_slopes) {
     Forecast forecast;
     const auto n_rows = static_cast<Eigen::Index>(observations_->rows.size());
     forecast.simulated.resize(n_rows);
-    forecast.slope.setZero(n_rows, with_slopes ? start_.size() : 0);
+    forecast.slope.setZero(n_rows, start_.size());
     for (std::size_t r = 0; r < n_runs; ++r) {
         solver::Prediction& prediction = predictions[r];
         if (!prediction.status.ok()) {
@@ -144,7 +152,7 @@ Forecast Simulator::at(const Eigen::VectorXd& values, bool with_slopes) {
         for (const Eigen::Index row : rows_[r]) {
             const Observations::Row& what = observations_->rows[static_cast<std::size_t>(row)];
             forecast.simulated[row] = prediction.at(what.time, what.channel);
-            for (std::size_t k = 0; with_slopes && k < parameters_[r].size(); ++k) {
+            for (std::size_t k = 0; k < parameters_[r].size(); ++k) {
                 forecast.slope(row, static_cast<Eigen::Index>(parameters_[r][k])) =
                     prediction.slope_at(k, what.time, what.channel);
             }

@@ -42,10 +42,14 @@ public:
     /// @param experiment, observations live longer
     Simulator(const cases::Experiment& experiment, const Observations& observations);
 
+    /// Asked again at the same values it remembers.
     /// @param values [n_parameters] in the units of the experiment's parameters
-    [[nodiscard]] Forecast at(const Eigen::VectorXd& values, bool with_slopes = true);
-    /// Chooses the steps anew at these values, by the error control of each run.
-    void forget_steps() { step_ends_.assign(step_ends_.size(), {}); }
+    [[nodiscard]] const Forecast& at(const Eigen::VectorXd& values);
+    /// The next forecast chooses its steps anew, by the error control of each run.
+    void forget_steps() {
+        step_ends_.assign(step_ends_.size(), {});
+        last_values_.resize(0);
+    }
     /// A run's problem at these values.
     [[nodiscard]] solver::Problem problem(std::size_t run, const Eigen::VectorXd& values) const;
     /// The values that the experiment's case has.
@@ -53,12 +57,16 @@ public:
     [[nodiscard]] long simulations() const { return simulations_; }  ///< runs so far
 
 private:
+    [[nodiscard]] Forecast forecast(const Eigen::VectorXd& values);
+
     const cases::Experiment* experiment_;
     const Observations* observations_;
     Eigen::VectorXd start_;
     std::vector<std::vector<double>> step_ends_;        ///< [n_runs]
     std::vector<std::vector<std::size_t>> parameters_;  ///< [n_runs] those that a run follows
     std::vector<std::vector<Eigen::Index>> rows_;       ///< [n_runs]
+    Eigen::VectorXd last_values_;
+    Forecast last_;
     long simulations_ = 0;
 };
 
