@@ -146,6 +146,27 @@ TEST(Identify, SaysWhatThreeTemperaturesDoNotTell) {
     ASSERT_EQ(json["numbers"].size(), 3u);
 }
 
+// A plan assumes 0.5 and 0.3 K, 70 % of the variance forgotten over 10 s; found are 0.484 and 0.307 K over 7 and 11 s. What
+// lasts 7 s instead of 10 s makes a long mean sqrt(0.7) = 0.84 as uncertain, and 3 % come from 0.484 K: 20 % hold both.
+TEST(Identify, APlanForeseesTheIntervals) {
+    const Fits fits;
+    const Json fitted = Json::parse(fits.identify(bench, "--json").out);
+    std::filesystem::remove_all(fits.file("out"));
+    const Call call = fits.identify(bench, "--plan --json");
+    ASSERT_EQ(call.exit_code, 0) << call.err;
+    const Json plan = Json::parse(call.out);
+    EXPECT_TRUE(plan["planned"]);
+    ASSERT_EQ(plan["parameters"].size(), 8u);
+    for (const Json& number_of_plan : plan["parameters"]) {
+        const double foreseen = number_of_plan["standard_deviation"];
+        const double found = number(fitted, number_of_plan["name"])["standard_deviation"];
+        EXPECT_NEAR(foreseen, found, 0.2 * found) << number_of_plan["name"];
+    }
+    EXPECT_FALSE(std::filesystem::exists(fits.written.folder() / "out"));
+    const Call page = fits.identify(bench, "--plan");
+    EXPECT_NE(page.out.find("nothing was measured"), std::string::npos) << page.out;
+}
+
 TEST(Identify, ACaseThatFreesNothingIsRefused) {
     const Fits fits;
     const std::string file = fits.written.add("nothing_free.toml", nothing_free()).string();
