@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "app/commands.hpp"
 #include "app/messages.hpp"
 #include "cases/experiment.hpp"
+#include "cases/reader.hpp"
 #include "diagnosis/identification_report.hpp"
 #include "post/file.hpp"
 
@@ -85,23 +87,33 @@ int identify(const Options& options) {
     }
     const cases::Experiment& experiment = *reading.experiment;
     const diagnosis::Observations observations = diagnosis::observe(experiment);
-    const diagnosis::Identification result =
-        diagnosis::identify(experiment, observations, {.profile = options.profile});
+    const bool watched = on_terminal(stdout) && on_terminal(stderr) && !options.json;
+    const auto progress = [](long simulations) { fmt::print(stderr, "\r{} simulations ", simulations); };
+    const diagnosis::Identification result = diagnosis::identify(
+        experiment, observations,
+        {.profile = options.profile, .progress = watched ? std::function<void(long)>(progress) : nullptr});
+    if (watched) {
+        fmt::print(stderr, "\r{:20}\r", "");
+    }
     if (!result.status.ok()) {
         tell_error(result.status.message, "nothing was fitted", options.json);
         return Exit::numerical_failure;
     }
-    const diagnosis::IdentificationRecord record{.experiment = experiment,
-                                                 .observations = observations,
-                                                 .result = result,
-                                                 .case_file = options.case_file,
-                                                 .data = data,
-                                                 .warnings = reading.warnings,
-                                                 .findings = reading.findings};
+    diagnosis::IdentificationRecord record{.experiment = experiment,
+                                           .observations = observations,
+                                           .result = result,
+                                           .case_file = options.case_file,
+                                           .data = data,
+                                           .warnings = reading.warnings,
+                                           .findings = reading.findings};
     std::vector<std::filesystem::path> files;
     try {
         const std::string name = experiment.runs.front().problem.name;
         files = diagnosis::write_identification(record, options.directory.empty() ? "out/" + name : options.directory);
+        // A law that fits where the data are may fail elsewhere, and the case with it.
+        if (const cases::Reading fitted = cases::read_case(files.front()); !fitted.problem) {
+            record.warnings.push_back("the fitted case cannot be run as it is: " + fitted.mistakes.front().what);
+        }
     } catch (const post::FileError& error) {
         tell_error(error.what(), "choose another directory with --out", options.json);
         return Exit::mistake;

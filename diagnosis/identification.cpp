@@ -285,6 +285,7 @@ Identification identify(const cases::Experiment& experiment, const Observations&
     const Clock::time_point begin = Clock::now();
     Identification result;
     Fit fit(experiment, observations);
+    fit.simulator_.tell(choice.progress);
     const auto failed = [&] {
         result.status = fit.forecast_.status;
         return result;

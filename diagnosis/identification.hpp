@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
@@ -82,7 +84,8 @@ struct Identification {
 };
 
 struct IdentificationChoice {
-    bool profile = false;  ///< intervals by profile likelihood
+    bool profile = false;                              ///< intervals by profile likelihood
+    std::function<void(long simulations)> progress{};  ///< called after each forecast
 };
 
 /// Fits the experiment's parameters to all of its runs at once: least squares of the whitened residuals and the priors

@@ -56,10 +56,7 @@ std::string numbers_table(const IdentificationRecord& record) {
         text += post::wrap("The intervals are those of the profile likelihood.", 2);
     }
     if (any(Sight::with_prior)) {
-        text += post::wrap(
-            "with prior: the interval would be more than twice as wide without what was known before, "
-            "or the data halve it at best.",
-            2);
+        text += post::wrap("with prior: the data narrow what was known before, but to no less than half of it.", 2);
     }
     if (any(Sight::prior_only)) {
         text += post::wrap("prior only: the data do not see it; the interval is the one that was known before.", 2);

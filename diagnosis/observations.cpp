@@ -136,6 +136,9 @@ Forecast Simulator::forecast(const Eigen::VectorXd& values) {
         work();
     }
     simulations_ += static_cast<long>(n_runs);
+    if (progress_) {
+        progress_(simulations_);
+    }
 
     Forecast forecast;
     const auto n_rows = static_cast<Eigen::Index>(observations_->rows.size());

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -54,6 +56,8 @@ public:
     [[nodiscard]] solver::Problem problem(std::size_t run, const Eigen::VectorXd& values) const;
     /// The values that the experiment's case has.
     [[nodiscard]] const Eigen::VectorXd& start() const { return start_; }
+    /// @param progress called after each forecast with the number of runs simulated so far
+    void tell(std::function<void(long)> progress) { progress_ = std::move(progress); }
     [[nodiscard]] long simulations() const { return simulations_; }  ///< runs so far
 
 private:
@@ -68,6 +72,7 @@ private:
     Eigen::VectorXd last_values_;
     Forecast last_;
     long simulations_ = 0;
+    std::function<void(long)> progress_;
 };
 
 }  // namespace tiretherm::diagnosis
