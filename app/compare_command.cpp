@@ -68,7 +68,7 @@ void add_compare_command(CLI::App& program, int& exit_code) {
         ->option_text(" ");
     command
         ->add_option("--data", options->data,
-                     "A measured run (CSV), once for each; they take the place of the case's own")
+                     "A measured run (CSV or HDF5), once for each; they take the place of the case's own")
         ->option_text("FILE ...");
     command
         ->add_option("--out", options->directory,

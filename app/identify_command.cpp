@@ -69,6 +69,15 @@ int plan(const Options& options, const std::vector<std::filesystem::path>& data,
 }
 
 int identify(const Options& options) {
+    if (!(options.correlation_time >= 0.0)) {
+        tell_error(fmt::format("the correlation time is {} s", options.correlation_time), "give 0 s or more",
+                   options.json);
+        return Exit::mistake;
+    }
+    if (options.plan && (options.profile || !options.directory.empty())) {
+        tell_error("a plan has no profiles and writes no files", "leave out --profile and --out", options.json);
+        return Exit::mistake;
+    }
     const std::vector<std::filesystem::path> data(options.data.begin(), options.data.end());
     cases::ExperimentReading reading = cases::read_experiment(
         options.case_file, data, options.plan ? cases::Occasion::planned : cases::Occasion::measured);
@@ -152,8 +161,7 @@ void add_identify_command(CLI::App& program, int& exit_code) {
                       "Before anything is measured: the intervals that these runs and sensors would give");
     command
         ->add_option("--correlation-time", options->correlation_time, "Of the noise that a plan assumes. Default: 10")
-        ->option_text("SECONDS")
-        ->check(CLI::NonNegativeNumber);
+        ->option_text("SECONDS");
     command->add_flag("--json", options->json, "One JSON object instead of the page");
     command->footer(
         "All runs and channels are fitted at once. The noise of each channel, correlated and white, is estimated from\n"

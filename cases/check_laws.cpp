@@ -22,9 +22,15 @@ struct Span {
 };
 
 Span given_temperatures(const Draft& draft) {
-    Span span{draft.problem.initial.front(), draft.problem.initial.front()};
+    // A start that could not be read (the air of a file that is not there) is no temperature.
+    constexpr double room = 293.15;
+    const auto known = std::ranges::find_if(draft.problem.initial, [](double T) { return T > 0.0; });
+    const double first = known == draft.problem.initial.end() ? room : *known;
+    Span span{first, first};
     for (const double T : draft.problem.initial) {
-        span.take(T);
+        if (T > 0.0) {
+            span.take(T);
+        }
     }
     const solver::Drive& drive = draft.problem.drive;
     for (const physics::Signal& signal : physics::signals()) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
 #include <Eigen/Eigenvalues>
 
 #include "diagnosis/least_squares.hpp"
@@ -22,6 +23,12 @@ constexpr double settled_number = 0.05;
 /// A posterior standard deviation below this share of the prior's is the data's doing; above that one, the prior's.
 constexpr double data_alone = 0.5;
 constexpr double prior_alone = 0.9;
+
+/// A channel that fits worse than before by this factor has been given up; noise this far above the sensor's, in a channel
+/// of many samples, holds more than noise.
+constexpr double worse = 1.05;
+constexpr double swollen = 1.5;
+constexpr Eigen::Index many = 100;
 
 /// The fit under way: values, their forecast, the noise.
 class Fit {
@@ -180,12 +187,15 @@ void Fit::judge(Identification& into) const {
                    .low = std::max(low_[j], values_[j] - wide * sd),
                    .high = std::min(high_[j], values_[j] + wide * sd)};
         const double slack = 1e-6 * scale_[j];
-        if (precision_[j] == 0.0 && deviation[j] > 1.0) {
+        one.low_is_open = values_[j] - wide * sd < low_[j];
+        one.high_is_open = values_[j] + wide * sd > high_[j];
+        if (values_[j] <= low_[j] + slack || values_[j] >= high_[j] - slack) {
+            one.sight = Sight::at_bound;
+        } else if (precision_[j] == 0.0 && deviation[j] > 1.0) {
             one.sight = Sight::not_determined;
             one.standard_deviation = std::numeric_limits<double>::infinity();
             one.low = one.high = std::numeric_limits<double>::quiet_NaN();
-        } else if (values_[j] <= low_[j] + slack || values_[j] >= high_[j] - slack) {
-            one.sight = Sight::at_bound;
+            one.low_is_open = one.high_is_open = true;
         } else if (precision_[j] > 0.0 && deviation[j] > prior_alone) {
             one.sight = Sight::prior_only;
         } else if (precision_[j] > 0.0 && deviation[j] > data_alone) {
@@ -221,6 +231,20 @@ void Fit::describe_channels(Identification& into) const {
         const solver::Channel& channel = channels[fit.channel];
         fit.cautions =
             cautions(channel.name, std::string(solver::unit_of(channel.quantity)), fit.noise, fit.found, stated(c), {});
+        const std::string rose = fmt::format("{}: its rms rose with the fit, from {:.2g} to {:.2g} {}", channel.name,
+                                             fit.rmse_before, fit.rmse_after, solver::unit_of(channel.quantity));
+        const bool eats = fit.noise.white_share < 1.0 && stated(c) > 0.0 && fit.samples > many &&
+                          fit.noise.sigma > swollen * stated(c);
+        if (fit.rmse_after > worse * fit.rmse_before) {
+            fit.cautions.push_back(rose +
+                                   ": what the model lacks passes for slow noise, and the numbers and intervals "
+                                   "are not to be trusted; see compare, and fit with noise = \"white\" beside it");
+        } else if (eats) {
+            fit.cautions.push_back(
+                fmt::format("{}: its noise is {:.1f} times what the sensor is said to have: part of "
+                            "it may be what the model lacks",
+                            channel.name, fit.noise.sigma / stated(c)));
+        }
         into.channels.push_back(std::move(fit));
     }
     for (const Block& block : observations_.blocks) {

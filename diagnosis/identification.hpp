@@ -32,7 +32,7 @@ struct Fitted {
     double low = 0.0;                 ///< 95 %; NaN when not determined
     double high = 0.0;
     bool profiled = false;     ///< the interval is that of the profile likelihood, not the symmetric one (Wald)
-    bool low_is_open = false;  ///< the profile reaches no end to that side
+    bool low_is_open = false;  ///< the interval reaches the bound to that side, or has no end
     bool high_is_open = false;
     Sight sight = Sight::determined;
 };

@@ -16,37 +16,51 @@ constexpr double close = 0.9;
 /// Parts of a direction smaller than this are not told.
 constexpr double small = 0.2;
 
-/// A number to four digits, as long as the interval's own digits need.
-std::string shown(double value) { return std::isfinite(value) ? fmt::format("{:.5g}", value) : "-"; }
+/// A number with so many digits behind the point that an interval of this half width shows two of its own.
+std::string shown(double value, double half_width) {
+    if (!std::isfinite(value)) {
+        return "-";
+    }
+    const double size = std::max(std::abs(value), half_width);
+    if (size >= 1e5 || (size > 0.0 && size < 1e-3) || !(half_width > 0.0) || !std::isfinite(half_width)) {
+        return fmt::format("{:.4g}", value);
+    }
+    const int digits = std::clamp(1 - static_cast<int>(std::floor(std::log10(half_width))), 0, 8);
+    return fmt::format("{:.{}f}", value, digits);
+}
+
+double half_width(const Fitted& one) { return 0.5 * (one.high - one.low); }
 
 std::string interval(const Fitted& one, bool planned) {
     if (one.sight == Sight::not_determined && !one.profiled) {
         return "-";
     }
     if (planned) {
-        return fmt::format("+- {:.2g}", 0.5 * (one.high - one.low));
+        return fmt::format("+- {}", shown(half_width(one), half_width(one)));
     }
-    return fmt::format("{}{} to {}{}", one.low_is_open ? "< " : "", shown(one.low), shown(one.high),
-                       one.high_is_open ? " and more" : "");
+    return fmt::format("{}{} to {}{}", one.low_is_open ? "< " : "", shown(one.low, half_width(one)),
+                       one.high_is_open ? "> " : "", shown(one.high, half_width(one)));
 }
 
 std::string known_before(const solver::Adjustable& parameter) {
     return std::isfinite(parameter.standard_deviation)
-               ? fmt::format("{} +- {:.2g}", shown(parameter.prior), parameter.standard_deviation)
+               ? fmt::format("{} +- {}", shown(parameter.prior, parameter.standard_deviation),
+                             shown(parameter.standard_deviation, parameter.standard_deviation))
                : "-";
 }
 
 std::string numbers_table(const IdentificationRecord& record) {
     const bool planned = record.planned;
     post::Table table({true, true, false, false, false, false, true});
-    table.add({"number", "unit", "case", planned ? "" : "fitted", "95 %", "known before, sd", ""});
+    table.add({"number", "unit", "case", planned ? "" : "fitted", "95 %", "known before", "what the data say"});
     bool profiled = false;
     for (std::size_t j = 0; j < record.result.fitted.size(); ++j) {
         const Fitted& one = record.result.fitted[j];
         const solver::Adjustable& parameter = record.experiment.parameters[j];
         profiled = profiled || one.profiled;
-        table.add({parameter.name, parameter.unit, shown(one.before), planned ? "" : shown(one.value),
-                   interval(one, planned), known_before(parameter), std::string(word_of(one.sight))});
+        table.add({parameter.name, parameter.unit == "1" ? "-" : parameter.unit, fmt::format("{:.5g}", one.before),
+                   planned ? "" : shown(one.value, half_width(one)), interval(one, planned), known_before(parameter),
+                   std::string(word_of(one.sight))});
     }
     std::string text = table.text(2);
     const auto any = [&](Sight sight) {
@@ -75,10 +89,10 @@ std::string numbers_table(const IdentificationRecord& record) {
 
 std::string directions_text(const IdentificationRecord& record) {
     std::string text;
-    std::size_t unseen = 0;
+    bool any = false;
     for (const Direction& direction : record.result.directions) {
         if (direction.strength < 1.0) {
-            ++unseen;
+            any = true;
             text += post::wrap(
                 fmt::format("- {}: {}", describe(direction, record.experiment, record.result.values),
                             direction.strength < 1e-3
@@ -87,13 +101,13 @@ std::string directions_text(const IdentificationRecord& record) {
                 4);
         }
     }
-    if (unseen == 0) {
-        return "";
-    }
-    return post::wrap(fmt::format("{} of {} combinations of the numbers are known less well from the data than before:",
-                                  unseen, record.result.directions.size()),
+    return !any ? ""
+                : post::wrap(
+                      "Moved together as written (each by its share of what was known before, or of its own size), "
+                      "these "
+                      "numbers change the readings by less than their noise:",
                       2) +
-           text;
+                      text;
 }
 
 std::string correlations_text(const IdentificationRecord& record) {
@@ -157,7 +171,7 @@ std::string fit_text(const IdentificationRecord& record) {
                        fmt::format("{:.2f}", unit.value(fit.before)), fmt::format("{:.2f}", unit.value(fit.after)),
                        fmt::format("{:+.1f} u", (fit.after - measured) / fit.standard_deviation)});
         }
-        text += table.text(2) + "  u: standard uncertainty of the measured number\n";
+        text += (text.empty() ? "" : "\n") + table.text(2) + "  u: standard uncertainty of the measured number\n";
     }
     return text;
 }
@@ -202,10 +216,10 @@ std::string identification_text(const IdentificationRecord& record, bool bold) {
     };
     const Identification& result = record.result;
     const std::size_t n_runs = record.experiment.runs.size();
-    std::string text =
-        fmt::format("{}: {} numbers {} {} run{}, {} measured values\n", record.experiment.runs.front().problem.title,
-                    result.fitted.size(), record.planned ? "planned for" : "fitted to", n_runs, n_runs == 1 ? "" : "s",
-                    post::grouped(static_cast<double>(record.observations.measured.size())));
+    std::string text = fmt::format(
+        "{}\n{} number{} {} {} run{}, {} values\n", record.experiment.runs.front().problem.title, result.fitted.size(),
+        result.fitted.size() == 1 ? "" : "s", record.planned ? "planned for" : "fitted to", n_runs,
+        n_runs == 1 ? "" : "s", post::grouped(static_cast<double>(record.observations.measured.size())));
     text +=
         record.planned
             ? fmt::format("Predicted from the case as it stands, {} simulations in {:.2g} s: nothing was measured.\n",

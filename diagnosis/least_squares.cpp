@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <ceres/ceres.h>
+#include <glog/logging.h>
 
 namespace tiretherm::diagnosis {
 
@@ -44,6 +45,8 @@ private:
 }  // namespace
 
 LeastSquaresResult minimise(const LeastSquares& question) {
+    // A trial value at which the model fails is an answer here, not a line on the user's terminal.
+    FLAGS_minloglevel = google::FATAL;
     Eigen::VectorXd x = question.start.cwiseQuotient(question.scale);
     ceres::Problem problem;
     problem.AddResidualBlock(new Whitened(question), nullptr, x.data());

@@ -155,10 +155,22 @@ Forecast Simulator::forecast(const Eigen::VectorXd& values) {
         for (const Eigen::Index row : rows_[r]) {
             const Observations::Row& what = observations_->rows[static_cast<std::size_t>(row)];
             forecast.simulated[row] = prediction.at(what.time, what.channel);
+            if (!std::isfinite(forecast.simulated[row])) {
+                forecast.status = {solver::Outcome::not_finite,
+                                   fmt::format("run {}: {} is not a number at t = {:.6g} s", experiment_->runs[r].name,
+                                               experiment_->runs[r].problem.channels[what.channel].name,
+                                               observations_->times[r][what.time])};
+                return forecast;
+            }
             for (std::size_t k = 0; k < parameters_[r].size(); ++k) {
                 forecast.slope(row, static_cast<Eigen::Index>(parameters_[r][k])) =
                     prediction.slope_at(k, what.time, what.channel);
             }
+        }
+        if (!forecast.slope.allFinite()) {
+            forecast.status = {solver::Outcome::not_finite,
+                               fmt::format("run {}: a sensitivity is not a number", experiment_->runs[r].name)};
+            return forecast;
         }
         for (const std::string& kink : prediction.kinks) {
             if (std::ranges::find(forecast.kinks, kink) == forecast.kinks.end()) {

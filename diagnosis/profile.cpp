@@ -99,9 +99,13 @@ void profile_intervals(const LeastSquares& question, Identification& result) {
         Fitted& one = result.fitted[j];
         const auto number = static_cast<Eigen::Index>(j);
         const double step = std::isfinite(one.standard_deviation) ? one.standard_deviation : question.scale[number];
+        one.high_is_open = one.low_is_open = false;
         one.high = Side(question, number, least, step).find(one.high_is_open);
         one.low = Side(question, number, least, -step).find(one.low_is_open);
         one.profiled = true;
+        if (one.sight == Sight::not_determined && !one.low_is_open && !one.high_is_open) {
+            one.sight = Sight::determined;  // the straight line of the first order saw no end, the profile does
+        }
     }
 }
 

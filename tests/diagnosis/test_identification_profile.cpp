@@ -15,7 +15,7 @@ public:
         : experiment_(experiment), observations_(observe(experiment)), simulator_(experiment, observations_) {}
 
     Eigen::VectorXd residuals(const Eigen::VectorXd& values) {
-        const Forecast forecast = simulator_.at(values, false);
+        const Forecast& forecast = simulator_.at(values);
         EXPECT_TRUE(forecast.status.ok()) << forecast.status.message;
         const Eigen::Index n_rows = observations_.measured.size();
         Eigen::VectorXd all(n_rows + values.size());

@@ -41,7 +41,7 @@ TEST(Csv, ReaderOfCasesTakesTheFileBackInKelvin) {
         csv->read({{.column = csv->find("time"),
                     .name = "time",
                     .wanted = {.unit = "s", .low = 0.0, .high = 1e9},
-                    .ascending = true},
+                    .purpose = cases::Purpose::clock},
                    {.column = csv->find("liner"), .name = "liner", .wanted = {.unit = "K", .low = 0.0, .high = 1e3}}},
                   mistakes);
     ASSERT_EQ(mistakes.count(), 0u);
