@@ -32,7 +32,7 @@ struct Options {
 /// Of a plan's noise, what is new in every sample.
 constexpr double white_share = 0.3;
 
-/// What a fit would say: there is nothing to write.
+/// What a fit would say.
 int plan(const Options& options, const std::vector<std::filesystem::path>& data, cases::ExperimentReading& reading) {
     const cases::Experiment experiment = diagnosis::planned(std::move(*reading.experiment));
     const diagnosis::Observations observations = diagnosis::observe(experiment);
@@ -56,8 +56,17 @@ int plan(const Options& options, const std::vector<std::filesystem::path>& data,
                                                  .warnings = reading.warnings,
                                                  .findings = {},
                                                  .planned = true};
+    std::vector<std::filesystem::path> files;
+    try {
+        if (!options.directory.empty()) {
+            files = diagnosis::write_identification(record, options.directory);
+        }
+    } catch (const post::FileError& error) {
+        tell_error(error.what(), "choose another directory with --out", options.json);
+        return Exit::mistake;
+    }
     if (options.json) {
-        fmt::print("{}", diagnosis::identification_json(record, {}));
+        fmt::print("{}", diagnosis::identification_json(record, files));
     } else {
         fmt::print("{}", diagnosis::identification_text(record, may_be_bold()));
         fmt::print(
@@ -74,8 +83,8 @@ int identify(const Options& options) {
                    options.json);
         return Exit::mistake;
     }
-    if (options.plan && (options.profile || !options.directory.empty())) {
-        tell_error("a plan has no profiles and writes no files", "leave out --profile and --out", options.json);
+    if (options.plan && options.profile) {
+        tell_error("a plan is of first order and has no profiles", "leave out --profile", options.json);
         return Exit::mistake;
     }
     const std::vector<std::filesystem::path> data(options.data.begin(), options.data.end());
@@ -152,8 +161,9 @@ void add_identify_command(CLI::App& program, int& exit_code) {
                      "A measured run (CSV or HDF5), once for each; they take the place of the case's own")
         ->option_text("FILE ...");
     command
-        ->add_option("--out", options->directory,
-                     "Where the files go; files of an earlier fit there are replaced. Default: out/<case name>")
+        ->add_option(
+            "--out", options->directory,
+            "Where the files go; files of an earlier fit there are replaced. Default: out/<case name>; of a plan none")
         ->option_text("DIR");
     command->add_flag("--profile", options->profile,
                       "Intervals by profile likelihood, which need not be symmetric: some ten fits a number");
@@ -167,7 +177,8 @@ void add_identify_command(CLI::App& program, int& exit_code) {
         "All runs and channels are fitted at once. The noise of each channel, correlated and white, is estimated from\n"
         "what no number can explain. A number that the data do not see is named as such.\n"
         "A plan takes every sensor with a standard_deviation, at the times of the runs' files or of [time] output.\n"
-        "Files: identified.toml (the case with the fitted values), identify.csv (a row for each sample).\n\n"
+        "Files: identified.toml (the case with the fitted values), identify.csv (a row for each sample);\n"
+        "plan.json of a plan.\n\n"
         "Exit code: 0 done; 1 a mistake in the call, the case or the data; 2 the solver failed or the search did not\n"
         "converge.\n\n"
         "Example:\n"

@@ -56,13 +56,15 @@ std::string toml(const IdentificationRecord& record, const std::filesystem::path
 
 std::vector<std::filesystem::path> write_identification(const IdentificationRecord& record,
                                                         const std::filesystem::path& directory) {
-    if (record.planned) {
-        return {};
-    }
     std::error_code error;
     std::filesystem::create_directories(directory, error);
     if (error) {
         throw post::FileError("create", directory, error.message());
+    }
+    if (record.planned) {
+        const std::filesystem::path file = directory / "plan.json";
+        post::replace_file(file, identification_json(record, {file}));
+        return {file};
     }
     const std::vector<std::filesystem::path> files{directory / "identified.toml", directory / "identify.csv"};
     post::replace_file(files[0], toml(record, directory));

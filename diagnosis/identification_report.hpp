@@ -27,7 +27,7 @@ struct IdentificationRecord {
 [[nodiscard]] std::string identification_json(const IdentificationRecord& record,
                                               const std::vector<std::filesystem::path>& files);
 /// identified.toml: the case with the fitted values, which runs as it is. identify.csv: a row for each sample. Of a plan
-/// nothing. @errors post::FileError  @returns their paths
+/// plan.json. @errors post::FileError  @returns their paths
 [[nodiscard]] std::vector<std::filesystem::path> write_identification(const IdentificationRecord& record,
                                                                       const std::filesystem::path& directory);
 

@@ -98,12 +98,13 @@ solver::Problem Simulator::problem(std::size_t run, const Eigen::VectorXd& value
 }
 
 const Forecast& Simulator::at(const Eigen::VectorXd& values) {
-    // Values that went through units and back may differ in their last digits.
-    if (values.size() > 0 && last_values_.size() == values.size() && last_values_.isApprox(values, 1e-14)) {
-        return last_;
+    // Values that went through units and back may differ in their last digits; each is judged by its own size.
+    const bool same = last_values_.size() == values.size() && values.size() > 0 &&
+                      ((last_values_ - values).array().abs() <= 1e-14 * values.array().abs()).all();
+    if (!same) {
+        last_values_ = values;
+        last_ = forecast(values);
     }
-    last_values_ = values;
-    last_ = forecast(values);
     return last_;
 }
 

@@ -72,8 +72,7 @@ TEST(Identify, EndsWithAPageAndTwoFiles) {
     EXPECT_EQ(fit.out.find('\033'), std::string::npos);
     // 2 numbers of effects and 2 starts for each of 3 runs; 601 samples of 2 channels in each
     EXPECT_TRUE(
-        fit.out.starts_with("Bench of two nodes, runs of forty minutes: 8 numbers fitted to 3 runs, 3 606 "
-                            "measured values\n"))
+        fit.out.starts_with("Bench of two nodes, runs of forty minutes\n8 numbers fitted to 3 runs, 3 606 values\n"))
         << fit.out;
     for (const char* section : {"\nNumbers\n", "\nFit\n", "\nFiles\n"}) {
         EXPECT_NE(fit.out.find(section), std::string::npos) << section << fit.out;
@@ -162,7 +161,8 @@ TEST(Identify, APlanForeseesTheIntervals) {
         const double found = number(fitted, number_of_plan["name"])["standard_deviation"];
         EXPECT_NEAR(foreseen, found, 0.2 * found) << number_of_plan["name"];
     }
-    EXPECT_FALSE(std::filesystem::exists(fits.written.folder() / "out"));
+    EXPECT_TRUE(std::filesystem::exists(fits.written.folder() / "out" / "plan.json"));
+    EXPECT_FALSE(std::filesystem::exists(fits.written.folder() / "out" / "identified.toml"));
     const Call page = fits.identify(bench, "--plan");
     EXPECT_NE(page.out.find("nothing was measured"), std::string::npos) << page.out;
 }
