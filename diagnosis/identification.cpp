@@ -139,7 +139,8 @@ public:
         return whitened;
     }
 
-    void judge(Identification& into) const;
+    /// @param searched whether a search has ended at these values: only then a bound says something
+    void judge(Identification& into, bool searched) const;
     void describe_channels(Identification& into) const;
 
     [[nodiscard]] double stated(std::size_t c) const {
@@ -163,7 +164,7 @@ public:
 };
 
 /// Which combinations the data see, which numbers, with which intervals.
-void Fit::judge(Identification& into) const {
+void Fit::judge(Identification& into, bool searched) const {
     const Eigen::MatrixXd whitened = whitened_slopes();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> seen(Eigen::MatrixXd(whitened.transpose() * whitened));
     for (Eigen::Index k = n_ - 1; k >= 0; --k) {
@@ -189,7 +190,7 @@ void Fit::judge(Identification& into) const {
         const double slack = 1e-6 * scale_[j];
         one.low_is_open = values_[j] - wide * sd < low_[j];
         one.high_is_open = values_[j] + wide * sd > high_[j];
-        if (values_[j] <= low_[j] + slack || values_[j] >= high_[j] - slack) {
+        if (searched && (values_[j] <= low_[j] + slack || values_[j] >= high_[j] - slack)) {
             one.sight = Sight::at_bound;
         } else if (precision_[j] == 0.0 && deviation[j] > 1.0) {
             one.sight = Sight::not_determined;
@@ -339,7 +340,7 @@ Identification identify(const cases::Experiment& experiment, const Observations&
     }
     result.values = fit.values_;
     result.after = fit.forecast_.simulated;
-    fit.judge(result);
+    fit.judge(result, true);
     fit.describe_channels(result);
     if (choice.profile) {
         profile_intervals(fit.question(), result);
@@ -397,7 +398,7 @@ Identification plan(const cases::Experiment& experiment, const Observations& obs
     result.converged = true;
     result.values = fit.values_;
     result.before = result.after = fit.forecast_.simulated;
-    fit.judge(result);
+    fit.judge(result, false);
     result.simulations = fit.simulator_.simulations();
     result.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     return result;

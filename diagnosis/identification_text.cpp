@@ -95,17 +95,15 @@ std::string directions_text(const IdentificationRecord& record) {
             any = true;
             text += post::wrap(
                 fmt::format("- {}: {}", describe(direction, record.experiment, record.result.values),
-                            direction.strength < 1e-3
-                                ? "the data say nothing"
-                                : fmt::format("the data say {:.2g} of what was known before", direction.strength)),
+                            direction.strength < 1e-3 ? "no change at all"
+                                                      : fmt::format("{:.2g} standard deviations", direction.strength)),
                 4);
         }
     }
     return !any ? ""
                 : post::wrap(
-                      "Moved together as written (each by its share of what was known before, or of its own size), "
-                      "these "
-                      "numbers change the readings by less than their noise:",
+                      "Moved together as written, within what was known of them, these numbers change all readings "
+                      "by less than one standard deviation of the noise:",
                       2) +
                       text;
 }
