@@ -165,7 +165,7 @@ Status Newton::solve(const Stage& stage, std::span<double> T) {
                 system_->problem().effects[static_cast<std::size_t>(said.negative_effect)];
             return system_->blame(
                 Outcome::negative_conductance,
-                fmt::format("effect {} gave a negative conductance (a law k(T) or h below zero?)", guilty.effect->id),
+                fmt::format("effect {} gave a negative conductance (a law k(T) or h below zero?)", guilty.title()),
                 said.negative_node, stage.time, T, stage.intensities);
         }
         if (iteration == 0) {

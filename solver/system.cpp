@@ -245,7 +245,7 @@ std::string System::loudest_effect(int node, std::span<const double> T, std::spa
         }
         if (!(watts <= loudest)) {  // true also for NaN, which is loudest of all
             loudest = watts;
-            name = effects_[e].effect->id;
+            name = effects_[e].title();
             if (std::isnan(watts)) {
                 break;
             }

@@ -198,6 +198,11 @@ public:
             if (active.effect->on_channels) {
                 active.channels = {0, 1};
             }
+            if (part.id.starts_with(
+                    "own_")) {  // follows a signal that grows from 0.5 to 1.5 in an hour, on the surface
+                active.tables.front() = Curve::table({0.0, 3600.0}, {0.5, 1.5});
+                active.nodes = bench.mesh.regions[0].mean.nodes;
+            }
             solver::switch_on(problem, std::move(active), 296.15);
         }
         return problem;

@@ -35,7 +35,9 @@ Part loud(std::string_view id) {
                                          {"sensor_depth", {{"offset", 0.001}}},
                                          {"clock_delay", {{"delay", 0.5}}},
                                          {"sensor_offset", {{"kelvin", 1.0}}},
-                                         {"sensor_gain", {{"excess", 0.05}}}};
+                                         {"sensor_gain", {{"excess", 0.05}}},
+                                         {"own_source", {{"watts", -300.0}}},
+                                         {"own_exchange", {{"conductance", 3.0}}}};
     const auto found = std::find_if(parts.begin(), parts.end(), [&](const Part& part) { return part.id == id; });
     return found == parts.end() ? Part{id} : *found;
 }
@@ -453,7 +455,9 @@ TEST(Catalogue, HoldsTheseEffectsAndNoOther) {
                                                 "clock_delay",
                                                 "slip_input_gain",
                                                 "load_input_gain",
-                                                "speed_input_gain"};
+                                                "speed_input_gain",
+                                                "own_source",
+                                                "own_exchange"};
     std::set<std::string_view> seen;
     for (const Effect* effect : catalogue()) {
         EXPECT_TRUE(seen.insert(effect->id).second) << effect->id << " is there twice";
