@@ -6,6 +6,16 @@
 
 namespace tiretherm::support {
 
+/// An end of Wilson's 95 % interval of a share of which `held` of `count` were seen. Wilson, JASA 22 (1927) 209
+/// @param side -1 or +1
+inline double wilson(int held, int count, int side) {
+    constexpr double z = 1.959964;
+    const double n = count;
+    const double p = held / n;
+    return (p + z * z / (2.0 * n) + side * z * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n))) /
+           (1.0 + z * z / n);
+}
+
 /// How often the 95 % intervals of a number hold what is true, and how far the number is off on average.
 class Coverage {
 public:
@@ -24,14 +34,8 @@ public:
     [[nodiscard]] double standard_error_of_bias() const {
         return std::sqrt((squares_ / count_ - bias() * bias()) / count_);
     }
-    /// An end of Wilson's 95 % interval of the share. Wilson, JASA 22 (1927) 209
-    [[nodiscard]] double wilson(int side) const {
-        constexpr double z = 1.959964;
-        const double n = count_;
-        const double p = share();
-        return (p + z * z / (2.0 * n) + side * z * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n))) /
-               (1.0 + z * z / n);
-    }
+    /// An end of Wilson's 95 % interval of the share.
+    [[nodiscard]] double wilson(int side) const { return support::wilson(held_, count_, side); }
     [[nodiscard]] std::string row(const std::string& name) const {
         char text[200];
         std::snprintf(text, sizeof text, "%-32s %4d of %4d  %5.1f %% (%4.1f to %4.1f)  bias/width %+.3f +- %.3f\n",
@@ -47,14 +51,14 @@ private:
     double squares_ = 0.0;
 };
 
-/// Misses of n independent 95 % intervals that are exceeded once in a thousand times: the 99.9 % quantile of the
-/// binomial distribution of n trials of 1 in 20.
-inline int most_misses(int n) {
-    double probability = std::pow(0.95, n);  // of no miss
+/// Misses of n independent trials, each missed with a probability of `rate`, that are exceeded with a probability of less
+/// than 1 - kept: a quantile of the binomial distribution. As it stands, those of 95 % intervals, once in a thousand times.
+inline int most_misses(int n, double rate = 0.05, double kept = 0.999) {
+    double probability = std::pow(1.0 - rate, n);  // of no miss
     double up_to = probability;
     int k = 0;
-    while (up_to < 0.999) {
-        probability *= static_cast<double>(n - k) / (k + 1) * (0.05 / 0.95);
+    while (up_to < kept) {
+        probability *= static_cast<double>(n - k) / (k + 1) * (rate / (1.0 - rate));
         up_to += probability;
         ++k;
     }
