@@ -17,7 +17,7 @@ namespace {
 std::vector<std::string> effect_names(const solver::Problem& problem) {
     std::vector<std::string> names;
     for (const physics::ActiveEffect& active : problem.effects) {
-        names.emplace_back(active.effect->id);
+        names.emplace_back(active.title());
     }
     return names;
 }

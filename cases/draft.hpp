@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cases/own_signals.hpp"
 #include "cases/section.hpp"
 #include "mesh/builders.hpp"
 #include "solver/problem.hpp"
@@ -37,8 +38,10 @@ struct RunInputs {
     bool has_file = false;
     bool unreadable = false;  ///< nobody knows which inputs the file would give: none is missed
     std::vector<MeasuredInput> inputs{};
-    std::optional<double> first{};  ///< s, first time in the file
-    std::optional<double> last{};   ///< s, last time in the file
+    std::vector<OwnColumn> columns{};     ///< that effects of the user's own follow; without points after a mistake
+    std::vector<std::string> headings{};  ///< of all columns of the file
+    std::optional<double> first{};        ///< s, first time in the file
+    std::optional<double> last{};         ///< s, last time in the file
 
     /// Whether the run has a value of its own for the key of a table.
     [[nodiscard]] bool says(std::string_view of_table, std::string_view key) const;
@@ -58,6 +61,8 @@ struct Draft {
     std::optional<double> logged_from;                ///< s, first sample of any log
     std::optional<double> logged_to;                  ///< s, last sample of any log
     std::optional<RunInputs> run{};                   ///< the measured run that is being read
+    std::vector<std::string> followed{};              ///< what effects of the user's own speak of: inputs, columns
+    std::vector<OwnColumn> columns{};                 ///< of them those that a log of [drive] gives
 
     /// Whether the measured run's file gives a signal that stands in [drive] at this key.
     [[nodiscard]] bool outranked(std::string_view key, std::string_view signal) const {
@@ -73,6 +78,8 @@ void read_materials(Section& root, Draft& draft);
 void read_mesh(Section& root, Draft& draft);
 void read_drive(Section& root, Draft& draft);
 void read_effects(Section& root, Draft& draft);
+/// The lists [[source]] and [[exchange]], when the drive and the run's times are known.
+void read_own_effects(Section& root, Draft& draft);
 /// The channels of the effects that are readings; what else they say has been read.
 void bind_readings(Section& root, Draft& draft);
 void read_initial(Section& root, Draft& draft);

@@ -3,7 +3,9 @@
 #include "cases/active.hpp"
 #include "cases/draft.hpp"
 #include "cases/needs.hpp"
+#include "cases/own_effects.hpp"
 #include "cases/words.hpp"
+#include "physics/own_place.hpp"
 
 namespace tiretherm::cases {
 
@@ -15,7 +17,9 @@ using physics::Effect;
 void report_unknown(Section& effects) {
     std::vector<std::string> known;
     for (const Effect* effect : physics::catalogue()) {
-        known.emplace_back(effect->id);
+        if (!physics::is_own(*effect)) {
+            known.emplace_back(effect->id);
+        }
     }
     for (const Entry& entry : effects.table().entries) {
         if (physics::find_effect(entry.key) == nullptr) {
@@ -29,6 +33,18 @@ void report_unknown(Section& effects) {
     }
 }
 
+/// The user's own effects have names and lists of their own.
+void refuse_own(Section& section, const Effect& effect) {
+    if (section.exists()) {
+        const bool exchange = effect.id == own_exchange.effect;
+        section.mistakes().add(
+            section.place(), fmt::format("{} has a name and a list of its own", effect.id),
+            fmt::format("write [[{}]] with name, follows, at and {}", exchange ? own_exchange.list : own_source.list,
+                        exchange ? own_exchange.number : own_source.number));
+        section.forgive();
+    }
+}
+
 }  // namespace
 
 void read_effects(Section& root, Draft& draft) {
@@ -38,6 +54,10 @@ void read_effects(Section& root, Draft& draft) {
     for (const Effect* effect : physics::catalogue()) {
         const std::string id(effect->id);
         Section section = effects.section(id);
+        if (physics::is_own(*effect)) {
+            refuse_own(section, *effect);
+            continue;
+        }
         const bool named = section.exists();
         const bool on = section.flag("on").value_or(named || (effect->on && (draft.has_tire || !effect->needs_tire)));
         ActiveEffect active = read_active(section, *effect, draft);

@@ -196,7 +196,7 @@ std::string fitted_case(const FittedCase& fitted, const fs::path& folder) {
     Mistakes mistakes;
     const std::optional<Node> original = read_document(fitted.original, mistakes);
     return heading(fitted) + fmt::format("include = [{}]\n", toml_text::path(fitted.original, folder)) +
-           effects_text(*fitted.before, *fitted.fitted, fitted.parameters) + link_text(fitted) +
+           effects_text(*fitted.before, *fitted.fitted, fitted.parameters, fitted.own) + link_text(fitted) +
            materials_text(fitted, original.value_or(Node{})) + runs_text(fitted, original.value_or(Node{}), folder);
 }
 

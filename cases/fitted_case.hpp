@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/adjustable.hpp"
+#include "solver/own_effect.hpp"
 
 namespace tiretherm::cases {
 
@@ -24,6 +25,8 @@ struct FittedCase {
     std::span<const solver::Adjustable> parameters;  ///< that were fitted
     std::vector<FittedRun> runs;         ///< in the order of Adjustable::run; may be empty for the case's own
     std::vector<std::string> remarks{};  ///< lines to stand at the top
+    /// Effects of the user's own that `fitted` has and `before` lacks: what they follow stands nowhere else.
+    std::vector<solver::OwnEffect> own{};
 };
 
 /// The case with its fitted values as a TOML text: it includes the original and lays over it what has changed, each

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <set>
+#include <stdexcept>
 #include <tuple>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "cases/own_effects.hpp"
 #include "cases/toml_text.hpp"
 #include "cases/words.hpp"
+#include "physics/own_place.hpp"
 
 namespace tiretherm::cases {
 
@@ -107,16 +110,44 @@ std::string switched_on_text(const solver::Problem& problem, const ActiveEffect&
     return text;
 }
 
+/// All that an effect of the user's own was switched on with. Its number is the problem's, which a fit has moved.
+std::string own_text(const ActiveEffect& active, std::span<const solver::OwnEffect> own) {
+    const auto found = std::ranges::find(own, active.name, &solver::OwnEffect::name);
+    if (found == own.end()) {
+        throw std::invalid_argument(fmt::format("nobody has said what {} follows", active.name));
+    }
+    std::vector<std::string> places;
+    for (const std::string& place : found->places) {
+        places.push_back(toml_text::in_quotes(place));
+    }
+    std::string text = fmt::format("follows = {}\nat = {}\n", toml_text::in_quotes(found->follows),
+                                   places.size() == 1 ? places.front() : fmt::format("[{}]", fmt::join(places, ", ")));
+    if (!found->temperature.empty()) {
+        text += fmt::format("temperature = {}\n", toml_text::in_quotes(found->temperature));
+    }
+    return text + value_line(active, 0);
+}
+
+std::string heading(const ActiveEffect& active) {
+    if (!physics::is_own(*active.effect)) {
+        return fmt::format("\n[effects.{}]\n", active.effect->id);
+    }
+    const OwnKind& kind = active.effect->id == own_exchange.effect ? own_exchange : own_source;
+    return fmt::format("\n[[{}]]\nname = {}\n", kind.list, toml_text::in_quotes(active.name));
+}
+
 }  // namespace
 
 std::string effects_text(const solver::Problem& before, const solver::Problem& fitted,
-                         std::span<const solver::Adjustable> parameters) {
+                         std::span<const solver::Adjustable> parameters, std::span<const solver::OwnEffect> own) {
     std::string text;
     for (std::size_t e = 0; e < fitted.effects.size(); ++e) {
         const ActiveEffect& active = fitted.effects[e];
-        const bool was_on = std::any_of(before.effects.begin(), before.effects.end(),
-                                        [&](const ActiveEffect& other) { return other.effect == active.effect; });
-        std::string lines = was_on ? "" : switched_on_text(fitted, active);
+        const bool was_on = std::ranges::any_of(before.effects, [&](const ActiveEffect& other) {
+            return other.effect == active.effect && other.name == active.name;
+        });
+        const bool is_own = physics::is_own(*active.effect);
+        std::string lines = was_on ? "" : is_own ? own_text(active, own) : switched_on_text(fitted, active);
         std::set<std::tuple<std::size_t, bool, Scope>> written;
         for (const solver::Adjustable& number : parameters) {
             const bool here = number.kind == solver::Adjustable::Kind::effect && number.effect == e && was_on;
@@ -126,7 +157,7 @@ std::string effects_text(const solver::Problem& before, const solver::Problem& f
             }
         }
         if (!lines.empty()) {
-            text += fmt::format("\n[effects.{}]\n{}", active.effect->id, lines);
+            text += heading(active) + lines;
         }
     }
     return text;

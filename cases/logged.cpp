@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 using physics::Signal;
 
 /// Which heading of the file stands for which name: `columns = { V = "speed" }`; without it a heading is its own name.
-std::map<std::string, Word> read_names(Section& section, const Csv& csv) {
+std::map<std::string, Word> read_names(Section& section, const Csv& csv, const std::vector<std::string>& followed) {
     std::map<std::string, Word> names;
     Section renamed = section.section("columns");
     std::vector<std::string> known;
@@ -28,7 +29,8 @@ std::map<std::string, Word> read_names(Section& section, const Csv& csv) {
         if (csv.find(entry.key) < 0) {
             section.mistakes().add(entry.place, fmt::format("the file has no column \"{}\"", entry.key),
                                    suggest(entry.key, known, "columns"));
-        } else if (name && *name != "time" && physics::find_signal(*name) == nullptr) {
+        } else if (name && *name != "time" && physics::find_signal(*name) == nullptr &&
+                   std::ranges::find(followed, *name) == followed.end()) {
             std::vector<std::string> inputs = names_of(physics::signals());
             inputs.emplace_back("time");
             renamed.mistake(entry.key, fmt::format("\"{}\" is not an input", *name), suggest(*name, inputs, "inputs"));
@@ -43,10 +45,11 @@ std::map<std::string, Word> read_names(Section& section, const Csv& csv) {
 /// @param outranked out, how many inputs a measured run's file gives instead
 std::vector<ColumnRequest> requests(Section& section, const Csv& csv, Draft& draft, int& outranked) {
     Mistakes& mistakes = section.mistakes();
-    const std::map<std::string, Word> renamed = read_names(section, csv);
+    const std::map<std::string, Word> renamed = read_names(section, csv, draft.followed);
     const std::vector<Word> ignored = section.texts("ignore");
     std::vector<ColumnRequest> found{
         {.column = -1, .name = "time", .wanted = wanted::moment, .purpose = Purpose::clock}};
+    draft.columns.reserve(draft.columns.size() + csv.heads().size());  // requests look into it
     for (std::size_t i = 0; i < csv.heads().size(); ++i) {
         const Head& head = csv.heads()[i];
         const auto entry = renamed.find(head.heading.name);
@@ -54,7 +57,23 @@ std::vector<ColumnRequest> requests(Section& section, const Csv& csv, Draft& dra
         const bool skipped = std::any_of(ignored.begin(), ignored.end(),
                                          [&](const Word& word) { return word.text == head.heading.name; });
         const Signal* signal = physics::find_signal(name);
-        if (skipped || (signal == nullptr && name != "time")) {
+        const bool followed =
+            signal == nullptr && std::ranges::find(draft.followed, name) != draft.followed.end() && name != "time";
+        if (skipped || (signal == nullptr && name != "time" && !followed)) {
+            continue;
+        }
+        if (followed) {
+            const auto twin = std::ranges::find(draft.columns, name, &OwnColumn::name);
+            if (twin != draft.columns.end()) {
+                mistakes.add(head.place, fmt::format("a second column is called {}", name), "ignore one of them");
+                continue;
+            }
+            // What its numbers are is told by its own unit.
+            draft.columns.push_back({.name = name, .unit = base_unit(head.heading.unit), .course = {}});
+            found.push_back({.column = static_cast<int>(i),
+                             .name = name,
+                             .wanted = {.unit = draft.columns.back().unit},
+                             .purpose = Purpose::measured});
             continue;
         }
         if (name == "time") {
@@ -113,6 +132,16 @@ void read_logged(Section& section, Draft& draft) {
     draft.logged_from = std::min(draft.logged_from.value_or(time.front()), time.front());
     draft.logged_to = std::max(draft.logged_to.value_or(time.back()), time.back());
     for (std::size_t i = 1; i < values.size(); ++i) {
+        if (wanted_columns[i].purpose == Purpose::measured) {
+            const auto column = std::ranges::find(draft.columns, wanted_columns[i].name, &OwnColumn::name);
+            for (std::size_t k = 0; k < time.size(); ++k) {
+                if (!std::isnan(values[i][k])) {
+                    column->course.time.push_back(time[k]);
+                    column->course.value.push_back(values[i][k]);
+                }
+            }
+            continue;
+        }
         draft.problem.drive.add(solver::Series{.signal = physics::find_signal(wanted_columns[i].name),
                                                .time = time,
                                                .value = std::move(values[i]),

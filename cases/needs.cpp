@@ -59,7 +59,7 @@ void check_weights(Section& root, const Draft& draft) {
             const Node* effects = root.table().find("effects");
             const Node* table = effects != nullptr ? effects->find(active.effect->id) : nullptr;
             root.mistakes().add(table != nullptr ? table->place : root.place(),
-                                fmt::format("the weights of {} are zero everywhere on this mesh", active.effect->id),
+                                fmt::format("the weights of {} are zero everywhere on this mesh", active.title()),
                                 "let its table or its shares be positive somewhere");
         }
     }
@@ -136,7 +136,8 @@ void warn_of_unread_signals(Section& root, const Draft& draft) {
         const bool by_channel = std::ranges::any_of(draft.problem.channels, [&](const solver::Channel& channel) {
             return std::ranges::count(signals_of(channel.quantity), signal.name) > 0;
         });
-        if (draft.problem.drive.gives(signal) && !by_effect && !by_channel) {
+        const bool by_own = std::ranges::count(draft.followed, signal.name) > 0;
+        if (draft.problem.drive.gives(signal) && !by_effect && !by_channel && !by_own) {
             unread.emplace_back(signal.name);
         }
     }

@@ -6,6 +6,8 @@
 #include "cases/parameter_kinds.hpp"
 #include "cases/wanted.hpp"
 #include "cases/words.hpp"
+#include "physics/own_place.hpp"
+#include "solver/own_effect.hpp"
 
 namespace tiretherm::cases {
 
@@ -107,7 +109,7 @@ bool read_place(Section& section, const Draft& draft, const ActiveEffect& active
         number.everywhere = false;
         number.scope = place.scope;
         if (!may_differ(effect, place.scope)) {
-            section.mistake(place.key, fmt::format("{} has the same values in all {}", effect.id, place.plural),
+            section.mistake(place.key, fmt::format("{} has the same values in all {}", active.title(), place.plural),
                             fmt::format("leave {} out: the value is free everywhere", place.key));
             sound = false;
             continue;
@@ -138,31 +140,102 @@ bool read_place(Section& section, const Draft& draft, const ActiveEffect& active
     return sound;
 }
 
-void report_unknown(const Section& section, const std::string& id) {
+void report_unknown(const Section& section, const std::string& id, const Node& document) {
     std::vector<std::string> known;
     for (const Effect* effect : physics::catalogue()) {
-        known.emplace_back(effect->id);
+        if (!physics::is_own(*effect)) {
+            known.emplace_back(effect->id);
+        }
+    }
+    const std::size_t of_the_catalogue = known.size();
+    for (const OwnKind& kind : {own_source, own_exchange}) {
+        std::ranges::copy(own_names(document, kind.list), std::back_inserter(known));
     }
     section.mistake("effect", fmt::format("there is no effect \"{}\"", id),
-                    nearest(id, known).empty() ? fmt::format("`tiretherm effects` lists all {} of them", known.size())
-                                               : suggest(id, known, "effects"));
+                    nearest(id, known).empty()
+                        ? fmt::format("`tiretherm effects` lists all {} of them", of_the_catalogue)
+                        : suggest(id, known, "effects"));
+}
+
+/// The kind of an effect of the user's own, null where the document has none of this name.
+const OwnKind* kind_of(const Node& document, const std::string& name) {
+    for (const OwnKind* kind : {&own_source, &own_exchange}) {
+        if (std::ranges::count(own_names(document, kind->list), name) > 0) {
+            return kind;
+        }
+    }
+    return nullptr;
+}
+
+/// A number of an effect as it may be moved.
+solver::Adjustable number_of(const Draft& draft, std::size_t effect, std::size_t parameter) {
+    const ActiveEffect& active = draft.problem.effects[effect];
+    const physics::Parameter& found = active.effect->parameters[parameter];
+    solver::Adjustable number;
+    number.name = fmt::format("{}.{}", active.title(), found.key);
+    number.unit = found.unit;
+    number.kind = solver::Adjustable::Kind::effect;
+    number.effect = effect;
+    number.parameter = parameter;
+    number.low = found.low;
+    number.high = found.high;
+    return number;
+}
+
+/// The one number of an effect of the user's own that is called `name`.
+std::optional<Freed> free_number(Section& parameter, const Draft& draft, const std::string& name, const OwnKind& kind) {
+    const Effect& effect = *physics::find_effect(kind.effect);
+    const std::string key = parameter.text("key").value_or(std::string(kind.number));
+    if (key != kind.number) {
+        parameter.mistake("key", fmt::format("[[{}]] {} has no number \"{}\" to fit", kind.list, name, key),
+                          fmt::format("its number is {}", kind.number));
+        return std::nullopt;
+    }
+    const std::size_t index = solver::find_own_effect(draft.problem, name);
+    if (index == draft.problem.effects.size()) {
+        return std::nullopt;  // it has been complained about
+    }
+    solver::Adjustable number = number_of(draft, index, 0);
+    if (!read_place(parameter, draft, draft.problem.effects[index], number)) {
+        return std::nullopt;
+    }
+    return Freed{.numbers = {std::move(number)}, .wanted = wanted::of(effect.parameters.front())};
 }
 
 }  // namespace
 
-std::optional<Freed> free_effect(Section& parameter, const Draft& draft, const Node* effects) {
+std::optional<Freed> free_own(Section& parameter, const Draft& draft, const Node& document, const OwnKind& kind) {
+    parameter.know({"key", "patch", "layer", "zone", "channel"});
+    const std::optional<std::string> name = parameter.text(kind.list);
+    if (!name) {
+        return std::nullopt;
+    }
+    const std::vector<std::string> known = own_names(document, kind.list);
+    if (std::ranges::count(known, *name) == 0) {
+        parameter.mistake(kind.list, fmt::format("there is no [[{}]] \"{}\"", kind.list, *name),
+                          suggest(*name, known, kind.list == own_source.list ? "sources" : "exchanges"));
+        return std::nullopt;
+    }
+    return free_number(parameter, draft, *name, kind);
+}
+
+std::optional<Freed> free_effect(Section& parameter, const Draft& draft, const Node& document) {
     parameter.know({"patch", "layer", "zone", "channel"});
     const std::string id = parameter.text("effect").value_or("");
+    if (const OwnKind* own = kind_of(document, id)) {
+        return free_number(parameter, draft, id, *own);
+    }
     const std::optional<std::string> key = parameter.text("key", Need::required);
     const Effect* effect = physics::find_effect(id);
-    if (effect == nullptr) {
-        report_unknown(parameter, id);
+    if (effect == nullptr || physics::is_own(*effect)) {
+        report_unknown(parameter, id, document);
         return std::nullopt;
     }
     const std::optional<std::size_t> index = read_key(parameter, *effect, key);
     const std::vector<ActiveEffect>& on = draft.problem.effects;
     const auto active = std::find_if(on.begin(), on.end(), [&](const auto& other) { return other.effect == effect; });
     if (active == on.end()) {
+        const Node* effects = document.find("effects");
         const bool named = effects != nullptr && effects->find(id) != nullptr;
         parameter.mistake("effect", fmt::format("{} is off: its numbers change nothing", id),
                           named ? fmt::format("switch it on: remove on = false from [effects.{}]", id)
@@ -173,14 +246,7 @@ std::optional<Freed> free_effect(Section& parameter, const Draft& draft, const N
         return std::nullopt;
     }
     const physics::Parameter& found = effect->parameters[*index];
-    solver::Adjustable number;
-    number.name = fmt::format("{}.{}", id, found.key);
-    number.unit = found.unit;
-    number.kind = solver::Adjustable::Kind::effect;
-    number.effect = static_cast<std::size_t>(active - on.begin());
-    number.parameter = *index;
-    number.low = found.low;
-    number.high = found.high;
+    solver::Adjustable number = number_of(draft, static_cast<std::size_t>(active - on.begin()), *index);
     if (!read_place(parameter, draft, *active, number)) {
         return std::nullopt;
     }

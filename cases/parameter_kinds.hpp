@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cases/draft.hpp"
+#include "cases/own_effects.hpp"
 #include "solver/adjustable.hpp"
 
 namespace tiretherm::cases {
@@ -15,8 +16,12 @@ struct Freed {
     Wanted wanted;  ///< what their values must be
 };
 
-/// A parameter of an effect that is on, everywhere or at a place: effect, key, and patch, layer, zone or channel.
-[[nodiscard]] std::optional<Freed> free_effect(Section& parameter, const Draft& draft, const Node* effects);
+/// A parameter of an effect that is on, everywhere or at a place: effect, key, and patch, layer, zone or channel. An
+/// effect of the user's own may be named here as well.
+[[nodiscard]] std::optional<Freed> free_effect(Section& parameter, const Draft& draft, const Node& document);
+/// The number of an effect of the user's own: source or exchange, and its key, which may be left out.
+[[nodiscard]] std::optional<Freed> free_own(Section& parameter, const Draft& draft, const Node& document,
+                                            const OwnKind& kind);
 /// The law of a material by its values at one to three temperatures: material, law, at.
 [[nodiscard]] std::optional<Freed> free_law(Section& parameter, const Draft& draft);
 /// The law of the link between two lumps: link, at.

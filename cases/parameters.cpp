@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/own_effects.hpp"
 #include "cases/parameter_kinds.hpp"
 #include "cases/wanted.hpp"
 #include "cases/words.hpp"
@@ -178,7 +179,7 @@ void add(const Section& section, const Draft& draft, const Freed& freed, std::ve
                 refuse(
                     fmt::format("{} follows {}: both are free{}", here.name, general ? number.name : other.name, where),
                     fmt::format("give the place a value of its own, {}_by_{} in [effects.{}], or free one of them",
-                                active.effect->parameters[here.parameter].key, word_of(here.scope), active.effect->id));
+                                active.effect->parameters[here.parameter].key, word_of(here.scope), active.title()));
                 return;
             }
         }
@@ -189,7 +190,7 @@ void add(const Section& section, const Draft& draft, const Freed& freed, std::ve
 
 /// The one of these keys that says what is free, or a mistake.
 std::string_view read_subject(const Section& section) {
-    constexpr std::array<std::string_view, 4> subjects{"effect", "material", "link", "initial"};
+    constexpr std::array<std::string_view, 6> subjects{"effect", "source", "exchange", "material", "link", "initial"};
     std::string_view found;
     for (const std::string_view subject : subjects) {
         if (!section.has(subject)) {
@@ -203,9 +204,10 @@ std::string_view read_subject(const Section& section) {
         found = subject;
     }
     if (found.empty()) {
-        section.mistakes().add(section.place(), "[[parameter]] does not say what is free",
-                               "add effect = \"...\", material = \"...\", link = \"conductivity\" or initial = "
-                               "\"temperature\"");
+        section.mistakes().add(
+            section.place(), "[[parameter]] does not say what is free",
+            "add effect = \"...\", source = \"...\", material = \"...\", link = \"conductivity\" or initial = "
+            "\"temperature\"");
     }
     return found;
 }
@@ -215,13 +217,16 @@ std::string_view read_subject(const Section& section) {
 void read_parameters(Section& root, const Draft& draft, const std::vector<std::string>& run_names,
                      std::vector<Adjustable>& into) {
     std::vector<Place> places;
-    const Node* effects = root.table().find("effects");
     root.each("parameter", [&](Section& section) {
         section.know({"expected", "standard_deviation", "low", "high"});
         const std::string_view subject = read_subject(section);
         std::optional<Freed> freed;
         if (subject == "effect") {
-            freed = free_effect(section, draft, effects);
+            freed = free_effect(section, draft, root.table());
+        } else if (subject == "source") {
+            freed = free_own(section, draft, root.table(), own_source);
+        } else if (subject == "exchange") {
+            freed = free_own(section, draft, root.table(), own_exchange);
         } else if (subject == "material") {
             freed = free_law(section, draft);
         } else if (subject == "link") {

@@ -6,6 +6,7 @@
 
 #include "cases/document.hpp"
 #include "cases/draft.hpp"
+#include "cases/own_effects.hpp"
 #include "cases/runs.hpp"
 
 namespace tiretherm::cases {
@@ -35,12 +36,14 @@ void read_tables(Section& root, Draft& draft) {
         problem.sources.push_back(source.text);
     }
     // A later table may speak about an earlier one: patches and layers of the mesh, channels, the run's start and end.
+    draft.followed = followed_names(root.table());
     read_tire(root, draft);
     read_materials(root, draft);
     read_mesh(root, draft);
     read_drive(root, draft);
     read_effects(root, draft);
     read_times(root, draft);
+    read_own_effects(root, draft);
     read_initial(root, draft);
     read_sensors(root, draft);
     bind_readings(root, draft);

@@ -21,18 +21,22 @@ void apply_unit(Head& head, const Word& unit, Mistakes& mistakes) {
 }
 
 /// What a column may be called.
-std::vector<std::string> known_names(const std::vector<std::string>& sensors) {
+std::vector<std::string> known_names(const std::vector<std::string>& sensors,
+                                     const std::vector<std::string>& followed) {
     std::vector<std::string> names = names_of(physics::signals());
-    std::copy_if(sensors.begin(), sensors.end(), std::back_inserter(names), [&](const std::string& sensor) {
-        return std::find(names.begin(), names.end(), sensor) == names.end();
-    });
+    for (const std::vector<std::string>* more : {&sensors, &followed}) {
+        std::copy_if(more->begin(), more->end(), std::back_inserter(names), [&](const std::string& name) {
+            return name != "time" && std::find(names.begin(), names.end(), name) == names.end();
+        });
+    }
     names.emplace_back("time");
     return names;
 }
 
 }  // namespace
 
-RunColumns tell_apart(DataFile& file, ColumnKeys& keys, const std::vector<std::string>& sensors, Mistakes& mistakes) {
+RunColumns tell_apart(DataFile& file, ColumnKeys& keys, const std::vector<std::string>& sensors,
+                      const std::vector<std::string>& followed, Mistakes& mistakes) {
     RunColumns found;
     std::map<std::string, std::string> taken;  // heading of each name
     for (std::size_t i = 0; i < file.heads().size(); ++i) {
@@ -49,15 +53,19 @@ RunColumns tell_apart(DataFile& file, ColumnKeys& keys, const std::vector<std::s
         const auto column = static_cast<int>(i);
         const physics::Signal* input = physics::find_signal(name.text);
         const bool is_sensor = std::find(sensors.begin(), sensors.end(), name.text) != sensors.end();
+        const bool is_followed = name.text != "time" && input == nullptr &&
+                                 std::find(followed.begin(), followed.end(), name.text) != followed.end();
         if (name.text != "time" && input == nullptr && !is_sensor) {
-            if (name.text == heading) {
+            if (name.text == heading || is_followed) {
                 found.unused.push_back(column);
             } else {
                 found.misnamed = true;
                 mistakes.add(name.place, fmt::format("\"{}\" is neither an input nor a sensor", name.text),
-                             suggest(name.text, known_names(sensors), "names"));
+                             suggest(name.text, known_names(sensors, followed), "names"));
             }
-            continue;
+            if (!is_followed) {
+                continue;
+            }
         }
         const auto [first, is_new] = taken.try_emplace(name.text, heading);
         if (!is_new) {
@@ -65,9 +73,14 @@ RunColumns tell_apart(DataFile& file, ColumnKeys& keys, const std::vector<std::s
                                                                : fmt::format("{} and {}", first->second, heading);
             mistakes.add(head.place, fmt::format("{} are both {}", twins, name.text),
                          fmt::format("leave one of them out: ignore = [\"{}\"]", heading));
-        } else if (name.text == "time") {
+            continue;
+        }
+        if (is_followed) {
+            found.followed.push_back({.column = column, .name = name.text});
+        }
+        if (name.text == "time") {
             found.time = column;
-        } else {
+        } else if (input != nullptr || is_sensor) {
             found.used.push_back({.column = column, .name = name.text, .input = input, .is_sensor = is_sensor});
         }
     }

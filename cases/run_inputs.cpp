@@ -42,15 +42,14 @@ Missing find_missing(const std::vector<double>& time, const std::vector<double>&
     return missing;
 }
 
-/// Complains about gaps in an input, or warns of them. @returns whether the input is known well enough
+/// Complains about gaps in a signal, or warns of them. @returns whether it is known well enough
+/// @param elsewhere what to do about a signal that cannot be had from the column
 bool judge_gaps(const std::string& name, const std::vector<double>& time, const std::vector<double>& value,
-                const Place& place, Mistakes& mistakes) {
+                const Place& place, const std::string& elsewhere, Mistakes& mistakes) {
     const Missing missing = find_missing(time, value);
     const double length = time.back() - time.front();
-    const std::string elsewhere = fmt::format("or ignore the column and give {} in [drive]", name);
     if (missing.samples == time.size()) {
-        mistakes.add(place, fmt::format("{} has no value in the run", name),
-                     fmt::format("ignore the column and give {} in [drive]", name));
+        mistakes.add(place, fmt::format("{} has no value in the run", name), elsewhere);
         return false;
     }
     if (missing.longest > longest_gap && missing.longest > longest_share * length) {
@@ -58,13 +57,13 @@ bool judge_gaps(const std::string& name, const std::vector<double>& time, const 
             place,
             fmt::format("{} is missing for {:.6g} s from {:.6g} s on, {:.0f} % of the run", name, missing.longest,
                         missing.from, 100.0 * missing.longest / length),
-            fmt::format("split the run there: a [[run]] up to the gap and one from its end, with from and to; {}",
+            fmt::format("split the run there: a [[run]] up to the gap and one from its end, with from and to; or {}",
                         elsewhere));
         return false;
     }
     if (static_cast<double>(missing.samples) > most_missing * static_cast<double>(time.size())) {
         mistakes.add(place, fmt::format("{} is missing in {} of {} samples", name, missing.samples, time.size()),
-                     fmt::format("leave out the part where it is missing, with from and to; {}", elsewhere));
+                     fmt::format("leave out the part where it is missing, with from and to; or {}", elsewhere));
         return false;
     }
     if (missing.samples > 0) {
@@ -73,6 +72,18 @@ bool judge_gaps(const std::string& name, const std::vector<double>& time, const 
                                          name, missing.samples, time.size(), missing.longest, missing.from));
     }
     return true;
+}
+
+/// The samples of a run that have a value.
+solver::Course known_samples(const std::vector<double>& time, const std::vector<double>& value) {
+    solver::Course known;
+    for (std::size_t k = 0; k < time.size(); ++k) {
+        if (!std::isnan(value[k])) {
+            known.time.push_back(time[k]);
+            known.value.push_back(value[k]);
+        }
+    }
+    return known;
 }
 
 bool find_samples(const RunTable& run, RunFile& file, Mistakes& mistakes) {
@@ -95,12 +106,13 @@ bool find_samples(const RunTable& run, RunFile& file, Mistakes& mistakes) {
 
 }  // namespace
 
-std::optional<RunFile> open_run_file(const RunTable& run, const std::vector<std::string>& sensors, Mistakes& mistakes) {
+std::optional<RunFile> open_run_file(const RunTable& run, const std::vector<std::string>& sensors,
+                                     const std::vector<std::string>& followed, Mistakes& mistakes) {
     std::optional<DataFile> file = DataFile::open(*run.file, run.place, mistakes);
     if (!file) {
         return std::nullopt;
     }
-    RunColumns columns = tell_apart(*file, *run.keys, sensors, mistakes);
+    RunColumns columns = tell_apart(*file, *run.keys, sensors, followed, mistakes);
     RunFile opened{.file = std::move(*file), .columns = std::move(columns)};
     if (opened.columns.time < 0) {
         mistakes.add(opened.file.heads().front().place, "the file has no column time [s]",
@@ -124,6 +136,41 @@ std::optional<RunFile> open_run_file(const RunTable& run, const std::vector<std:
     return opened;
 }
 
+namespace {
+
+/// The columns that effects of the user's own follow, in base units whatever their unit is.
+void read_followed(const RunFile& file, RunInputs& into, Mistakes& mistakes) {
+    const std::vector<FollowedColumn>& followed = file.columns.followed;
+    std::vector<ColumnRequest> requests;
+    std::vector<std::string> remedies;
+    remedies.reserve(followed.size());
+    into.columns.reserve(followed.size());  // requests look into it
+    for (const FollowedColumn& column : followed) {
+        const Head& head = file.file.heads()[static_cast<std::size_t>(column.column)];
+        into.columns.push_back({.name = column.name, .unit = base_unit(head.heading.unit), .course = {}});
+        const Wanted wanted{.unit = into.columns.back().unit};
+        remedies.push_back(file.file.unit_remedy(head, wanted));
+        requests.push_back({.column = column.column,
+                            .name = column.name,
+                            .wanted = wanted,
+                            .purpose = Purpose::measured,
+                            .unit_remedy = remedies.back()});
+    }
+    const std::vector<std::vector<double>> read = file.file.read(requests, mistakes);
+    for (std::size_t i = 0; !file.time.empty() && i < read.size(); ++i) {
+        const auto first = static_cast<std::ptrdiff_t>(file.first);
+        const auto last = static_cast<std::ptrdiff_t>(file.last);
+        const std::vector<double> time(file.time.begin() + first, file.time.begin() + last);
+        const std::vector<double> value(read[i].begin() + first, read[i].begin() + last);
+        const Place& place = file.file.heads()[static_cast<std::size_t>(followed[i].column)].place;
+        if (judge_gaps(followed[i].name, time, value, place, "let the effect follow another signal", mistakes)) {
+            into.columns[i].course = known_samples(time, value);
+        }
+    }
+}
+
+}  // namespace
+
 RunInputs read_run_inputs(const RunTable& run, const RunFile* file, Mistakes& mistakes) {
     RunInputs into{.table = run.table, .name = run.name, .place = run.place};
     into.has_file = run.file.has_value();
@@ -135,6 +182,10 @@ RunInputs read_run_inputs(const RunTable& run, const RunFile* file, Mistakes& mi
         into.place = {.file = file->file.number()};
     }
     into.unreadable = file->columns.misnamed;
+    for (const Head& head : file->file.heads()) {
+        into.headings.push_back(head.heading.name);
+    }
+    read_followed(*file, into, mistakes);
     std::vector<ColumnRequest> requests;
     std::vector<std::string> remedies;
     remedies.reserve(file->columns.used.size());
@@ -162,15 +213,13 @@ RunInputs read_run_inputs(const RunTable& run, const RunFile* file, Mistakes& mi
     for (std::size_t i = 0; i < read.size(); ++i) {
         MeasuredInput& input = into.inputs[i];
         const std::vector<double> value(read[i].begin() + first, read[i].begin() + last);
-        if (!judge_gaps(requests[i].name, time, value, input.place, mistakes)) {
+        const std::string elsewhere = fmt::format("ignore the column and give {} in [drive]", requests[i].name);
+        if (!judge_gaps(requests[i].name, time, value, input.place, elsewhere, mistakes)) {
             continue;
         }
-        for (std::size_t k = 0; k < time.size(); ++k) {
-            if (!std::isnan(value[k])) {
-                input.time.push_back(time[k]);
-                input.value.push_back(value[k]);
-            }
-        }
+        solver::Course known = known_samples(time, value);
+        input.time = std::move(known.time);
+        input.value = std::move(known.value);
     }
     return into;
 }

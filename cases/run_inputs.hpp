@@ -17,9 +17,9 @@ struct RunFile {
 };
 
 /// Opens the run's file and finds its samples; nothing after a mistake.
-/// @param sensors names of the case's sensors
+/// @param sensors names of the case's sensors  @param followed names that effects of the user's own speak of
 [[nodiscard]] std::optional<RunFile> open_run_file(const RunTable& run, const std::vector<std::string>& sensors,
-                                                   Mistakes& mistakes);
+                                                   const std::vector<std::string>& followed, Mistakes& mistakes);
 
 /// The inputs that the file gives. A missing sample is left out, so that the input goes straight between its neighbours;
 /// where too much is missing that would be an invention, and is a mistake.

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/own_effects.hpp"
 #include "cases/parameters.hpp"
 #include "cases/probes.hpp"
 #include "cases/run_readings.hpp"
@@ -57,6 +58,7 @@ Runs read_runs(const Node& document, const std::string& name, const std::vector<
     }
     const bool measured = !data.empty() || document.find("run") != nullptr;
     const std::vector<std::string> sensors = sensor_names(document);
+    const std::vector<std::string> followed = followed_names(document);
     const std::vector<std::string> run_names = measured ? names_of(tables) : std::vector<std::string>{};
     std::deque<Node> documents;  // drafts point into them
     for (const RunTable& table : tables) {
@@ -64,7 +66,7 @@ Runs read_runs(const Node& document, const std::string& name, const std::vector<
         if (table.table != nullptr) {
             lay_over(merged, *table.table, tables_of_a_run);
         }
-        std::optional<RunFile> file = table.file ? open_run_file(table, sensors, mistakes) : std::nullopt;
+        std::optional<RunFile> file = table.file ? open_run_file(table, sensors, followed, mistakes) : std::nullopt;
         if (!file) {
             table.keys->forgive();
         }

@@ -39,6 +39,8 @@ std::vector<int> cells_in(const mesh::Mesh& mesh, const std::vector<int>& part_o
 
 }  // namespace
 
+bool is_own(const Effect& effect) { return effect.id == "own_source" || effect.id == "own_exchange"; }
+
 std::vector<int> nodes_of_place(const mesh::Mesh& mesh, std::string_view name) {
     if (const int region = mesh.find_region(name); region >= 0) {
         return mesh.regions[at(region)].mean.nodes;

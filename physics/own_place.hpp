@@ -10,6 +10,9 @@
 /// Where an effect of the user's own acts.
 namespace tiretherm::physics {
 
+/// Whether an effect of the catalogue is the pattern of the user's own.
+[[nodiscard]] bool is_own(const Effect& effect);
+
 /// Nodes of a part of the mesh: a region, or else a layer, a zone, a patch. @returns none when no part has the name
 [[nodiscard]] std::vector<int> nodes_of_place(const mesh::Mesh& mesh, std::string_view name);
 /// All names that `nodes_of_place` knows, each once.

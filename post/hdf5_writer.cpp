@@ -102,7 +102,7 @@ void Hdf5Writer::add_columns() {
     file_.add_attribute("/ledger", "symmetry", problem_.symmetry);
     std::vector<std::string> effects;
     for (const physics::ActiveEffect& active : problem_.effects) {
-        effects.emplace_back(active.effect->id);
+        effects.emplace_back(active.title());
     }
     file_.write("/ledger/effect", effects, label("1", "name of each effect", ""));
     const std::string whole = "the whole specimen, positive into it";

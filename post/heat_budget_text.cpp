@@ -37,7 +37,7 @@ std::string heat_budget_text(const RunRecord& run) {
         const bool speaks = effect.speak != nullptr && effect.kind != physics::Kind::property;
         const bool within = !run.problem.effects[e].joints.empty() && report.watts[e] == 0.0;  // from node to node
         if ((speaks && !within) || report.joules[e] != 0.0) {
-            names.emplace_back(effect.id);
+            names.emplace_back(run.problem.effects[e].title());
             watts.push_back(run.problem.symmetry * report.watts[e]);
             kilojoules.push_back(run.problem.symmetry * report.joules[e] / 1e3);
         }
@@ -64,7 +64,7 @@ std::string heat_budget_text(const RunRecord& run) {
     for (std::size_t e = 0; e < effects.size(); ++e) {
         const double share = run.problem.symmetry * report.law_watts[e];
         if (std::abs(share) >= 0.5 * std::pow(10.0, -of_watts)) {  // neither NaN nor what is shown as nothing
-            text += fmt::format("  of this, {} makes {:+.{}f} W\n", effects[e].effect->id, share, of_watts);
+            text += fmt::format("  of this, {} makes {:+.{}f} W\n", effects[e].title(), share, of_watts);
         }
     }
     const bool is_tire = std::any_of(effects.begin(), effects.end(),

@@ -33,7 +33,7 @@ Json channels(const RunRecord& run) {
 Json budget(const RunRecord& run) {
     Json list = Json::array();
     for (std::size_t e = 0; e < run.problem.effects.size(); ++e) {
-        list.push_back({{"effect", run.problem.effects[e].effect->id},
+        list.push_back({{"effect", run.problem.effects[e].title()},
                         {"watts_final", run.problem.symmetry * run.report.watts[e]},
                         {"joules", run.problem.symmetry * run.report.joules[e]}});
         if (std::isfinite(run.report.law_watts[e])) {
