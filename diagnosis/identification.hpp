@@ -107,7 +107,4 @@ struct IdentificationChoice {
 [[nodiscard]] std::vector<Noise> stated_noise(const cases::Experiment& experiment, const Observations& observations,
                                               double correlation_time, double white_share);
 
-/// The unit in which a number is measured against the data: its prior's standard deviation, or its size.
-[[nodiscard]] Eigen::VectorXd scales_of(const cases::Experiment& experiment, const Eigen::VectorXd& values);
-
 }  // namespace tiretherm::diagnosis

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "diagnosis/fit.hpp"
 #include "diagnosis/identification_report.hpp"
 #include "post/channel_unit.hpp"
 #include "post/table.hpp"

@@ -1,12 +1,11 @@
 #include "diagnosis/observations.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <thread>
 
 #include <fmt/format.h>
 
+#include "diagnosis/in_parallel.hpp"
 #include "solver/prediction.hpp"
 
 namespace tiretherm::diagnosis {
@@ -111,31 +110,20 @@ const Forecast& Simulator::at(const Eigen::VectorXd& values) {
 Forecast Simulator::forecast(const Eigen::VectorXd& values) {
     const std::size_t n_runs = experiment_->runs.size();
     std::vector<solver::Prediction> predictions(n_runs);
-    std::atomic<std::size_t> next{0};
-    const auto work = [&] {
-        for (std::size_t r = next++; r < n_runs; r = next++) {
-            const solver::Problem moved = problem(r, values);
-            std::vector<solver::Adjustable> asked;
-            std::vector<double> now;
-            for (const std::size_t j : parameters_[r]) {
-                asked.push_back(experiment_->parameters[j]);
-                now.push_back(values[static_cast<Eigen::Index>(j)]);
-            }
-            predictions[r] = solver::predict(moved, {.times = observations_->times[r],
-                                                     .parameters = asked,
-                                                     .values = now,
-                                                     .step_ends = step_ends_[r],
-                                                     .tolerance = 1e-4});
+    in_parallel(n_runs, [&](std::size_t r) {
+        const solver::Problem moved = problem(r, values);
+        std::vector<solver::Adjustable> asked;
+        std::vector<double> now;
+        for (const std::size_t j : parameters_[r]) {
+            asked.push_back(experiment_->parameters[j]);
+            now.push_back(values[static_cast<Eigen::Index>(j)]);
         }
-    };
-    {
-        const std::size_t threads = std::min<std::size_t>(std::max(1U, std::thread::hardware_concurrency()), n_runs);
-        std::vector<std::jthread> others;
-        for (std::size_t i = 1; i < threads; ++i) {
-            others.emplace_back(work);
-        }
-        work();
-    }
+        predictions[r] = solver::predict(moved, {.times = observations_->times[r],
+                                                 .parameters = asked,
+                                                 .values = now,
+                                                 .step_ends = step_ends_[r],
+                                                 .tolerance = 1e-4});
+    });
     simulations_ += static_cast<long>(n_runs);
     if (progress_) {
         progress_(simulations_);

@@ -52,6 +52,12 @@ public:
         step_ends_.assign(step_ends_.size(), {});
         last_values_.resize(0);
     }
+    /// The steps that each run takes, by their ends; a run without any chooses them at the next forecast. @returns s
+    [[nodiscard]] const std::vector<std::vector<double>>& steps() const { return step_ends_; }
+    void take_steps(std::vector<std::vector<double>> ends) {
+        step_ends_ = std::move(ends);
+        last_values_.resize(0);
+    }
     /// A run's problem at these values.
     [[nodiscard]] solver::Problem problem(std::size_t run, const Eigen::VectorXd& values) const;
     /// The values that the experiment's case has.

@@ -1,0 +1,271 @@
+#include "diagnosis/candidates.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+using physics::Effect;
+using physics::Parameter;
+
+/// What the catalogue's plain numbers do not say of an effect as a candidate.
+struct Shape {
+    std::string_view effect;
+    std::string_view number;
+    std::string_view other{};        ///< a number that moves along, or that is held
+    double factor = 0.0;             ///< of what moves along
+    std::array<double, 10> held{};   ///< values of `other` on trial, as many as are not 0
+    std::array<double, 4> trials{};  ///< values at which the signature is taken, as many as are not 0
+    bool left_out = false;           ///< says nothing that another number of the effect does not say
+};
+
+// A little gas conductance is slow, much of it is quick: four signatures. A wave's signature begins at its speed.
+constexpr std::array shapes{
+    Shape{
+        .effect = "inner_gas", .number = "liner", .other = "rim", .factor = 4.0 / 9.0, .trials = {0.3, 1.0, 3.0, 9.0}},
+    Shape{.effect = "inner_gas", .number = "rim", .left_out = true},
+    Shape{.effect = "sidewall_convection", .number = "h", .left_out = true},
+    Shape{.effect = "standing_wave",
+          .number = "gain",
+          .other = "critical_speed",
+          .held = {80.0, 95.0, 110.0, 125.0, 140.0, 155.0, 170.0, 190.0, 215.0, 245.0}},
+};
+
+const Shape* shape_of(const Effect& effect, const Parameter& parameter) {
+    const auto found = std::ranges::find_if(
+        shapes, [&](const Shape& shape) { return shape.effect == effect.id && shape.number == parameter.key; });
+    return found == shapes.end() ? nullptr : &*found;
+}
+
+bool is_on(const solver::Problem& problem, const Effect& effect) {
+    return std::ranges::any_of(problem.effects, [&](const physics::ActiveEffect& a) { return a.effect == &effect; });
+}
+
+/// Whether the effect's inputs are given in every run and its places are there.
+bool can_act(const cases::Experiment& experiment, const Effect& effect) {
+    const solver::Problem& problem = experiment.runs.front().problem;
+    const bool has_tire = std::ranges::any_of(problem.effects, [](const auto& a) { return a.effect->needs_tire; });
+    if ((effect.needs_tire && !has_tire) || (effect.needs_grid && problem.mesh.kind == "two_node")) {
+        return false;
+    }
+    for (const std::string_view signal : effect.reads) {
+        if (!std::ranges::all_of(experiment.runs, [&](const cases::MeasuredRun& run) {
+                return run.problem.drive.gives(*physics::find_signal(signal));
+            })) {
+            return false;
+        }
+    }
+    const physics::ActiveEffect standard = physics::activate(effect, problem.mesh);
+    const bool placed = effect.patches.empty() || !standard.patches.empty();
+    return placed && (effect.objection == nullptr || effect.objection(standard, problem.mesh).empty());
+}
+
+/// Whether a camera can see what the channel reads: nodes of the boundary alone.
+bool is_seen(const mesh::Mesh& mesh, const solver::Channel& channel) {
+    return std::ranges::all_of(channel.where.nodes, [&](int node) {
+        return std::ranges::any_of(mesh.patches, [&](const mesh::Patch& patch) {
+            return patch.name != "inside" &&
+                   std::ranges::any_of(patch.faces, [&](const mesh::PatchFace& face) { return face.node == node; });
+        });
+    });
+}
+
+bool can_read(const Effect& effect, const solver::Problem& problem, const solver::Channel& channel) {
+    const bool is_temperature = channel.quantity == solver::Quantity::temperature;
+    switch (effect.reads_what) {
+        case physics::Reads::anything:
+            break;
+        case physics::Reads::temperature:
+            if (!is_temperature) {
+                return false;
+            }
+            break;
+        case physics::Reads::place:
+            if (!is_temperature || !channel.point) {
+                return false;
+            }
+            break;
+        case physics::Reads::pressure:
+            if (channel.quantity != solver::Quantity::gas_pressure) {
+                return false;
+            }
+            break;
+    }
+    return effect.id != "camera_emissivity" || is_seen(problem.mesh, channel);
+}
+
+/// Channels of which anything was measured.
+std::vector<int> measured_channels(const cases::Experiment& experiment) {
+    std::vector<int> channels;
+    for (const cases::MeasuredRun& run : experiment.runs) {
+        for (const cases::MeasuredSeries& series : run.series) {
+            channels.push_back(static_cast<int>(series.channel));
+        }
+        for (const cases::MeasuredNumber& number : run.numbers) {
+            channels.push_back(static_cast<int>(number.channel));
+        }
+    }
+    std::ranges::sort(channels);
+    channels.erase(std::unique(channels.begin(), channels.end()), channels.end());
+    return channels;
+}
+
+/// One number of an effect at one place, in all its shapes.
+void add(std::vector<Candidate>& all, const Candidate& plain) {
+    const Shape* shape = shape_of(*plain.effect, plain.number());
+    Candidate one = plain;
+    one.cause = all.empty() ? 0 : all.back().cause + 1;
+    one.trial = one.absent;
+    if (shape == nullptr) {
+        all.push_back(one);
+        return;
+    }
+    if (shape->left_out) {
+        return;
+    }
+    const auto other = static_cast<std::size_t>(physics::find_parameter(*plain.effect, shape->other));
+    if (shape->factor != 0.0) {
+        one.companions = {{.parameter = other, .factor = shape->factor}};
+    }
+    for (const double value : shape->held) {
+        if (value != 0.0) {
+            one.held = {{other, value}};
+            all.push_back(one);
+        }
+    }
+    for (const double value : shape->trials) {
+        if (value != 0.0) {
+            one.trial = value;
+            all.push_back(one);
+        }
+    }
+}
+
+void add_all(std::vector<Candidate>& all, const cases::Experiment& experiment, const Effect& effect,
+             const std::vector<int>& channels) {
+    const solver::Problem& problem = experiment.runs.front().problem;
+    const physics::ActiveEffect standard = physics::activate(effect, problem.mesh);
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
+        const Parameter& parameter = effect.parameters[p];
+        if (std::isnan(parameter.absent)) {
+            continue;
+        }
+        const Candidate plain{.effect = &effect,
+                              .parameter = p,
+                              .absent = parameter.absent,
+                              .low = parameter.low,
+                              .high = parameter.high};
+        if (effect.on_channels) {
+            for (const int channel : channels) {
+                if (can_read(effect, problem, problem.channels[static_cast<std::size_t>(channel)])) {
+                    Candidate one = plain;
+                    one.channel = channel;
+                    add(all, one);
+                }
+            }
+        } else if (effect.on_layers) {
+            for (const int layer : standard.layers) {
+                Candidate one = plain;
+                one.layer = layer;
+                add(all, one);
+            }
+        } else {
+            add(all, plain);
+        }
+    }
+}
+
+/// Gas and rim start with the air around them, or as the rest where there is no air, as in a case that says nothing. K
+double start_of_own_nodes(const solver::Problem& problem) {
+    const physics::Inputs first = problem.drive.at(problem.settings.start, solver::Limit::after);
+    return problem.drive.gives(*physics::find_signal("air_temperature")) ? first.air_temperature
+                                                                         : problem.initial.front();
+}
+
+}  // namespace
+
+std::vector<Candidate> candidates_of(const cases::Experiment& experiment, const std::vector<std::string>& chosen) {
+    const std::vector<int> channels = measured_channels(experiment);
+    std::vector<Candidate> all;
+    for (const Effect* effect : physics::catalogue()) {
+        const bool wanted = chosen.empty() || std::ranges::find(chosen, effect->id) != chosen.end();
+        if (wanted && !is_on(experiment.runs.front().problem, *effect) && can_act(experiment, *effect)) {
+            add_all(all, experiment, *effect, channels);
+        }
+    }
+    return all;
+}
+
+physics::ActiveEffect active_at(const Candidate& candidate, const mesh::Mesh& mesh, double value) {
+    physics::ActiveEffect active = physics::activate(*candidate.effect, mesh);
+    for (std::size_t p = 0; p < active.parameters.size(); ++p) {
+        if (const double absent = candidate.effect->parameters[p].absent; !std::isnan(absent)) {
+            active.parameters[p] = absent;
+        }
+    }
+    for (const auto& [parameter, held] : candidate.held) {
+        active.parameters[parameter] = held;
+    }
+    active.parameters[candidate.parameter] = value;
+    for (const solver::Adjustable::Companion& companion : candidate.companions) {
+        active.parameters[companion.parameter] = companion.factor * value;
+    }
+    if (candidate.channel >= 0) {
+        active.channels = {candidate.channel};
+    }
+    if (candidate.layer >= 0) {
+        active.layers = {candidate.layer};
+    }
+    return active;
+}
+
+std::string name_of(const Candidate& candidate, const cases::Experiment& experiment) {
+    const solver::Problem& problem = experiment.runs.front().problem;
+    std::string name(candidate.effect->id);
+    const auto numbers = std::ranges::count_if(candidate.effect->parameters, [&](const Parameter& parameter) {
+        const Shape* shape = shape_of(*candidate.effect, parameter);
+        return !std::isnan(parameter.absent) && !(shape != nullptr && shape->left_out);
+    });
+    if (numbers > 1) {
+        name += fmt::format(".{}", candidate.number().key);
+    }
+    if (candidate.channel >= 0) {
+        name += " of " + problem.channels[static_cast<std::size_t>(candidate.channel)].name;
+    }
+    if (candidate.layer >= 0 && physics::activate(*candidate.effect, problem.mesh).layers.size() > 1) {
+        name += " of " + problem.mesh.layers[static_cast<std::size_t>(candidate.layer)];
+    }
+    return name;
+}
+
+cases::Experiment with(cases::Experiment experiment, const std::vector<Candidate>& candidates,
+                       const std::vector<double>& values) {
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+        const Candidate& candidate = candidates[k];
+        solver::Adjustable number{.name = name_of(candidate, experiment),
+                                  .unit = std::string(candidate.number().unit),
+                                  .kind = solver::Adjustable::Kind::effect,
+                                  .parameter = candidate.parameter,
+                                  .companions = candidate.companions,
+                                  .layers = {},
+                                  .knots = {},
+                                  .nodes = {},
+                                  .prior = candidate.absent,
+                                  .low = candidate.low,
+                                  .high = candidate.high};
+        for (cases::MeasuredRun& run : experiment.runs) {
+            const physics::ActiveEffect active = active_at(candidate, run.problem.mesh, values[k]);
+            number.effect = solver::switch_on(run.problem, active, start_of_own_nodes(run.problem));
+        }
+        experiment.parameters.push_back(std::move(number));
+    }
+    return experiment;
+}
+
+}  // namespace tiretherm::diagnosis

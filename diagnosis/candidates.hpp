@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cases/experiment.hpp"
+#include "physics/effect.hpp"
+
+namespace tiretherm::diagnosis {
+
+/// A cause that may be missing from a model: one number of an effect of the catalogue, at one place, and the value at
+/// which it changes nothing.
+struct Candidate {
+    const physics::Effect* effect = nullptr;
+    std::size_t parameter = 0;
+    std::vector<solver::Adjustable::Companion> companions{};  ///< numbers that move along
+    /// Numbers that mean nothing while the effect is absent, such as a critical speed, and their values on trial.
+    std::vector<std::pair<std::size_t, double>> held{};
+    int channel = -1;  ///< index into Problem::channels, of a sensor's effect
+    int layer = -1;    ///< index into Mesh::layers, of an effect on layers
+    double absent = 0.0;
+    double low = 0.0;
+    double high = 0.0;
+    /// Where the signature is taken, by difference to the absent effect; `absent`: by its slope there.
+    double trial = 0.0;
+    /// The same for all that differ only in what is held or where the signature is taken: one cause.
+    std::size_t cause = 0;
+
+    [[nodiscard]] const physics::Parameter& number() const { return effect->parameters[parameter]; }
+    [[nodiscard]] bool by_slope() const { return trial == absent; }
+};
+
+/// Every cause that can act on an experiment's model and is not in it: effects of the catalogue that are off, whose inputs
+/// are given and whose places the mesh has.
+/// @param chosen ids of effects; empty: all that can act
+[[nodiscard]] std::vector<Candidate> candidates_of(const cases::Experiment& experiment,
+                                                   const std::vector<std::string>& chosen);
+
+/// The effect as it is switched on at a value of the candidate's number.
+[[nodiscard]] physics::ActiveEffect active_at(const Candidate& candidate, const mesh::Mesh& mesh, double value);
+/// "sensor_lag of bulk_temperature", "layer_conductivity.slope of tread"
+[[nodiscard]] std::string name_of(const Candidate& candidate, const cases::Experiment& experiment);
+
+/// The experiment with candidates switched on in every run, their numbers free after its own.
+/// @param values [n_candidates] of their numbers
+[[nodiscard]] cases::Experiment with(cases::Experiment experiment, const std::vector<Candidate>& candidates,
+                                     const std::vector<double>& values);
+
+}  // namespace tiretherm::diagnosis

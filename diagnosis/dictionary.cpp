@@ -1,0 +1,215 @@
+#include "diagnosis/dictionary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "diagnosis/in_parallel.hpp"
+#include "solver/tape.hpp"
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+/// Integral of a course, straight between its points and held beyond them, from its first point on.
+class Integral {
+public:
+    Integral(const std::vector<double>& time, const std::vector<double>& value) : time_(time), value_(value) {
+        sum_.push_back(0.0);
+        for (std::size_t i = 1; i < time.size(); ++i) {
+            sum_.push_back(sum_.back() + 0.5 * (value[i] + value[i - 1]) * (time[i] - time[i - 1]));
+        }
+    }
+    [[nodiscard]] double mean(double from, double to) const { return (up_to(to) - up_to(from)) / (to - from); }
+
+private:
+    [[nodiscard]] double up_to(double t) const {
+        if (t <= time_.front()) {
+            return (t - time_.front()) * value_.front();
+        }
+        if (t >= time_.back()) {
+            return sum_.back() + (t - time_.back()) * value_.back();
+        }
+        const auto i = static_cast<std::size_t>(std::ranges::upper_bound(time_, t) - time_.begin());
+        const double share = (t - time_[i - 1]) / (time_[i] - time_[i - 1]);
+        const double here = value_[i - 1] + share * (value_[i] - value_[i - 1]);
+        return sum_[i - 1] + 0.5 * (value_[i - 1] + here) * (t - time_[i - 1]);
+    }
+    const std::vector<double>& time_;
+    const std::vector<double>& value_;
+    std::vector<double> sum_;
+};
+
+double value_at(const Course& course, std::size_t run, double t) {
+    const std::vector<double>& time = course.time[run];
+    const std::vector<double>& value = course.value[run];
+    const auto after = static_cast<std::size_t>(std::ranges::upper_bound(time, t) - time.begin());
+    if (after == 0 || after == time.size()) {
+        return after == 0 ? value.front() : value.back();
+    }
+    const double share = (t - time[after - 1]) / (time[after] - time[after - 1]);
+    return value[after - 1] + share * (value[after] - value[after - 1]);
+}
+
+/// The part of a step that lies within a window.
+double overlap(double from, double to, double begin, double end) {
+    return std::max(0.0, std::min(to, end) - std::max(from, begin)) / (to - from);
+}
+
+void name_terms(const cases::Experiment& experiment, const Observations& observations, double window,
+                Dictionary& dictionary) {
+    for (std::size_t c = 0; c < dictionary.courses.size(); ++c) {
+        for (std::size_t p = 0; p < dictionary.places.size(); ++p) {
+            dictionary.terms.push_back({.place = p, .course = c});
+        }
+        for (const std::size_t channel : observations.channels) {
+            if (dictionary.courses[c].follows != "1") {  // an offset is in the catalogue
+                dictionary.terms.push_back({.place = channel, .course = c, .sensor = true});
+            }
+        }
+    }
+    for (std::size_t r = 0; window > 0.0 && r < experiment.runs.size(); ++r) {
+        const solver::Settings& settings = experiment.runs[r].problem.settings;
+        const int n = std::max(1, static_cast<int>(std::round((settings.end - settings.start) / window)));
+        const double length = (settings.end - settings.start) / n;
+        for (int i = 0; i < n && !experiment.runs[r].time.empty(); ++i) {
+            for (std::size_t p = 0; p < dictionary.places.size(); ++p) {
+                dictionary.terms.push_back({.place = p,
+                                            .event = true,
+                                            .run = r,
+                                            .from = settings.start + i * length,
+                                            .to = settings.start + (i + 1) * length});
+            }
+        }
+    }
+}
+
+/// Fills the rows of one run.
+void fill_run(std::size_t r, const Observations& observations, const solver::Problem& problem,
+              const std::vector<double>& ends, Dictionary& dictionary) {
+    const std::size_t n_channels = problem.channels.size();
+    std::vector<Eigen::Index> rows;
+    for (std::size_t row = 0; row < observations.rows.size(); ++row) {
+        if (observations.rows[row].run == r) {
+            rows.push_back(static_cast<Eigen::Index>(row));
+        }
+    }
+    solver::Tape tape(problem, observations.times[r], ends);
+    if (!tape.status().ok()) {
+        return;
+    }
+    std::vector<double> heat(tape.n_steps() * tape.n_nodes());
+    for (std::size_t k = 0; k < dictionary.terms.size(); ++k) {
+        const UnknownTerm& term = dictionary.terms[k];
+        auto column = dictionary.columns.col(static_cast<Eigen::Index>(k));
+        if (term.event && term.run != r) {
+            continue;
+        }
+        const Course* course = term.event ? nullptr : &dictionary.courses[term.course];
+        if (term.sensor) {
+            for (const Eigen::Index row : rows) {
+                const Observations::Row& what = observations.rows[static_cast<std::size_t>(row)];
+                if (what.channel == term.place) {
+                    column[row] = value_at(*course, r, observations.times[r][what.time]) / course->largest;
+                }
+            }
+            continue;
+        }
+        const mesh::Functional& nodes = dictionary.places[term.place].nodes;
+        std::ranges::fill(heat, 0.0);
+        double begin = problem.settings.start;
+        std::optional<Integral> integral;
+        if (course != nullptr) {
+            integral.emplace(course->time[r], course->value[r]);
+        }
+        for (std::size_t s = 0; s < tape.n_steps(); ++s) {
+            const double end = tape.end(s);
+            const double watts =
+                term.event ? overlap(begin, end, term.from, term.to) : integral->mean(begin, end) / course->largest;
+            for (std::size_t i = 0; i < nodes.nodes.size(); ++i) {
+                heat[s * tape.n_nodes() + static_cast<std::size_t>(nodes.nodes[i])] = watts * nodes.weights[i];
+            }
+            begin = end;
+        }
+        const std::vector<double> read = tape.forward(heat);
+        for (const Eigen::Index row : rows) {
+            const Observations::Row& what = observations.rows[static_cast<std::size_t>(row)];
+            column[row] = read[what.time * n_channels + what.channel];
+        }
+    }
+}
+
+void add_place(std::vector<HeatPlace>& places, const std::string& name, const mesh::Mesh& mesh,
+               const std::function<bool(int)>& holds) {
+    HeatPlace place{.name = name, .nodes = {}};
+    for (int cell = 0; cell < mesh.n_cells; ++cell) {
+        if (holds(cell)) {
+            place.nodes.add(cell, mesh.volume[static_cast<std::size_t>(cell)]);
+        }
+    }
+    if (!place.nodes.nodes.empty()) {
+        place.nodes.normalise();
+        places.push_back(std::move(place));
+    }
+}
+
+/// The outer surface of a zone; of everything with zone -1.
+void add_surface(std::vector<HeatPlace>& places, const std::string& name, const mesh::Mesh& mesh, int zone) {
+    HeatPlace place{.name = name, .nodes = {}};
+    for (const mesh::Patch& patch : mesh.patches) {
+        for (const mesh::PatchFace& face : patch.faces) {
+            if (patch.name != "inside" && patch.name != "rim" &&
+                (zone < 0 || mesh.zone[static_cast<std::size_t>(face.node)] == zone)) {
+                place.nodes.add(face.node, face.area);
+            }
+        }
+    }
+    if (!place.nodes.nodes.empty()) {
+        place.nodes.normalise();
+        places.push_back(std::move(place));
+    }
+}
+
+}  // namespace
+
+std::vector<HeatPlace> heat_places(const mesh::Mesh& mesh) {
+    std::vector<HeatPlace> places;
+    if (mesh.kind == "two_node") {
+        for (const mesh::Region& region : mesh.regions) {
+            places.push_back({.name = region.name, .nodes = region.mean});
+        }
+        return places;
+    }
+    if (!mesh.zones.empty()) {
+        for (int zone = 0; zone < static_cast<int>(mesh.zones.size()); ++zone) {
+            const std::string& name = mesh.zones[static_cast<std::size_t>(zone)];
+            add_surface(places, name + " surface", mesh, zone);
+            add_place(places, name, mesh, [&](int cell) { return mesh.zone[static_cast<std::size_t>(cell)] == zone; });
+        }
+    } else {
+        add_surface(places, "surface", mesh, -1);
+        for (int layer = 0; layer < static_cast<int>(mesh.layers.size()); ++layer) {
+            add_place(places, mesh.layers[static_cast<std::size_t>(layer)], mesh,
+                      [&](int cell) { return mesh.layer[static_cast<std::size_t>(cell)] == layer; });
+        }
+    }
+    for (const mesh::Appended& appended : mesh.appended) {
+        places.push_back({.name = appended.name, .nodes = {.nodes = {appended.node}, .weights = {1.0}}});
+    }
+    return places;
+}
+
+Dictionary dictionary_of(const cases::Experiment& experiment, const Observations& observations,
+                         const std::vector<solver::Problem>& problems, const std::vector<std::vector<double>>& steps,
+                         double window) {
+    Dictionary dictionary;
+    dictionary.places = heat_places(problems.front().mesh);
+    dictionary.courses = courses_of(experiment);
+    name_terms(experiment, observations, window, dictionary);
+    dictionary.columns = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(observations.rows.size()),
+                                               static_cast<Eigen::Index>(dictionary.terms.size()));
+    in_parallel(problems.size(), [&](std::size_t r) { fill_run(r, observations, problems[r], steps[r], dictionary); });
+    return dictionary;
+}
+
+}  // namespace tiretherm::diagnosis

@@ -1,0 +1,171 @@
+#include "diagnosis/evidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+constexpr int most_turns = 4;
+constexpr double settled_noise = 0.01;
+/// A combination of signatures that is this small a part of all of them counts as noise's.
+constexpr double least_part = 0.01;
+constexpr double chance = 0.005;
+
+/// Largest relative change of a sigma, or change of a correlation over one second.
+double change(const Covariance& before, const Covariance& after) {
+    double most = 0.0;
+    for (std::size_t c = 0; c < after.channels.size(); ++c) {
+        most = std::max({most, std::abs(after.channels[c].sigma / before.channels[c].sigma - 1.0),
+                         std::abs(after.channels[c].rho_1s() - before.channels[c].rho_1s())});
+    }
+    return most;
+}
+
+Eigen::MatrixXd whitened(const Evidence& evidence, Eigen::MatrixXd columns) {
+    whiten(evidence.observations->blocks, evidence.noise, columns);
+    return columns;
+}
+
+/// The experiment as it stands at some values, with nothing free.
+cases::Experiment frozen(const Evidence& evidence, const Simulator& simulator, const Eigen::VectorXd& values) {
+    cases::Experiment still = *evidence.experiment;
+    for (std::size_t r = 0; r < still.runs.size(); ++r) {
+        still.runs[r].problem = simulator.problem(r, values);
+    }
+    still.parameters.clear();
+    return still;
+}
+
+/// Signatures of the candidates: slopes of all in one forecast, differences one by one. A candidate whose model fails has
+/// none.
+void take_signatures(const cases::Experiment& still, const Eigen::VectorXd& simulated, Evidence& evidence) {
+    std::vector<Candidate> straight;
+    std::vector<double> absent;
+    for (const Candidate& candidate : evidence.candidates) {
+        if (candidate.by_slope()) {
+            straight.push_back(candidate);
+            absent.push_back(candidate.absent);
+        }
+    }
+    evidence.signatures.setZero(simulated.size(), static_cast<Eigen::Index>(evidence.candidates.size()));
+    const cases::Experiment wide = with(still, straight, absent);
+    Simulator all(wide, *evidence.observations);
+    all.take_steps(evidence.steps);
+    const Forecast& slopes = all.at(all.start());
+    evidence.simulations += all.simulations();
+    Eigen::Index taken = 0;
+    for (std::size_t k = 0; k < evidence.candidates.size(); ++k) {
+        const Candidate& candidate = evidence.candidates[k];
+        auto column = evidence.signatures.col(static_cast<Eigen::Index>(k));
+        if (candidate.by_slope()) {
+            if (slopes.status.ok()) {
+                column = slopes.slope.col(taken++);
+            }
+            continue;
+        }
+        cases::Experiment moved = with(still, {candidate}, {candidate.trial});
+        moved.parameters.clear();
+        Simulator one(moved, *evidence.observations);
+        one.take_steps(evidence.steps);
+        if (const Forecast& there = one.at(one.start()); there.status.ok()) {
+            column = (there.simulated - simulated) / (candidate.trial - candidate.absent);
+        }
+        evidence.simulations += one.simulations();
+    }
+}
+
+Scores scored(const Refit& model, const Eigen::MatrixXd& columns) {
+    const Remainder remainder(model.slopes, model.precision);
+    return score(remainder.of(columns), remainder.of(model.residual, model.known), columns.colwise().norm());
+}
+
+}  // namespace
+
+Scores Evidence::scores_after(const Refit& model) const { return scored(model, columns); }
+
+Scores Evidence::unknown_scores_after(const Refit& model) const { return scored(model, unknown_columns); }
+
+Eigen::MatrixXd Evidence::essence(const Refit& model) const {
+    Eigen::MatrixXd raw(signatures.rows(), signatures.cols() + unknowns.columns.cols());
+    raw << signatures, unknowns.columns;
+    const Eigen::MatrixXd left = Remainder(model.slopes, model.precision).of(whitened(*this, raw));
+    Eigen::VectorXd inverse = left.colwise().norm();
+    for (double& length : inverse) {
+        length = length > 0.0 ? 1.0 / length : 0.0;
+    }
+    const Eigen::MatrixXd unit = left * inverse.asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(Eigen::MatrixXd(unit.transpose() * unit));
+    const Eigen::Index n = (parts.eigenvalues().array() > least_part).cast<Eigen::Index>().sum();
+    return raw * inverse.asDiagonal() * parts.eigenvectors().rightCols(n);
+}
+
+void Evidence::take_noise(Covariance found, Refit refitted) {
+    noise = std::move(found);
+    base = std::move(refitted);
+    columns = whitened(*this, signatures);
+    unknown_columns = whitened(*this, unknowns.columns);
+    scores = scores_after(base);
+    unknown_scores = unknown_scores_after(base);
+    threshold = family_threshold(scores.correlation, sign, chance);
+    unknown_threshold =
+        family_threshold(unknown_scores.correlation, Eigen::VectorXi::Zero(unknown_scores.z.size()), chance);
+}
+
+Evidence gather_evidence(const cases::Experiment& experiment, const Observations& observations) {
+    Evidence evidence;
+    evidence.experiment = &experiment;
+    evidence.observations = &observations;
+    Fit fit(experiment, observations);
+    for (std::size_t c = 0; c < observations.channels.size(); ++c) {
+        evidence.data_sheet.push_back(fit.stated(c));
+    }
+    fit.take_stated_noise();
+    if (!fit.move_to(fit.simulator().start())) {
+        evidence.status = fit.now().status;
+        return evidence;
+    }
+    evidence.base = refit(fit);
+    fit.simulator().forget_steps();  // steps as the fitted values want them
+    if (!evidence.base.status.ok() || !fit.move_to(evidence.base.values)) {
+        evidence.status = fit.now().status;
+        return evidence;
+    }
+    evidence.steps = fit.simulator().steps();
+    evidence.noise = fit.covariance();
+    evidence.candidates = candidates_of(experiment, experiment.candidates);
+    evidence.sign.resize(static_cast<Eigen::Index>(evidence.candidates.size()));
+    for (std::size_t k = 0; k < evidence.candidates.size(); ++k) {
+        const Candidate& candidate = evidence.candidates[k];
+        evidence.sign[static_cast<Eigen::Index>(k)] =
+            candidate.absent == candidate.low ? 1 : (candidate.absent == candidate.high ? -1 : 0);
+    }
+    const cases::Experiment still = frozen(evidence, fit.simulator(), evidence.base.values);
+    take_signatures(still, fit.now().simulated, evidence);
+    std::vector<solver::Problem> problems;
+    for (const cases::MeasuredRun& run : still.runs) {
+        problems.push_back(run.problem);
+    }
+    evidence.unknowns = dictionary_of(experiment, observations, problems, evidence.steps, 0.0);
+    for (int turn = 0; turn < most_turns; ++turn) {
+        const Covariance before = fit.covariance();
+        fit.find_noise(evidence.essence(evidence.base));
+        evidence.noise = fit.covariance();
+        evidence.base = refit(fit);
+        if (!evidence.base.status.ok()) {
+            evidence.status = evidence.base.status;
+            return evidence;
+        }
+        if (turn > 0 && change(before, evidence.noise) < settled_noise) {
+            break;
+        }
+    }
+    evidence.simulations += fit.simulator().simulations();
+    evidence.take_noise(evidence.noise, evidence.base);
+    return evidence;
+}
+
+}  // namespace tiretherm::diagnosis

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "diagnosis/candidates.hpp"
+#include "diagnosis/dictionary.hpp"
+#include "diagnosis/refit.hpp"
+#include "diagnosis/scores.hpp"
+
+namespace tiretherm::diagnosis {
+
+/// What measured data say against a fitted model: the noise, and for everything that may be missing its signature.
+struct Evidence {
+    solver::Status status;
+    const cases::Experiment* experiment = nullptr;
+    const Observations* observations = nullptr;
+    Refit base;
+    Covariance noise;
+    std::vector<double> data_sheet;          ///< [n_noises] stated standard deviations, 0 where there is none
+    std::vector<std::vector<double>> steps;  ///< [n_runs] s, ends of the steps that every run takes
+    double numerical_sigma = 0.0;            ///< of the model's own error of step and grid, after correction
+
+    std::vector<Candidate> candidates;
+    Eigen::VectorXi sign;        ///< [n_candidates] to which side of absent they may go; 0: either
+    Eigen::MatrixXd signatures;  ///< [n_rows][n_candidates] SI per unit of the candidate's number
+    Eigen::MatrixXd columns;     ///< the same, whitened
+    Dictionary unknowns;
+    Eigen::MatrixXd unknown_columns;  ///< [n_rows][n_terms] whitened
+
+    Scores scores;  ///< of the candidates against the base model
+    Scores unknown_scores;
+    double threshold = 0.0;  ///< that the largest score of a sound model exceeds by chance once in 200 times
+    double unknown_threshold = 0.0;
+    long simulations = 0;
+
+    /// Scores of the candidates and of the unknown sources against another model.
+    [[nodiscard]] Scores scores_after(const Refit& model) const;
+    [[nodiscard]] Scores unknown_scores_after(const Refit& model) const;
+    /// Combinations of all signatures that stand for nearly all of what they span beside a model's free numbers.
+    /// @returns [n_rows][as many as it takes] SI
+    [[nodiscard]] Eigen::MatrixXd essence(const Refit& model) const;
+    /// Judges everything anew by another noise. @param refitted the base model fitted with it
+    void take_noise(Covariance found, Refit refitted);
+};
+
+/// Fits the base model with the noise that is most likely whatever is missing, and takes every signature.
+/// @param experiment, observations live longer
+[[nodiscard]] Evidence gather_evidence(const cases::Experiment& experiment, const Observations& observations);
+
+}  // namespace tiretherm::diagnosis

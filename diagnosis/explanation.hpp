@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "diagnosis/evidence.hpp"
+
+namespace tiretherm::diagnosis {
+
+/// One or more causes taken as true: the model with them, fitted in full, and what it leaves.
+struct Explanation {
+    std::vector<std::size_t> candidates;  ///< indices into Evidence::candidates, one of each cause
+    cases::Experiment model;              ///< with the causes switched on, their numbers free after its own
+    Refit fit;
+    double gain = 0.0;             ///< log likelihood ratio over the base model
+    double expected_gain = 0.0;    ///< what the straight picture at the base model promised
+    double loudest = 0.0;          ///< largest score that is left among the candidates
+    double loudest_unknown = 0.0;  ///< and among the unknown sources
+    bool quiet = false;            ///< neither is beyond chance
+    bool sound = false;            ///< the fit ended, with every number on the side that physics allows
+
+    Eigen::Index n_held = 0;  ///< numbers that causes hold on trial, free after all others
+
+    /// Index of a cause's number among the fitted ones. @param i index into `candidates`
+    [[nodiscard]] Eigen::Index number_of(std::size_t i) const;
+};
+
+/// Switches causes on and fits. @param amplitudes where their numbers start
+[[nodiscard]] Explanation explain(Evidence& evidence, const std::vector<std::size_t>& candidates,
+                                  const std::vector<double>& amplitudes);
+
+/// Every cause alone that the straight picture does not rule out, fitted: the most likely first.
+[[nodiscard]] std::vector<Explanation> explain_by_one(Evidence& evidence);
+/// Pairs of causes, likewise.
+[[nodiscard]] std::vector<Explanation> explain_by_two(Evidence& evidence);
+
+/// The noise beside the best explanation instead of beside the base model, where a large cause has bent the picture.
+/// @returns whether anything changed
+bool settle_noise(Evidence& evidence, const Explanation& best);
+
+}  // namespace tiretherm::diagnosis

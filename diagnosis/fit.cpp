@@ -1,0 +1,137 @@
+#include "diagnosis/fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tiretherm::diagnosis {
+
+Fit::Fit(const cases::Experiment& experiment, const Observations& observations)
+    : experiment_(experiment),
+      observations_(observations),
+      simulator_(experiment, observations),
+      n_(static_cast<Eigen::Index>(experiment.parameters.size())),
+      prior_(n_),
+      precision_(n_),
+      low_(n_),
+      high_(n_) {
+    for (Eigen::Index j = 0; j < n_; ++j) {
+        const solver::Adjustable& parameter = experiment.parameters[static_cast<std::size_t>(j)];
+        prior_[j] = parameter.prior;
+        precision_[j] = std::isfinite(parameter.standard_deviation)
+                            ? 1.0 / (parameter.standard_deviation * parameter.standard_deviation)
+                            : 0.0;
+        low_[j] = parameter.low;
+        high_[j] = parameter.high;
+    }
+    scale_ = scales_of(experiment, simulator_.start());
+    covariance_.channels.resize(observations.channels.size());
+}
+
+bool Fit::move_to(const Eigen::VectorXd& values) {
+    forecast_ = simulator_.at(values);
+    values_ = values;
+    return forecast_.status.ok();
+}
+
+void Fit::take_stated_noise() {
+    for (std::size_t c = 0; c < observations_.channels.size(); ++c) {
+        covariance_.channels[c] = {.sigma = stated(c) > 0.0 ? stated(c) : 1.0};
+    }
+}
+
+void Fit::find_noise(const Eigen::MatrixXd& also) {
+    std::vector<double> sheet;
+    for (std::size_t c = 0; c < observations_.channels.size(); ++c) {
+        sheet.push_back(stated(c));
+    }
+    const Eigen::VectorXd residual = forecast_.simulated - observations_.measured;
+    Eigen::MatrixXd span(residual.size(), n_ + also.cols());
+    span.leftCols(n_) = forecast_.slope * scale_.asDiagonal();
+    span.rightCols(also.cols()) = also;
+    Eigen::VectorXd precision = Eigen::VectorXd::Zero(span.cols());
+    precision.head(n_) = precision_.cwiseProduct(scale_.cwiseAbs2());
+    noise_ = estimate_noise({.blocks = observations_.blocks,
+                             .residual = residual,
+                             .span = span,
+                             .precision = precision,
+                             .data_sheet = std::move(sheet),
+                             .model = experiment_.noise == "white" ? NoiseModel::white : NoiseModel::correlated,
+                             .robust = experiment_.robust});
+    covariance_ = noise_.covariance;
+}
+
+Fit::Turn Fit::minimise_squares() {
+    const LeastSquaresResult result = minimise(question());
+    const Eigen::VectorXd by = result.values - values_;
+    Turn turn{.iterations = result.iterations, .converged = result.converged};
+    if (move_to(result.values)) {
+        turn.moved = by.cwiseQuotient(scale_).cwiseAbs().cwiseProduct(information().diagonal().cwiseSqrt()).maxCoeff();
+    }
+    return turn;
+}
+
+LeastSquares Fit::question() {
+    return {.residuals = [this](const Eigen::VectorXd& values) { return residuals(values); },
+            .n_rows = observations_.measured.size() + n_,
+            .start = values_,
+            .low = low_,
+            .high = high_,
+            .scale = scale_};
+}
+
+std::optional<Residuals> Fit::residuals(const Eigen::VectorXd& values) {
+    const Forecast& found = simulator_.at(values);
+    if (!found.status.ok()) {
+        return std::nullopt;
+    }
+    Eigen::MatrixXd rows(observations_.measured.size(), n_ + 1);
+    rows << found.slope, found.simulated - observations_.measured;
+    whiten(observations_.blocks, covariance_, rows);
+    Residuals all{.value = Eigen::VectorXd(rows.rows() + n_), .slope = Eigen::MatrixXd(rows.rows() + n_, n_)};
+    const Eigen::VectorXd root = precision_.cwiseSqrt();
+    all.value << rows.col(n_), root.cwiseProduct(values - prior_);
+    all.slope << rows.leftCols(n_), Eigen::MatrixXd(root.asDiagonal());
+    return all;
+}
+
+Eigen::MatrixXd Fit::information() const {
+    const Eigen::MatrixXd whitened = whitened_slopes();
+    Eigen::MatrixXd matrix = whitened.transpose() * whitened;
+    matrix.diagonal() += precision_.cwiseProduct(scale_.cwiseAbs2());
+    return matrix;
+}
+
+Eigen::MatrixXd Fit::whitened_slopes() const {
+    Eigen::MatrixXd whitened = forecast_.slope * scale_.asDiagonal();
+    whiten(observations_.blocks, covariance_, whitened);
+    return whitened;
+}
+
+Eigen::VectorXd Fit::whitened_residuals() const {
+    Eigen::MatrixXd left = forecast_.simulated - observations_.measured;
+    whiten(observations_.blocks, covariance_, left);
+    return left.col(0);
+}
+
+double Fit::stated(std::size_t c) const {
+    const std::vector<solver::Channel>& channels = experiment_.runs.front().problem.channels;
+    return channels[observations_.channels[c]].standard_deviation.value_or(0.0);
+}
+
+Eigen::VectorXd scales_of(const cases::Experiment& experiment, const Eigen::VectorXd& values) {
+    Eigen::VectorXd scale(values.size());
+    for (Eigen::Index j = 0; j < values.size(); ++j) {
+        const solver::Adjustable& parameter = experiment.parameters[static_cast<std::size_t>(j)];
+        double size = parameter.standard_deviation;
+        if (!std::isfinite(size)) {
+            size = parameter.kind == solver::Adjustable::Kind::initial ? 10.0 : std::abs(values[j]);
+        }
+        if (size == 0.0) {
+            size = std::isfinite(parameter.high - parameter.low) ? 0.1 * (parameter.high - parameter.low) : 1.0;
+        }
+        scale[j] = size;
+    }
+    return scale;
+}
+
+}  // namespace tiretherm::diagnosis

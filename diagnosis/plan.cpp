@@ -1,0 +1,62 @@
+#include <chrono>
+
+#include "diagnosis/fit.hpp"
+#include "diagnosis/judgement.hpp"
+
+namespace tiretherm::diagnosis {
+
+cases::Experiment planned(cases::Experiment experiment) {
+    for (cases::MeasuredRun& run : experiment.runs) {
+        const solver::Settings& settings = run.problem.settings;
+        if (run.time.empty() && settings.steady) {
+            run.time = {settings.end};
+        }
+        if (run.time.empty()) {
+            const double length = settings.end - settings.start;
+            const double interval = settings.output_interval > 0.0 ? settings.output_interval : 0.01 * length;
+            for (int i = 0; i * interval <= length * (1.0 + 1e-12); ++i) {
+                run.time.push_back(settings.start + i * interval);
+            }
+        }
+        run.series.clear();
+        for (std::size_t c = 0; c < run.problem.channels.size(); ++c) {
+            if (run.problem.channels[c].standard_deviation) {
+                run.series.push_back({.channel = c, .value = std::vector<double>(run.time.size())});
+            }
+        }
+    }
+    return experiment;
+}
+
+std::vector<Noise> stated_noise(const cases::Experiment& experiment, const Observations& observations,
+                                double correlation_time, double white_share) {
+    std::vector<Noise> noise;
+    for (const std::size_t channel : observations.channels) {
+        const solver::Channel& sensor = experiment.runs.front().problem.channels[channel];
+        noise.push_back({.sigma = sensor.standard_deviation.value_or(1.0),
+                         .correlation_time = correlation_time,
+                         .white_share = correlation_time > 0.0 ? white_share : 1.0});
+    }
+    return noise;
+}
+
+Identification plan(const cases::Experiment& experiment, const Observations& observations,
+                    const std::vector<Noise>& noise) {
+    const auto begin = std::chrono::steady_clock::now();
+    Identification result;
+    Fit fit(experiment, observations);
+    if (!fit.move_to(fit.simulator().start())) {
+        result.status = fit.now().status;
+        return result;
+    }
+    fit.take_noise(noise);
+    result.converged = true;
+    result.values = fit.values();
+    result.before = result.after = fit.now().simulated;
+    judge_numbers(fit, result, false);
+    result.simulations = fit.simulator().simulations();
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return result;
+}
+
+}  // namespace tiretherm::diagnosis

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace tiretherm::diagnosis {
+
+/// Takes out of anything what the free numbers of a model can explain of it: the projection that leaves a signature its
+/// part orthogonal to them (Frisch and Waugh, Econometrica 1 (1933) 387). What was known of the numbers before counts as
+/// further rows of the data.
+class Remainder {
+public:
+    /// @param slopes [n_rows][n] whitened, in units of the numbers' scales
+    /// @param precision [n] of what was known of each number, in the same units; 0: nothing
+    Remainder(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& precision);
+
+    /// @param columns [n_rows][m] whitened  @returns [n_rows + n][m]
+    [[nodiscard]] Eigen::MatrixXd of(const Eigen::MatrixXd& columns) const;
+    /// @param residual [n_rows] whitened, measured - simulated
+    /// @param known [n] what was known of each number less its value, in standard deviations  @returns [n_rows + n]
+    [[nodiscard]] Eigen::VectorXd of(const Eigen::VectorXd& residual, const Eigen::VectorXd& known) const;
+
+private:
+    Eigen::MatrixXd take_out(Eigen::MatrixXd columns) const;
+    Eigen::MatrixXd basis_;  ///< [n_rows + n][n] orthonormal
+    Eigen::Index n_rows_;
+};
+
+/// How strongly data ask for each of some signatures (score test: Rao, Proc. Cambridge Phil. Soc. 44 (1948) 50).
+struct Scores {
+    Eigen::VectorXd z;       ///< [m] standard deviations; normal with variance 1 where a signature is absent
+    Eigen::VectorXd length;  ///< [m] standard deviations per unit of the signature; 0: not to be seen in these data
+    Eigen::MatrixXd correlation;  ///< [m][m] of the z, and of the signatures
+
+    /// The amplitude that each signature alone would have, in its unit.
+    [[nodiscard]] double amplitude(Eigen::Index k) const { return length[k] > 0.0 ? z[k] / length[k] : 0.0; }
+};
+
+/// @param before [m] lengths of the whitened signatures before anything was taken out of them: what keeps less than a
+///     thousandth of it cannot be seen
+[[nodiscard]] Scores score(const Eigen::MatrixXd& signatures, const Eigen::VectorXd& residual,
+                           const Eigen::VectorXd& before);
+
+/// The z that a signature may have: one with a sign (+1, -1; 0: either) counts only with it.
+[[nodiscard]] double admitted(double z, int sign);
+
+/// The largest of correlated normal z that chance exceeds with a given probability, by simulation.
+/// @param correlation [m][m]  @param sign [m] as of `admitted`
+[[nodiscard]] double family_threshold(const Eigen::MatrixXd& correlation, const Eigen::VectorXi& sign,
+                                      double probability);
+
+}  // namespace tiretherm::diagnosis
