@@ -176,6 +176,7 @@ struct ActiveEffect {
     };
 
     const Effect* effect = nullptr;
+    std::string name{};                        ///< of an effect of the user's own; otherwise empty
     std::vector<double> parameters;            ///< in the order of effect->parameters
     std::vector<int> choices;                  ///< index of the option chosen, in the order of effect->choices
     std::vector<std::optional<Curve>> tables;  ///< in the order of effect->tables
@@ -190,6 +191,8 @@ struct ActiveEffect {
     std::vector<int> groups;      ///< filled by `place`: where runs of alike places begin in `weights`, and their end
     std::vector<double> skew;     ///< filled by `place`: how far to the outside shoulder, -1 inside to 1 outside
 
+    /// What it is called: its own name, or its effect's.
+    [[nodiscard]] std::string_view title() const { return name.empty() ? effect->id : std::string_view(name); }
     [[nodiscard]] double operator[](std::size_t parameter) const { return parameters[parameter]; }
     /// A parameter at a place, as overridden there.
     [[nodiscard]] double at(std::size_t parameter, Scope scope, int index) const;

@@ -42,6 +42,9 @@ void move_conductivity(physics::Material& material, const Adjustable& adjustable
 }
 
 void move_parameter(physics::ActiveEffect& active, const Adjustable& adjustable, double to) {
+    for (const Adjustable::Companion& companion : adjustable.companions) {
+        active.parameters[companion.parameter] = companion.factor * to;
+    }
     if (adjustable.everywhere) {
         active.parameters[adjustable.parameter] = to;
         return;

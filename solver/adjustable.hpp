@@ -23,8 +23,14 @@ struct Adjustable {
     std::string unit;  ///< UDUNITS; values are in this unit (K for a shift of temperatures)
     Kind kind = Kind::effect;
 
+    /// A parameter of the same effect that moves in proportion.
+    struct Companion {
+        std::size_t parameter = 0;
+        double factor = 1.0;  ///< its value over the number's
+    };
     std::size_t effect = 0;  ///< index into Problem::effects
     std::size_t parameter = 0;
+    std::vector<Companion> companions{};
     bool everywhere = true;  ///< otherwise at `scope`, `place`
     physics::Scope scope = physics::Scope::patch;
     int place = -1;

@@ -15,6 +15,7 @@
 #include <Eigen/Cholesky>
 
 #include "cases/measured_bench.hpp"
+#include "diagnosis/fit.hpp"
 #include "diagnosis/identification.hpp"
 #include "hidden_effects/laser_truth.hpp"
 #include "hidden_effects/random_truth.hpp"

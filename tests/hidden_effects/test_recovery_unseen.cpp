@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "cases/measured_bench.hpp"
+#include "diagnosis/fit.hpp"
 #include "diagnosis/identification.hpp"
 #include "diagnosis/practice_bench.hpp"
 #include "hidden_effects/made_up_bench.hpp"
