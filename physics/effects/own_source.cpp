@@ -37,7 +37,8 @@ const Effect own_source{
     .meaning =
         "Heat of the user's own, written [[source]] in a case: in named parts of the mesh, following any logged "
         "signal. "
-        "Cells share it by heat capacity, surfaces by area. A mesh of a quarter takes all of it.",
+        "Cells share it by heat capacity, surfaces by area. All of it goes into the mesh, also where that is a "
+        "quarter.",
     .parameters = parameters,
     .tables = tables,
     .n_intensities = 1,

@@ -218,6 +218,17 @@ TEST(Library, BenchToPractiseOnFreesEightNumbers) {
     EXPECT_DOUBLE_EQ(sensors[1].standard_deviation.value_or(0.0), 0.3);
 }
 
+// Two guesses of one's own beside the bench's eight numbers, on the puzzle's runs.
+TEST(Library, OwnEffectsOfTheBenchAreFree) {
+    const Experiment own = read_measured("practice/two_node_own_effects");
+    ASSERT_EQ(own.runs.size(), 3U);
+    EXPECT_EQ(own.runs[0].name, "puzzle1");
+    ASSERT_EQ(own.parameters.size(), 10U);
+    EXPECT_EQ(own.parameters[0].name, "throttle_heat.watts");
+    EXPECT_EQ(own.parameters[1].name, "wall.conductance");
+    EXPECT_FALSE(std::isfinite(own.parameters[1].standard_deviation));
+}
+
 // 50, 70 and 80 degC (M7) against the link's k, of which nothing is known, and three numbers with priors.
 TEST(Library, SaturationHoldsThreeNumbersAgainstFour) {
     const Experiment saturation = read_measured("two_node/identify_saturation");

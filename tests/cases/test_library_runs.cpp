@@ -66,6 +66,12 @@ TEST(LibraryRuns, CasesToIdentifyStartWhereIndependentModelsAre) {
     expect_near(run("laser/identify"), {60.250, 32.553}, 0.1);
 }
 
+// Runge-Kutta of fourth order in steps of 0.4 s on the equations of the bench's page, with 10 W throttle into the surface
+// and 0.2 W/K (T_air - T_b) into the bulk, gives 36.431 and 46.418; the stepper's error is 0.01 K a step, twice here.
+TEST(LibraryRuns, OwnEffectsOfTheBenchAreThoseOfItsEquations) {
+    expect_near(run("practice/two_node_own_effects"), {36.431, 46.418}, 0.02);
+}
+
 // The four quoted temperatures are read in the specimen of laser/one_watt: its steady state, spot centre, mean, inner face.
 TEST(LibraryRuns, QuotedNumbersAreReadInTheLasersSpecimen) {
     expect_near(run("laser/quoted_numbers", true), {100.8, 92.33, 47.3}, 0.1);

@@ -63,6 +63,20 @@ public:
         H5Oclose(object);
         return value;
     }
+    /// A dataset of texts.
+    [[nodiscard]] std::vector<std::string> words(const std::string& path) const {
+        const hid_t dataset = H5Dopen2(file_, path.c_str(), H5P_DEFAULT);
+        const hid_t space = H5Dget_space(dataset);
+        const hid_t type = H5Dget_type(dataset);
+        std::vector<char*> texts(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+        EXPECT_GE(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data()), 0) << path;
+        const std::vector<std::string> read(texts.begin(), texts.end());
+        H5Dvlen_reclaim(type, space, H5P_DEFAULT, texts.data());
+        H5Tclose(type);
+        H5Sclose(space);
+        H5Dclose(dataset);
+        return read;
+    }
     [[nodiscard]] std::vector<std::string> datasets() const {
         std::vector<std::string> names;
         H5Ovisit2(
@@ -119,6 +133,19 @@ TEST(Hdf5, ChannelsHaveARowAtEveryOutputTime) {
     EXPECT_EQ(results.attribute("/channels/spot", "units"), "K");
     EXPECT_EQ(results.attribute("/channels/spot", "long_name"), "outer surface, mean over the spot");
     EXPECT_EQ(results.attribute("/channels/spot", "coordinates"), "/channels/time");
+}
+
+TEST(Hdf5, LedgerCallsEffectsOfTheUsersOwnByTheirNames) {
+    const sample::Scratch scratch;
+    solver::Problem problem = sample::problem();
+    problem.effects[1] = physics::activate(*physics::find_effect("own_source"), problem.mesh);
+    problem.effects[1].name = "throttle_heat";
+    {
+        Hdf5Writer writer(scratch / "results.h5", problem, origin);
+        writer.take(sample::Moment(problem, 10.0, {300.0, 300.0}, true).snapshot);
+    }
+    EXPECT_EQ(Results(scratch / "results.h5").words("/ledger/effect"),
+              (std::vector<std::string>{"conduction", "throttle_heat", "still_air"}));
 }
 
 TEST(Hdf5, LedgerIsOfTheWholeSpecimen) {

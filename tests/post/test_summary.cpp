@@ -84,6 +84,22 @@ TEST(Summary, HeatOfAQuarterIsToldOfTheWholeSpecimen) {
     EXPECT_EQ(json["stored_joules"], 216.0);
 }
 
+// Effects of the user's own share an entry of the catalogue; each is told by its own name.
+TEST(Summary, EffectsOfTheUsersOwnAreToldApart) {
+    Told told;
+    told.problem.effects[1] = told.problem.effects[2] =
+        physics::activate(*physics::find_effect("own_source"), told.problem.mesh);
+    told.problem.effects[1].name = "throttle_heat";
+    told.problem.effects[2].name = "brake_heat";
+    const std::string text = told.text();
+    EXPECT_NE(text.find("  throttle_heat        1.0000     0.0600\n"
+                        "  brake_heat          -0.2500    -0.0060\n"),
+              std::string::npos)
+        << text;
+    EXPECT_EQ(told.json()["budget"][1]["effect"], "throttle_heat");
+    EXPECT_EQ(told.json()["budget"][2]["effect"], "brake_heat");
+}
+
 TEST(Summary, ValueInsideAMeasuredRangeIsWithinIt) {
     Told told;
     told.problem.measured = {{.channel = "liner", .time = 60.0, .low = 312.15, .high = 314.15, .source = "camera"}};
