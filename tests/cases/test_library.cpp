@@ -96,7 +96,9 @@ TEST(Library, EveryCaseIsSound) {
         if (file.extension() == ".toml" && !part && !table) {
             const Reading reading = read_case(file);
             EXPECT_TRUE(reading.problem.has_value()) << render(reading);
-            EXPECT_TRUE(reading.warnings.empty()) << render(reading);
+            // The bench of a section logs camber, of which its model knows nothing.
+            const bool knows_all = file.stem() != "section_bench";
+            EXPECT_EQ(reading.warnings.size(), knows_all ? 0U : 1U) << render(reading);
             ++count;
         }
     }
