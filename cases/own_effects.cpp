@@ -93,7 +93,8 @@ bool can_follow(const Section& section, std::string_view key, const std::string&
 std::optional<solver::Course> read_course(Section& section, std::string_view key, const std::string& text,
                                           const Draft& draft) {
     Formula::Wrong wrong;
-    const std::optional<Formula> formula = Formula::read(text, key, wrong);
+    const std::optional<Formula> formula =
+        find_column(draft, text) != nullptr ? Formula::of_signal(text) : Formula::read(text, key, wrong);
     if (!formula) {
         section.mistakes().add(piece(section.place(key), text, wrong), wrong.fault);
         return std::nullopt;
@@ -197,14 +198,16 @@ void read_list(Section& root, Draft& draft, const OwnKind& kind, std::vector<sol
 
 std::vector<std::string> followed_names(const Node& document) {
     std::vector<std::string> names;
+    const auto add_name = [&](const std::string& name) {
+        if (std::ranges::find(names, name) == names.end()) {
+            names.push_back(name);
+        }
+    };
     const auto add = [&](const std::string& text) {
+        add_name(text);  // which may be the name of a column, whatever it looks like
         Formula::Wrong wrong;
         if (const std::optional<Formula> formula = Formula::read(text, "follows", wrong)) {
-            for (const std::string& name : formula->signals()) {
-                if (std::ranges::find(names, name) == names.end()) {
-                    names.push_back(name);
-                }
-            }
+            std::ranges::for_each(formula->signals(), add_name);
         }
     };
     for (const OwnKind& kind : {own_source, own_exchange}) {

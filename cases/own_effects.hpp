@@ -29,7 +29,7 @@ struct OwnKind {
 inline constexpr OwnKind own_source{"source", "own_source", "watts"};
 inline constexpr OwnKind own_exchange{"exchange", "own_exchange", "conductance"};
 
-/// All signals that the lists speak of, each once. A text that is no formula has none here.
+/// All signals that the lists may speak of, each once, and the texts themselves, which may be names of columns.
 [[nodiscard]] std::vector<std::string> followed_names(const Node& document);
 
 /// Names of the user's own effects, whether or not they could be read. @param list "source" or "exchange"

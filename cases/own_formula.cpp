@@ -86,6 +86,16 @@ std::optional<Formula> Formula::read(const std::string& text, std::string_view n
     return formula;
 }
 
+Formula Formula::of_signal(const std::string& name) {
+    Formula formula;
+    formula.parser_ = std::make_shared<Parser>();
+    formula.signals_ = {name};
+    formula.parser_->values = {1.0};
+    formula.parser_->parser.DefineVar("signal", formula.parser_->values.data());
+    formula.parser_->parser.SetExpr("signal");
+    return formula;
+}
+
 double Formula::operator()(std::span<const double> values) const {
     std::ranges::copy(values, parser_->values.begin());
     return parser_->parser.Eval();

@@ -25,6 +25,9 @@ public:
     /// @param name what messages call the text: "follows"  @returns nothing, and what is wrong, for no formula
     [[nodiscard]] static std::optional<Formula> read(const std::string& text, std::string_view name, Wrong& wrong);
 
+    /// A signal itself, whatever its name looks like: "T brake".
+    [[nodiscard]] static Formula of_signal(const std::string& name);
+
     /// The signals it needs, in the order in which values are given.
     [[nodiscard]] const std::vector<std::string>& signals() const { return signals_; }
     /// @param values [signals]

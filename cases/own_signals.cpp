@@ -184,11 +184,14 @@ Course course_of(const Formula& formula, const solver::Drive& drive, const std::
 
 Course course_of(std::string_view follows, const MeasuredRun& run) {
     Formula::Wrong wrong;
-    const std::optional<Formula> formula = Formula::read(std::string(follows), "follows", wrong);
+    const std::string text(follows);
+    const std::vector<OwnColumn> columns = columns_of(run);
+    const bool is_column =
+        physics::find_signal(text) == nullptr && std::ranges::count(columns, text, &OwnColumn::name) > 0;
+    const std::optional<Formula> formula = is_column ? Formula::of_signal(text) : Formula::read(text, "follows", wrong);
     if (!formula) {
         throw std::invalid_argument(wrong.fault.what);
     }
-    const std::vector<OwnColumn> columns = columns_of(run);
     for (const std::string& name : formula->signals()) {
         const physics::Signal* signal = physics::find_signal(name);
         const bool known = signal != nullptr

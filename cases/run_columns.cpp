@@ -24,9 +24,13 @@ void apply_unit(Head& head, const Word& unit, Mistakes& mistakes) {
 std::vector<std::string> known_names(const std::vector<std::string>& sensors,
                                      const std::vector<std::string>& followed) {
     std::vector<std::string> names = names_of(physics::signals());
+    const auto is_formula = [](const std::string& text) {
+        return text.find_first_of(" +-*/^()<>?") != std::string::npos;
+    };
     for (const std::vector<std::string>* more : {&sensors, &followed}) {
         std::copy_if(more->begin(), more->end(), std::back_inserter(names), [&](const std::string& name) {
-            return name != "time" && std::find(names.begin(), names.end(), name) == names.end();
+            return name != "time" && (more == &sensors || !is_formula(name)) &&
+                   std::find(names.begin(), names.end(), name) == names.end();
         });
     }
     names.emplace_back("time");

@@ -132,6 +132,22 @@ columns = { "T disc" = "disc_temperature", pedal = "throttle" }
     EXPECT_EQ(active.title(), "disc");
 }
 
+// A logger's names are what they are: one that is no word, or reads as a difference, is a column all the same.
+TEST(OwnSource, FollowsAColumnOfAnyName) {
+    for (const std::string name : {"T brake", "wheel-speed", "a/b (raw)"}) {
+        const Written written;
+        const std::string log = replaced(std::string(log_of_five), "throttle [-]", name + " [%]");
+        written.add("one.csv", log);
+        written.add("two.csv", log);
+        const std::string more =
+            replaced(std::string(throttle_heat), "follows = \"throttle\"", fmt::format("follows = \"{}\"", name));
+        const Experiment experiment = read_sound(written.add("tire.toml", two_runs(more)));
+        ASSERT_EQ(experiment.runs.size(), 2U) << name;
+        EXPECT_NEAR(course(experiment.runs[1].problem, "throttle_heat").value(6.0), 0.0040, 1e-15);
+        EXPECT_NEAR(course_of(name, experiment.runs[1]).value.at(3), 0.0040, 1e-15);
+    }
+}
+
 // Without any log: the speed rises from 0 to 36 km/h in 60 s and the heat as its square; 10 W at 10 m/s make 10 W 60 s/3.
 // The straight lines are within 1e-4 of the largest value, on the upper side.
 TEST(OwnSource, FollowsASchedule) {
