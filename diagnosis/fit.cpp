@@ -47,7 +47,9 @@ void Fit::find_noise(const Eigen::MatrixXd& also) {
     const Eigen::VectorXd residual = forecast_.simulated - observations_.measured;
     Eigen::MatrixXd span(residual.size(), n_ + also.cols());
     span.leftCols(n_) = forecast_.slope * scale_.asDiagonal();
-    span.rightCols(also.cols()) = also;
+    if (also.cols() > 0) {  // nothing has no rows either
+        span.rightCols(also.cols()) = also;
+    }
     Eigen::VectorXd precision = Eigen::VectorXd::Zero(span.cols());
     precision.head(n_) = precision_.cwiseProduct(scale_.cwiseAbs2());
     noise_ = estimate_noise({.blocks = observations_.blocks,
