@@ -14,19 +14,22 @@ namespace {
 namespace diagnosis = tiretherm::diagnosis;
 
 Mark sit_one(const Sheet& sheet, double interval) {
-    try {
-        const Paper paper = draw_paper(sheet.kind, sheet.sigma, sheet.seed, interval);
-        const tiretherm::cases::Experiment experiment = read_paper(paper);
-        return mark_of(paper, diagnosis::diagnose(experiment, diagnosis::observe(experiment), {.plan_next = false}));
-    } catch (const std::exception& failure) {
-        return {.kind = sheet.kind,
+    Mark failed{.kind = sheet.kind,
                 .seed = sheet.seed,
-                .sigma = sheet.sigma,
-                .answer = {},
-                .verdict = failure.what(),
+                .sigma = hides_nothing(sheet.kind) ? 0.0 : sheet.sigma,
+                .answer = "no paper",
+                .verdict = {},
                 .first = "failed",
                 .set = {},
                 .false_alarm = hides_nothing(sheet.kind)};
+    try {
+        const Paper paper = draw_paper(sheet.kind, sheet.sigma, sheet.seed, interval);
+        failed.answer = answer_of(paper);
+        const tiretherm::cases::Experiment experiment = read_paper(paper);
+        return mark_of(paper, diagnosis::diagnose(experiment, diagnosis::observe(experiment), {.plan_next = false}));
+    } catch (const std::exception& failure) {
+        failed.verdict = failure.what();
+        return failed;
     }
 }
 
