@@ -4,34 +4,34 @@
 #include <cmath>
 #include <numbers>
 
+#include "quadratic_truth.hpp"
+
 namespace hidden_effects {
 
 namespace {
 
-/// Gauss's three points on -1..1, exact to degree 5.
-const std::array<double, 3> gauss_place{-std::sqrt(0.6), 0.0, std::sqrt(0.6)};
-constexpr std::array<double, 3> gauss_weight{5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
+using quadratic::append_elements;
+using quadratic::gauss_place;
+using quadratic::gauss_weight;
+using quadratic::shapes;
+using quadratic::slopes;
 
-/// The quadratics that are 1 at one of -1, 0, 1 and 0 at the others.
-std::array<double, 3> shapes(double x) { return {0.5 * x * (x - 1.0), 1.0 - x * x, 0.5 * x * (x + 1.0)}; }
-std::array<double, 3> slopes(double x) { return {x - 0.5, -2.0 * x, x + 0.5}; }
+constexpr double celsius = 273.15;
+constexpr double stefan_boltzmann = 5.670374419e-8;
 
-/// Appends the nodes of `count` elements that grow geometrically from the last node to `to`: the last is `ratio` times
-/// as long as the first.
-void append_elements(std::vector<double>& nodes, double to, int count, double ratio) {
-    const double from = nodes.back();
-    const double growth = count > 1 ? std::pow(ratio, 1.0 / (count - 1)) : 1.0;
-    double total = 0.0;
-    for (int i = 0; i < count; ++i) {
-        total += std::pow(growth, i);
-    }
-    double reached = 0.0;
-    for (int i = 0; i < count; ++i) {
-        const double length = std::pow(growth, i) / total;
-        nodes.push_back(from + (to - from) * (reached + 0.5 * length));
-        reached += length;
-        nodes.push_back(i + 1 == count ? to : from + (to - from) * reached);
-    }
+/// What leaves a face for the air, W/m2, and its derivative, W/m2K.
+struct Loss {
+    double flux = 0.0;
+    double by_T = 0.0;
+};
+
+Loss loss_of(double T, double air, double h, double emissivity, double natural) {
+    const double above = T - air;
+    // 1.32 (dT/0.66 m)^0.25: simplified laminar relation of a tire's size.
+    const double buoyant = natural * 1.32 * std::pow(std::abs(above) / 0.66, 0.25);
+    const double grey = emissivity * stefan_boltzmann;
+    return {.flux = (h + buoyant) * above + grey * (std::pow(T + celsius, 4) - std::pow(air + celsius, 4)),
+            .by_T = h + 1.25 * buoyant + 4.0 * grey * std::pow(T + celsius, 3)};
 }
 
 }  // namespace
@@ -88,6 +88,8 @@ void LaserElements::add_face(std::size_t i, bool outer_face) {
         point.shape = shapes(gauss_place[p]);
         point.weight = gauss_weight[p] * half * (r_[i + 1] + half * gauss_place[p]);
         point.h = outer_face ? specimen_.h_top : specimen_.h_bottom;
+        point.emissivity = outer_face ? specimen_.emissivity : 0.0;
+        point.natural = outer_face ? specimen_.natural_convection : 0.0;
         point.light = lit ? specimen_.absorptivity * specimen_.power / area : 0.0;
         faces_.push_back(point);
     }
@@ -97,7 +99,9 @@ BandMatrix LaserElements::capacity() const {
     BandMatrix M(n_nodes(), reach());
     for (const Element& element : elements_) {
         for (const Point& point : element.point) {
-            const double C = specimen_.density * specimen_.heat_capacity * point.weight;
+            const double C =
+                specimen_.density * specimen_.heat_capacity * point.weight *
+                (element.outer ? specimen_.outer_heat_capacity_scale : specimen_.inner_heat_capacity_scale);
             for (std::size_t a = 0; a < 9; ++a) {
                 for (std::size_t b = 0; b < 9; ++b) {
                     M.at(element.node[a], element.node[b]) += C * point.shape[a] * point.shape[b];
@@ -143,10 +147,11 @@ void LaserElements::heat(std::span<const double> temperature, std::span<double> 
         for (std::size_t a = 0; a < 3; ++a) {
             T += point.shape[a] * temperature[point.node[a]];
         }
+        const Loss loss = loss_of(T, specimen_.air, point.h, point.emissivity, point.natural);
         for (std::size_t a = 0; a < 3; ++a) {
-            f[point.node[a]] += point.weight * point.shape[a] * (point.light - point.h * (T - specimen_.air));
+            f[point.node[a]] += point.weight * point.shape[a] * (point.light - loss.flux);
             for (std::size_t b = 0; slope != nullptr && b < 3; ++b) {
-                slope->at(point.node[a], point.node[b]) -= point.weight * point.h * point.shape[a] * point.shape[b];
+                slope->at(point.node[a], point.node[b]) -= point.weight * loss.by_T * point.shape[a] * point.shape[b];
             }
         }
     }

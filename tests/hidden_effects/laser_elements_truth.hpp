@@ -43,6 +43,8 @@ private:
         std::array<double, 3> shape{};
         double weight = 0.0;  ///< r dr
         double h = 0.0;
+        double emissivity = 0.0;
+        double natural = 0.0;
         double light = 0.0;  ///< W/m2
     };
 

@@ -31,6 +31,10 @@ struct LaserSpecimen {
     double seen_spot = 5.6419e-3;  ///< m, radius over which the camera takes the mean
     double ring_inside = 0.015;    ///< m, of the ring on the inner face over which a mean is taken
     double ring_outside = 0.025;   ///< m
+    double outer_heat_capacity_scale = 1.0;
+    double inner_heat_capacity_scale = 1.0;
+    double emissivity = 0.0;          ///< of the outer face, towards surroundings at the air's temperature
+    double natural_convection = 0.0;  ///< factor on 1.32 (|T - T_air|/0.66 m)^0.25 W/m2K, on the outer face
 };
 
 /// How finely the truth is computed.

@@ -1,5 +1,5 @@
 // The logs that the cases come with are what their generators write: make_bench_logs, make_laser_logs,
-// make_section_logs.
+// make_laser_bench_logs, make_section_logs.
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hidden_effects/laser_logs_truth.hpp"
 #include "hidden_effects/section_logs_truth.hpp"
 #include "hidden_effects/shipped_truth.hpp"
 
@@ -65,6 +66,12 @@ TEST(ShippedData, BenchLogsAreWhatIsMade) {
 
 TEST(ShippedData, LaserLogsAreWhatIsMade) {
     for (const ShippedLog& log : laser_logs()) {
+        expect_as_shipped(log);
+    }
+}
+
+TEST(ShippedData, LasersBenchLogsAreWhatIsMade) {
+    for (const ShippedLog& log : laser_bench_logs()) {
         expect_as_shipped(log);
     }
 }
