@@ -51,7 +51,7 @@ struct Experiment {
     std::vector<solver::Adjustable> parameters;  ///< those of one run say which; indices hold for every run's problem
     std::string noise = "correlated";            ///< model of the noise: "correlated" (AR(1) + white) or "white"
     bool robust = false;                         ///< outliers count less (Huber)
-    std::vector<std::string> candidates{};       ///< effects that a diagnosis may name; empty: all that can act
+    std::vector<std::string> candidates{};       ///< effects (or "effect.key") that a diagnosis may name; empty: all
 };
 
 /// An experiment that has been read. There is one exactly when there is no mistake.

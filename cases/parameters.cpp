@@ -252,4 +252,25 @@ void read_identify(Section& root, Experiment& into) {
     into.robust = section.flag("robust").value_or(into.robust);
 }
 
+void read_diagnose(Section& root, Experiment& into) {
+    Section section = root.section("diagnose");
+    std::vector<std::string> known;
+    for (const physics::Effect* effect : physics::catalogue()) {
+        known.emplace_back(effect->id);
+        for (const physics::Parameter& parameter : effect->parameters) {
+            if (!std::isnan(parameter.absent)) {
+                known.push_back(fmt::format("{}.{}", effect->id, parameter.key));
+            }
+        }
+    }
+    for (const Word& word : section.texts("candidates")) {
+        if (std::ranges::find(known, word.text) == known.end()) {
+            root.mistakes().add(word.place, fmt::format("there is no effect \"{}\" that may be missing", word.text),
+                                suggest(word.text, known, "effects"));
+        } else {
+            into.candidates.push_back(word.text);
+        }
+    }
+}
+
 }  // namespace tiretherm::cases

@@ -78,7 +78,7 @@ Runs read_runs(const Node& document, const std::string& name, const std::vector<
         Section root(merged, "the case", mistakes);
         root.know({"include"});
         read_tables(root, draft);
-        root.know({"run", "data", "parameter", "identify"});
+        root.know({"run", "data", "parameter", "identify", "diagnose"});
         MeasuredRun run;
         run.name = table.name;
         run.file = table.file ? table.file->generic_string() : "";
@@ -94,6 +94,7 @@ Runs read_runs(const Node& document, const std::string& name, const std::vector<
         if (documents.size() == 1) {
             read_parameters(root, draft, run_names, into.experiment.parameters);
             read_identify(root, into.experiment);
+            read_diagnose(root, into.experiment);
             into.problem = draft.problem;
         }
         run.problem = std::move(draft.problem);

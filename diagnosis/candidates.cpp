@@ -147,13 +147,20 @@ void add(std::vector<Candidate>& all, const Candidate& plain) {
     }
 }
 
+/// @param chosen ids of effects, or of one number of them: "layer_conductivity.scale"; empty: all
+bool is_chosen(const std::vector<std::string>& chosen, const Effect& effect, const Parameter& parameter) {
+    return chosen.empty() || std::ranges::any_of(chosen, [&](const std::string& name) {
+               return name == effect.id || name == fmt::format("{}.{}", effect.id, parameter.key);
+           });
+}
+
 void add_all(std::vector<Candidate>& all, const cases::Experiment& experiment, const Effect& effect,
-             const std::vector<int>& channels) {
+             const std::vector<int>& channels, const std::vector<std::string>& chosen) {
     const solver::Problem& problem = experiment.runs.front().problem;
     const physics::ActiveEffect standard = physics::activate(effect, problem.mesh);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
         const Parameter& parameter = effect.parameters[p];
-        if (std::isnan(parameter.absent)) {
+        if (std::isnan(parameter.absent) || !is_chosen(chosen, effect, parameter)) {
             continue;
         }
         const Candidate plain{.effect = &effect,
@@ -194,9 +201,8 @@ std::vector<Candidate> candidates_of(const cases::Experiment& experiment, const 
     const std::vector<int> channels = measured_channels(experiment);
     std::vector<Candidate> all;
     for (const Effect* effect : physics::catalogue()) {
-        const bool wanted = chosen.empty() || std::ranges::find(chosen, effect->id) != chosen.end();
-        if (wanted && !is_on(experiment.runs.front().problem, *effect) && can_act(experiment, *effect)) {
-            add_all(all, experiment, *effect, channels);
+        if (!is_on(experiment.runs.front().problem, *effect) && can_act(experiment, *effect)) {
+            add_all(all, experiment, *effect, channels, chosen);
         }
     }
     return all;

@@ -34,7 +34,7 @@ struct Candidate {
 
 /// Every cause that can act on an experiment's model and is not in it: effects of the catalogue that are off, whose inputs
 /// are given and whose places the mesh has.
-/// @param chosen ids of effects; empty: all that can act
+/// @param chosen effects by id, or one number of an effect ("layer_conductivity.scale"); empty: all that can act
 [[nodiscard]] std::vector<Candidate> candidates_of(const cases::Experiment& experiment,
                                                    const std::vector<std::string>& chosen);
 

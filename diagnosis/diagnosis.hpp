@@ -12,6 +12,7 @@
 #include "cases/experiment.hpp"
 #include "diagnosis/noise_estimate.hpp"
 #include "diagnosis/observations.hpp"
+#include "solver/own_effect.hpp"
 #include "solver/status.hpp"
 
 namespace tiretherm::diagnosis {
@@ -121,6 +122,11 @@ struct Diagnosis {
     Eigen::VectorXd values;    ///< [n_parameters] of the base fit
     Eigen::VectorXd base;      ///< [n_rows] SI, simulated with the fitted base model
     Eigen::VectorXd extended;  ///< [n_rows] SI, with the best explanation; equal to base where there is none
+    /// The base experiment with the best explanation switched on, its numbers free after the experiment's own; nothing
+    /// where nothing is to be switched on.
+    std::optional<cases::Experiment> extended_model;
+    Eigen::VectorXd extended_values;  ///< [n_parameters of extended_model] as fitted
+    std::vector<solver::OwnEffect> extended_own{};  ///< effects of the user's own that the case itself lacks
     long simulations = 0;
     double seconds = 0.0;
 };

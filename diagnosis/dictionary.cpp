@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "diagnosis/in_parallel.hpp"
+#include "physics/own_place.hpp"
 #include "solver/tape.hpp"
 
 namespace tiretherm::diagnosis {
@@ -139,62 +140,20 @@ void fill_run(std::size_t r, const Observations& observations, const solver::Pro
     }
 }
 
-void add_place(std::vector<HeatPlace>& places, const std::string& name, const mesh::Mesh& mesh,
-               const std::function<bool(int)>& holds) {
-    HeatPlace place{.name = name, .nodes = {}};
-    for (int cell = 0; cell < mesh.n_cells; ++cell) {
-        if (holds(cell)) {
-            place.nodes.add(cell, mesh.volume[static_cast<std::size_t>(cell)]);
-        }
-    }
-    if (!place.nodes.nodes.empty()) {
-        place.nodes.normalise();
-        places.push_back(std::move(place));
-    }
-}
-
-/// The outer surface of a zone; of everything with zone -1.
-void add_surface(std::vector<HeatPlace>& places, const std::string& name, const mesh::Mesh& mesh, int zone) {
-    HeatPlace place{.name = name, .nodes = {}};
-    for (const mesh::Patch& patch : mesh.patches) {
-        for (const mesh::PatchFace& face : patch.faces) {
-            if (patch.name != "inside" && patch.name != "rim" &&
-                (zone < 0 || mesh.zone[static_cast<std::size_t>(face.node)] == zone)) {
-                place.nodes.add(face.node, face.area);
-            }
-        }
-    }
-    if (!place.nodes.nodes.empty()) {
-        place.nodes.normalise();
-        places.push_back(std::move(place));
-    }
-}
-
 }  // namespace
 
-std::vector<HeatPlace> heat_places(const mesh::Mesh& mesh) {
+std::vector<HeatPlace> heat_places(const solver::Problem& problem) {
     std::vector<HeatPlace> places;
-    if (mesh.kind == "two_node") {
-        for (const mesh::Region& region : mesh.regions) {
-            places.push_back({.name = region.name, .nodes = region.mean});
+    const mesh::Mesh& mesh = problem.mesh;
+    for (const std::string& name : physics::names_of_places(mesh)) {
+        const std::vector<int> nodes = physics::nodes_of_place(mesh, name);
+        const std::vector<double> shares = physics::shares_of_nodes(mesh, problem.materials, nodes);
+        const bool known = std::ranges::any_of(
+            places, [&](const HeatPlace& other) { return std::ranges::is_permutation(other.nodes.nodes, nodes); });
+        if (!shares.empty() && !known) {
+            places.push_back({.name = name, .nodes = {.nodes = nodes, .weights = shares}});
+            places.back().nodes.normalise();
         }
-        return places;
-    }
-    if (!mesh.zones.empty()) {
-        for (int zone = 0; zone < static_cast<int>(mesh.zones.size()); ++zone) {
-            const std::string& name = mesh.zones[static_cast<std::size_t>(zone)];
-            add_surface(places, name + " surface", mesh, zone);
-            add_place(places, name, mesh, [&](int cell) { return mesh.zone[static_cast<std::size_t>(cell)] == zone; });
-        }
-    } else {
-        add_surface(places, "surface", mesh, -1);
-        for (int layer = 0; layer < static_cast<int>(mesh.layers.size()); ++layer) {
-            add_place(places, mesh.layers[static_cast<std::size_t>(layer)], mesh,
-                      [&](int cell) { return mesh.layer[static_cast<std::size_t>(cell)] == layer; });
-        }
-    }
-    for (const mesh::Appended& appended : mesh.appended) {
-        places.push_back({.name = appended.name, .nodes = {.nodes = {appended.node}, .weights = {1.0}}});
     }
     return places;
 }
@@ -203,7 +162,7 @@ Dictionary dictionary_of(const cases::Experiment& experiment, const Observations
                          const std::vector<solver::Problem>& problems, const std::vector<std::vector<double>>& steps,
                          double window) {
     Dictionary dictionary;
-    dictionary.places = heat_places(problems.front().mesh);
+    dictionary.places = heat_places(problems.front());
     dictionary.courses = courses_of(experiment);
     name_terms(experiment, observations, window, dictionary);
     dictionary.columns = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(observations.rows.size()),

@@ -16,8 +16,8 @@ struct HeatPlace {
     std::string name;
     mesh::Functional nodes;  ///< weights sum to 1
 };
-/// Lumps by name; otherwise the surface and the body of each zone, or of each layer where there are no zones; gas and rim.
-[[nodiscard]] std::vector<HeatPlace> heat_places(const mesh::Mesh& mesh);
+/// Regions, layers, zones and patches, as a [[source]] names them, each set of nodes once.
+[[nodiscard]] std::vector<HeatPlace> heat_places(const solver::Problem& problem);
 
 /// A signal that a source may follow, in every run.
 struct Course {

@@ -94,6 +94,40 @@ void take(std::vector<Promise>& promises, Promise promise, const std::vector<Can
     }
 }
 
+/// What is left must not be worth another number, one of many: 2.3 and ln(many), and 3 to be sure.
+bool is_quiet(const Explanation& one, const Evidence& evidence) {
+    constexpr double price = 5.3;
+    const auto worth = [](Eigen::Index n) { return std::sqrt(2.0 * (price + std::log(static_cast<double>(n)))); };
+    return one.loudest < std::max(evidence.threshold, worth(evidence.scores.z.size())) &&
+           one.loudest_unknown < std::max(evidence.unknown_threshold, worth(evidence.unknown_scores.z.size()));
+}
+
+/// Fits a model whose numbers after the experiment's start at `from`; what lies beyond stays where it is.
+void fit_model(Evidence& evidence, const Eigen::VectorXd& from, Explanation& one) {
+    Fit fit(one.model, *evidence.observations);
+    fit.simulator().take_steps(evidence.steps);
+    fit.take_covariance(evidence.noise);
+    Eigen::VectorXd start = fit.simulator().start();
+    const Eigen::Index n = evidence.base.values.size();
+    start.head(n) = evidence.base.values;
+    start.segment(n, from.size()) = from;
+    if (fit.move_to(start)) {
+        one.fit = refit(fit);
+    } else {
+        one.fit.status = fit.now().status;
+    }
+    evidence.simulations += fit.simulator().simulations();
+    one.sound = one.fit.status.ok() && one.fit.converged;
+    if (!one.fit.status.ok()) {
+        return;
+    }
+    one.gain = 0.5 * (evidence.base.cost - one.fit.cost);
+    one.loudest = largest(evidence.scores_after(one.fit), evidence.sign, one.candidates, evidence.candidates);
+    const Scores unknown = evidence.unknown_scores_after(one.fit);
+    one.loudest_unknown = unknown.z.size() > 0 ? unknown.z.cwiseAbs().maxCoeff() : 0.0;
+    one.quiet = one.sound && is_quiet(one, evidence);
+}
+
 }  // namespace
 
 Eigen::Index Explanation::number_of(std::size_t i) const {
@@ -117,31 +151,58 @@ Explanation explain(Evidence& evidence, const std::vector<std::size_t>& candidat
         free_held(one.model, on[i], one.model.parameters[first + i].effect);
     }
     one.n_held = static_cast<Eigen::Index>(one.model.parameters.size() - first - on.size());
-    Fit fit(one.model, *evidence.observations);
-    fit.simulator().take_steps(evidence.steps);
-    fit.take_covariance(evidence.noise);
-    Eigen::VectorXd from = fit.simulator().start();
-    from.head(evidence.base.values.size()) = evidence.base.values;
+    Eigen::VectorXd from(static_cast<Eigen::Index>(on.size()));
     for (std::size_t i = 0; i < on.size(); ++i) {
-        from[static_cast<Eigen::Index>(first + i)] = start(on[i], amplitudes[i]);
+        from[static_cast<Eigen::Index>(i)] = start(on[i], amplitudes[i]);
     }
-    if (!fit.move_to(from)) {
-        one.fit.status = fit.now().status;
-        evidence.simulations += fit.simulator().simulations();
+    fit_model(evidence, from, one);
+    for (std::size_t i = 0; one.sound && i < on.size(); ++i) {
+        one.sound = one.fit.values[one.number_of(i)] != on[i].absent;
+    }
+    one.quiet = one.quiet && one.sound;
+    return one;
+}
+
+solver::OwnEffect own_effect(const Evidence& evidence, std::size_t term, std::size_t run) {
+    const UnknownTerm& unknown = evidence.unknowns.terms[term];
+    solver::OwnEffect own;
+    own.name = "unknown";
+    own.places = {evidence.unknowns.places[unknown.place].name};
+    if (unknown.event) {
+        own.follows = "1";
+        const double on = unknown.run == run ? 1.0 : 0.0;
+        own.course = {.time = {unknown.from, unknown.from, unknown.to, unknown.to}, .value = {0.0, on, on, 0.0}};
+    } else {
+        const Course& course = evidence.unknowns.courses[unknown.course];
+        own.follows = course.follows;
+        own.course = {.time = course.time[run], .value = course.value[run]};
+    }
+    return own;
+}
+
+Explanation explain_unknown(Evidence& evidence, std::size_t term, double watts) {
+    Explanation one;
+    const UnknownTerm& unknown = evidence.unknowns.terms[term];
+    if (unknown.sensor) {
         return one;
     }
-    one.fit = refit(fit);
-    evidence.simulations += fit.simulator().simulations();
-    one.gain = 0.5 * (evidence.base.cost - one.fit.cost);
-    one.sound = one.fit.status.ok() && one.fit.converged;
-    for (std::size_t i = 0; i < on.size(); ++i) {
-        const Eigen::Index j = one.number_of(i);
-        one.sound = one.sound && one.fit.values[j] != on[i].absent;
+    one.model = *evidence.experiment;
+    const double largest = unknown.event ? 1.0 : evidence.unknowns.courses[unknown.course].largest;
+    std::size_t effect = 0;
+    for (std::size_t r = 0; r < one.model.runs.size(); ++r) {
+        effect = solver::add_own_effect(one.model.runs[r].problem, own_effect(evidence, term, r));
     }
-    one.loudest = largest(evidence.scores_after(one.fit), evidence.sign, candidates, evidence.candidates);
-    const Scores unknown = evidence.unknown_scores_after(one.fit);
-    one.loudest_unknown = unknown.z.size() > 0 ? unknown.z.cwiseAbs().maxCoeff() : 0.0;
-    one.quiet = one.sound && one.loudest < evidence.threshold && one.loudest_unknown < evidence.unknown_threshold;
+    // Its scale is that of a watt at the signal's largest value.
+    one.model.parameters.push_back({.name = "unknown source",
+                                    .unit = "W",
+                                    .kind = solver::Adjustable::Kind::effect,
+                                    .effect = effect,
+                                    .layers = {},
+                                    .knots = {},
+                                    .nodes = {},
+                                    .low = -1e6 / largest,
+                                    .high = 1e6 / largest});
+    fit_model(evidence, Eigen::VectorXd::Constant(1, watts / largest), one);
     return one;
 }
 
@@ -160,7 +221,7 @@ std::vector<Explanation> explain_by_one(Evidence& evidence) {
     return fit_all(evidence, promises);
 }
 
-std::vector<Explanation> explain_by_two(Evidence& evidence) {
+std::vector<Explanation> explain_by_two(Evidence& evidence, double least_gain) {
     std::vector<Promise> promises;
     const Scores& scores = evidence.scores;
     for (std::size_t j = 0; j < evidence.candidates.size(); ++j) {
@@ -184,6 +245,7 @@ std::vector<Explanation> explain_by_two(Evidence& evidence) {
             }
         }
     }
+    std::erase_if(promises, [&](const Promise& promise) { return promise.gain < least_gain; });
     keep_likely(promises, most_pairs);
     return fit_all(evidence, promises);
 }

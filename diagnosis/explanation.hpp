@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "diagnosis/evidence.hpp"
+#include "solver/own_effect.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -30,8 +31,14 @@ struct Explanation {
 
 /// Every cause alone that the straight picture does not rule out, fitted: the most likely first.
 [[nodiscard]] std::vector<Explanation> explain_by_one(Evidence& evidence);
-/// Pairs of causes, likewise.
-[[nodiscard]] std::vector<Explanation> explain_by_two(Evidence& evidence);
+/// Pairs of causes, likewise. @param least_gain pairs that promise less are left out
+[[nodiscard]] std::vector<Explanation> explain_by_two(Evidence& evidence, double least_gain);
+
+/// Heat that no effect of the catalogue is, as a source of the user's own at a place, following a signal or over a window
+/// of one run; fitted in full. Its number, W, comes after the experiment's. Sensors have no such model: not sound.
+[[nodiscard]] Explanation explain_unknown(Evidence& evidence, std::size_t term, double watts);
+/// What is switched on for it in a run.
+[[nodiscard]] solver::OwnEffect own_effect(const Evidence& evidence, std::size_t term, std::size_t run);
 
 /// The noise beside the best explanation instead of beside the base model, where a large cause has bent the picture.
 /// @returns whether anything changed

@@ -12,7 +12,7 @@ namespace {
 constexpr int most_iterations = 12;
 constexpr int most_halvings = 6;
 /// Of any number, in standard deviations: what is left to gain is the square of it.
-constexpr double settled = 0.02;
+constexpr double settled = 0.05;
 
 /// The model where the fit stands.
 void look(const Fit& fit, Refit& at) {
@@ -20,6 +20,7 @@ void look(const Fit& fit, Refit& at) {
     at.scale = fit.scale();
     at.precision = fit.precision().cwiseProduct(at.scale.cwiseAbs2());
     at.slopes = fit.whitened_slopes();
+    at.raw = fit.now().slope * at.scale.asDiagonal();
     at.residual = -fit.whitened_residuals();
     at.known = fit.precision().cwiseSqrt().cwiseProduct(fit.prior() - at.values);
     at.simulated = fit.now().simulated;

@@ -14,6 +14,7 @@ struct Refit {
     Eigen::VectorXd values;     ///< [n]
     Eigen::VectorXd scale;      ///< [n] unit of each number in what follows
     Eigen::MatrixXd slopes;     ///< [n_rows][n] whitened
+    Eigen::MatrixXd raw;        ///< [n_rows][n] the same in SI
     Eigen::VectorXd precision;  ///< [n] of what was known
     Eigen::VectorXd residual;   ///< [n_rows] whitened, measured - simulated
     Eigen::VectorXd known;      ///< [n] what was known less the value, in standard deviations

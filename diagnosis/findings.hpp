@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "diagnosis/diagnosis.hpp"
+#include "diagnosis/explanation.hpp"
+
+namespace tiretherm::diagnosis {
+
+/// The strongest of the unknown sources.
+struct LoudTerm {
+    std::size_t term = 0;
+    double z = 0.0;
+
+    [[nodiscard]] double gain() const { return 0.5 * z * z; }
+};
+[[nodiscard]] LoudTerm loudest_term(const Scores& scores);
+
+/// What an inquiry has found so far, and what is to be made of it.
+struct Findings {
+    Evidence evidence;
+    std::vector<Explanation> singles;  ///< causes alone, the most likely first
+    std::vector<Explanation> pairs;
+    LoudTerm unknown;
+    Explanation unknown_fit;
+    Verdict verdict = Verdict::cannot_tell;
+    std::vector<const Explanation*> set;  ///< explanations that stand, the most likely first; point into the lists
+    bool something_left = false;          ///< beside the best explanation
+
+    /// The explanation that the model is extended with; null where there is none.
+    [[nodiscard]] const Explanation* best() const;
+};
+
+/// Looks for explanations and decides between them: nothing, one cause, two causes, an unknown source.
+void inquire(Findings& findings);
+
+/// Tells a diagnosis what was found.
+void report(const Findings& findings, Diagnosis& into);
+
+}  // namespace tiretherm::diagnosis
