@@ -1,7 +1,7 @@
 #include <cstdio>
 #include <filesystem>
-#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,31 +9,26 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
+#include "app/measured_call.hpp"
 #include "app/messages.hpp"
-#include "cases/experiment.hpp"
 #include "cases/reader.hpp"
 #include "diagnosis/identification_report.hpp"
-#include "post/file.hpp"
 
 namespace tiretherm::app {
 
 namespace {
 
-struct Options {
-    std::string case_file;
-    std::vector<std::string> data;
-    std::string directory;
+struct Options : MeasuredCall {
     double correlation_time = 10.0;  ///< s, of a plan's noise
     bool profile = false;
     bool plan = false;
-    bool json = false;
 };
 
 /// Of a plan's noise, what is new in every sample.
 constexpr double white_share = 0.3;
 
 /// What a fit would say.
-int plan(const Options& options, const std::vector<std::filesystem::path>& data, cases::ExperimentReading& reading) {
+int plan(const Options& options, cases::ExperimentReading& reading) {
     const cases::Experiment experiment = diagnosis::planned(std::move(*reading.experiment));
     const diagnosis::Observations observations = diagnosis::observe(experiment);
     if (observations.rows.empty()) {
@@ -52,18 +47,19 @@ int plan(const Options& options, const std::vector<std::filesystem::path>& data,
                                                  .observations = observations,
                                                  .result = result,
                                                  .case_file = options.case_file,
-                                                 .data = data,
+                                                 .data = options.data_files(),
                                                  .warnings = reading.warnings,
                                                  .findings = {},
                                                  .planned = true};
     std::vector<std::filesystem::path> files;
-    try {
-        if (!options.directory.empty()) {
-            files = diagnosis::write_identification(record, options.directory);
+    if (!options.directory.empty()) {
+        const auto written = write_measured(options, {}, [&](const std::filesystem::path& directory) {
+            return diagnosis::write_identification(record, directory);
+        });
+        if (!written) {
+            return Exit::mistake;
         }
-    } catch (const post::FileError& error) {
-        tell_error(error.what(), "choose another directory with --out", options.json);
-        return Exit::mistake;
+        files = *written;
     }
     if (options.json) {
         fmt::print("{}", diagnosis::identification_json(record, files));
@@ -87,32 +83,20 @@ int identify(const Options& options) {
         tell_error("a plan is of first order and has no profiles", "leave out --profile", options.json);
         return Exit::mistake;
     }
-    const std::vector<std::filesystem::path> data(options.data.begin(), options.data.end());
-    cases::ExperimentReading reading = cases::read_experiment(
-        options.case_file, data, options.plan ? cases::Occasion::planned : cases::Occasion::measured);
-    if (!reading.experiment) {
-        tell_mistakes({.problem = std::nullopt, .mistakes = reading.mistakes, .warnings = reading.warnings},
-                      "nothing was fitted", options.json);
-        return Exit::mistake;
-    }
-    if (reading.experiment->parameters.empty()) {
-        tell_error(fmt::format("{}: no number of the case is free", options.case_file),
-                   "name those to be fitted: [[parameter]], see cases/README.md", options.json);
+    std::optional<cases::ExperimentReading> reading = read_measured(
+        options, "nothing was fitted", options.plan ? cases::Occasion::planned : cases::Occasion::measured);
+    if (!reading || !frees_numbers(options, *reading->experiment)) {
         return Exit::mistake;
     }
     if (options.plan) {
-        return plan(options, data, reading);
+        return plan(options, *reading);
     }
-    const cases::Experiment& experiment = *reading.experiment;
+    const cases::Experiment& experiment = *reading->experiment;
     const diagnosis::Observations observations = diagnosis::observe(experiment);
-    const bool watched = on_terminal(stdout) && on_terminal(stderr) && !options.json;
-    const auto progress = [](long simulations) { fmt::print(stderr, "\r{} simulations ", simulations); };
-    const diagnosis::Identification result = diagnosis::identify(
-        experiment, observations,
-        {.profile = options.profile, .progress = watched ? std::function<void(long)>(progress) : nullptr});
-    if (watched) {
-        fmt::print(stderr, "\r{:20}\r", "");
-    }
+    SimulationCount count(options.json);
+    const diagnosis::Identification result =
+        diagnosis::identify(experiment, observations, {.profile = options.profile, .progress = count.shown()});
+    count.wipe();
     if (!result.status.ok()) {
         tell_error(result.status.message, "nothing was fitted", options.json);
         return Exit::numerical_failure;
@@ -121,28 +105,24 @@ int identify(const Options& options) {
                                            .observations = observations,
                                            .result = result,
                                            .case_file = options.case_file,
-                                           .data = data,
-                                           .warnings = reading.warnings,
-                                           .findings = reading.findings};
-    std::vector<std::filesystem::path> files;
-    try {
-        const std::string name = experiment.runs.front().problem.name;
-        files = diagnosis::write_identification(record, options.directory.empty() ? "out/" + name : options.directory);
-        // A law that fits where the data are may fail elsewhere, and the case with it.
-        if (const cases::Reading fitted = cases::read_case(files.front()); !fitted.problem) {
-            record.warnings.push_back("the fitted case cannot be run as it is: " + fitted.mistakes.front().what);
-        }
-    } catch (const post::FileError& error) {
-        tell_error(error.what(), "choose another directory with --out", options.json);
+                                           .data = options.data_files(),
+                                           .warnings = reading->warnings,
+                                           .findings = reading->findings};
+    const std::string name = experiment.runs.front().problem.name;
+    const auto files = write_measured(options, "out/" + name, [&](const std::filesystem::path& directory) {
+        return diagnosis::write_identification(record, directory);
+    });
+    if (!files) {
         return Exit::mistake;
     }
+    // A law that fits where the data are may fail elsewhere, and the case with it.
+    if (const cases::Reading fitted = cases::read_case(files->front()); !fitted.problem) {
+        record.warnings.push_back("the fitted case cannot be run as it is: " + fitted.mistakes.front().what);
+    }
     if (options.json) {
-        fmt::print("{}", diagnosis::identification_json(record, files));
+        fmt::print("{}", diagnosis::identification_json(record, *files));
     } else {
-        fmt::print("{}\nFiles\n", diagnosis::identification_text(record, may_be_bold()));
-        for (const std::filesystem::path& file : files) {
-            fmt::print("  {}\n", file.string());
-        }
+        print_page(diagnosis::identification_text(record, may_be_bold()), *files);
     }
     return result.converged ? Exit::done : Exit::numerical_failure;
 }
@@ -153,18 +133,8 @@ void add_identify_command(CLI::App& program, int& exit_code) {
     CLI::App* command =
         program.add_subcommand("identify", "Fit numbers of a case to measured runs, with honest intervals");
     const auto options = std::make_shared<Options>();
-    command->add_option("CASE", options->case_file, "Case file (TOML) with [[run]] and [[parameter]]")
-        ->required()
-        ->option_text(" ");
-    command
-        ->add_option("--data", options->data,
-                     "A measured run (CSV or HDF5), once for each; they take the place of the case's own")
-        ->option_text("FILE ...");
-    command
-        ->add_option(
-            "--out", options->directory,
-            "Where the files go; files of an earlier fit there are replaced. Default: out/<case name>; of a plan none")
-        ->option_text("DIR");
+    add_measured_options(*command, *options, "[[run]] and [[parameter]]",
+                         "files of an earlier fit there are replaced. Default: out/<case name>; of a plan none");
     command->add_flag("--profile", options->profile,
                       "Intervals by profile likelihood, which need not be symmetric: some ten fits a number");
     command->add_flag("--plan", options->plan,
@@ -172,7 +142,6 @@ void add_identify_command(CLI::App& program, int& exit_code) {
     command
         ->add_option("--correlation-time", options->correlation_time, "Of the noise that a plan assumes. Default: 10")
         ->option_text("SECONDS");
-    command->add_flag("--json", options->json, "One JSON object instead of the page");
     command->footer(
         "All runs and channels are fitted at once. The noise of each channel, correlated and white, is estimated from\n"
         "what no number can explain. A number that the data do not see is named as such.\n"

@@ -70,6 +70,7 @@ int main(int argc, char** argv) {
     app::add_check_command(program, exit_code);
     app::add_compare_command(program, exit_code);
     app::add_identify_command(program, exit_code);
+    app::add_diagnose_command(program, exit_code);
     app::add_validate_command(program, exit_code);
     app::add_effects_command(program, exit_code);
     program.footer(
@@ -77,6 +78,7 @@ int main(int argc, char** argv) {
         "  tiretherm run cases/laser/one_watt.toml\n"
         "  tiretherm check cases/laser/one_watt.toml\n"
         "  tiretherm compare cases/practice/two_node_bench.toml\n"
+        "  tiretherm diagnose cases/practice/two_node_bench.toml\n"
         "  tiretherm validate\n"
         "  tiretherm effects air_convection\n\n"
         "Help for a command: tiretherm COMMAND --help");

@@ -5,6 +5,7 @@
 
 #include "diagnosis/fit.hpp"
 #include "diagnosis/identification_report.hpp"
+#include "diagnosis/number_text.hpp"
 #include "post/channel_unit.hpp"
 #include "post/table.hpp"
 
@@ -17,19 +18,6 @@ constexpr double close = 0.9;
 /// Parts of a direction smaller than this are not told.
 constexpr double small = 0.2;
 
-/// A number with so many digits behind the point that an interval of this half width shows two of its own.
-std::string shown(double value, double half_width) {
-    if (!std::isfinite(value)) {
-        return "-";
-    }
-    const double size = std::max(std::abs(value), half_width);
-    if (size >= 1e5 || (size > 0.0 && size < 1e-3) || !(half_width > 0.0) || !std::isfinite(half_width)) {
-        return fmt::format("{:.4g}", value);
-    }
-    const int digits = std::clamp(1 - static_cast<int>(std::floor(std::log10(half_width))), 0, 8);
-    return fmt::format("{:.{}f}", value, digits);
-}
-
 double half_width(const Fitted& one) { return 0.5 * (one.high - one.low); }
 
 std::string interval(const Fitted& one, bool planned) {
@@ -37,16 +25,16 @@ std::string interval(const Fitted& one, bool planned) {
         return "-";
     }
     if (planned) {
-        return fmt::format("+- {}", shown(half_width(one), half_width(one)));
+        return fmt::format("+- {}", to_its_digits(half_width(one), half_width(one)));
     }
-    return fmt::format("{}{} to {}{}", one.low_is_open ? "< " : "", shown(one.low, half_width(one)),
-                       one.high_is_open ? "> " : "", shown(one.high, half_width(one)));
+    return fmt::format("{}{} to {}{}", one.low_is_open ? "< " : "", to_its_digits(one.low, half_width(one)),
+                       one.high_is_open ? "> " : "", to_its_digits(one.high, half_width(one)));
 }
 
 std::string known_before(const solver::Adjustable& parameter) {
     return std::isfinite(parameter.standard_deviation)
-               ? fmt::format("{} +- {}", shown(parameter.prior, parameter.standard_deviation),
-                             shown(parameter.standard_deviation, parameter.standard_deviation))
+               ? fmt::format("{} +- {}", to_its_digits(parameter.prior, parameter.standard_deviation),
+                             to_its_digits(parameter.standard_deviation, parameter.standard_deviation))
                : "-";
 }
 
@@ -60,8 +48,8 @@ std::string numbers_table(const IdentificationRecord& record) {
         const solver::Adjustable& parameter = record.experiment.parameters[j];
         profiled = profiled || one.profiled;
         table.add({parameter.name, parameter.unit == "1" ? "-" : parameter.unit, fmt::format("{:.5g}", one.before),
-                   planned ? "" : shown(one.value, half_width(one)), interval(one, planned), known_before(parameter),
-                   std::string(word_of(one.sight))});
+                   planned ? "" : to_its_digits(one.value, half_width(one)), interval(one, planned),
+                   known_before(parameter), std::string(word_of(one.sight))});
     }
     std::string text = table.text(2);
     const auto any = [&](Sight sight) {

@@ -1,0 +1,77 @@
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "app/commands.hpp"
+#include "app/measured_call.hpp"
+#include "app/messages.hpp"
+#include "diagnosis/diagnosis_report.hpp"
+
+namespace tiretherm::app {
+
+namespace {
+
+int diagnose(const MeasuredCall& call) {
+    const std::optional<cases::ExperimentReading> reading = read_measured(call, "nothing was diagnosed");
+    if (!reading || !frees_numbers(call, *reading->experiment)) {
+        return Exit::mistake;
+    }
+    const cases::Experiment& experiment = *reading->experiment;
+    const diagnosis::Observations observations = diagnosis::observe(experiment);
+    SimulationCount count(call.json);
+    const diagnosis::Diagnosis result = diagnosis::diagnose(experiment, observations, {.progress = count.shown()});
+    count.wipe();
+    if (!result.status.ok()) {
+        tell_error(result.status.message, "nothing was diagnosed", call.json);
+        return Exit::numerical_failure;
+    }
+    diagnosis::DiagnosisRecord record{.experiment = experiment,
+                                      .observations = observations,
+                                      .result = result,
+                                      .case_file = call.case_file,
+                                      .data = call.data_files(),
+                                      .warnings = reading->warnings,
+                                      .findings = reading->findings};
+    const auto files = write_measured(
+        call, "out/" + experiment.runs.front().problem.name,
+        [&](const std::filesystem::path& directory) { return diagnosis::write_diagnosis(record, directory); });
+    if (!files) {
+        return Exit::mistake;
+    }
+    if (call.json) {
+        fmt::print("{}", diagnosis::diagnosis_json(record, *files));
+    } else {
+        print_page(diagnosis::diagnosis_text(record, may_be_bold()), *files);
+    }
+    return Exit::done;
+}
+
+}  // namespace
+
+void add_diagnose_command(CLI::App& program, int& exit_code) {
+    CLI::App* command = program.add_subcommand(
+        "diagnose", "What a model gets wrong in measured runs, its cause, and what mending gains");
+    const auto call = std::make_shared<MeasuredCall>();
+    add_measured_options(*command, *call, "[[run]] and [[parameter]]",
+                         "files of an earlier diagnosis there are replaced. Default: out/<case name>");
+    command->footer(
+        "The free numbers of the case are fitted; what is left is held against every effect of the catalogue that is\n"
+        "not in the model (or those of [diagnose] candidates), alone and in pairs, and against heat that no effect "
+        "is.\n"
+        "The answer is a set: one cause is named, several that the data cannot tell apart are all listed.\n"
+        "Differences are simulated - measured.\n"
+        "Files: diagnosis.json, extended.toml (the case with the cause switched on, where there is one),\n"
+        "residuals.csv (a row for each sample), residuals.png.\n\n"
+        "Exit code: 0 done, whatever the answer; 1 a mistake in the call, the case or the data; 2 the solver "
+        "failed.\n\n"
+        "Example:\n"
+        "  tiretherm diagnose cases/practice/two_node_bench.toml --data run1.csv --data run2.csv --out /tmp/bench");
+    command->callback([call, &exit_code] { exit_code = diagnose(*call); });
+}
+
+}  // namespace tiretherm::app

@@ -1,0 +1,83 @@
+#include "app/measured_call.hpp"
+
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "app/messages.hpp"
+#include "post/file.hpp"
+
+namespace tiretherm::app {
+
+void add_measured_options(CLI::App& command, MeasuredCall& call, const char* case_is, const char* out_is) {
+    command.add_option("CASE", call.case_file, fmt::format("Case file (TOML) with {}", case_is))
+        ->required()
+        ->option_text(" ");
+    command
+        .add_option("--data", call.data,
+                    "A measured run (CSV or HDF5), once for each; they take the place of the case's own")
+        ->option_text("FILE ...");
+    command.add_option("--out", call.directory, fmt::format("Where the files go; {}", out_is))->option_text("DIR");
+    command.add_flag("--json", call.json, "One JSON object instead of the page");
+}
+
+std::optional<cases::ExperimentReading> read_measured(const MeasuredCall& call, const char* consequence,
+                                                      cases::Occasion occasion) {
+    cases::ExperimentReading reading = cases::read_experiment(call.case_file, call.data_files(), occasion);
+    if (!reading.experiment) {
+        tell_mistakes({.problem = std::nullopt, .mistakes = reading.mistakes, .warnings = reading.warnings},
+                      consequence, call.json);
+        return std::nullopt;
+    }
+    return reading;
+}
+
+bool frees_numbers(const MeasuredCall& call, const cases::Experiment& experiment) {
+    if (!experiment.parameters.empty()) {
+        return true;
+    }
+    tell_error(fmt::format("{}: no number of the case is free", call.case_file),
+               "name those to be fitted: [[parameter]], see cases/README.md", call.json);
+    return false;
+}
+
+SimulationCount::SimulationCount(bool json) : watched_(on_terminal(stdout) && on_terminal(stderr) && !json) {}
+
+std::function<void(long)> SimulationCount::shown() const {
+    if (!watched_) {
+        return nullptr;
+    }
+    return [](long simulations) { fmt::print(stderr, "\r{} simulations ", simulations); };
+}
+
+void SimulationCount::wipe() {
+    if (watched_) {
+        fmt::print(stderr, "\r{:20}\r", "");
+        watched_ = false;
+    }
+}
+
+std::optional<std::vector<std::filesystem::path>> write_measured(
+    const MeasuredCall& call, const std::filesystem::path& standard,
+    const std::function<std::vector<std::filesystem::path>(const std::filesystem::path&)>& write) {
+    try {
+        return write(call.directory.empty() ? standard : std::filesystem::path(call.directory));
+    } catch (const post::FileError& error) {
+        tell_error(error.what(), "choose another directory with --out", call.json);
+        return std::nullopt;
+    }
+}
+
+void print_page(const std::string& page, const std::vector<std::filesystem::path>& files) {
+    fmt::print("{}", page);
+    if (files.empty()) {
+        return;
+    }
+    fmt::print("\nFiles\n");
+    for (const std::filesystem::path& file : files) {
+        fmt::print("  {}\n", file.string());
+    }
+}
+
+}  // namespace tiretherm::app

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cases/experiment.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace tiretherm::app {
+
+/// A call that holds a case against measured runs: what compare, identify and diagnose are asked alike.
+struct MeasuredCall {
+    std::string case_file;
+    std::vector<std::string> data;
+    std::string directory;
+    bool json = false;
+
+    [[nodiscard]] std::vector<std::filesystem::path> data_files() const { return {data.begin(), data.end()}; }
+};
+
+/// CASE, --data, --out and --json.
+/// @param case_is what the case must have   @param out_is what --out does to files that are there
+void add_measured_options(CLI::App& command, MeasuredCall& call, const char* case_is, const char* out_is);
+
+/// Reads the case and its runs; tells every mistake. @param consequence of mistakes, "nothing was fitted"
+/// @returns nothing when there are any
+[[nodiscard]] std::optional<cases::ExperimentReading> read_measured(
+    const MeasuredCall& call, const char* consequence, cases::Occasion occasion = cases::Occasion::measured);
+
+/// Whether the case frees any number; tells it when not.
+[[nodiscard]] bool frees_numbers(const MeasuredCall& call, const cases::Experiment& experiment);
+
+/// Counts simulations for a person who waits. Quiet unless both streams are terminals and no JSON is wanted.
+class SimulationCount {
+public:
+    explicit SimulationCount(bool json);
+    ~SimulationCount() { wipe(); }
+    SimulationCount(const SimulationCount&) = delete;
+    SimulationCount& operator=(const SimulationCount&) = delete;
+
+    [[nodiscard]] std::function<void(long)> shown() const;  ///< empty when quiet
+    void wipe();
+
+private:
+    bool watched_;
+};
+
+/// Lets files be written where the call wants them, otherwise to `standard`; tells when that cannot be done.
+/// @param write files to a directory, to return their paths   @returns nothing when a file could not be written
+[[nodiscard]] std::optional<std::vector<std::filesystem::path>> write_measured(
+    const MeasuredCall& call, const std::filesystem::path& standard,
+    const std::function<std::vector<std::filesystem::path>(const std::filesystem::path&)>& write);
+
+/// A page and below it the files that were written.
+void print_page(const std::string& page, const std::vector<std::filesystem::path>& files);
+
+}  // namespace tiretherm::app

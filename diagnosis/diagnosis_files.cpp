@@ -1,0 +1,109 @@
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "cases/fitted_case.hpp"
+#include "cases/reader.hpp"
+#include "diagnosis/diagnosis_report.hpp"
+#include "diagnosis/diagnosis_words.hpp"
+#include "post/channel_unit.hpp"
+#include "post/file.hpp"
+#include "post/table.hpp"
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+/// Simulated less measured, in standard deviations of independent noise.
+Eigen::VectorXd whitened(const DiagnosisRecord& record, const Eigen::VectorXd& simulated) {
+    Eigen::MatrixXd rest = simulated - record.observations.measured;
+    whiten(record.observations.blocks, {.channels = record.result.noise, .weight = {}}, rest);
+    return rest.col(0);
+}
+
+std::string samples_csv(const DiagnosisRecord& record) {
+    std::string text = "time [s],run,channel,unit,measured,base,extended,whitened_base [1],whitened_extended [1]\n";
+    const std::vector<solver::Channel>& channels = record.experiment.runs.front().problem.channels;
+    const Eigen::VectorXd base = whitened(record, record.result.base);
+    const Eigen::VectorXd extended = whitened(record, record.result.extended);
+    for (std::size_t i = 0; i < record.observations.rows.size(); ++i) {
+        const Observations::Row& row = record.observations.rows[i];
+        const auto k = static_cast<Eigen::Index>(i);
+        const post::ShownUnit unit = post::shown_unit(channels[row.channel].quantity);
+        fmt::format_to(std::back_inserter(text), "{:.10g},{},{},{},{:.8g},{:.8g},{:.8g},{:.5g},{:.5g}\n",
+                       record.observations.times[row.run][row.time], record.experiment.runs[row.run].name,
+                       channels[row.channel].name, unit.name, unit.value(record.observations.measured[k]),
+                       unit.value(record.result.base[k]), unit.value(record.result.extended[k]), base[k], extended[k]);
+    }
+    return text;
+}
+
+/// A sentence as comment lines.
+std::vector<std::string> lines_of(const std::string& sentence) {
+    std::vector<std::string> lines;
+    const std::string text = post::wrap(sentence, 0);
+    for (std::size_t from = 0; from < text.size();) {
+        const std::size_t to = text.find('\n', from);
+        lines.push_back(text.substr(from, to - from));
+        from = to + 1;
+    }
+    return lines;
+}
+
+std::string extended_toml(const DiagnosisRecord& record, const std::filesystem::path& directory) {
+    const cases::Experiment& model = *record.result.extended_model;
+    const Simulator simulator(model, record.observations);
+    std::vector<solver::Problem> problems;
+    std::vector<cases::FittedRun> runs;
+    problems.reserve(model.runs.size());
+    for (std::size_t r = 0; r < model.runs.size(); ++r) {
+        problems.push_back(simulator.problem(r, record.result.extended_values));
+        // The diagnosis sharpens the steps for itself; the case goes on with its own.
+        problems.back().settings = record.experiment.runs[r].problem.settings;
+        runs.push_back({.name = model.runs[r].name,
+                        .problem = &problems.back(),
+                        .file = record.data.empty() ? std::filesystem::path() : record.data[r]});
+    }
+    std::vector<std::string> remarks{
+        fmt::format("tiretherm diagnose: {}", record.experiment.runs.front().problem.title)};
+    for (std::string& line : lines_of(reason_of(record))) {
+        remarks.push_back(std::move(line));
+    }
+    return cases::fitted_case({.original = record.case_file,
+                               .before = &record.experiment.runs.front().problem,
+                               .fitted = &problems.front(),
+                               .parameters = model.parameters,
+                               .runs = std::move(runs),
+                               .remarks = std::move(remarks),
+                               .own = record.result.extended_own},
+                              directory);
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> write_diagnosis(DiagnosisRecord& record, const std::filesystem::path& directory) {
+    std::error_code error;
+    std::filesystem::create_directories(directory, error);
+    if (error) {
+        throw post::FileError("create", directory, error.message());
+    }
+    std::vector<std::filesystem::path> files{directory / "diagnosis.json", directory / "residuals.csv",
+                                             directory / "residuals.png"};
+    const std::filesystem::path extended = directory / "extended.toml";
+    if (record.result.extended_model) {
+        files.insert(files.begin() + 1, extended);
+        post::replace_file(extended, extended_toml(record, directory));
+        if (const cases::Reading reading = cases::read_case(extended); !reading.problem) {
+            record.warnings.push_back("the extended case cannot be run as it is: " + reading.mistakes.front().what);
+        }
+    } else {
+        std::filesystem::remove(extended, error);  // of an earlier diagnosis: it would pass for this one's
+    }
+    const std::size_t first = files.size() - 2;
+    post::replace_file(files[first], samples_csv(record));
+    draw_residuals(files[first + 1], record);
+    post::replace_file(files.front(), diagnosis_json(record, files));
+    return files;
+}
+
+}  // namespace tiretherm::diagnosis

@@ -1,0 +1,203 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "diagnosis/diagnosis_report.hpp"
+#include "diagnosis/diagnosis_where.hpp"
+#include "diagnosis/diagnosis_words.hpp"
+#include "diagnosis/look_alikes.hpp"
+#include "diagnosis/number_text.hpp"
+#include "post/channel_unit.hpp"
+#include "post/table.hpp"
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+/// Causes that are told beside those of the set.
+constexpr std::size_t most_others = 6;
+/// Letters of a cause's name in a row.
+constexpr std::size_t widest_name = 36;
+
+std::string unit_or_dash(const std::string& unit) { return unit == "1" ? "-" : slashed_unit(unit); }
+
+/// What each cause of the set is, and what looks like it.
+std::string meanings_text(const Diagnosis& result) {
+    std::string text;
+    for (const Cause& cause : result.causes) {
+        if (!cause.in_set) {
+            continue;
+        }
+        text += fmt::format("  {}\n", name_of(cause)) + post::wrap(meaning_of(cause), 4);
+        if (!cause.bound.empty()) {
+            text += post::wrap(cause.bound, 4);
+        }
+        for (const Family* family : families_of(cause.id)) {
+            text += post::wrap(
+                fmt::format("Looks like {}. What separates them: {}.", others_of(*family, cause.id), family->separated),
+                4);
+        }
+    }
+    return text;
+}
+
+/// A cause's rows, one for each of its numbers; a long name goes on in the second.
+void add_rows(post::Table& table, const Cause& cause) {
+    std::vector<std::string> names{name_of(cause)};
+    if (names.front().size() > widest_name) {
+        names = {cause.id, names.front().substr(cause.id.size())};
+    }
+    for (std::size_t i = 0; i < std::max({names.size(), cause.numbers.size()}); ++i) {
+        std::vector<std::string> row{i == 0 ? fmt::format("{}", cause.rank) : "", i < names.size() ? names[i] : ""};
+        if (i < cause.numbers.size()) {
+            const CauseNumber& number = cause.numbers[i];
+            const double half = 0.5 * (number.high - number.low);
+            row.insert(row.end(), {number.key, to_its_digits(number.value, half), unit_or_dash(number.unit),
+                                   half > 0.0 ? fmt::format("{} to {}", to_its_digits(number.low, half),
+                                                            to_its_digits(number.high, half))
+                                              : "on trial"});
+        } else {
+            row.insert(row.end(), 4, "");
+        }
+        if (i == 0) {
+            row.insert(row.end(), {fmt::format("{:.1f}", cause.sigma), fmt::format("{:.1f}", cause.gain),
+                                   cause.in_set ? "*" : ""});
+        }
+        table.add(std::move(row));
+    }
+}
+
+std::string causes_table(const Diagnosis& result) {
+    post::Table table({false, true, true, false, true, false, false, false, true});
+    table.add({"", "cause", "number", "fitted", "unit", "95 %", "sigma", "gain", ""});
+    std::size_t others = 0;
+    for (const Cause& cause : result.causes) {
+        if (cause.in_set || ++others <= most_others) {
+            add_rows(table, cause);
+        }
+    }
+    std::string text = table.text(2);
+    text += post::wrap(
+        "*: in the set; sigma: standard deviations from absent; gain: in log likelihood over the model without it, the "
+        "free numbers fitted anew each time.",
+        2);
+    if (others > most_others) {
+        text += post::wrap(
+            fmt::format("{} more are less likely; all of them stand in diagnosis.json.", others - most_others), 2);
+    }
+    return text;
+}
+
+std::string limits_table(const Diagnosis& result) {
+    post::Table table({true, true, true, false});
+    table.add({"cause", "number", "unit", "with 95 % between"});
+    for (const UpperLimit& limit : result.limits) {
+        const double half = 0.5 * (limit.high - limit.low);
+        table.add({name_of(Cause{.id = limit.id, .channel = limit.channel}), limit.key, unit_or_dash(limit.unit),
+                   fmt::format("{} and {}", to_its_digits(limit.low, half), to_its_digits(limit.high, half))});
+    }
+    return table.text(2);
+}
+
+std::string next_text(const Diagnosis& result) {
+    post::Table table({true, false, false});
+    table.add({"experiment in addition", "sigma now", "then"});
+    for (const NextExperiment& next : result.next) {
+        table.add({next.name, fmt::format("{:.2g}", next.now), fmt::format("{:.2g}", next.then)});
+    }
+    return table.text(2) + "  sigma: standard deviations by which the explanations differ\n";
+}
+
+std::string gain_text(const DiagnosisRecord& record) {
+    const Diagnosis& result = record.result;
+    const std::vector<solver::Channel>& channels = record.experiment.runs.front().problem.channels;
+    post::Table table({true, true, false, false, false, false});
+    table.add({"channel", "unit", "rms before", "after", "held out before", "after"});
+    for (const ChannelGain& gain : result.channels) {
+        const post::ShownUnit unit = post::shown_unit(channels[gain.channel].quantity);
+        const auto show = [&](double si) {
+            return std::isfinite(si) ? fmt::format("{:.3g}", unit.difference(si)) : std::string("-");
+        };
+        const bool is_temperature = channels[gain.channel].quantity == solver::Quantity::temperature;
+        table.add({channels[gain.channel].name, is_temperature ? "K" : unit.name, show(gain.rmse_before),
+                   show(gain.rmse_after), show(gain.heldout_before), show(gain.heldout_after)});
+    }
+    std::string text = table.text(2);
+    if (!result.gain.measured) {
+        return text;
+    }
+    const Gain& gain = result.gain;
+    return text +
+           post::wrap(fmt::format("On {} that took no part in naming or fitting, {:.0f} % of the error that a model "
+                                  "could remove is removed (95 %: {:.0f} to {:.0f} %); {}.",
+                                  gain.within_run ? "blocks of the run" : "runs", 100.0 * gain.removable_removed,
+                                  100.0 * gain.low, 100.0 * gain.high,
+                                  gain.confirmed
+                                      ? fmt::format("confirmed there, 1 : {:.3g} against chance", std::exp(gain.log_e))
+                                      : "detected, but not confirmed there"),
+                      2);
+}
+
+std::string noise_table(const DiagnosisRecord& record) {
+    const std::vector<solver::Channel>& channels = record.experiment.runs.front().problem.channels;
+    post::Table table({true, true, false, false, false, false});
+    table.add({"channel", "unit", "sigma", "data sheet", "correlation time", "new in every sample"});
+    for (std::size_t i = 0; i < record.result.noise.size(); ++i) {
+        const Noise& noise = record.result.noise[i];
+        const solver::Channel& channel = channels[record.observations.channels[i]];
+        const post::ShownUnit unit = post::shown_unit(channel.quantity);
+        const auto show = [&](double si) { return fmt::format("{:.3g}", unit.difference(si)); };
+        table.add({channel.name, channel.quantity == solver::Quantity::temperature ? "K" : unit.name, show(noise.sigma),
+                   channel.standard_deviation ? show(*channel.standard_deviation) : "-",
+                   noise.white_share < 1.0 ? fmt::format("{:.3g} s", noise.correlation_time) : "white",
+                   fmt::format("{:.0f} %", 100.0 * noise.white_share)});
+    }
+    std::string text = table.text(2);
+    if (record.result.numerical_error_sigma > 0.0) {
+        text += post::wrap(fmt::format("The model's own error of steps and grid is worth {:.2g} standard deviations.",
+                                       record.result.numerical_error_sigma),
+                           2);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string diagnosis_text(const DiagnosisRecord& record, bool bold) {
+    const auto section = [&](const char* title, const std::string& body) {
+        if (body.empty()) {
+            return std::string();
+        }
+        return (bold ? fmt::format("\n\033[1m{}\033[0m\n", title) : fmt::format("\n{}\n", title)) + body;
+    };
+    const auto list = [](const std::vector<std::string>& items) {
+        std::string text;
+        for (const std::string& item : items) {
+            text += post::wrap(item, 2);
+        }
+        return text;
+    };
+    const Diagnosis& result = record.result;
+    const std::size_t n_runs = record.experiment.runs.size();
+    const std::size_t n_free = record.experiment.parameters.size();
+    std::string text = fmt::format(
+        "{}\n{} run{}, {} values, {} free number{}; {} simulations, {:.2g} s\nDifferences are simulated - measured.\n",
+        record.experiment.runs.front().problem.title, n_runs, n_runs == 1 ? "" : "s",
+        post::grouped(static_cast<double>(record.observations.measured.size())), n_free, n_free == 1 ? "" : "s",
+        result.simulations, result.seconds);
+    text += section("Verdict", post::wrap(reason_of(record), 2));
+    text += section("What that is", meanings_text(result));
+    text += section("What would tell", result.next.empty() ? "" : next_text(result));
+    text += section("Where it shows", where_text(record));
+    text += section("Causes that were tried", result.causes.empty() ? "" : causes_table(result));
+    text += section("How large each could be unseen", result.limits.empty() ? "" : limits_table(result));
+    text += section("Gain", result.channels.empty() ? "" : gain_text(record));
+    text += section("Noise", result.noise.empty() ? "" : noise_table(record));
+    text += section("Remarks", list(result.remarks));
+    text += section("Findings about the data", list(record.findings));
+    text += section("Warnings", list(record.warnings));
+    return text;
+}
+
+}  // namespace tiretherm::diagnosis

@@ -1,0 +1,114 @@
+#pragma once
+
+#include "diagnosis/candidates.hpp"
+#include "diagnosis/diagnosis_report.hpp"
+#include "tests/diagnosis/practice_bench.hpp"
+
+namespace tiretherm::diagnosis::sample {
+
+/// A diagnosis of the practice bench that nobody made: every value is 0.5 K above the base model and on the extended
+/// one, in white noise of 0.5 and 0.3 K.
+struct MadeUp {
+    cases::Experiment experiment = practice_bench();
+    Observations observations = observe(experiment);
+    Diagnosis result;
+
+    explicit MadeUp(Verdict verdict) {
+        result.verdict = verdict;
+        result.base = observations.measured.array() - 0.5;
+        result.extended = verdict == Verdict::consistent ? result.base : observations.measured;
+        result.noise = {{.sigma = 0.5}, {.sigma = 0.3}};
+        result.numerical_error_sigma = 0.4;
+        result.simulations = 22;
+        result.seconds = 3.1;
+    }
+    [[nodiscard]] DiagnosisRecord record() const {
+        return {.experiment = experiment,
+                .observations = observations,
+                .result = result,
+                .case_file = practice() / "two_node_bench.toml",
+                .data = {},
+                .warnings = {},
+                .findings = {}};
+    }
+};
+
+inline Cause sidewalls() {
+    return {.id = "sidewall_convection",
+            .numbers = {{.key = "conductance", .unit = "W K-1", .value = 8.1, .low = 7.2, .high = 9.0}},
+            .sigma = 17.64,
+            .gain = 155.6,
+            .in_set = true,
+            .rank = 1};
+}
+inline Cause gas() {
+    return {.id = "inner_gas",
+            .numbers = {{.key = "liner", .unit = "W K-1", .value = 9.0, .low = 8.0, .high = 10.0},
+                        {.key = "rim", .unit = "W K-1", .value = 4.0, .low = 3.6, .high = 4.4}},
+            .sigma = 17.1,
+            .gain = 153.0,
+            .in_set = true,
+            .rank = 2};
+}
+inline Cause lag() {
+    return {.id = "sensor_lag",
+            .channel = "bulk_temperature",
+            .numbers = {{.key = "tau", .unit = "s", .value = 12.0, .low = 9.0, .high = 15.0}},
+            .sigma = 7.84,
+            .gain = 40.0,
+            .rank = 3};
+}
+
+/// A verdict of each kind, as full as it can be.
+inline MadeUp named() {
+    MadeUp one(Verdict::named);
+    one.result.causes = {sidewalls(), lag()};
+    one.result.explanations = {{0}};
+    one.result.channels = {
+        {.channel = 0, .rmse_before = 1.5, .rmse_after = 0.5, .heldout_before = 1.6, .heldout_after = 0.52},
+        {.channel = 1, .rmse_before = 1.9, .rmse_after = 0.31, .heldout_before = 2.0, .heldout_after = 0.33}};
+    one.result.gain = {
+        .measured = true, .removable_removed = 0.97, .low = 0.93, .high = 0.99, .log_e = 12.0, .confirmed = true};
+    return one;
+}
+inline MadeUp pair() {
+    MadeUp one = named();
+    one.result.causes[1].in_set = true;
+    one.result.explanations = {{0, 1}};
+    return one;
+}
+inline MadeUp confounded() {
+    MadeUp one(Verdict::confounded);
+    one.result.causes = {sidewalls(), gas(), lag()};
+    one.result.explanations = {{0}, {1}, {1, 2}};
+    one.result.next = {{.name = "coast-down from 150 km/h, 5 min", .now = 1.2, .then = 7.0}};
+    return one;
+}
+inline MadeUp unknown() {
+    MadeUp one(Verdict::unknown);
+    one.result.unknown = UnknownSource{.place = "surface",
+                                       .follows = "throttle",
+                                       .unit = "1",
+                                       .watts = 310.0,
+                                       .low = 250.0,
+                                       .high = 370.0,
+                                       .per = 310.0,
+                                       .sigma = 12.0,
+                                       .alike = {"bulk, throttle"}};
+    return one;
+}
+inline MadeUp consistent() {
+    MadeUp one(Verdict::consistent);
+    one.result.limits = {
+        {.id = "sidewall_convection", .key = "conductance", .unit = "W K-1", .low = 0.0, .high = 0.8},
+        {.id = "sensor_offset", .channel = "bulk_temperature", .key = "kelvin", .unit = "K", .low = -0.2, .high = 0.3}};
+    return one;
+}
+inline MadeUp cannot_tell() {
+    MadeUp one(Verdict::cannot_tell);
+    one.result.extended = one.result.base;
+    one.result.numerical_error_sigma = 5.3;
+    return one;
+}
+
+}  // namespace tiretherm::diagnosis::sample
