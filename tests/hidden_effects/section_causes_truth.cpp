@@ -2,17 +2,20 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace hidden_effects {
 
 namespace {
 
-double* find_sensor(SectionCauses& causes, const std::string& name, const std::string& channel) {
-    const auto found = std::find(section_channels.begin(), section_channels.end(), channel);
-    if (found == section_channels.end()) {
+using Channels = std::span<const std::string_view>;
+
+double* find_sensor(SectionCauses& causes, Channels channels, const std::string& name, const std::string& channel) {
+    const auto found = std::find(channels.begin(), channels.end(), channel);
+    if (found == channels.end()) {
         return nullptr;
     }
-    Reading& reading = causes.reading.at(static_cast<std::size_t>(found - section_channels.begin()));
+    Reading& reading = causes.reading.at(static_cast<std::size_t>(found - channels.begin()));
     const std::map<std::string, double*> by_name{{"sensor_lag.tau", &reading.tau},
                                                  {"sensor_offset.kelvin", &reading.kelvin},
                                                  {"sensor_gain.excess", &reading.excess}};
@@ -20,7 +23,7 @@ double* find_sensor(SectionCauses& causes, const std::string& name, const std::s
     return number == by_name.end() ? nullptr : number->second;
 }
 
-double* find(SectionCauses& causes, const std::string& name, const std::string& channel) {
+double* find(SectionCauses& causes, Channels channels, const std::string& name, const std::string& channel) {
     const std::map<std::string, double*> by_name{
         {"camber_asymmetry.c", &causes.camber},
         {"sidewall_convection.conductance", &causes.sidewall},
@@ -39,6 +42,7 @@ double* find(SectionCauses& causes, const std::string& name, const std::string& 
         {"radiation.emissivity", &causes.emissivity},
         {"camera_emissivity.emissivity", &causes.reading[0].emissivity},
         {"unknown_inside_shoulder.watts", &causes.shoulder_watts},
+        {"unknown_surface.watts", &causes.surface_watts},
         {"unknown_crown.watts", &causes.crown_watts},
     };
     if (const auto found = by_name.find(name); found != by_name.end()) {
@@ -48,16 +52,17 @@ double* find(SectionCauses& causes, const std::string& name, const std::string& 
         std::array<double, 2>& scale = name == "layer_conductivity.scale" ? causes.conductivity : causes.capacity;
         return channel == "tread" ? &scale[0] : channel == "carcass" ? &scale[1] : nullptr;
     }
-    return find_sensor(causes, name, channel);
+    return find_sensor(causes, channels, name, channel);
 }
 
 }  // namespace
 
-SectionCauses gather_section(const std::vector<Cause>& causes) {
-    SectionCauses gathered;
+SectionCauses gather_section(SectionCauses before, Channels channels, const std::vector<Cause>& causes) {
+    SectionCauses gathered = std::move(before);
+    gathered.reading.resize(channels.size());
     for (const Cause& cause : causes) {
         for (const auto& [key, value] : cause.parameters) {
-            double* number = find(gathered, cause.id + "." + key, cause.channel);
+            double* number = find(gathered, channels, cause.id + "." + key, cause.channel);
             if (number == nullptr) {
                 throw std::invalid_argument("the section knows no " + cause.id + "." + key + " on '" + cause.channel +
                                             "'");

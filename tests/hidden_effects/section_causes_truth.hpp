@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "causes_truth.hpp"
@@ -28,10 +30,13 @@ struct SectionCauses {
     std::array<double, 2> conductivity{1.0, 1.0};  ///< tread, carcass
     std::array<double, 2> capacity{1.0, 1.0};
     double shoulder_watts = 0.0;  ///< W per unit of throttle
+    double surface_watts = 0.0;
     double crown_watts = 0.0;
-    std::array<Reading, section_channels.size()> reading;
+    std::vector<Reading> reading{};
 };
 
-[[nodiscard]] SectionCauses gather_section(const std::vector<Cause>& causes);
+/// @param before what the bench has without a cause  @param channels of its sensors
+[[nodiscard]] SectionCauses gather_section(SectionCauses before, std::span<const std::string_view> channels,
+                                           const std::vector<Cause>& causes);
 
 }  // namespace hidden_effects

@@ -15,7 +15,8 @@ std::vector<double> converted(std::vector<double> x, double scale, double shift 
 
 }  // namespace
 
-std::vector<Column> section_columns(const SectionProgramme& programme, const SectionTrace& trace) {
+std::vector<Column> section_columns(const SectionProgramme& programme, const SectionTrace& trace,
+                                    std::span<const std::string_view> channels) {
     constexpr double celsius = -273.15;
     constexpr double degrees = 180.0 / std::numbers::pi;
     std::vector<Column> columns{{"time [s]", 0, programme.time},
@@ -27,8 +28,8 @@ std::vector<Column> section_columns(const SectionProgramme& programme, const Sec
                                 {"air_temperature [degC]", 1, converted(programme.air_temperature, 1.0, celsius)},
                                 {"road_temperature [degC]", 1, converted(programme.road_temperature, 1.0, celsius)},
                                 {"throttle [-]", 3, programme.throttle}};
-    for (std::size_t c = 0; c < section_channels.size(); ++c) {
-        columns.push_back({std::string(section_channels[c]) + " [degC]", 2, converted(trace.channel[c], 1.0, celsius)});
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+        columns.push_back({std::string(channels[c]) + " [degC]", 2, converted(trace.channel[c], 1.0, celsius)});
     }
     return columns;
 }

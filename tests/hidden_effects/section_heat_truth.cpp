@@ -133,13 +133,19 @@ void SectionHeat::heat(double t, std::span<const double> T, std::span<double> f,
     for (std::size_t n = 0; n < f.size(); ++n) {
         f[n] = -f[n] + made.watts * (m.loss[n] + skew * m.loss_skew[n]) + friction * m.surface[n] +
                cornering * m.carcass[n] + m.sidewalls[n] * in.T_air + causes_.liner * m.liner[n] * T_gas +
-               in.throttle * (causes_.shoulder_watts * m.inside_shoulder[n] + causes_.crown_watts * m.crown[n]);
+               in.throttle * (causes_.shoulder_watts * m.inside_shoulder[n] + causes_.crown_watts * m.crown[n] +
+                              causes_.surface_watts * m.surface[n]);
     }
-    f[m.gas()] += causes_.liner * (dot(m.liner, T) - T_gas) + causes_.rim * (in.T_air - T_gas);
+    // Where nothing leaves for the gas, the node is that of inflation_pressure_rise, which follows the bulk at no cost.
+    const bool meets_liner = causes_.liner > 0.0;
+    const double to_gas = meets_liner ? causes_.liner : 9.0;
+    const double to_rim = meets_liner ? causes_.rim : 4.0;
+    const std::vector<double>& warms_gas = meets_liner ? m.liner : m.carcass;
+    f[m.gas()] += to_gas * (dot(warms_gas, T) - T_gas) + to_rim * (in.T_air - T_gas);
     add_tread(in, T, f, band);
     if (band != nullptr) {
         band->add(-1.0, m.conduction);
-        band->at(m.gas(), m.gas()) -= causes_.liner + causes_.rim;
+        band->at(m.gas(), m.gas()) -= to_gas + to_rim;
     }
     if (couplings != nullptr) {
         Coupling& bulk = (*couplings)[0];
@@ -147,8 +153,8 @@ void SectionHeat::heat(double t, std::span<const double> T, std::span<double> f,
         Coupling& liner = (*couplings)[2];
         bulk.v = m.carcass;
         gas.v[m.gas()] = 1.0;
-        liner.u[m.gas()] = causes_.liner;
-        liner.v = m.liner;
+        liner.u[m.gas()] = to_gas;
+        liner.v = warms_gas;
         for (std::size_t n = 0; n < f.size(); ++n) {
             const double share = made.watts * (m.loss[n] + skew * m.loss_skew[n]);
             bulk.u[n] = share * made.by_bulk;

@@ -21,8 +21,8 @@ struct SectionInputs {
 class SectionHeat : public HeatSystem {
 public:
     SectionHeat(const SectionBench& bench, const SectionCauses& causes, const SectionProgramme& programme,
-                int refinement)
-        : bench_(bench), causes_(causes), programme_(programme), shape_(causes, refinement) {}
+                int refinement, Strip strip)
+        : bench_(bench), causes_(causes), programme_(programme), shape_(causes, refinement, strip) {}
 
     [[nodiscard]] const SectionShape& shape() const { return shape_; }
     /// From now on time lies between these two, within interval i of the programme.

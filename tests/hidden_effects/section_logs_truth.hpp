@@ -12,5 +12,7 @@ inline constexpr std::array<double, section_channels.size()> section_noise{0.5, 
 
 /// The bench of a section, cases/practice: three runs with nothing hidden.
 [[nodiscard]] std::vector<ShippedLog> section_logs();
+/// The bench of its crown alone, in layers: three runs with nothing hidden.
+[[nodiscard]] std::vector<ShippedLog> layers_logs();
 
 }  // namespace hidden_effects

@@ -17,35 +17,11 @@ using quadratic::shapes;
 using quadratic::slopes;
 
 constexpr double pi = std::numbers::pi;
-constexpr double centre_radius = 0.3308;
-constexpr double crown_edge = 0.0675;
-constexpr double crown_radius = 1.0;
-constexpr double bead_radius = centre_radius - 0.1125;
 constexpr double density = 1100.0;
 constexpr double heat_capacity = 1800.0;
 constexpr std::array<double, 2> conductivity{0.40, 0.30};  ///< tread, carcass
 constexpr double sidewall_share = 0.5;
 constexpr double sidewall_film = 30.0;  ///< W/m2K
-
-/// An arc that turns evenly from one angle to another.
-struct Arc {
-    double from, to;        ///< rad
-    double length, radius;  ///< m; the radius about the tire's axis where it begins
-    [[nodiscard]] double at(double along) const {
-        const double per = (to - from) / length;
-        return radius - (std::cos(from) - std::cos(from + per * along)) / per;
-    }
-};
-
-Arc crown_arc() { return {0.0, crown_edge / crown_radius, crown_edge, centre_radius}; }
-Arc shoulder_arc() { return {crown_arc().to, pi / 4.0, tread_edge - crown_edge, crown_arc().at(crown_edge)}; }
-Arc sidewall_arc() {
-    const Arc before = shoulder_arc();
-    const double from = before.at(before.length);
-    const double to = 2.0 * pi / 3.0;
-    const double length = (from - bead_radius) * (to - before.to) / (std::cos(before.to) - std::cos(to));
-    return {before.to, to, length, from};
-}
 
 /// 1 at the middle of the outside shoulder and beyond, -1 inside.
 double towards_outside(double s) { return std::clamp(-s / shoulder_middle, -1.0, 1.0); }
@@ -53,34 +29,26 @@ double towards_outside(double s) { return std::clamp(-s / shoulder_middle, -1.0,
 void scale_to_one(std::vector<double>& load) {
     const double sum = std::accumulate(load.begin(), load.end(), 0.0);
     for (double& value : load) {
-        value /= sum;
+        value /= sum > 0.0 ? sum : 1.0;
     }
 }
 
 }  // namespace
 
-double section_radius(double s) {
-    const double along = std::abs(s);
-    if (along <= crown_edge) {
-        return crown_arc().at(along);
-    }
-    return along <= tread_edge ? shoulder_arc().at(along - crown_edge) : sidewall_arc().at(along - tread_edge);
-}
+double SectionShape::radius(double s) const { return strip_ == Strip::section ? section_radius(s) : centre_radius; }
 
-double section_reach() { return tread_edge + sidewall_arc().length; }
-
-SectionShape::SectionShape(const SectionCauses& causes, int refinement)
-    : capacity(0, 0), conduction(0, 0), s_{-section_reach()}, z_{0.0} {
+SectionShape::SectionShape(const SectionCauses& causes, int refinement, Strip strip)
+    : capacity(0, 0),
+      conduction(0, 0),
+      strip_(strip),
+      s_{strip == Strip::section ? -section_reach() : -tread_edge},
+      z_{0.0} {
     const int n = refinement;
-    // Finer towards the edges of the tread, where the surroundings change.
-    quadratic::append_elements(s_, -tread_edge, 6 * n, 0.05);
-    quadratic::append_elements(s_, -shoulder_middle, 4 * n, 6.0);
-    quadratic::append_elements(s_, -crown_edge, 3 * n, 1.0);
-    quadratic::append_elements(s_, 0.0, 3 * n, 3.0);
-    quadratic::append_elements(s_, crown_edge, 3 * n, 1.0 / 3.0);
-    quadratic::append_elements(s_, shoulder_middle, 3 * n, 1.0);
-    quadratic::append_elements(s_, tread_edge, 4 * n, 1.0 / 6.0);
-    quadratic::append_elements(s_, section_reach(), 6 * n, 20.0);
+    if (strip == Strip::layers) {
+        quadratic::append_elements(s_, tread_edge, 1, 1.0);
+    } else {
+        append_meridian(n);
+    }
     quadratic::append_elements(z_, tread_depth, 4 * n, 6.0);
     quadratic::append_elements(z_, section_depth, 2 * n, 1.0);
     capacity = BandMatrix(n_nodes(), reach());
@@ -106,11 +74,23 @@ SectionShape::SectionShape(const SectionCauses& causes, int refinement)
     }
 }
 
+void SectionShape::append_meridian(int n) {
+    // Finer towards the edges of the tread, where the surroundings change.
+    quadratic::append_elements(s_, -tread_edge, 6 * n, 0.05);
+    quadratic::append_elements(s_, -shoulder_middle, 4 * n, 6.0);
+    quadratic::append_elements(s_, -crown_edge, 3 * n, 1.0);
+    quadratic::append_elements(s_, 0.0, 3 * n, 3.0);
+    quadratic::append_elements(s_, crown_edge, 3 * n, 1.0 / 3.0);
+    quadratic::append_elements(s_, shoulder_middle, 3 * n, 1.0);
+    quadratic::append_elements(s_, tread_edge, 4 * n, 1.0 / 6.0);
+    quadratic::append_elements(s_, section_reach(), 6 * n, 20.0);
+}
+
 void SectionShape::find_areas() {
     for (std::size_t i = 0; i + 2 < s_.size(); i += 2) {
         for (std::size_t p = 0; p < 3; ++p) {
             const double half = 0.5 * (s_[i + 2] - s_[i]);
-            const double ring = 2.0 * pi * section_radius(s_[i + 1] + half * gauss_place[p]) * half * gauss_weight[p];
+            const double ring = 2.0 * pi * radius(s_[i + 1] + half * gauss_place[p]) * half * gauss_weight[p];
             liner_area_ += ring;
             (std::abs(s_[i + 1]) < tread_edge ? tread_area : sidewall_area_) += ring;
         }
@@ -129,8 +109,7 @@ void SectionShape::add_element(const SectionCauses& causes, std::size_t i, std::
         const double x = gauss_place[p / 3];
         const double y = gauss_place[p % 3];
         const double s = s_[i + 1] + half_s * x;
-        const double volume =
-            gauss_weight[p / 3] * gauss_weight[p % 3] * half_s * half_z * 2.0 * pi * section_radius(s);
+        const double volume = gauss_weight[p / 3] * gauss_weight[p % 3] * half_s * half_z * 2.0 * pi * radius(s);
         const double lossy = volume * (below_tread ? 1.0 : sidewall_share);
         for (std::size_t a = 0; a < 9; ++a) {
             const std::size_t row = node(i + a / 3, j + a % 3);
@@ -156,12 +135,14 @@ void SectionShape::add_faces(const SectionCauses& causes, std::size_t i) {
     const double half = 0.5 * (s_[i + 2] - s_[i]);
     const double middle = s_[i + 1];
     const bool is_tread = std::abs(middle) < tread_edge;
-    // The cause of both sidewalls together, and the unknown one of the inside sidewall, half of their area.
-    const double per_area = sidewall_film + causes.sidewall / sidewall_area_ +
-                            (middle > 0.0 ? 2.0 * causes.inside_sidewall / sidewall_area_ : 0.0);
+    // The cause of both sidewalls together, and the unknown one of the inside sidewall, half of their area; a strip without
+    // sidewalls loses to the air from its inner face.
+    const double inside = middle > 0.0 ? 2.0 * causes.inside_sidewall : 0.0;
+    const double outer_film = is_tread ? 0.0 : sidewall_film + (causes.sidewall + inside) / sidewall_area_;
+    const double inner_film = strip_ == Strip::layers ? causes.sidewall / liner_area_ : 0.0;
     for (std::size_t p = 0; p < 3; ++p) {
         const double s = middle + half * gauss_place[p];
-        const double area = 2.0 * pi * section_radius(s) * half * gauss_weight[p];
+        const double area = 2.0 * pi * radius(s) * half * gauss_weight[p];
         const std::array<double, 3> shape = shapes(gauss_place[p]);
         SurfacePoint point{.shape = shape, .area = area};
         for (std::size_t a = 0; a < 3; ++a) {
@@ -172,11 +153,12 @@ void SectionShape::add_faces(const SectionCauses& causes, std::size_t i) {
             surface[outer] += is_tread ? area * shape[a] : 0.0;
             crown_surface[outer] += std::abs(middle) < crown_edge ? area * shape[a] : 0.0;
             inside_shoulder[outer] += is_tread && middle > crown_edge ? area * shape[a] : 0.0;
-            sidewalls[outer] += is_tread ? 0.0 : per_area * area * shape[a];
+            sidewalls[outer] += outer_film * area * shape[a];
+            sidewalls[inner] += inner_film * area * shape[a];
             for (std::size_t b = 0; b < 3; ++b) {
                 conduction.at(inner, node(i + b, z_.size() - 1)) +=
-                    causes.liner / liner_area_ * area * shape[a] * shape[b];
-                conduction.at(outer, node(i + b, 0)) += is_tread ? 0.0 : per_area * area * shape[a] * shape[b];
+                    (causes.liner / liner_area_ + inner_film) * area * shape[a] * shape[b];
+                conduction.at(outer, node(i + b, 0)) += outer_film * area * shape[a] * shape[b];
             }
         }
         if (is_tread) {

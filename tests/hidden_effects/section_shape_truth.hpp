@@ -1,23 +1,21 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "band_truth.hpp"
 #include "section_causes_truth.hpp"
+#include "section_meridian_truth.hpp"
 
 namespace hidden_effects {
 
-/// Radius of the section's outer profile at an arc length from the centre plane, m: three arcs on either side.
-[[nodiscard]] double section_radius(double s);
-/// Arc length from the centre plane to a bead, m.
-[[nodiscard]] double section_reach();
+/// What of the tire is looked at: the section, or its crown band alone, a flat strip that is the same along s.
+enum class Strip : std::uint8_t { section, layers };
 
-inline constexpr double tread_edge = 0.1125;     ///< m
-inline constexpr double shoulder_middle = 0.09;  ///< m
-inline constexpr double tread_depth = 0.008;     ///< m
-inline constexpr double section_depth = 0.012;   ///< m
+inline constexpr double tread_depth = 0.008;    ///< m
+inline constexpr double section_depth = 0.012;  ///< m
 
 /// The section in biquadratic finite elements over arc length and depth, every one a ring of the profile's radius:
 /// matrices and load vectors of what is linear. Nodes are numbered down the depth first; one more is the gas.
@@ -30,7 +28,7 @@ public:
         double area = 0.0;  ///< m2
     };
 
-    SectionShape(const SectionCauses& causes, int refinement);
+    SectionShape(const SectionCauses& causes, int refinement, Strip strip);
 
     [[nodiscard]] std::size_t n_nodes() const { return s_.size() * z_.size() + 1; }
     [[nodiscard]] std::size_t gas() const { return n_nodes() - 1; }
@@ -56,9 +54,12 @@ public:
 private:
     void add_element(const SectionCauses& causes, std::size_t i, std::size_t j);
     void add_faces(const SectionCauses& causes, std::size_t i);
+    void append_meridian(int n);
     void find_areas();
+    [[nodiscard]] double radius(double s) const;
     [[nodiscard]] std::size_t node(std::size_t i, std::size_t j) const { return i * z_.size() + j; }
 
+    Strip strip_;
     std::vector<double> s_;  ///< m, of the nodes, three to an element
     std::vector<double> z_;
     double liner_area_ = 0.0;

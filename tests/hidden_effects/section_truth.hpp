@@ -15,10 +15,14 @@ inline constexpr std::array<std::string_view, 5> section_channels{
     "surface_temperature", "outside_shoulder_bulk_temperature", "inside_shoulder_bulk_temperature",
     "inner_liner_temperature", "gas_temperature"};
 
+/// The sensors of the bench of layers.
+inline constexpr std::array<std::string_view, 3> layers_channels{"surface_temperature", "bulk_temperature",
+                                                                 "inner_liner_temperature"};
+
 /// A tire's section on the bench of cases/practice/section_bench.md: the scales that its user does not know, its
 /// temperature at the start, and what else is going on. A cause on one layer names it ("tread", "carcass") as its
 /// channel. Not in the catalogue: unknown_inside_shoulder.watts (on the surface), unknown_crown.watts (in the crown's
-/// volume), each times the throttle, and unknown_inside_sidewall.conductance, W/K to the air.
+/// volume) and unknown_surface.watts (on the tread), each times the throttle, and unknown_inside_sidewall.conductance, W/K to the air.
 struct SectionBench {
     double lambda_h = 1.0;    ///< scale of air convection
     double lambda_sel = 1.0;  ///< scale of the strain-energy loss
@@ -35,7 +39,7 @@ struct SectionResolution {
 
 /// What the sensors give at the programme's times, without noise. [channel][sample] K
 struct SectionTrace {
-    std::array<std::vector<double>, section_channels.size()> channel;
+    std::vector<std::vector<double>> channel{};
     int n_steps = 0;
 };
 
@@ -44,5 +48,10 @@ struct SectionTrace {
 /// @errors std::invalid_argument names a cause, a parameter or a channel that is not known
 [[nodiscard]] SectionTrace drive_section(const SectionBench& bench, const SectionProgramme& programme,
                                          const SectionResolution& resolution = {});
+
+/// The crown band alone, cases/practice/section_bench.md: no sidewalls, no gas, and the programme's camber counts for
+/// nothing.
+[[nodiscard]] SectionTrace drive_layers(const SectionBench& bench, const SectionProgramme& programme,
+                                        const SectionResolution& resolution = {});
 
 }  // namespace hidden_effects

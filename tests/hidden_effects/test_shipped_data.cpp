@@ -76,8 +76,11 @@ TEST(ShippedData, LasersBenchLogsAreWhatIsMade) {
     }
 }
 
-TEST(ShippedData, SectionLogsAreWhatIsMade) {
+TEST(ShippedData, LogsOfSectionAndLayersAreWhatIsMade) {
     for (const ShippedLog& log : section_logs()) {
+        expect_as_shipped(log);
+    }
+    for (const ShippedLog& log : layers_logs()) {
         expect_as_shipped(log);
     }
 }

@@ -16,10 +16,7 @@ double start_of(const SectionProgramme& programme) { return programme.air_temper
 
 /// The bench's logs with readings of no meaning, which a run of the program does not look at.
 std::vector<Column> log_of(const SectionProgramme& programme) {
-    SectionTrace blank;
-    for (std::vector<double>& channel : blank.channel) {
-        channel.assign(programme.time.size(), 300.0);
-    }
+    const SectionTrace blank{.channel = {section_channels.size(), std::vector<double>(programme.time.size(), 300.0)}};
     std::vector<Column> log = section_columns(programme, blank);
     // As the truth has them: angles beyond the digits of a log.
     for (Column& column : log) {
