@@ -90,12 +90,12 @@ std::string causes_table(const Diagnosis& result) {
 }
 
 std::string limits_table(const Diagnosis& result) {
-    post::Table table({true, true, true, false});
-    table.add({"cause", "number", "unit", "with 95 % between"});
+    post::Table table({true, true, true, false, false});
+    table.add({"cause", "number", "unit", "95 % from", "to"});
     for (const UpperLimit& limit : result.limits) {
         const double half = 0.5 * (limit.high - limit.low);
         table.add({name_of(Cause{.id = limit.id, .channel = limit.channel}), limit.key, unit_or_dash(limit.unit),
-                   fmt::format("{} and {}", to_its_digits(limit.low, half), to_its_digits(limit.high, half))});
+                   to_its_digits(limit.low, half), to_its_digits(limit.high, half)});
     }
     return table.text(2);
 }

@@ -116,8 +116,8 @@ TEST(DiagnosisReport, AnUnknownReadingHasNoWatts) {
 TEST(DiagnosisReport, ConsistentQuotesUpperLimits) {
     const MadeUp made_up = sample::consistent();
     const std::string text = on_one_line(page(made_up));
-    EXPECT_TRUE(has(text, "sidewall_convection conductance W/K 0.00 and 0.80")) << text;
-    EXPECT_TRUE(has(text, "sensor_offset of bulk_temperature kelvin K -0.20 and 0.30")) << text;
+    EXPECT_TRUE(has(text, "sidewall_convection conductance W/K 0.00 0.80")) << text;
+    EXPECT_TRUE(has(text, "sensor_offset of bulk_temperature kelvin K -0.20 0.30")) << text;
     EXPECT_FALSE(has(text, "extended")) << "nothing was added: " << text;
     const Json said = json(made_up);
     EXPECT_EQ(said["verdict"], "consistent");
