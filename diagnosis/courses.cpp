@@ -1,96 +1,48 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <stdexcept>
 #include <string_view>
 
+#include "cases/own_signals.hpp"
 #include "diagnosis/dictionary.hpp"
 
 namespace tiretherm::diagnosis {
 
 namespace {
 
-using physics::Inputs;
-
-/// A formula of the inputs.
+/// What heat may follow of the inputs, and the inputs that must be given.
 struct Formula {
     std::string_view text;
     std::string_view unit;
-    std::array<std::string_view, 2> signals;  ///< that it needs; the second may be empty
-    double (*value)(const Inputs&);
+    std::string_view signal;
+    std::string_view other{};
 };
 
 constexpr std::array formulas{
-    Formula{"speed", "m s-1", {"speed"}, [](const Inputs& u) { return u.speed; }},
-    Formula{"speed^2", "m2 s-2", {"speed"}, [](const Inputs& u) { return u.speed * u.speed; }},
-    Formula{"vertical_load", "N", {"vertical_load"}, [](const Inputs& u) { return u.vertical_load; }},
-    Formula{"speed * vertical_load",
-            "W",
-            {"speed", "vertical_load"},
-            [](const Inputs& u) { return u.speed * u.vertical_load; }},
-    Formula{"lateral_force", "N", {"lateral_force"}, [](const Inputs& u) { return u.lateral_force; }},
-    Formula{"abs(lateral_force)", "N", {"lateral_force"}, [](const Inputs& u) { return std::abs(u.lateral_force); }},
-    Formula{"speed * abs(lateral_force)",
-            "W",
-            {"speed", "lateral_force"},
-            [](const Inputs& u) { return u.speed * std::abs(u.lateral_force); }},
-    Formula{"speed * abs(slip_angle)",
-            "m s-1",
-            {"speed", "slip_angle"},
-            [](const Inputs& u) { return u.speed * std::abs(u.slip_angle); }},
-    Formula{"longitudinal_force", "N", {"longitudinal_force"}, [](const Inputs& u) { return u.longitudinal_force; }},
-    Formula{"abs(longitudinal_force)",
-            "N",
-            {"longitudinal_force"},
-            [](const Inputs& u) { return std::abs(u.longitudinal_force); }},
-    Formula{"camber", "rad", {"camber"}, [](const Inputs& u) { return u.camber; }},
-    Formula{"inflation_pressure", "Pa", {"inflation_pressure"}, [](const Inputs& u) { return u.inflation_pressure; }},
-    Formula{"air_temperature", "K", {"air_temperature"}, [](const Inputs& u) { return u.air_temperature; }},
-    Formula{"road_temperature", "K", {"road_temperature"}, [](const Inputs& u) { return u.road_temperature; }},
-    Formula{"wet", "1", {"wet"}, [](const Inputs& u) { return u.wet; }},
-    Formula{"laser_power", "W", {"laser_power"}, [](const Inputs& u) { return u.laser_power; }},
+    Formula{"speed", "m s-1", "speed"},
+    Formula{"speed^2", "m2 s-2", "speed"},
+    Formula{"vertical_load", "N", "vertical_load"},
+    Formula{"speed * vertical_load", "W", "speed", "vertical_load"},
+    Formula{"lateral_force", "N", "lateral_force"},
+    Formula{"abs(lateral_force)", "N", "lateral_force"},
+    Formula{"speed * abs(lateral_force)", "W", "speed", "lateral_force"},
+    Formula{"speed * abs(slip_angle)", "m s-1", "speed", "slip_angle"},
+    Formula{"longitudinal_force", "N", "longitudinal_force"},
+    Formula{"abs(longitudinal_force)", "N", "longitudinal_force"},
+    Formula{"camber", "rad", "camber"},
+    Formula{"inflation_pressure", "Pa", "inflation_pressure"},
+    Formula{"air_temperature", "K", "air_temperature"},
+    Formula{"road_temperature", "K", "road_temperature"},
+    Formula{"wet", "1", "wet"},
+    Formula{"laser_power", "W", "laser_power"},
 };
 
 bool is_given(const cases::Experiment& experiment, std::string_view signal) {
     return signal.empty() || std::ranges::all_of(experiment.runs, [&](const cases::MeasuredRun& run) {
                return run.problem.drive.gives(*physics::find_signal(signal));
            });
-}
-
-/// Times at which a run's inputs may bend.
-std::vector<double> bends(const cases::MeasuredRun& run) {
-    const solver::Settings& settings = run.problem.settings;
-    std::vector<double> times = run.time;
-    times.insert(times.end(), {settings.start, settings.end});
-    const std::vector<double>& samples = run.problem.drive.samples();
-    times.insert(times.end(), samples.begin(), samples.end());
-    for (const double stop : run.problem.drive.stops()) {
-        times.insert(times.end(), {std::nextafter(stop, settings.start), stop});
-    }
-    std::erase_if(times, [&](double t) { return t < settings.start || t > settings.end; });
-    std::ranges::sort(times);
-    times.erase(std::unique(times.begin(), times.end()), times.end());
-    return times;
-}
-
-/// A value that was not logged is taken from the straight line between its neighbours.
-void fill_gaps(const std::vector<double>& time, std::vector<double>& value) {
-    std::size_t last = value.size();
-    for (std::size_t i = 0; i < value.size(); ++i) {
-        if (std::isnan(value[i])) {
-            continue;
-        }
-        if (last == value.size()) {
-            std::fill(value.begin(), value.begin() + static_cast<std::ptrdiff_t>(i), value[i]);
-        } else {
-            for (std::size_t j = last + 1; j < i; ++j) {
-                value[j] = value[last] + (value[i] - value[last]) * (time[j] - time[last]) / (time[i] - time[last]);
-            }
-        }
-        last = i;
-    }
-    for (std::size_t i = last + 1; i < value.size(); ++i) {
-        value[i] = value[last];
-    }
 }
 
 /// Whether it changes anywhere; keeps its largest value.
@@ -106,18 +58,26 @@ bool varies(Course& course) {
     return std::isfinite(low) && std::isfinite(high) && high - low > 1e-6 * course.largest;
 }
 
-/// A column that every run has and the model does not use; empty when a run lacks it.
-std::optional<Course> unused(const cases::Experiment& experiment, const cases::UnusedSignal& signal) {
-    Course course{.follows = signal.name, .unit = signal.unit, .time = {}, .value = {}};
+/// As a table [[source]] with this formula would have it; nothing where a run lacks a signal.
+std::optional<Course> course(const cases::Experiment& experiment, std::string_view follows, std::string_view unit) {
+    Course course{.follows = std::string(follows), .unit = std::string(unit), .time = {}, .value = {}};
     for (const cases::MeasuredRun& run : experiment.runs) {
-        const auto found = std::ranges::find(run.unused, signal.name, &cases::UnusedSignal::name);
-        if (found == run.unused.end() ||
-            std::ranges::all_of(found->value, [](double value) { return std::isnan(value); })) {
+        try {
+            solver::Course one = cases::course_of(follows, run);
+            for (std::size_t i = one.value.size(); i-- > 0;) {  // what was not logged is bridged by its neighbours
+                if (!std::isfinite(one.value[i])) {
+                    one.value.erase(one.value.begin() + static_cast<std::ptrdiff_t>(i));
+                    one.time.erase(one.time.begin() + static_cast<std::ptrdiff_t>(i));
+                }
+            }
+            course.time.push_back(std::move(one.time));
+            course.value.push_back(std::move(one.value));
+        } catch (const std::invalid_argument&) {
             return std::nullopt;
         }
-        course.time.push_back(run.time);
-        course.value.push_back(found->value);
-        fill_gaps(run.time, course.value.back());
+        if (course.value.back().empty()) {
+            return std::nullopt;
+        }
     }
     return course;
 }
@@ -126,30 +86,20 @@ std::optional<Course> unused(const cases::Experiment& experiment, const cases::U
 
 std::vector<Course> courses_of(const cases::Experiment& experiment) {
     std::vector<Course> courses;
-    const auto add = [&](std::string_view text, std::string_view unit, double (*value)(const Inputs&)) {
-        Course course{.follows = std::string(text), .unit = std::string(unit), .time = {}, .value = {}};
-        for (const cases::MeasuredRun& run : experiment.runs) {
-            course.time.push_back(bends(run));
-            std::vector<double>& values = course.value.emplace_back();
-            for (const double t : course.time.back()) {
-                values.push_back(value(run.problem.drive.at(t, solver::Limit::after)));
-            }
-        }
-        if (varies(course) || text == "1") {
-            courses.push_back(std::move(course));
+    const auto add = [&](std::string_view text, std::string_view unit) {
+        if (std::optional<Course> one = course(experiment, text, unit); one && (varies(*one) || text == "1")) {
+            courses.push_back(std::move(*one));
         }
     };
-    add("1", "1", [](const Inputs& /*u*/) { return 1.0; });
-    add("time", "s", [](const Inputs& u) { return u.time; });
+    add("1", "1");
+    add("time", "s");
     for (const Formula& formula : formulas) {
-        if (is_given(experiment, formula.signals[0]) && is_given(experiment, formula.signals[1])) {
-            add(formula.text, formula.unit, formula.value);
+        if (is_given(experiment, formula.signal) && is_given(experiment, formula.other)) {
+            add(formula.text, formula.unit);
         }
     }
     for (const cases::UnusedSignal& signal : experiment.runs.front().unused) {
-        if (std::optional<Course> course = unused(experiment, signal); course && varies(*course)) {
-            courses.push_back(std::move(*course));
-        }
+        add(signal.name, cases::base_unit(signal.unit));
     }
     return courses;
 }

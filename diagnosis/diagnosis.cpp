@@ -31,7 +31,7 @@ std::string_view word_of(Verdict verdict) {
 }
 
 Diagnosis diagnose(const cases::Experiment& experiment, const Observations& observations,
-                   const DiagnosisChoice& /*choice*/) {
+                   const DiagnosisChoice& choice) {
     const auto begin = std::chrono::steady_clock::now();
     cases::Experiment fine = experiment;
     for (cases::MeasuredRun& run : fine.runs) {
@@ -44,6 +44,9 @@ Diagnosis diagnose(const cases::Experiment& experiment, const Observations& obse
     if (result.status.ok()) {
         inquire(findings);
         report(findings, result);
+        if (choice.measure_gain) {
+            measure_gain(findings, result);
+        }
     }
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return result;

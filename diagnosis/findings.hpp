@@ -34,6 +34,10 @@ struct Findings {
 /// Looks for explanations and decides between them: nothing, one cause, two causes, an unknown source.
 void inquire(Findings& findings);
 
+/// Measures the gain run by run: each run in turn takes no part in choosing, sizing and fitting, and is then predicted from
+/// the others, with how it started from itself. To first order about the two fitted models.
+void measure_gain(const Findings& findings, Diagnosis& into);
+
 /// Tells a diagnosis what was found.
 void report(const Findings& findings, Diagnosis& into);
 

@@ -13,7 +13,7 @@ namespace {
 /// An explanation that is this much less likely than the best is not in the set. With all of them alike before the data
 /// it has a probability of 1 in 150. There are many pairs that do nearly as well as any pair.
 constexpr double behind_single = 5.0;
-constexpr double behind_pair = 3.0;
+constexpr double behind_pair = 4.0;
 /// A cause of the catalogue is given up for an unknown source that is likelier by this: there are twice as many of these,
 /// and they are rarer.
 constexpr double unknown_over_one = 2.5;
