@@ -66,6 +66,30 @@ TEST(LayersTruth, ThePageIsTheCase) {
     }
 }
 
+// The numbers of the page, which has three digits.
+TEST(LayersTruth, SettlesWhereThePageSays) {
+    const double expected[2][3] = {{38.587, 71.421, 72.637}, {42.867, 95.324, 97.267}};
+    const double loads[] = {4000.0, 7000.0};
+    for (int i = 0; i < 2; ++i) {
+        SectionProgramme hour;
+        for (double t = 0.0; t <= 3600.0; t += 20.0) {
+            hour.time.push_back(t);
+        }
+        const std::size_t n = hour.time.size();
+        hour.speed.assign(n, 100.0 / 3.6);
+        hour.vertical_load.assign(n, loads[i]);
+        hour.slip_angle.assign(n, 0.0);
+        hour.lateral_force.assign(n, 0.0);
+        hour.air_temperature.assign(n, 296.15);
+        hour.road_temperature.assign(n, 296.15);
+        hour.throttle.assign(n, 0.0);
+        const SectionTrace trace = drive_layers({}, hour);
+        for (std::size_t c = 0; c < layers_channels.size(); ++c) {
+            EXPECT_NEAR(trace.channel[c].back() - celsius, expected[i][c], 0.0005 + 0.0005) << layers_channels[c];
+        }
+    }
+}
+
 // As in the section's bench: 2 % of the largest change, and 15 mK where film or friction have jumped.
 TEST(LayersTruth, ACauseChangesBothAlike) {
     struct Example {
