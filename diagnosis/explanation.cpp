@@ -14,6 +14,8 @@ namespace {
 constexpr double far_behind = 10.0;
 constexpr double bent = 0.15;
 constexpr std::size_t most_singles = 8;
+/// Single numbers leave few directions, in which many causes look alike: what is not tried would be missing from the set.
+constexpr std::size_t most_singles_of_numbers = 24;
 constexpr std::size_t most_pairs = 8;
 /// Two signatures that are this much alike are no pair.
 constexpr double alike = 0.995;
@@ -217,7 +219,7 @@ std::vector<Explanation> explain_by_one(Evidence& evidence) {
                  evidence.candidates);
         }
     }
-    keep_likely(promises, most_singles);
+    keep_likely(promises, evidence.observations->channels.empty() ? most_singles_of_numbers : most_singles);
     return fit_all(evidence, promises);
 }
 

@@ -65,6 +65,9 @@ Scores score(const Eigen::MatrixXd& signatures, const Eigen::VectorXd& residual,
 double admitted(double z, int sign) { return sign == 0 ? std::abs(z) : std::max(0.0, sign * z); }
 
 double family_threshold(const Eigen::MatrixXd& correlation, const Eigen::VectorXi& sign, double probability) {
+    if (correlation.size() == 0) {  // no cause can act: no score can be loud
+        return 0.0;
+    }
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(correlation);
     // Directions that carry nothing are left out: many signatures of one family are few normals.
     const double largest = parts.eigenvalues()[parts.eigenvalues().size() - 1];
