@@ -5,12 +5,34 @@
 
 namespace tiretherm::cases {
 
+namespace {
+
+/// Multiplies every number of cells in a table and in the lists within it.
+void refine(Node& table, int finer) {
+    for (Entry& entry : table.entries) {
+        if (entry.key.ends_with("cells") && entry.value.kind == Node::Kind::integer) {
+            entry.value.number *= finer;
+        }
+        refine(entry.value, finer);
+    }
+    for (Node& item : table.items) {
+        refine(item, finer);
+    }
+}
+
+}  // namespace
+
 ExperimentReading read_experiment(const std::filesystem::path& file, const std::vector<std::filesystem::path>& data,
-                                  Occasion occasion) {
+                                  Occasion occasion, int finer) {
     Mistakes mistakes;
     ExperimentReading reading;
     Runs runs;
-    if (const std::optional<Node> document = read_document(file, mistakes)) {
+    if (std::optional<Node> document = read_document(file, mistakes)) {
+        for (Entry& entry : document->entries) {
+            if (entry.key == "mesh" && finer > 1) {
+                refine(entry.value, finer);
+            }
+        }
         runs = read_runs(*document, case_name(file), data, occasion, mistakes);
         const bool has_runs = occasion == Occasion::planned || !data.empty() || document->find("run") != nullptr;
         if (!has_runs && mistakes.count() == 0 && runs.experiment.runs.front().numbers.empty()) {

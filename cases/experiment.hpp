@@ -70,8 +70,9 @@ enum class Occasion : std::uint8_t {
 
 /// Reads a case with its [[run]] tables and [[parameter]] tables, all files that they mention included.
 /// @param data files of runs that take the place of the case's own; their columns have standard names
+/// @param finer every row of cells has this many times as many, to see what the grid's error is
 [[nodiscard]] ExperimentReading read_experiment(const std::filesystem::path& file,
                                                 const std::vector<std::filesystem::path>& data = {},
-                                                Occasion occasion = Occasion::measured);
+                                                Occasion occasion = Occasion::measured, int finer = 1);
 
 }  // namespace tiretherm::cases

@@ -180,7 +180,7 @@ std::string heading(const FittedCase& fitted) {
     for (const FittedRun& run : fitted.runs) {
         to.push_back(run.file.empty() ? run.name : run.file.filename().string());
     }
-    std::string text = fmt::format("# tiretherm identify, {}", fitted.before->title);
+    std::string text = fmt::format("# {}", fitted.before->title);
     text += to.empty() ? ": fitted values\n" : fmt::format(": values fitted to {}\n", listed(to));
     for (const std::string& remark : fitted.remarks) {
         text += "# " + remark + "\n";

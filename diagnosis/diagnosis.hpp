@@ -103,6 +103,17 @@ struct UpperLimit {
     double high = 0.0;
 };
 
+/// Heat that the data ask for over a window of time: what it would have to be for the base model to fit there, all else as
+/// it is.
+struct AskedHeat {
+    std::size_t run = 0;
+    std::string place;
+    double from = 0.0;  ///< s
+    double to = 0.0;
+    double watts = 0.0;
+    double sigma = 0.0;  ///< standard deviations from none, with its sign
+};
+
 /// Everything that a diagnosis found out.
 struct Diagnosis {
     solver::Status status;  ///< of a run that failed; then nothing else holds
@@ -114,6 +125,7 @@ struct Diagnosis {
     std::string reason;
     std::vector<NextExperiment> next;  ///< the most telling first
     std::vector<UpperLimit> limits;    ///< when nothing is found
+    std::vector<AskedHeat> asked;      ///< where and when, of the base model
     std::vector<ChannelGain> channels;
     Gain gain;
     double numerical_error_sigma = 0.0;
@@ -133,6 +145,9 @@ struct Diagnosis {
 
 struct DiagnosisChoice {
     bool measure_gain = true;
+    /// The same experiment on a grid of half the spacing (read_experiment with finer = 2), where the model has a grid: what
+    /// changes is taken for the grid's error and corrected.
+    const cases::Experiment* finer = nullptr;
     bool plan_next = true;
     std::function<void(long simulations)> progress{};
 };

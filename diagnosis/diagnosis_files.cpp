@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -38,6 +39,16 @@ std::string samples_csv(const DiagnosisRecord& record) {
     return text;
 }
 
+std::string asked_csv(const DiagnosisRecord& record) {
+    std::string text = "run,place,from [s],to [s],watts [W],sigma [1]\n";
+    for (const AskedHeat& asked : record.result.asked) {
+        fmt::format_to(std::back_inserter(text), "{},{},{:.10g},{:.10g},{:.6g},{:.5g}\n",
+                       record.experiment.runs[asked.run].name, asked.place, asked.from, asked.to, asked.watts,
+                       asked.sigma);
+    }
+    return text;
+}
+
 /// A sentence as comment lines.
 std::vector<std::string> lines_of(const std::string& sentence) {
     std::vector<std::string> lines;
@@ -64,8 +75,7 @@ std::string extended_toml(const DiagnosisRecord& record, const std::filesystem::
                         .problem = &problems.back(),
                         .file = record.data.empty() ? std::filesystem::path() : record.data[r]});
     }
-    std::vector<std::string> remarks{
-        fmt::format("tiretherm diagnose: {}", record.experiment.runs.front().problem.title)};
+    std::vector<std::string> remarks{"tiretherm diagnose"};
     for (std::string& line : lines_of(reason_of(record))) {
         remarks.push_back(std::move(line));
     }
@@ -87,11 +97,10 @@ std::vector<std::filesystem::path> write_diagnosis(DiagnosisRecord& record, cons
     if (error) {
         throw post::FileError("create", directory, error.message());
     }
-    std::vector<std::filesystem::path> files{directory / "diagnosis.json", directory / "residuals.csv",
-                                             directory / "residuals.png"};
+    std::vector<std::filesystem::path> files{directory / "diagnosis.json"};
     const std::filesystem::path extended = directory / "extended.toml";
     if (record.result.extended_model) {
-        files.insert(files.begin() + 1, extended);
+        files.push_back(extended);
         post::replace_file(extended, extended_toml(record, directory));
         if (const cases::Reading reading = cases::read_case(extended); !reading.problem) {
             record.warnings.push_back("the extended case cannot be run as it is: " + reading.mistakes.front().what);
@@ -99,9 +108,17 @@ std::vector<std::filesystem::path> write_diagnosis(DiagnosisRecord& record, cons
     } else {
         std::filesystem::remove(extended, error);  // of an earlier diagnosis: it would pass for this one's
     }
-    const std::size_t first = files.size() - 2;
-    post::replace_file(files[first], samples_csv(record));
-    draw_residuals(files[first + 1], record);
+    files.push_back(directory / "residuals.csv");
+    post::replace_file(files.back(), samples_csv(record));
+    if (!record.result.asked.empty()) {
+        files.push_back(directory / "what_is_asked.csv");
+        post::replace_file(files.back(), asked_csv(record));
+    }
+    const auto is_series = [](const Block& block) { return block.channel >= 0; };
+    if (std::ranges::any_of(record.observations.blocks, is_series)) {
+        files.push_back(directory / "residuals.png");
+        draw_residuals(files.back(), record);
+    }
     post::replace_file(files.front(), diagnosis_json(record, files));
     return files;
 }

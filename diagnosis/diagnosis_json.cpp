@@ -52,7 +52,7 @@ Json unknown_json(const UnknownSource& source, const cases::Experiment& experime
                 {"low", shown(source.low)},
                 {"high", shown(source.high)}}},
               {"per_unit_of_signal", shown(source.per)},
-              {"signal_unit", slashed_unit(source.unit)},
+              {"signal_unit", source.unit == "-" ? "1" : slashed_unit(source.unit)},
               {"sigma", number(source.sigma)},
               {"alike", source.alike}};
     if (!source.run.empty()) {

@@ -25,7 +25,9 @@ struct DiagnosisRecord {
 [[nodiscard]] std::string diagnosis_json(const DiagnosisRecord& record,
                                          const std::vector<std::filesystem::path>& files);
 /// extended.toml, where there is something to add: the case with the cause switched on at its fitted value.
-/// residuals.csv: a row for each sample. residuals.png: the same as lines. diagnosis.json: all figures.
+/// residuals.csv: a row for each sample. residuals.png: the same as lines,
+/// where there are series. what_is_asked.csv: the heat that the data ask for, a row for each window and place.
+/// diagnosis.json: all figures.
 /// A sentence is added to the record's warnings where the extended case cannot be run.
 /// @errors post::FileError  @returns their paths
 [[nodiscard]] std::vector<std::filesystem::path> write_diagnosis(DiagnosisRecord& record,

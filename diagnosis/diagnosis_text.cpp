@@ -17,14 +17,33 @@ namespace {
 
 /// Causes that are told beside those of the set.
 constexpr std::size_t most_others = 6;
+/// Windows in which heat is asked for.
+constexpr std::size_t most_windows = 5;
 /// Letters of a cause's name in a row.
 constexpr std::size_t widest_name = 36;
 
 std::string unit_or_dash(const std::string& unit) { return unit == "1" ? "-" : slashed_unit(unit); }
 
-/// What each cause of the set is, and what looks like it.
-std::string meanings_text(const Diagnosis& result) {
+/// A source without a name, as a case may have it.
+std::string unknown_text(const UnknownSource& unknown, const cases::Experiment& experiment) {
+    const post::ShownUnit unit = unit_of(unknown, experiment);
     std::string text;
+    if (unknown.run.empty() && unknown.follows != "1") {
+        text =
+            fmt::format("{:.3g} {} per {}{} of {}. ", unit.difference(unknown.per), unit.name,
+                        unknown.unit == "1" || unknown.unit == "-" || unknown.unit.empty() ? "1" : "1 ",
+                        unknown.unit == "1" || unknown.unit == "-" ? "" : slashed_unit(unknown.unit), unknown.follows);
+    }
+    text += unknown.sensor
+                ? "A reading that changes faster than heat could make it is the sensor's or the logger's."
+                : "In extended.toml it is a [[source]] of the case's own, to go on with until it has a name.";
+    return post::wrap(text, 2);
+}
+
+/// What each cause of the set is, and what looks like it.
+std::string meanings_text(const DiagnosisRecord& record) {
+    const Diagnosis& result = record.result;
+    std::string text = result.unknown ? unknown_text(*result.unknown, record.experiment) : "";
     for (const Cause& cause : result.causes) {
         if (!cause.in_set) {
             continue;
@@ -77,11 +96,13 @@ std::string causes_table(const Diagnosis& result) {
             add_rows(table, cause);
         }
     }
+    const bool any = std::ranges::any_of(result.causes, &Cause::in_set);
     std::string text = table.text(2);
-    text += post::wrap(
-        "*: in the set; sigma: standard deviations from absent; gain: in log likelihood over the model without it, the "
-        "free numbers fitted anew each time.",
-        2);
+    text +=
+        post::wrap(std::string(any ? "*: in the set; " : "") +
+                       "sigma: standard deviations from absent; gain: in log likelihood over the model without it, the "
+                       "free numbers fitted anew each time.",
+                   2);
     if (others > most_others) {
         text += post::wrap(
             fmt::format("{} more are less likely; all of them stand in diagnosis.json.", others - most_others), 2);
@@ -128,15 +149,35 @@ std::string gain_text(const DiagnosisRecord& record) {
         return text;
     }
     const Gain& gain = result.gain;
-    return text +
-           post::wrap(fmt::format("On {} that took no part in naming or fitting, {:.0f} % of the error that a model "
-                                  "could remove is removed (95 %: {:.0f} to {:.0f} %); {}.",
-                                  gain.within_run ? "blocks of the run" : "runs", 100.0 * gain.removable_removed,
-                                  100.0 * gain.low, 100.0 * gain.high,
-                                  gain.confirmed
-                                      ? fmt::format("confirmed there, 1 : {:.3g} against chance", std::exp(gain.log_e))
-                                      : "detected, but not confirmed there"),
-                      2);
+    return text + post::wrap(fmt::format(
+                                 "On {} that took no part in naming or fitting, {:.0f} % of the error that a model "
+                                 "could remove is removed (95 %: {:.0f} to {:.0f} %); {}.",
+                                 gain.within_run ? "blocks of the run" : "runs", 100.0 * gain.removable_removed,
+                                 100.0 * gain.low, 100.0 * gain.high,
+                                 gain.confirmed
+                                     ? fmt::format("confirmed there, at odds of 10^{:.0f}", gain.log_e / std::log(10.0))
+                                     : "detected, but not confirmed there"),
+                             2);
+}
+
+/// The windows in which the base model lacks most.
+std::string asked_table(const DiagnosisRecord& record) {
+    std::vector<AskedHeat> asked = record.result.asked;
+    const auto loudest = asked.begin() + static_cast<std::ptrdiff_t>(std::min(most_windows, asked.size()));
+    std::partial_sort(asked.begin(), loudest, asked.end(),
+                      [](const AskedHeat& a, const AskedHeat& b) { return std::abs(a.sigma) > std::abs(b.sigma); });
+    asked.erase(loudest, asked.end());
+    post::Table table({true, true, false, false, false, false});
+    table.add({"run", "place", "from s", "to s", "W", "sigma"});
+    for (const AskedHeat& one : asked) {
+        table.add({record.experiment.runs[one.run].name, one.place, fmt::format("{:.0f}", one.from),
+                   fmt::format("{:.0f}", one.to), fmt::format("{:+.3g}", one.watts),
+                   fmt::format("{:+.1f}", one.sigma)});
+    }
+    return table.text(2) + post::wrap(
+                               "The heat that a window lacks if all else is as in the base model; all windows stand in "
+                               "what_is_asked.csv. A large sigma here is no verdict: there are many windows.",
+                               2);
 }
 
 std::string noise_table(const DiagnosisRecord& record) {
@@ -187,9 +228,10 @@ std::string diagnosis_text(const DiagnosisRecord& record, bool bold) {
         post::grouped(static_cast<double>(record.observations.measured.size())), n_free, n_free == 1 ? "" : "s",
         result.simulations, result.seconds);
     text += section("Verdict", post::wrap(reason_of(record), 2));
-    text += section("What that is", meanings_text(result));
+    text += section("What that is", meanings_text(record));
     text += section("What would tell", result.next.empty() ? "" : next_text(result));
     text += section("Where it shows", where_text(record));
+    text += section("What heat the data ask for", result.asked.empty() ? "" : asked_table(record));
     text += section("Causes that were tried", result.causes.empty() ? "" : causes_table(result));
     text += section("How large each could be unseen", result.limits.empty() ? "" : limits_table(result));
     text += section("Gain", result.channels.empty() ? "" : gain_text(record));

@@ -107,6 +107,34 @@ std::string signals_text(const std::vector<ComparedChannel>& base, const std::ve
     return any ? table.text(2) : "";
 }
 
+/// Single numbers, with their distance in their own standard uncertainties.
+std::string numbers_text(const DiagnosisRecord& record) {
+    post::Table table({true, true, false, false, false, false, false, false});
+    table.add({"channel", "run", "measured", "+-", "base", "off by", "extended", "off by"});
+    bool any = false;
+    for (const Block& block : record.observations.blocks) {
+        for (std::size_t i = 0; block.channel < 0 && i < block.standard_deviation.size(); ++i) {
+            const Eigen::Index k = block.first + static_cast<Eigen::Index>(i);
+            const Observations::Row& row = record.observations.rows[static_cast<std::size_t>(k)];
+            const cases::MeasuredRun& run = record.experiment.runs[row.run];
+            const solver::Channel& channel = run.problem.channels[row.channel];
+            const post::ShownUnit unit = post::shown_unit(channel.quantity);
+            const double u = block.standard_deviation[i];
+            const double measured = record.observations.measured[k];
+            std::vector<std::string> cells{channel.name, run.name,
+                                           fmt::format("{:.4g} {}", unit.value(measured), unit.name),
+                                           fmt::format("{:.2g}", unit.difference(u))};
+            for (const double simulated : {record.result.base[k], record.result.extended[k]}) {
+                cells.push_back(fmt::format("{:.2f}", unit.value(simulated)));
+                cells.push_back(fmt::format("{:+.1f} u", (simulated - measured) / u));
+            }
+            table.add(std::move(cells));
+            any = true;
+        }
+    }
+    return any ? table.text(2) + "  u: standard uncertainty of the measured number\n" : "";
+}
+
 }  // namespace
 
 std::vector<ComparedChannel> beside_measured(const DiagnosisRecord& record, const Eigen::VectorXd& simulated) {
@@ -139,8 +167,9 @@ std::vector<ComparedChannel> beside_measured(const DiagnosisRecord& record, cons
 
 std::string where_text(const DiagnosisRecord& record) {
     const std::vector<ComparedChannel> base = beside_measured(record, record.result.base);
+    const std::string numbers = numbers_text(record);
     if (base.empty()) {
-        return "";
+        return numbers;
     }
     std::vector<ComparedChannel> extended;
     if (record.result.extended != record.result.base) {
@@ -150,7 +179,7 @@ std::string where_text(const DiagnosisRecord& record) {
     if (const std::string signals = signals_text(base, extended); !signals.empty()) {
         text += "\n  The signals that it follows closest, and how often chance would do as much\n" + signals;
     }
-    return text;
+    return text + (numbers.empty() ? "" : "\n") + numbers;
 }
 
 }  // namespace tiretherm::diagnosis

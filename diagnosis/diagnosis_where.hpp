@@ -14,7 +14,7 @@ namespace tiretherm::diagnosis {
                                                            const Eigen::VectorXd& simulated);
 
 /// Where and when measured and simulated differ, with the base model and, where there is one, with the extended one.
-/// Empty without a series.
+/// Single numbers stand for themselves.
 [[nodiscard]] std::string where_text(const DiagnosisRecord& record);
 
 }  // namespace tiretherm::diagnosis

@@ -27,7 +27,7 @@ std::string slashed_unit(std::string_view unit) {
         const std::size_t to = std::min(unit.find(' ', from), unit.size());
         const std::string_view factor = unit.substr(from, to - from);
         const std::size_t minus = factor.find('-');
-        if (minus == std::string_view::npos) {
+        if (minus == std::string_view::npos || minus == 0) {  // a "-" by itself is a pure number's unit
             above.emplace_back(factor);
         } else {
             const std::string_view power = factor.substr(minus + 1);

@@ -58,7 +58,8 @@ TEST(Call, MissingCaseAndMissingCommandAreMistakes) {
     EXPECT_EQ(call("run").err, "tiretherm: CASE is required; see tiretherm run --help\n");
     EXPECT_EQ(call("").exit_code, 1);
     EXPECT_EQ(call("").err,
-              "tiretherm: no command; the commands are run, check, compare, identify, diagnose, validate and effects; see tiretherm --help\n");
+              "tiretherm: no command; the commands are run, check, compare, identify, diagnose, validate and effects; "
+              "see tiretherm --help\n");
 }
 
 TEST(Check, SoundCaseIsToldInAFewLines) {

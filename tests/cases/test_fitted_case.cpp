@@ -214,7 +214,7 @@ initial = ["tread", "gas"]
     EXPECT_NEAR(again.runs[1].problem.initial[static_cast<std::size_t>(tread)], zero + 22.3, 1e-9);
     const std::string text = text_of(written.folder() / "out/fit 1/fitted.toml");
     EXPECT_TRUE(
-        text.starts_with("# tiretherm identify, sound section: values fitted to warm-up and coast-down\n"
+        text.starts_with("# sound section: values fitted to warm-up and coast-down\n"
                          "include = [\"../../cases/mine/tire.toml\"]\n"))
         << text;
     EXPECT_NE(text.find("conductivity = { through = [[\"40 degC\", \"0.31 W/mK\"], [\"90 degC\", \"0.47 W/mK\"]"),

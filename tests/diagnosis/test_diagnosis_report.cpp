@@ -84,6 +84,8 @@ TEST(DiagnosisReport, AnUnknownSourceHasPlaceSignalAndWatts) {
     EXPECT_EQ(said["place"], "surface");
     EXPECT_EQ(said["follows"], "throttle");
     EXPECT_EQ(said["watts"], 310.0);
+    EXPECT_EQ(said["signal_unit"], "1");
+    EXPECT_TRUE(has(on_one_line(page(made_up)), "310 W per 1 of throttle.")) << page(made_up);
     EXPECT_FALSE(said.contains("window"));
 
     made_up.result.unknown->follows = "time window";
@@ -240,6 +242,7 @@ TEST(DiagnosisReport, AUnitIsWrittenAsAFraction) {
     EXPECT_EQ(slashed_unit("J m-3 K-1"), "J/(m3 K)");
     EXPECT_EQ(slashed_unit("1/(km/h)^2"), "1/(km/h)^2");
     EXPECT_EQ(slashed_unit("N m"), "N m");
+    EXPECT_EQ(slashed_unit("-"), "-");
     EXPECT_EQ(slashed_unit(""), "");
 }
 
@@ -310,6 +313,25 @@ TEST(DiagnosisReport, TheExtendedCaseHoldsTheCauseAtItsFittedValue) {
     EXPECT_EQ(reading.problem->settings.tolerance, made_up.experiment.runs.front().problem.settings.tolerance);
     EXPECT_TRUE(has(post::read_text(files[1]), "# One cause explains what the model gets wrong"))
         << post::read_text(files[1]);
+}
+
+// The loudest windows, whatever their sign, the loudest first.
+TEST(DiagnosisReport, WindowsThatAskForHeatAreToldAndWritten) {
+    MadeUp made_up = sample::unknown();
+    for (int i = 0; i < 7; ++i) {
+        made_up.result.asked.push_back(
+            {.run = 1, .place = "bulk", .from = 30.0 * i, .to = 30.0 * (i + 1), .watts = 10.0, .sigma = 0.5 * i});
+    }
+    made_up.result.asked.push_back(
+        {.run = 2, .place = "surface", .from = 600.0, .to = 630.0, .watts = -85.0, .sigma = -4.25});
+    const std::string text = on_one_line(page(made_up));
+    EXPECT_TRUE(has(text, "run place from s to s W sigma run3 surface 600 630 -85 -4.2 run2 bulk 180 210 +10 +3.0"))
+        << text;
+    EXPECT_FALSE(has(text, "run2 bulk 30 60")) << text;
+    const cases::Written written;
+    DiagnosisRecord record = made_up.record();
+    EXPECT_EQ(write_diagnosis(record, written.folder()).size(), 4u);
+    EXPECT_TRUE(has(post::read_text(written.folder() / "what_is_asked.csv"), "run3,surface,600,630,-85,-4.25\n"));
 }
 
 // An extended case of an earlier diagnosis would pass for this one's.
