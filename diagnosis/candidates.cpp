@@ -157,7 +157,11 @@ bool is_chosen(const std::vector<std::string>& chosen, const Effect& effect, con
 void add_all(std::vector<Candidate>& all, const cases::Experiment& experiment, const Effect& effect,
              const std::vector<int>& channels, const std::vector<std::string>& chosen) {
     const solver::Problem& problem = experiment.runs.front().problem;
-    const physics::ActiveEffect standard = physics::activate(effect, problem.mesh);
+    // By itself an effect on layers leaves the outermost alone, whose numbers are known best; what is known may be wrong.
+    std::vector<int> layers = physics::activate(effect, problem.mesh).layers;
+    if (problem.mesh.kind != "two_node" && !layers.empty() && layers.front() > 0) {
+        layers.insert(layers.begin(), 0);
+    }
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
         const Parameter& parameter = effect.parameters[p];
         if (std::isnan(parameter.absent) || !is_chosen(chosen, effect, parameter)) {
@@ -177,7 +181,7 @@ void add_all(std::vector<Candidate>& all, const cases::Experiment& experiment, c
                 }
             }
         } else if (effect.on_layers) {
-            for (const int layer : standard.layers) {
+            for (const int layer : layers) {
                 Candidate one = plain;
                 one.layer = layer;
                 add(all, one);
@@ -244,7 +248,7 @@ std::string name_of(const Candidate& candidate, const cases::Experiment& experim
     if (candidate.channel >= 0) {
         name += " of " + problem.channels[static_cast<std::size_t>(candidate.channel)].name;
     }
-    if (candidate.layer >= 0 && physics::activate(*candidate.effect, problem.mesh).layers.size() > 1) {
+    if (candidate.layer >= 0 && problem.mesh.kind != "two_node" && problem.mesh.layers.size() > 1) {
         name += " of " + problem.mesh.layers[static_cast<std::size_t>(candidate.layer)];
     }
     return name;

@@ -18,25 +18,26 @@ struct Formula {
     std::string_view unit;
     std::string_view signal;
     std::string_view other{};
+    bool first = false;  ///< looked for even where a source costs a second
 };
 
 constexpr std::array formulas{
-    Formula{"speed", "m s-1", "speed"},
+    Formula{"speed", "m s-1", "speed", {}, true},
     Formula{"speed^2", "m2 s-2", "speed"},
     Formula{"vertical_load", "N", "vertical_load"},
-    Formula{"speed * vertical_load", "W", "speed", "vertical_load"},
+    Formula{"speed * vertical_load", "W", "speed", "vertical_load", true},
     Formula{"lateral_force", "N", "lateral_force"},
     Formula{"abs(lateral_force)", "N", "lateral_force"},
-    Formula{"speed * abs(lateral_force)", "W", "speed", "lateral_force"},
+    Formula{"speed * abs(lateral_force)", "W", "speed", "lateral_force", true},
     Formula{"speed * abs(slip_angle)", "m s-1", "speed", "slip_angle"},
     Formula{"longitudinal_force", "N", "longitudinal_force"},
     Formula{"abs(longitudinal_force)", "N", "longitudinal_force"},
-    Formula{"camber", "rad", "camber"},
+    Formula{"camber", "rad", "camber", {}, true},
     Formula{"inflation_pressure", "Pa", "inflation_pressure"},
     Formula{"air_temperature", "K", "air_temperature"},
     Formula{"road_temperature", "K", "road_temperature"},
     Formula{"wet", "1", "wet"},
-    Formula{"laser_power", "W", "laser_power"},
+    Formula{"laser_power", "W", "laser_power", {}, true},
 };
 
 bool is_given(const cases::Experiment& experiment, std::string_view signal) {
@@ -84,7 +85,7 @@ std::optional<Course> course(const cases::Experiment& experiment, std::string_vi
 
 }  // namespace
 
-std::vector<Course> courses_of(const cases::Experiment& experiment) {
+std::vector<Course> courses_of(const cases::Experiment& experiment, bool all) {
     std::vector<Course> courses;
     const auto add = [&](std::string_view text, std::string_view unit) {
         if (std::optional<Course> one = course(experiment, text, unit); one && (varies(*one) || text == "1")) {
@@ -94,7 +95,7 @@ std::vector<Course> courses_of(const cases::Experiment& experiment) {
     add("1", "1");
     add("time", "s");
     for (const Formula& formula : formulas) {
-        if (is_given(experiment, formula.signal) && is_given(experiment, formula.other)) {
+        if ((all || formula.first) && is_given(experiment, formula.signal) && is_given(experiment, formula.other)) {
             add(formula.text, formula.unit);
         }
     }

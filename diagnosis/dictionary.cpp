@@ -57,7 +57,7 @@ double overlap(double from, double to, double begin, double end) {
     return std::max(0.0, std::min(to, end) - std::max(from, begin)) / (to - from);
 }
 
-void name_terms(const cases::Experiment& experiment, const Observations& observations, double window,
+void name_terms(const cases::Experiment& experiment, const Observations& observations, int windows,
                 Dictionary& dictionary) {
     for (std::size_t c = 0; c < dictionary.courses.size(); ++c) {
         for (std::size_t p = 0; p < dictionary.places.size(); ++p) {
@@ -69,11 +69,11 @@ void name_terms(const cases::Experiment& experiment, const Observations& observa
             }
         }
     }
-    for (std::size_t r = 0; window > 0.0 && r < experiment.runs.size(); ++r) {
+    dictionary.n_followers = static_cast<Eigen::Index>(dictionary.terms.size());
+    for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
         const solver::Settings& settings = experiment.runs[r].problem.settings;
-        const int n = std::max(1, static_cast<int>(std::round((settings.end - settings.start) / window)));
-        const double length = (settings.end - settings.start) / n;
-        for (int i = 0; i < n && !experiment.runs[r].time.empty(); ++i) {
+        const double length = (settings.end - settings.start) / std::max(1, windows);
+        for (int i = 0; i < windows && !experiment.runs[r].time.empty(); ++i) {
             for (std::size_t p = 0; p < dictionary.places.size(); ++p) {
                 dictionary.terms.push_back({.place = p,
                                             .event = true,
@@ -142,10 +142,14 @@ void fill_run(std::size_t r, const Observations& observations, const solver::Pro
 
 }  // namespace
 
-std::vector<HeatPlace> heat_places(const solver::Problem& problem) {
+std::vector<HeatPlace> heat_places(const solver::Problem& problem, bool all) {
     std::vector<HeatPlace> places;
     const mesh::Mesh& mesh = problem.mesh;
     for (const std::string& name : physics::names_of_places(mesh)) {
+        const bool is_part = mesh.zones.empty() ? mesh.find_layer(name) >= 0 : mesh.find_zone(name) >= 0;
+        if (!all && !is_part && mesh.find_region(name) < 0) {
+            continue;
+        }
         const std::vector<int> nodes = physics::nodes_of_place(mesh, name);
         const std::vector<double> shares = physics::shares_of_nodes(mesh, problem.materials, nodes);
         const bool known = std::ranges::any_of(
@@ -160,11 +164,13 @@ std::vector<HeatPlace> heat_places(const solver::Problem& problem) {
 
 Dictionary dictionary_of(const cases::Experiment& experiment, const Observations& observations,
                          const std::vector<solver::Problem>& problems, const std::vector<std::vector<double>>& steps,
-                         double window) {
+                         int windows) {
+    constexpr int small = 50;
+    const bool is_small = problems.front().mesh.n_nodes <= small;
     Dictionary dictionary;
-    dictionary.places = heat_places(problems.front());
-    dictionary.courses = courses_of(experiment);
-    name_terms(experiment, observations, window, dictionary);
+    dictionary.places = heat_places(problems.front(), is_small);
+    dictionary.courses = courses_of(experiment, is_small);
+    name_terms(experiment, observations, is_small ? windows : 0, dictionary);
     dictionary.columns = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(observations.rows.size()),
                                                static_cast<Eigen::Index>(dictionary.terms.size()));
     in_parallel(problems.size(), [&](std::size_t r) { fill_run(r, observations, problems[r], steps[r], dictionary); });

@@ -17,7 +17,8 @@ struct HeatPlace {
     mesh::Functional nodes;  ///< weights sum to 1
 };
 /// Regions, layers, zones and patches, as a [[source]] names them, each set of nodes once.
-[[nodiscard]] std::vector<HeatPlace> heat_places(const solver::Problem& problem);
+/// @param all otherwise regions and zones alone, or layers where there are no zones
+[[nodiscard]] std::vector<HeatPlace> heat_places(const solver::Problem& problem, bool all);
 
 /// A signal that a source may follow, in every run.
 struct Course {
@@ -29,7 +30,8 @@ struct Course {
 };
 /// Inputs and products of them, and the columns that the model does not use. Those that never change are left out but
 /// for "1".
-[[nodiscard]] std::vector<Course> courses_of(const cases::Experiment& experiment);
+/// @param all otherwise a few that stand for the rest
+[[nodiscard]] std::vector<Course> courses_of(const cases::Experiment& experiment, bool all);
 
 /// A source that no effect of the catalogue is: heat at a place that follows a signal, or a reading that does.
 struct UnknownTerm {
@@ -46,14 +48,17 @@ struct UnknownTerm {
 struct Dictionary {
     std::vector<HeatPlace> places;
     std::vector<Course> courses;
-    std::vector<UnknownTerm> terms;
+    std::vector<UnknownTerm> terms;  ///< events last
+    Eigen::Index n_followers = 0;    ///< terms that follow a signal
     Eigen::MatrixXd columns;  ///< [n_rows][n_terms] SI per unit of the signal's largest value, per W of an event
 };
 
 /// @param problems [n_runs] at the fitted values  @param steps [n_runs] that they take
-/// @param window s, length of an event; 0: none
+/// A source costs a run of the linear equations: on meshes of more than 50 nodes a few places and signals stand for all,
+/// and there are no events.
+/// @param windows that each run is divided into for events
 [[nodiscard]] Dictionary dictionary_of(const cases::Experiment& experiment, const Observations& observations,
                                        const std::vector<solver::Problem>& problems,
-                                       const std::vector<std::vector<double>>& steps, double window);
+                                       const std::vector<std::vector<double>>& steps, int windows);
 
 }  // namespace tiretherm::diagnosis

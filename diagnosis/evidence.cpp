@@ -14,6 +14,8 @@ constexpr double settled_noise = 0.01;
 /// A combination of signatures that is this small a part of all of them counts as noise's.
 constexpr double least_part = 0.01;
 constexpr double chance = 0.005;
+/// Windows of a run in which heat of its own is looked for.
+constexpr int windows = 16;
 
 /// Largest relative change of a sigma, or change of a correlation over one second.
 double change(const Covariance& before, const Covariance& after) {
@@ -90,8 +92,9 @@ Scores Evidence::scores_after(const Refit& model) const { return scored(model, c
 Scores Evidence::unknown_scores_after(const Refit& model) const { return scored(model, unknown_columns); }
 
 Eigen::MatrixXd Evidence::essence(const Refit& model) const {
-    Eigen::MatrixXd raw(signatures.rows(), signatures.cols() + unknowns.columns.cols());
-    raw << signatures, unknowns.columns;
+    // Events are left out: there are many of them, and together they could make up any slow noise.
+    Eigen::MatrixXd raw(signatures.rows(), signatures.cols() + unknowns.n_followers);
+    raw << signatures, unknowns.columns.leftCols(unknowns.n_followers);
     const Eigen::MatrixXd left = Remainder(model.slopes, model.precision).of(whitened(*this, raw));
     Eigen::VectorXd inverse = left.colwise().norm();
     for (double& length : inverse) {
@@ -115,7 +118,8 @@ void Evidence::take_noise(Covariance found, Refit refitted) {
         family_threshold(unknown_scores.correlation, Eigen::VectorXi::Zero(unknown_scores.z.size()), chance);
 }
 
-Evidence gather_evidence(const cases::Experiment& experiment, const Observations& observations) {
+Evidence gather_evidence(const cases::Experiment& experiment, const Observations& observations,
+                         std::vector<Candidate> candidates) {
     Evidence evidence;
     evidence.experiment = &experiment;
     evidence.observations = &observations;
@@ -136,7 +140,7 @@ Evidence gather_evidence(const cases::Experiment& experiment, const Observations
     }
     evidence.steps = fit.simulator().steps();
     evidence.noise = fit.covariance();
-    evidence.candidates = candidates_of(experiment, experiment.candidates);
+    evidence.candidates = std::move(candidates);
     evidence.sign.resize(static_cast<Eigen::Index>(evidence.candidates.size()));
     for (std::size_t k = 0; k < evidence.candidates.size(); ++k) {
         const Candidate& candidate = evidence.candidates[k];
@@ -149,7 +153,7 @@ Evidence gather_evidence(const cases::Experiment& experiment, const Observations
     for (const cases::MeasuredRun& run : still.runs) {
         problems.push_back(run.problem);
     }
-    evidence.unknowns = dictionary_of(experiment, observations, problems, evidence.steps, 0.0);
+    evidence.unknowns = dictionary_of(experiment, observations, problems, evidence.steps, windows);
     for (int turn = 0; turn < most_turns; ++turn) {
         const Covariance before = fit.covariance();
         fit.find_noise(evidence.essence(evidence.base));

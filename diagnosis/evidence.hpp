@@ -46,7 +46,8 @@ struct Evidence {
 };
 
 /// Fits the base model with the noise that is most likely whatever is missing, and takes every signature.
-/// @param experiment, observations live longer
-[[nodiscard]] Evidence gather_evidence(const cases::Experiment& experiment, const Observations& observations);
+/// @param experiment, observations live longer  @param candidates causes that may be missing
+[[nodiscard]] Evidence gather_evidence(const cases::Experiment& experiment, const Observations& observations,
+                                       std::vector<Candidate> candidates);
 
 }  // namespace tiretherm::diagnosis

@@ -180,7 +180,9 @@ void report(const Findings& found, Diagnosis& into) {
     into.noise = found.evidence.noise.channels;
     const Explanation* best = found.best();
     into.extended = best != nullptr ? best->fit.simulated : into.base;
-    if (best != nullptr) {
+    // A window of one run is nothing that a case could have.
+    const bool is_event = found.verdict == Verdict::unknown && found.evidence.unknowns.terms[found.unknown.term].event;
+    if (best != nullptr && !is_event) {
         into.extended_model = best->model;
         into.extended_values = best->fit.values;
         if (found.verdict == Verdict::unknown) {

@@ -38,6 +38,13 @@ void inquire(Findings& findings);
 /// the others, with how it started from itself. To first order about the two fitted models.
 void measure_gain(const Findings& findings, Diagnosis& into);
 
+/// Rehearses manoeuvres of a menu and says by how many standard deviations each would set the likeliest explanations apart.
+void plan_next(const Findings& findings, Diagnosis& into);
+
+/// The heat that the residuals of the base model ask for, by the adjoint of the discrete run: one run backwards says for
+/// every place and moment how the likelihood would rise with heat there. What noise makes of it is drawn.
+void ask_for_heat(const Findings& findings, Diagnosis& into);
+
 /// Tells a diagnosis what was found.
 void report(const Findings& findings, Diagnosis& into);
 

@@ -109,6 +109,27 @@ void whiten(std::span<const Block> blocks, const Covariance& covariance, Eigen::
     }
 }
 
+void whiten_transposed(std::span<const Block> blocks, const Covariance& covariance, Eigen::MatrixXd& columns) {
+    std::vector<FilterStep> filter;
+    for (const Block& block : blocks) {
+        auto mine = columns.middleRows(block.first, block.rows());
+        if (block.channel < 0) {
+            for (Eigen::Index i = 0; i < mine.rows(); ++i) {
+                mine.row(i) /= block.standard_deviation[static_cast<std::size_t>(i)];
+            }
+            continue;
+        }
+        filter_of(block, covariance.channels[static_cast<std::size_t>(block.channel)], covariance.weight, filter);
+        Eigen::RowVectorXd carried = Eigen::RowVectorXd::Zero(mine.cols());
+        for (Eigen::Index i = mine.rows(); i-- > 0;) {
+            const FilterStep& step = filter[static_cast<std::size_t>(i)];
+            const Eigen::RowVectorXd scaled = step.scale * mine.row(i);
+            mine.row(i) = scaled + step.take * carried;
+            carried = step.keep * carried - scaled;
+        }
+    }
+}
+
 double log_determinant(std::span<const Block> blocks, const Covariance& covariance) {
     std::vector<FilterStep> filter;
     double sum = 0.0;

@@ -58,6 +58,10 @@ inline constexpr double huber_bend = 1.345;
 /// @param rows [n_rows][any] in and out; all finite. Rows of no block stay as they are
 void whiten(std::span<const Block> blocks, const Covariance& covariance, Eigen::Ref<Eigen::MatrixXd> rows);
 
+/// Multiplies each column by the transpose of V^-1/2 (that of `whiten`): the filter backwards in time, so that both after
+/// each other make V^-1.
+void whiten_transposed(std::span<const Block> blocks, const Covariance& covariance, Eigen::MatrixXd& columns);
+
 /// log |V|.
 [[nodiscard]] double log_determinant(std::span<const Block> blocks, const Covariance& covariance);
 

@@ -19,6 +19,10 @@ public:
     /// @param known [n] what was known of each number less its value, in standard deviations  @returns [n_rows + n]
     [[nodiscard]] Eigen::VectorXd of(const Eigen::VectorXd& residual, const Eigen::VectorXd& known) const;
 
+    [[nodiscard]] Eigen::Index rows() const { return basis_.rows(); }
+    /// @param columns [n_rows + n][m] with rows for what was known
+    [[nodiscard]] Eigen::MatrixXd of_all(Eigen::MatrixXd columns) const { return take_out(std::move(columns)); }
+
 private:
     Eigen::MatrixXd take_out(Eigen::MatrixXd columns) const;
     Eigen::MatrixXd basis_;  ///< [n_rows + n][n] orthonormal

@@ -116,4 +116,28 @@ TEST(Whitening, CorrelationOverASecond) {
 }
 
 }  // namespace
+// (W u, v) = (u, W' v) for W = V^-1/2: over uneven samples of two channels, correlated and white, with weights, and over
+// single numbers, to round-off of 400 products of order one.
+TEST(Noise, TheTransposedFilterIsTheTransposedMatrix) {
+    std::vector<double> time;
+    for (int i = 0; i < 150; ++i) {
+        time.push_back(2.0 * i + (i % 7 == 0 ? 0.7 : 0.0));
+    }
+    const std::vector<double> value(time.size(), 0.0);
+    const std::vector<Block> blocks{series_block(0, 0, time, value), series_block(1, 150, time, value),
+                                    numbers_block(300, {0.5, 2.0})};
+    Covariance covariance;
+    covariance.channels = {{.sigma = 0.5, .correlation_time = 9.5, .white_share = 0.3}, {.sigma = 0.3}};
+    covariance.weight = Eigen::VectorXd::LinSpaced(302, 0.4, 1.0);
+    const Eigen::MatrixXd u = Eigen::VectorXd::LinSpaced(302, -1.0, 3.0).array().sin().matrix();
+    const Eigen::MatrixXd v = Eigen::VectorXd::LinSpaced(302, 5.0, 40.0).array().cos().matrix();
+    Eigen::MatrixXd Wu = u;
+    whiten(blocks, covariance, Wu);
+    Eigen::MatrixXd Wv = v;
+    whiten_transposed(blocks, covariance, Wv);
+    const double size = Wu.norm() * v.norm();
+    EXPECT_NEAR(Wu.col(0).dot(v.col(0)), u.col(0).dot(Wv.col(0)), 1e-14 * size);
+    EXPECT_GT(std::abs(Wu.col(0).dot(v.col(0))), 1e-3 * size);
+}
+
 }  // namespace tiretherm::diagnosis

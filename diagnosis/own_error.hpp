@@ -1,0 +1,20 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "diagnosis/evidence.hpp"
+
+namespace tiretherm::diagnosis {
+
+/// What the model's own steps and grid do to what it says of the data.
+struct OwnError {
+    Eigen::VectorXd change;  ///< [n_rows] SI, to be added to what is simulated: Richardson's extrapolation
+    double sigma = 0.0;      ///< of the change, beside what the free numbers take up of it, in standard deviations
+};
+
+/// Simulates the fitted model with every step halved and, where a finer grid is given, with half the spacing. Both are of
+/// second order: four thirds of what changes is the error.
+/// @param finer the experiment on the finer grid, or null
+[[nodiscard]] OwnError find_own_error(Evidence& evidence, const cases::Experiment* finer);
+
+}  // namespace tiretherm::diagnosis

@@ -1,0 +1,128 @@
+// What must hold of any diagnosis, whatever the data: on papers of the exam of the bench.
+#include <algorithm>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "diagnosis/diagnosis.hpp"
+#include "diagnosis/findings.hpp"
+#include "hidden_effects/exam_sitting.hpp"
+#include "hidden_effects/made_up_bench.hpp"
+
+namespace hidden_effects {
+
+namespace {
+
+namespace diagnosis = tiretherm::diagnosis;
+using tiretherm::cases::Experiment;
+
+/// s between samples: half of the bench's, which is quick enough for a tire.
+constexpr double interval = 4.0;
+
+Experiment paper(Kind kind, double sigma, std::uint64_t seed) {
+    return read_paper(draw_paper(kind, sigma, seed, interval));
+}
+
+std::set<std::set<std::string>> set_of(const diagnosis::Diagnosis& found) {
+    std::set<std::set<std::string>> all;
+    for (const auto& explanation : found.explanations) {
+        std::set<std::string> names;
+        for (const std::size_t i : explanation) {
+            names.insert(found.causes[i].id + found.causes[i].channel);
+        }
+        all.insert(std::move(names));
+    }
+    return all;
+}
+
+/// The experiment with readings that the program itself has simulated, and the noise of its own data left out.
+double misfit_without_noise(Experiment experiment) {
+    for (auto& run : experiment.runs) {
+        run.problem.settings.tolerance = 1e-3;
+    }
+    const diagnosis::Observations observations = diagnosis::observe(experiment);
+    diagnosis::Fit fit(experiment, observations);
+    fit.take_stated_noise();
+    EXPECT_TRUE(fit.move_to(fit.simulator().start()));
+    return std::sqrt(diagnosis::refit(fit).cost);
+}
+
+}  // namespace
+
+// The order in which a case lists its candidates is nobody's knowledge.
+TEST(DiagnosisBench, DoesNotFollowTheOrderOfTheCandidates) {
+    Experiment experiment = paper(Kind::single, 10.0, 4203);
+    const diagnosis::DiagnosisChoice choice{.measure_gain = false, .plan_next = false};
+    const diagnosis::Diagnosis one = diagnosis::diagnose(experiment, diagnosis::observe(experiment), choice);
+    std::ranges::reverse(experiment.candidates);
+    const diagnosis::Diagnosis other = diagnosis::diagnose(experiment, diagnosis::observe(experiment), choice);
+    EXPECT_EQ(one.verdict, other.verdict);
+    EXPECT_EQ(set_of(one), set_of(other));
+    EXPECT_NE(one.verdict, diagnosis::Verdict::consistent);
+}
+
+// Two causes with one signature are a set of two, never a toss of a coin.
+TEST(DiagnosisBench, ACauseThatStandsTwiceIsASetOfTwo) {
+    const Experiment experiment = paper(Kind::single, 20.0, 4205);
+    const diagnosis::Observations observations = diagnosis::observe(experiment);
+    std::vector<diagnosis::Candidate> candidates = diagnosis::candidates_of(experiment, experiment.candidates);
+    diagnosis::Findings found;
+    found.evidence = diagnosis::gather_evidence(experiment, observations, candidates);
+    diagnosis::inquire(found);
+    ASSERT_FALSE(found.set.empty());
+    ASSERT_EQ(found.set.front()->candidates.size(), 1U);
+    const std::size_t members = found.set.size();
+    diagnosis::Candidate twin = candidates[found.set.front()->candidates.front()];
+    const std::size_t cause = twin.cause;
+    twin.cause = candidates.back().cause + 1;
+    candidates.push_back(twin);
+    diagnosis::Findings again;
+    again.evidence = diagnosis::gather_evidence(experiment, observations, candidates);
+    diagnosis::inquire(again);
+    EXPECT_EQ(again.verdict, diagnosis::Verdict::confounded);
+    EXPECT_EQ(again.set.size(), members + 1);
+    const auto holds = [&](std::size_t wanted) {
+        return std::ranges::any_of(again.set, [&](const diagnosis::Explanation* one) {
+            return one->candidates.size() == 1 && again.evidence.candidates[one->candidates.front()].cause == wanted;
+        });
+    };
+    EXPECT_TRUE(holds(cause));
+    EXPECT_TRUE(holds(twin.cause));
+}
+
+// Readings without noise, made by the truth, leave something when the program fits them: another integrator, other steps,
+// digits of the log. Readings made by the program itself leave less; were it not so, the truth would not be another one.
+TEST(DiagnosisBench, ReadingsOfTheProgramItselfFitBetterThanThoseOfTheTruth) {
+    std::vector<std::vector<Column>> logs;
+    for (std::uint64_t run = 1; run <= 3; ++run) {
+        const Programme programme = draw_programme(10 * 9100 + run, interval);
+        const double air = programme.air_temperature.front();
+        logs.push_back(
+            bench_columns(programme, drive_bench({.surface_start = air + 1.0, .bulk_start = air - 1.0}, programme)));
+    }
+    const Experiment honest = read_with(practice_case(), logs);
+    Experiment own = honest;
+    const diagnosis::Observations observations = diagnosis::observe(own);
+    Experiment fine = own;
+    for (auto& run : fine.runs) {
+        run.problem.settings.tolerance = 1e-4;
+    }
+    diagnosis::Simulator simulator(fine, observations);
+    const diagnosis::Forecast& made = simulator.at(simulator.start());
+    ASSERT_TRUE(made.status.ok());
+    for (std::size_t row = 0; row < observations.rows.size(); ++row) {
+        const auto& what = observations.rows[row];
+        for (auto& series : own.runs[what.run].series) {
+            if (series.channel == what.channel) {
+                series.value[what.time] = made.simulated[static_cast<Eigen::Index>(row)];
+            }
+        }
+    }
+    const double of_truth = misfit_without_noise(honest);
+    const double of_program = misfit_without_noise(own);
+    EXPECT_LT(of_program, of_truth);
+    // Half a standard deviation of the noise over all 3 600 readings together would be a cause of its own.
+    EXPECT_LT(of_truth, 0.5);
+}
+
+}  // namespace hidden_effects
