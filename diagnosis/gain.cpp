@@ -70,14 +70,41 @@ Solved solve(const Picture& picture, const Rows& rows, const Eigen::VectorXd& pr
     return solved;
 }
 
-Rows rows_of_run(const Observations& observations, std::size_t run, bool of_it) {
-    Rows rows;
+/// What takes no part, and what the rest is.
+struct Fold {
+    Rows test;
+    Rows rest;
+    int run = -1;  ///< whose start is fitted to the test itself; -1: to the rest
+};
+
+/// Each run once; of a single run, each of its quarters, with a gap of a twentieth of the run between it and the rest.
+std::vector<Fold> folds_of(const Observations& observations) {
+    const std::size_t n_runs = observations.times.size();
+    std::vector<Fold> folds(n_runs > 1 ? n_runs : 4);
     for (std::size_t row = 0; row < observations.rows.size(); ++row) {
-        if ((observations.rows[row].run == run) == of_it) {
-            rows.push_back(static_cast<Eigen::Index>(row));
+        const Observations::Row& what = observations.rows[row];
+        const std::vector<double>& times = observations.times[what.run];
+        const double length = times.back() - times.front();
+        for (std::size_t f = 0; f < folds.size(); ++f) {
+            bool is_test = what.run == f;
+            bool is_rest = !is_test;
+            if (n_runs == 1) {
+                const double share = length > 0.0 ? (times[what.time] - times.front()) / length : 0.0;
+                const double from = 0.25 * static_cast<double>(f);
+                is_test = share >= from && (share < from + 0.25 || f == 3);
+                is_rest = share < from - 0.05 || share > from + 0.30;
+            }
+            if (is_test) {
+                folds[f].test.push_back(static_cast<Eigen::Index>(row));
+            } else if (is_rest) {
+                folds[f].rest.push_back(static_cast<Eigen::Index>(row));
+            }
         }
     }
-    return rows;
+    for (std::size_t f = 0; n_runs > 1 && f < folds.size(); ++f) {
+        folds[f].run = static_cast<int>(f);
+    }
+    return folds;
 }
 
 /// What is left of a run that took no part, SI: numbers of all runs as the others gave them, its own (how it started)
@@ -219,7 +246,6 @@ Trained train(const Findings& found, const Picture& base, const Picture& extende
 void measure_gain(const Findings& found, Diagnosis& into) {
     const Evidence& evidence = found.evidence;
     const Observations& observations = *evidence.observations;
-    const std::size_t n_runs = evidence.experiment->runs.size();
     const std::size_t n_noises = observations.channels.size();
     const Explanation* best = found.best();
     const auto n_rows = static_cast<std::size_t>(observations.measured.size());
@@ -243,21 +269,20 @@ void measure_gain(const Findings& found, Diagnosis& into) {
     };
     Eigen::VectorXd before = Eigen::VectorXd::Constant(observations.measured.size(), none);
     Eigen::VectorXd after = before;
-    if (best != nullptr && n_runs > 1 && n_noises > 0) {
+    if (best != nullptr && n_noises > 0) {
         const Picture base = picture_of(evidence.base, observations);
         const Picture extended = picture_of(best->fit, observations);
         const Eigen::VectorXd pull = base.precision.cwiseSqrt().cwiseProduct(base.known);
         std::vector<double> log_e;
-        for (std::size_t r = 0; r < n_runs; ++r) {
-            const Rows test = rows_of_run(observations, r, true);
-            const Rows rest = rows_of_run(observations, r, false);
+        for (const Fold& fold : folds_of(observations)) {
+            const auto& [test, rest, run] = fold;
             if (test.empty() || rest.empty()) {
                 continue;
             }
             const Trained trained = train(found, base, extended, rest);
             std::vector<bool> own(static_cast<std::size_t>(trained.picture.slopes.cols()), false);
             for (std::size_t j = 0; j < evidence.experiment->parameters.size(); ++j) {
-                own[j] = evidence.experiment->parameters[j].run == static_cast<int>(r);
+                own[j] = run >= 0 && evidence.experiment->parameters[j].run == run;
             }
             after(test) = left_of_run(trained.picture, trained.solved, test, own);
             own.resize(static_cast<std::size_t>(base.slopes.cols()));
@@ -283,6 +308,7 @@ void measure_gain(const Findings& found, Diagnosis& into) {
                 times.size() > 1 ? (times.back() - times.front()) / static_cast<double>(times.size() - 1) : 1.0;
             const auto block = static_cast<std::size_t>(std::max(10.0, 10.0 * longest / interval));
             into.gain.measured = true;
+            into.gain.within_run = observations.times.size() == 1;
             find_share(losses, block, into.gain);
             // The folds share their training runs: the mean of e-values is one, their product is not.
             const double most = *std::ranges::max_element(log_e);

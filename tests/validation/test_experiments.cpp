@@ -18,7 +18,8 @@ std::vector<std::string> experiments() {
     for (const char* folder : {"flat_trac", "drum", "oval_track", "handling", "section"}) {
         for (const auto& entry : fs::directory_iterator(library() / folder)) {
             const std::string stem = entry.path().stem().string();
-            if (entry.path().extension() == ".toml" && !stem.ends_with("common")) {
+            // What a diagnosis is given is no experiment of its own.
+            if (entry.path().extension() == ".toml" && !stem.ends_with("common") && !stem.starts_with("diagnose")) {
                 found.push_back(std::string(folder) + "/" + stem);
             }
         }
