@@ -13,7 +13,7 @@ constexpr int most_turns = 4;
 constexpr double settled_noise = 0.01;
 /// A combination of signatures that is this small a part of all of them counts as noise's.
 constexpr double least_part = 0.01;
-constexpr double chance = 0.005;
+constexpr double chance = 0.002;
 /// Windows of a run in which heat of its own is looked for.
 constexpr int windows = 16;
 

@@ -31,7 +31,7 @@ struct Evidence {
 
     Scores scores;  ///< of the candidates against the base model
     Scores unknown_scores;
-    double threshold = 0.0;  ///< that the largest score of a sound model exceeds by chance once in 200 times
+    double threshold = 0.0;  ///< that the largest score of a sound model exceeds by chance twice in a thousand times
     double unknown_threshold = 0.0;
     long simulations = 0;
 
