@@ -97,6 +97,7 @@ struct NextExperiment {
 struct UpperLimit {
     std::string id;
     std::string channel{};
+    std::string place{};  ///< layer
     std::string key;
     std::string unit;
     double low = 0.0;  ///< 95 %

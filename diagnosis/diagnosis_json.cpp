@@ -112,6 +112,7 @@ std::string diagnosis_json(const DiagnosisRecord& record, const std::vector<std:
     for (const UpperLimit& limit : result.limits) {
         json["limits"].push_back({{"id", limit.id},
                                   {"channel", text_or_null(limit.channel)},
+                                  {"place", text_or_null(limit.place)},
                                   {"key", limit.key},
                                   {"unit", slashed_unit(limit.unit)},
                                   {"low", number(limit.low)},

@@ -115,8 +115,8 @@ std::string limits_table(const Diagnosis& result) {
     table.add({"cause", "number", "unit", "95 % from", "to"});
     for (const UpperLimit& limit : result.limits) {
         const double half = 0.5 * (limit.high - limit.low);
-        table.add({name_of(Cause{.id = limit.id, .channel = limit.channel}), limit.key, unit_or_dash(limit.unit),
-                   to_its_digits(limit.low, half), to_its_digits(limit.high, half)});
+        table.add({name_of(Cause{.id = limit.id, .channel = limit.channel, .place = limit.place}), limit.key,
+                   unit_or_dash(limit.unit), to_its_digits(limit.low, half), to_its_digits(limit.high, half)});
     }
     return table.text(2);
 }

@@ -70,8 +70,10 @@ std::string cannot_tell(const Diagnosis& diagnosis) {
     if (diagnosis.numerical_error_sigma > coarse) {
         return fmt::format(
             "The model is too coarse to judge these data: its own error of steps and grid is {:.1f} standard "
-            "deviations. More cells, or a smaller [time] tolerance, would help.",
-            diagnosis.numerical_error_sigma);
+            "deviations, and {:g} are allowed. It falls with the square of the spacing: {:.2g} times as many cells in "
+            "every "
+            "direction would do.",
+            diagnosis.numerical_error_sigma, coarse, std::sqrt(diagnosis.numerical_error_sigma / coarse));
     }
     return "These data do not allow a diagnosis: too little is left beside the free numbers. Longer runs, runs under "
            "other conditions or more sensors would help.";

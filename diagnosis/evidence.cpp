@@ -1,8 +1,5 @@
 #include "diagnosis/evidence.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include <Eigen/Eigenvalues>
 
 namespace tiretherm::diagnosis {
@@ -16,16 +13,6 @@ constexpr double least_part = 0.01;
 constexpr double chance = 0.002;
 /// Windows of a run in which heat of its own is looked for.
 constexpr int windows = 16;
-
-/// Largest relative change of a sigma, or change of a correlation over one second.
-double change(const Covariance& before, const Covariance& after) {
-    double most = 0.0;
-    for (std::size_t c = 0; c < after.channels.size(); ++c) {
-        most = std::max({most, std::abs(after.channels[c].sigma / before.channels[c].sigma - 1.0),
-                         std::abs(after.channels[c].rho_1s() - before.channels[c].rho_1s())});
-    }
-    return most;
-}
 
 Eigen::MatrixXd whitened(const Evidence& evidence, Eigen::MatrixXd columns) {
     whiten(evidence.observations->blocks, evidence.noise, columns);
@@ -95,10 +82,12 @@ Eigen::MatrixXd Evidence::essence(const Refit& model) const {
     // Events are left out: there are many of them, and together they could make up any slow noise.
     Eigen::MatrixXd raw(signatures.rows(), signatures.cols() + unknowns.n_followers);
     raw << signatures, unknowns.columns.leftCols(unknowns.n_followers);
-    const Eigen::MatrixXd left = Remainder(model.slopes, model.precision).of(whitened(*this, raw));
+    const Eigen::MatrixXd all = whitened(*this, raw);
+    const Eigen::MatrixXd left = Remainder(model.slopes, model.precision).of(all);
+    // Of what the model itself has, as a cause that is switched on in it, round-off is left.
     Eigen::VectorXd inverse = left.colwise().norm();
-    for (double& length : inverse) {
-        length = length > 0.0 ? 1.0 / length : 0.0;
+    for (Eigen::Index k = 0; k < inverse.size(); ++k) {
+        inverse[k] = inverse[k] > least_share * all.col(k).norm() ? 1.0 / inverse[k] : 0.0;
     }
     const Eigen::MatrixXd unit = left * inverse.asDiagonal();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(Eigen::MatrixXd(unit.transpose() * unit));

@@ -150,10 +150,12 @@ void find_limits(const Findings& found, Diagnosis& into) {
         last = candidate.cause;
         const double middle = candidate.absent + evidence.scores.amplitude(i);
         const double spread = wide / evidence.scores.length[i];
-        const std::vector<solver::Channel>& channels = evidence.experiment->runs.front().problem.channels;
+        const solver::Problem& problem = evidence.experiment->runs.front().problem;
         into.limits.push_back(
             {.id = std::string(candidate.effect->id),
-             .channel = candidate.channel >= 0 ? channels[static_cast<std::size_t>(candidate.channel)].name : "",
+             .channel =
+                 candidate.channel >= 0 ? problem.channels[static_cast<std::size_t>(candidate.channel)].name : "",
+             .place = candidate.layer >= 0 ? problem.mesh.layers[static_cast<std::size_t>(candidate.layer)] : "",
              .key = std::string(candidate.number().key),
              .unit = std::string(candidate.number().unit),
              .low = std::max(candidate.low, middle - spread),

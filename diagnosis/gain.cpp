@@ -1,74 +1,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 
-#include <Eigen/Cholesky>
-
 #include "diagnosis/findings.hpp"
+#include "diagnosis/picture.hpp"
 
 namespace tiretherm::diagnosis {
 
 namespace {
-
-/// Rows of the data, some of whose blocks are looked at.
-using Rows = std::vector<Eigen::Index>;
-
-/// Straight picture of a model: what it leaves, and how its numbers would change that.
-struct Picture {
-    Eigen::MatrixXd slopes;     ///< [n_rows][n] whitened
-    Eigen::MatrixXd raw;        ///< [n_rows][n] SI
-    Eigen::VectorXd residual;   ///< [n_rows] whitened
-    Eigen::VectorXd left;       ///< [n_rows] SI, measured - simulated
-    Eigen::VectorXd precision;  ///< [n]
-    Eigen::VectorXd known;      ///< [n]
-};
-
-Picture picture_of(const Refit& fit, const Observations& observations) {
-    return {.slopes = fit.slopes,
-            .raw = fit.raw,
-            .residual = fit.residual,
-            .left = observations.measured - fit.simulated,
-            .precision = fit.precision,
-            .known = fit.known};
-}
-
-/// The picture with one more number, of a signature taken at the base model.
-Picture with_column(Picture picture, const Eigen::VectorXd& whitened, const Eigen::VectorXd& raw) {
-    const Eigen::Index n = picture.slopes.cols();
-    picture.slopes.conservativeResize(Eigen::NoChange, n + 1);
-    picture.raw.conservativeResize(Eigen::NoChange, n + 1);
-    picture.slopes.col(n) = whitened;
-    picture.raw.col(n) = raw;
-    picture.precision.conservativeResize(n + 1);
-    picture.known.conservativeResize(n + 1);
-    picture.precision[n] = picture.known[n] = 0.0;
-    return picture;
-}
-
-/// Least squares of some rows and of what was known.
-struct Solved {
-    Eigen::VectorXd step;  ///< [n] from where the picture was taken
-    double gain = 0.0;     ///< log likelihood over no step
-};
-
-Solved solve(const Picture& picture, const Rows& rows, const Eigen::VectorXd& precision, const Eigen::VectorXd& pull) {
-    const Eigen::MatrixXd S = picture.slopes(rows, Eigen::all);
-    Eigen::MatrixXd A = S.transpose() * S;
-    A.diagonal() += precision;
-    const Eigen::VectorXd b = S.transpose() * picture.residual(rows) + pull;
-    Eigen::VectorXd diagonal = A.diagonal();
-    for (double& entry : diagonal) {
-        entry = entry > 0.0 ? 1.0 / std::sqrt(entry) : 0.0;
-    }
-    Eigen::MatrixXd unit = diagonal.asDiagonal() * A * diagonal.asDiagonal();
-    unit.diagonal().array() += 1e-9;
-    Solved solved;
-    solved.step = diagonal.asDiagonal() * unit.ldlt().solve(diagonal.cwiseProduct(b));
-    solved.gain = 0.5 * solved.step.dot(b);
-    return solved;
-}
 
 /// What takes no part, and what the rest is.
 struct Fold {
@@ -105,29 +45,6 @@ std::vector<Fold> folds_of(const Observations& observations) {
         folds[f].run = static_cast<int>(f);
     }
     return folds;
-}
-
-/// What is left of a run that took no part, SI: numbers of all runs as the others gave them, its own (how it started)
-/// from itself.
-/// @param own [n] whether a number belongs to the run
-Eigen::VectorXd left_of_run(const Picture& picture, const Solved& trained, const Rows& test,
-                            const std::vector<bool>& own) {
-    Eigen::VectorXd step = trained.step;
-    Picture there = picture;
-    for (Eigen::Index j = 0; j < step.size(); ++j) {
-        step[j] = own[static_cast<std::size_t>(j)] ? 0.0 : step[j];
-    }
-    there.residual -= picture.slopes * step;
-    Eigen::VectorXd precision = picture.precision;
-    Eigen::VectorXd pull = picture.precision.cwiseSqrt().cwiseProduct(picture.known);
-    for (Eigen::Index j = 0; j < step.size(); ++j) {
-        if (!own[static_cast<std::size_t>(j)]) {
-            precision[j] = 1e30;
-            pull[j] = 0.0;
-        }
-    }
-    const Solved settled = solve(there, test, precision, pull);
-    return picture.left(test) - picture.raw(test, Eigen::all) * (step + settled.step);
 }
 
 /// Log of the e-value of a size that others gave, on rows that took no part: exp(a U - a^2 I / 2) has mean 1 where the
@@ -184,7 +101,7 @@ void find_share(const Losses& losses, std::size_t block, Gain& gain) {
 /// Which unknown number the extension adds, chosen and sized from some of the runs alone.
 struct Trained {
     Picture picture;
-    Solved solved;
+    Eigen::VectorXd step;       ///< [n] of the picture's numbers
     Eigen::VectorXd signature;  ///< [n_rows] whitened, of what was chosen
     double size = 0.0;
 };
@@ -194,7 +111,6 @@ struct Trained {
 Trained train(const Findings& found, const Picture& base, const Picture& extended, const Rows& rows) {
     const Evidence& evidence = found.evidence;
     const Refit& fit = evidence.base;
-    const Eigen::VectorXd pull = base.precision.cwiseSqrt().cwiseProduct(base.known);
     const Remainder remainder(fit.slopes(rows, Eigen::all), fit.precision);
     const Eigen::VectorXd left = remainder.of(fit.residual(rows), fit.known);
     const auto best_of = [&](const Eigen::MatrixXd& columns, const Eigen::VectorXi* sign) {
@@ -224,19 +140,16 @@ Trained train(const Findings& found, const Picture& base, const Picture& extende
     const Eigen::Index n = fit.values.size();
     if (same) {
         trained.picture = extended;
-        trained.solved =
-            solve(extended, rows, extended.precision, extended.precision.cwiseSqrt().cwiseProduct(extended.known));
+        trained.step = solve(extended, rows);
         trained.signature = extended.slopes.col(n);
         const double absent = unknown ? 0.0 : evidence.candidates[ours].absent;
-        trained.size = (best.fit.values[n] - absent) / best.fit.scale[n] + trained.solved.step[n];
+        trained.size = (best.fit.values[n] - absent) / best.fit.scale[n] + trained.step[n];
     } else {
         const Eigen::MatrixXd& raw = unknown ? evidence.unknowns.columns : evidence.signatures;
         trained.picture = with_column(base, columns.col(chosen), raw.col(chosen));
-        Eigen::VectorXd longer(n + 1);
-        longer << pull, 0.0;
-        trained.solved = solve(trained.picture, rows, trained.picture.precision, longer);
+        trained.step = solve(trained.picture, rows);
         trained.signature = columns.col(chosen);
-        trained.size = trained.solved.step[n];
+        trained.size = trained.step[n];
     }
     return trained;
 }
@@ -272,7 +185,6 @@ void measure_gain(const Findings& found, Diagnosis& into) {
     if (best != nullptr && n_noises > 0) {
         const Picture base = picture_of(evidence.base, observations);
         const Picture extended = picture_of(best->fit, observations);
-        const Eigen::VectorXd pull = base.precision.cwiseSqrt().cwiseProduct(base.known);
         std::vector<double> log_e;
         for (const Fold& fold : folds_of(observations)) {
             const auto& [test, rest, run] = fold;
@@ -284,9 +196,9 @@ void measure_gain(const Findings& found, Diagnosis& into) {
             for (std::size_t j = 0; j < evidence.experiment->parameters.size(); ++j) {
                 own[j] = run >= 0 && evidence.experiment->parameters[j].run == run;
             }
-            after(test) = left_of_run(trained.picture, trained.solved, test, own);
+            after(test) = left_of(trained.picture, trained.step, test, own);
             own.resize(static_cast<std::size_t>(base.slopes.cols()));
-            before(test) = left_of_run(base, solve(base, rest, base.precision, pull), test, own);
+            before(test) = left_of(base, solve(base, rest), test, own);
             log_e.push_back(log_e_value(evidence, trained.signature, trained.size, test));
         }
         Losses losses;

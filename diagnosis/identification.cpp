@@ -1,8 +1,6 @@
 #include "diagnosis/identification.hpp"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <limits>
 
 #include "diagnosis/fit.hpp"
@@ -18,16 +16,6 @@ constexpr int most_turns = 8;
 /// Neither the noise nor a number moves the other further than this: relative, and in standard deviations.
 constexpr double settled_noise = 0.01;
 constexpr double settled_number = 0.05;
-
-/// Largest relative change of a sigma, or change of a correlation over one second.
-double change(const Covariance& before, const Covariance& after) {
-    double most = 0.0;
-    for (std::size_t c = 0; c < after.channels.size(); ++c) {
-        most = std::max({most, std::abs(after.channels[c].sigma / before.channels[c].sigma - 1.0),
-                         std::abs(after.channels[c].rho_1s() - before.channels[c].rho_1s())});
-    }
-    return most;
-}
 
 /// Fit and noise in turn until neither moves the other. @returns false when the model fails
 bool settle(Fit& fit, Identification& into) {

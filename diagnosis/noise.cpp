@@ -87,6 +87,15 @@ Block numbers_block(Eigen::Index first, std::vector<double> standard_deviation) 
         .channel = -1, .first = first, .time = {}, .standard_deviation = std::move(standard_deviation), .sample = {}};
 }
 
+double change(const Covariance& before, const Covariance& after) {
+    double most = 0.0;
+    for (std::size_t c = 0; c < after.channels.size(); ++c) {
+        most = std::max({most, std::abs(after.channels[c].sigma / before.channels[c].sigma - 1.0),
+                         std::abs(after.channels[c].rho_1s() - before.channels[c].rho_1s())});
+    }
+    return most;
+}
+
 void whiten(std::span<const Block> blocks, const Covariance& covariance, Eigen::Ref<Eigen::MatrixXd> rows) {
     std::vector<FilterStep> filter;
     for (const Block& block : blocks) {

@@ -50,6 +50,9 @@ struct Covariance {
     Eigen::VectorXd weight;
 };
 
+/// How far noise has moved: the largest relative change of a sigma, or change of a correlation over one second.
+[[nodiscard]] double change(const Covariance& before, const Covariance& after);
+
 /// Where a sample's weight begins to fall: 95 % efficient in normal noise (Huber 1981).
 inline constexpr double huber_bend = 1.345;
 

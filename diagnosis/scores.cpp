@@ -13,8 +13,6 @@ namespace tiretherm::diagnosis {
 
 namespace {
 
-/// Of a signature that the free numbers leave this share of, round-off and bent slopes are what is seen.
-constexpr double least_share = 1e-3;
 /// One in two hundred is exceeded by a hundred of these: the threshold is known to 0.02.
 constexpr int draws = 20'000;
 

@@ -29,6 +29,9 @@ private:
     Eigen::Index n_rows_;
 };
 
+/// Of a signature that the free numbers leave less than this share of, round-off and bent slopes are what is seen.
+inline constexpr double least_share = 1e-3;
+
 /// How strongly data ask for each of some signatures (score test: Rao, Proc. Cambridge Phil. Soc. 44 (1948) 50).
 struct Scores {
     Eigen::VectorXd z;       ///< [m] standard deviations; normal with variance 1 where a signature is absent
