@@ -130,9 +130,10 @@ TEST(DiagnosisReport, ConsistentQuotesUpperLimits) {
 
 TEST(DiagnosisReport, CannotTellSaysWhyAndWhatHelps) {
     MadeUp made_up = sample::cannot_tell();
-    EXPECT_TRUE(has(reason_of(made_up.record()),
-                    "its own error of steps and grid is 5.3 standard deviations. More "
-                    "cells, or a smaller [time] tolerance, would help."))
+    EXPECT_TRUE(
+        has(reason_of(made_up.record()),
+            "its own error of steps and grid is 5.3 standard deviations, and 3 are allowed. It falls with the square "
+            "of the spacing: 1.3 times as many cells in every direction would do."))  // sqrt(5.3 / 3) = 1.33
         << reason_of(made_up.record());
     made_up.result.reason = "the run lasts 20 s; a run of some minutes would help.";
     EXPECT_EQ(reason_of(made_up.record()),
