@@ -34,8 +34,20 @@ const std::vector<Variant>& single_variants() {
     return variants;
 }
 
+bool acts_on_layer(std::string_view id) { return id.starts_with("layer_"); }
+
+std::string name_of(const Cause& cause) {
+    return cause.id + (cause.channel.empty() ? "" : (acts_on_layer(cause.id) ? " in " : " of ") + cause.channel);
+}
+
+std::string Variant::name() const {
+    return name_of(Cause{.id = id, .parameters = {}, .channel = layer.empty() ? channel : layer});
+}
+
 Cause cause_of(const Variant& variant, double number, double critical_speed) {
-    Cause cause{.id = variant.id, .parameters = {{variant.key, number}}, .channel = variant.channel};
+    Cause cause{.id = variant.id,
+                .parameters = {{variant.key, number}},
+                .channel = variant.layer.empty() ? variant.channel : variant.layer};
     if (variant.id == "inner_gas") {
         cause.parameters["rim"] = number * 4.0 / 9.0;
     }

@@ -17,7 +17,7 @@ constexpr double least_apart = 0.9;  ///< a correlation beyond which two things 
 double faster_than(const BenchRuns& runs, double speed) {
     double faster = 0.0;
     double all = 0.0;
-    for (const Programme& programme : runs.programmes) {
+    for (const RigProgramme& programme : runs.programmes) {
         for (const double V : programme.speed) {
             faster += 3.6 * V > speed ? 1.0 : 0.0;
             all += 1.0;
@@ -46,45 +46,22 @@ struct Sized {
 /// Draws a cause. @returns nothing, with the reason in `rejected`, where that size is not physical
 std::optional<Sized> draw_cause(const Oracle& oracle, double sigma, Random& random,
                                 std::vector<std::string>& rejected) {
-    const std::vector<Variant>& variants = single_variants();
+    const std::vector<Variant>& variants = *oracle.runs().rig->variants;
     const Variant& variant =
         variants[static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(variants.size())))];
     const double sign = random.uniform() < 0.5 || !variant.both_ways() ? 1.0 : -1.0;
-    const double critical_speed = draw_critical_speed(oracle.runs(), random);
+    const bool waves = std::ranges::find(variants, "standing_wave", &Variant::id) != variants.end();
+    const double critical_speed = waves ? draw_critical_speed(oracle.runs(), random) : 0.0;
     if (variant.id == "standing_wave" && critical_speed == 0.0) {
         rejected.push_back(variant.name() + ": too slow for a wave");
         return std::nullopt;
     }
-    const std::optional<double> number = number_for(oracle, variant, sign, sigma, critical_speed);
-    if (!number) {
+    std::optional<Size> size = size_for(oracle, variant, sign, sigma, critical_speed);
+    if (!size) {
         rejected.push_back(variant.name() + ": not physical at that size");
         return std::nullopt;
     }
-    Cause cause = cause_of(variant, *number, critical_speed);
-    Eigen::VectorXd left = oracle.left_by({cause});
-    return Sized{.cause = std::move(cause), .left = std::move(left)};
-}
-
-/// Every single cause beside what is hidden, at the size at which it shows as well, or as large as it can be.
-std::vector<Likeness> likenesses(const Oracle& oracle, const Eigen::VectorXd& hidden, double critical_speed) {
-    std::vector<Likeness> alike;
-    for (const Variant& variant : single_variants()) {
-        const auto left_by = [&](double step) {
-            return oracle.left_by({cause_of(variant, variant.absent + step, critical_speed)});
-        };
-        Eigen::VectorXd left = left_by(variant.typical);
-        if (left.norm() < 1e-3) {
-            continue;
-        }
-        const double room = (variant.typical > 0.0 ? variant.high : variant.low) - variant.absent;
-        const double step = variant.typical * hidden.norm() / left.norm();
-        left = left_by(std::abs(step) < std::abs(room) ? step : room);
-        alike.push_back({.variant = &variant, .correlation = correlation(hidden, left)});
-    }
-    std::ranges::sort(alike, {}, [](const Likeness& one) {
-        return -(one.variant->both_ways() ? std::abs(one.correlation) : one.correlation);
-    });
-    return alike;
+    return Sized{.cause = cause_of(variant, size->number, critical_speed), .left = std::move(size->left)};
 }
 
 double critical_speed_of(const std::vector<Cause>& hidden) {
@@ -95,9 +72,40 @@ double critical_speed_of(const std::vector<Cause>& hidden) {
     }
     return 140.0;
 }
+
+/// Every single cause beside what is hidden; those that do not show at all are like nothing.
+std::vector<Likeness> likenesses(const Paper& paper) {
+    std::vector<Likeness> alike;
+    for (const Variant& variant : *paper.runs.rig->variants) {
+        if (const Likeness one = likeness(paper, variant); one.correlation != 0.0) {
+            alike.push_back(one);
+        }
+    }
+    std::ranges::sort(alike, {}, [](const Likeness& one) { return -one.strength(); });
+    return alike;
+}
 }  // namespace
 
-bool hide_causes(Paper& paper, const Oracle& oracle, Random& random) {
+Likeness likeness(const Paper& paper, const Variant& variant) {
+    const Oracle& oracle = *paper.oracle_of_runs;
+    const double critical_speed = critical_speed_of(paper.hidden);
+    const auto left_by = [&](double step) {
+        return oracle.left_by({cause_of(variant, variant.absent + step, critical_speed)});
+    };
+    Eigen::VectorXd left = left_by(variant.typical);
+    if (left.norm() < 1e-3) {
+        return {.variant = &variant, .correlation = 0.0};
+    }
+    if (!paper.runs.rig->costly) {
+        const double room = (variant.typical > 0.0 ? variant.high : variant.low) - variant.absent;
+        const double step = variant.typical * paper.left.norm() / left.norm();
+        left = left_by(std::abs(step) < std::abs(room) ? step : room);
+    }
+    return {.variant = &variant, .correlation = correlation(paper.left, left)};
+}
+
+bool hide_causes(Paper& paper, Random& random) {
+    const Oracle& oracle = *paper.oracle_of_runs;
     std::vector<Sized> drawn;
     for (std::size_t i = 0; i < (paper.kind == Kind::pair ? 2U : 1U); ++i) {
         std::optional<Sized> one = draw_cause(oracle, paper.sigma, random, paper.rejected);
@@ -109,7 +117,7 @@ bool hide_causes(Paper& paper, const Oracle& oracle, Random& random) {
     Eigen::VectorXd left = drawn.front().left;
     if (drawn.size() == 2) {
         if (std::abs(correlation(left, drawn.back().left)) >= least_apart) {
-            paper.rejected.push_back(drawn[0].cause.id + " and " + drawn[1].cause.id + ": look alike");
+            paper.rejected.push_back(name_of(drawn[0].cause) + " and " + name_of(drawn[1].cause) + ": look alike");
             return false;
         }
         left = oracle.left_by({drawn[0].cause, drawn[1].cause});
@@ -118,31 +126,32 @@ bool hide_causes(Paper& paper, const Oracle& oracle, Random& random) {
         paper.hidden.push_back(one.cause);
         paper.oracle.push_back(one.left.norm());
     }
-    paper.alike = likenesses(oracle, left, critical_speed_of(paper.hidden));
+    paper.left = std::move(left);
+    if (!paper.runs.rig->costly) {
+        paper.alike = likenesses(paper);
+    }
     return true;
 }
 
 bool hide_source(Paper& paper, Random& random) {
-    const HiddenSource source = draw_source(paper.kind, paper.runs.programmes.size(), random);
-    const Variant watts{.id = "unknown_" + source.place, .key = "watts", .typical = 30.0, .high = 2000.0};
+    HiddenSource source = draw_source(*paper.runs.rig, paper.kind, paper.runs.programmes.size(), random);
+    const Variant watts{.id = source.id, .key = "watts", .typical = 30.0, .high = 2000.0};
     BenchRuns driven = paper.runs;
     driven.programmes = driven_by(source, paper.runs.programmes);
-    const Oracle oracle(driven);
-    const std::optional<double> number = number_for(oracle, watts, 1.0, paper.sigma, 0.0);
-    if (!number) {
+    std::optional<Size> size = size_for(*paper.oracle_of_runs, watts, 1.0, paper.sigma, 0.0, &driven);
+    if (!size) {
         paper.rejected.emplace_back("a source: not physical at that size");
         return false;
     }
-    const Cause cause = cause_of(watts, *number, 0.0);
-    const Eigen::VectorXd left = oracle.left_by({cause});
-    std::vector<Likeness> alike = likenesses(oracle, left, 140.0);
+    paper.left = std::move(size->left);
+    std::vector<Likeness> alike = likenesses(paper);
     if (std::abs(alike.front().correlation) >= least_apart) {
         paper.rejected.push_back("a source: looks like " + alike.front().variant->name());
         return false;
     }
-    paper.source = source;
-    paper.source.watts = *number;
-    paper.oracle = {left.norm()};
+    source.watts = size->number;
+    paper.source = std::move(source);
+    paper.oracle = {paper.left.norm()};
     paper.alike = std::move(alike);
     return true;
 }

@@ -1,7 +1,8 @@
 #include "hidden_effects/exam_marks.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "hidden_effects/exam_hiding_truth.hpp"
 
 namespace hidden_effects {
 
@@ -13,11 +14,18 @@ using diagnosis::Verdict;
 
 constexpr double alike = 0.95;
 
-/// The bulk is what holds the heat in the truth; of a cause without a channel there it does not matter what the program
-/// says of the camera's, for there is only one camera.
+/// Of several layers it must be the right one. Of two lumps the bulk is what holds the heat in the truth, and its link has
+/// no layer. Of a cause without a channel there it does not matter what the program says of the camera's, for there is
+/// only one camera.
 bool is_same(const Cause& truth, const diagnosis::Cause& found) {
-    const bool elsewhere = truth.id == "layer_heat_capacity" && found.place == "surface";
-    return truth.id == found.id && !elsewhere && (truth.channel.empty() || truth.channel == found.channel);
+    if (truth.id != found.id) {
+        return false;
+    }
+    if (acts_on_layer(truth.id)) {
+        return truth.channel.empty() ? truth.id != "layer_heat_capacity" || found.place != "surface"
+                                     : truth.channel == found.place;
+    }
+    return truth.channel.empty() || truth.channel == found.channel;
 }
 
 bool is_true(const Paper& paper, const diagnosis::Cause& found) {
@@ -35,10 +43,15 @@ bool is_truth(const Paper& paper, const Diagnosis& diagnosis, const std::vector<
 
 /// How like the truth a cause is that was found, 0 where the oracle does not know it.
 double likeness_of(const Paper& paper, const diagnosis::Cause& found) {
+    const auto is_found = [&](const Variant& variant) { return is_same(cause_of(variant, 0.0, 0.0), found); };
     for (const Likeness& one : paper.alike) {
-        if (is_same({.id = one.variant->id, .parameters = {}, .channel = one.variant->channel}, found)) {
-            return one.variant->both_ways() ? std::abs(one.correlation) : one.correlation;
+        if (is_found(*one.variant)) {
+            return one.strength();
         }
+    }
+    if (paper.oracle_of_runs && paper.runs.rig->costly) {
+        const auto variant = std::ranges::find_if(*paper.runs.rig->variants, is_found);
+        return variant == paper.runs.rig->variants->end() ? 0.0 : likeness(paper, *variant).strength();
     }
     return 0.0;
 }
@@ -71,7 +84,7 @@ void mark_names(const Paper& paper, const Diagnosis& diagnosis, Mark& mark) {
     const auto right = [&](const auto& explanation) { return is_truth(paper, diagnosis, explanation); };
     mark.in_set = std::ranges::any_of(set, right);
     mark.first_right = !set.empty() && right(set.front());
-    const bool first_alike = mark.in_set && set.front().size() == 1 && paper.hidden.size() == 1 &&
+    const bool first_alike = !mark.first_right && mark.in_set && set.front().size() == 1 && paper.hidden.size() == 1 &&
                              likeness_of(paper, diagnosis.causes[set.front().front()]) > alike;
     mark.first_right_or_alike = mark.first_right || first_alike;
     mark.only_right = diagnosis.verdict == Verdict::named && set.size() == 1 && mark.first_right;
@@ -94,14 +107,16 @@ bool is_window(const HiddenSource& source, const diagnosis::UnknownSource& found
     return found.run == run && both >= 0.5 * length && found.to - found.from <= 2.0 * length;
 }
 
-/// Every signal by its name, and no other: "throttle", "slip_angle x speed", "|slip_angle| speed".
+/// Every signal by its name, and no other: "throttle", "slip_angle x speed", "|slip_angle| speed". A time window follows
+/// nothing, the time least of all.
 bool follows(const HiddenSource& source, const std::string& said) {
-    static const std::vector<std::string> known{"throttle",      "speed",       "vertical_load",   "slip_angle",
-                                                "lateral_force", "temperature", "sliding_friction"};
-    return std::ranges::all_of(known, [&](const std::string& name) {
-        const bool wanted = std::ranges::find(source.signals, name) != source.signals.end();
-        return wanted == (said.find(name) != std::string::npos);
-    });
+    static const std::vector<std::string> known{
+        "throttle", "speed",       "vertical_load", "slip_angle",       "camber", "lateral_force",
+        "lamp",     "laser_power", "temperature",   "sliding_friction", "time"};
+    return said.find("window") == std::string::npos && std::ranges::all_of(known, [&](const std::string& name) {
+               const bool wanted = std::ranges::find(source.signals, name) != source.signals.end();
+               return wanted == (said.find(name) != std::string::npos);
+           });
 }
 
 void mark_unknown(const Paper& paper, const Diagnosis& diagnosis, Mark& mark) {
@@ -112,7 +127,8 @@ void mark_unknown(const Paper& paper, const Diagnosis& diagnosis, Mark& mark) {
     }
     const diagnosis::UnknownSource& found = *diagnosis.unknown;
     mark.first = "heat after " + found.follows + " in the " + found.place;
-    mark.place_right = found.place == paper.source.place && !found.sensor;
+    const bool part = std::ranges::find(paper.source.or_at, found.place) != paper.source.or_at.end();
+    mark.place_right = (found.place == paper.source.place || part) && !found.sensor;
     mark.signal_right = paper.source.signals.empty()
                             ? is_window(paper.source, found, "run" + std::to_string(paper.source.run + 1))
                             : follows(paper.source, found.follows);
@@ -150,7 +166,8 @@ std::string Mark::faults() const {
 }
 
 Mark mark_of(const Paper& paper, const Diagnosis& diagnosis) {
-    Mark mark{.kind = paper.kind,
+    Mark mark{.bench = paper.runs.rig->name,
+              .kind = paper.kind,
               .seed = paper.seed,
               .sigma = paper.sigma,
               .answer = answer_of(paper),

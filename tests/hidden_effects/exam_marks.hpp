@@ -12,6 +12,7 @@ namespace hidden_effects {
 
 /// What a diagnosis of a paper is worth, by the exam's rules. What does not apply to a paper's kind stays as it is here.
 struct Mark {
+    std::string bench = "two_node";
     Kind kind = Kind::nothing;
     std::uint64_t seed = 0;
     double sigma = 0.0;
@@ -21,7 +22,7 @@ struct Mark {
     std::string set;           ///< every explanation
     bool detected = false;     ///< something was hidden and something was found; "cannot tell" finds nothing
     bool false_alarm = false;  ///< nothing was hidden, and any verdict but "consistent" came
-    bool first_right = false;  ///< the first explanation is the truth
+    bool first_right = false;  ///< the first explanation is the truth, no more and no less
     /// That, or the first name correlates with the truth beyond 0.95 and the truth is in the set.
     bool first_right_or_alike = false;
     bool in_set = false;      ///< the truth is one of the explanations
@@ -37,7 +38,9 @@ struct Mark {
     bool confirmed = false;
     double numerical_error_sigma = 0.0;
     long simulations = 0;
-    double seconds = 0.0;
+    double seconds = 0.0;        ///< of the diagnosis, by the clock
+    double draw_seconds = 0.0;   ///< of the processor: to draw the paper and to mark it,
+    double think_seconds = 0.0;  ///< and to diagnose it; both only where one paper is sat at a time
 
     /// What is wrong with the diagnosis, "missed", "the truth is not in the set"; empty where nothing is.
     [[nodiscard]] std::string faults() const;

@@ -1,5 +1,7 @@
 // Draws one paper of the exam, diagnoses it and says what came of it:
-//     exam_one KIND SIGMA SEED [FOLDER]      with a FOLDER its logs are written there too, for `tiretherm diagnose`
+//     exam_one [BENCH] KIND SIGMA SEED [FOLDER]
+// BENCH: two_node (when left out), layers, section, laser. With a FOLDER its logs are written there too, for
+// `tiretherm diagnose cases/practice/BENCH_bench.toml --data FOLDER/run1.csv ...`
 #include <algorithm>
 #include <exception>
 #include <filesystem>
@@ -14,11 +16,15 @@ using namespace hidden_effects;
 namespace diagnosis = tiretherm::diagnosis;
 
 void print_truth(const Paper& paper) {
-    fmt::print("truth      {}; lambda_h {:.4f}, lambda_SEL {:.4f}\n", answer_of(paper), paper.runs.lambda_h,
-               paper.runs.lambda_sel);
+    const Rig& rig = *paper.runs.rig;
+    fmt::print("truth      {}, {}", rig.name, answer_of(paper));
+    for (std::size_t i = 0; i < rig.of_bench.size(); ++i) {
+        fmt::print("; {} {:.4f}", rig.of_bench[i].name, paper.runs.of_bench[i]);
+    }
+    fmt::print("\n");
     for (std::size_t i = 0; i < paper.hidden.size(); ++i) {
         for (const auto& [key, value] : paper.hidden[i].parameters) {
-            fmt::print("           {}.{} {:.6g}, oracle {:.2f} sigma\n", paper.hidden[i].id, key, value,
+            fmt::print("           {}.{} {:.6g}, oracle {:.2f} sigma\n", name_of(paper.hidden[i]), key, value,
                        paper.oracle[i]);
         }
     }
@@ -78,18 +84,24 @@ void print_diagnosis(const diagnosis::Diagnosis& found) {
 }  // namespace
 
 int main(int count, char** words) {
-    if (count < 4) {
-        fmt::print(stderr, "usage: exam_one KIND SIGMA SEED [FOLDER], for example exam_one single 10 1\n");
+    std::vector<std::string> said(words + 1, words + count);
+    const std::string bench = !said.empty() && is_rig(said.front()) ? said.front() : "two_node";
+    if (!said.empty() && said.front() == bench) {
+        said.erase(said.begin());
+    }
+    if (said.size() < 3) {
+        fmt::print(stderr,
+                   "usage: exam_one [BENCH] KIND SIGMA SEED [FOLDER], for example exam_one layers single 10 1\n");
         return 1;
     }
     try {
-        const Paper paper = draw_paper(kind_from(words[1]), std::stod(words[2]), std::stoull(words[3]));
-        for (std::size_t run = 0; count > 4 && run < paper.logs.size(); ++run) {
-            write(std::filesystem::path(words[4]) / fmt::format("run{}.csv", run + 1), paper.logs[run]);
+        const Paper paper =
+            draw_paper(kind_from(said[0]), std::stod(said[1]), std::stoull(said[2]), 0.0, rig_of(bench));
+        for (std::size_t run = 0; said.size() > 3 && run < paper.logs.size(); ++run) {
+            write(std::filesystem::path(said[3]) / fmt::format("run{}.csv", run + 1), paper.logs[run]);
         }
         print_truth(paper);
-        const tiretherm::cases::Experiment experiment = read_paper(paper);
-        const diagnosis::Diagnosis found = diagnosis::diagnose(experiment, diagnosis::observe(experiment));
+        const diagnosis::Diagnosis found = diagnose_paper(paper);
         print_diagnosis(found);
         const std::string faults = mark_of(paper, found).faults();
         fmt::print("faults     {}\n", faults.empty() ? "none" : faults);

@@ -8,35 +8,16 @@
 
 namespace hidden_effects {
 
-namespace {
-
-constexpr double scale_prior = 0.1;
-constexpr double start_prior = 3.0;  ///< K
-
-/// One free number moved by so much: 0 the film's scale, 1 the loss's, then surface and bulk of each run.
-BenchRuns moved(BenchRuns runs, std::size_t number, double by) {
-    if (number == 0) {
-        runs.lambda_h += by;
-    } else if (number == 1) {
-        runs.lambda_sel += by;
-    } else {
-        std::vector<double>& start = number % 2 == 0 ? runs.surface_start : runs.bulk_start;
-        start[(number - 2) / 2] += by;
-    }
-    return runs;
+RigTrace readings_of_run(const BenchRuns& runs, std::size_t run, const std::vector<Cause>& hidden, double tolerance) {
+    std::vector<double> numbers = runs.of_bench;
+    numbers.insert(numbers.end(), runs.of_run[run].begin(), runs.of_run[run].end());
+    return runs.rig->drive(numbers, hidden, runs.programmes[run], tolerance);
 }
-
-}  // namespace
 
 Readings readings_of(const BenchRuns& runs, const std::vector<Cause>& hidden, double tolerance) {
     Readings readings;
     for (std::size_t run = 0; run < runs.programmes.size(); ++run) {
-        const Bench bench{.lambda_h = runs.lambda_h,
-                          .lambda_sel = runs.lambda_sel,
-                          .surface_start = runs.surface_start[run],
-                          .bulk_start = runs.bulk_start[run],
-                          .causes = hidden};
-        readings.push_back(drive_bench(bench, runs.programmes[run], tolerance));
+        readings.push_back(readings_of_run(runs, run, hidden, tolerance));
     }
     return readings;
 }
@@ -63,18 +44,38 @@ Eigen::VectorXd whitened(const Noise& noise, const std::vector<double>& times, c
     return out;
 }
 
-Oracle::Oracle(BenchRuns runs) : runs_(std::move(runs)), plain_(readings_of(runs_, {})) {
-    const std::size_t n_numbers = 2 + 2 * runs_.programmes.size();
+Oracle::Oracle(BenchRuns runs) : runs_(std::move(runs)), plain_(readings_of(runs_, {}, runs_.rig->oracle_error)) {
+    const Rig& rig = *runs_.rig;
+    const std::size_t n_numbers = rig.of_bench.size() + rig.of_run.size() * runs_.programmes.size();
     const auto n = static_cast<Eigen::Index>(n_numbers);
-    prior_ = Eigen::VectorXd::Constant(n, start_prior);
-    prior_.head(2).setConstant(scale_prior);
+    prior_.resize(n);
     columns_.resize(whitened_difference(plain_).size(), n);
-    for (std::size_t j = 0; j < n_numbers; ++j) {
-        // A tenth of the prior: the curvature over it is far below the noise, the local error of 1e-6 K below both.
-        const double step = 0.1 * prior_[static_cast<Eigen::Index>(j)];
-        const Eigen::VectorXd above = whitened_difference(readings_of(moved(runs_, j, step), {}));
-        const Eigen::VectorXd below = whitened_difference(readings_of(moved(runs_, j, -step), {}));
-        columns_.col(static_cast<Eigen::Index>(j)) = (above - below) / (2.0 * step);
+    Eigen::Index column = 0;
+    // A tenth of the prior: the curvature over it is far below the noise, the local error of the steps below both.
+    const auto add = [&](double prior, double& number, std::size_t first_run, std::size_t last_run) {
+        const double step = 0.1 * prior;
+        const double here = number;
+        const auto moved = [&](double by) {
+            number = here + by;
+            Readings readings = plain_;
+            for (std::size_t run = first_run; run < last_run; ++run) {
+                readings[run] = readings_of_run(runs_, run, {}, rig.oracle_error);
+            }
+            return whitened_difference(readings);
+        };
+        const Eigen::VectorXd above = moved(step);
+        const Eigen::VectorXd below = moved(-step);
+        number = here;
+        columns_.col(column) = (above - below) / (2.0 * step);
+        prior_[column++] = prior;
+    };
+    for (std::size_t j = 0; j < rig.of_bench.size(); ++j) {
+        add(rig.of_bench[j].prior, runs_.of_bench[j], 0, runs_.programmes.size());
+    }
+    for (std::size_t run = 0; run < runs_.programmes.size(); ++run) {
+        for (std::size_t j = 0; j < rig.of_run.size(); ++j) {
+            add(rig.of_run[j].prior, runs_.of_run[run][j], run, run + 1);
+        }
     }
     Eigen::MatrixXd precision = columns_.transpose() * columns_;
     precision.diagonal() += prior_.cwiseInverse().cwiseAbs2();
@@ -85,13 +86,12 @@ Eigen::VectorXd Oracle::whitened_difference(const Readings& readings) const {
     std::vector<Eigen::VectorXd> parts;
     Eigen::Index size = 0;
     for (std::size_t run = 0; run < readings.size(); ++run) {
-        const auto add = [&](const Noise& noise, std::vector<double> values, const std::vector<double>& plain) {
-            std::transform(values.begin(), values.end(), plain.begin(), values.begin(), std::minus<>());
-            parts.push_back(whitened(noise, runs_.programmes[run].time, values));
+        for (std::size_t c = 0; c < readings[run].size(); ++c) {
+            std::vector<double> values = readings[run][c];
+            std::transform(values.begin(), values.end(), plain_[run][c].begin(), values.begin(), std::minus<>());
+            parts.push_back(whitened(runs_.rig->channels[c].noise, runs_.programmes[run].time, values));
             size += parts.back().size();
-        };
-        add(camera_noise, readings[run].surface, plain_[run].surface);
-        add(probe_noise, readings[run].bulk, plain_[run].bulk);
+        }
     }
     Eigen::VectorXd all(size);
     Eigen::Index from = 0;
@@ -113,28 +113,31 @@ Eigen::VectorXd Oracle::left_of(const Readings& readings) const {
     return left_of_whitened(whitened_difference(readings));
 }
 
-Eigen::VectorXd Oracle::left_by(const std::vector<Cause>& causes) const { return left_of(readings_of(runs_, causes)); }
+Eigen::VectorXd Oracle::left_by(const std::vector<Cause>& causes) const { return left_by(causes, runs_); }
+
+Eigen::VectorXd Oracle::left_by(const std::vector<Cause>& causes, const BenchRuns& driven) const {
+    return left_of(readings_of(driven, causes, driven.rig->oracle_error));
+}
 
 double correlation(const Eigen::VectorXd& a, const Eigen::VectorXd& b) { return a.dot(b) / (a.norm() * b.norm()); }
 
-std::optional<double> number_for(const Oracle& oracle, const Variant& variant, double sign, double sigma,
-                                 double critical_speed) {
+std::optional<Size> size_for(const Oracle& oracle, const Variant& variant, double sign, double sigma,
+                             double critical_speed, const BenchRuns* driven) {
     constexpr double invisible = 1e-3;  // standard deviations
-    const auto shows = [&](double step) {
-        return oracle.left_by({cause_of(variant, variant.absent + step, critical_speed)}).norm();
-    };
+    const BenchRuns& runs = driven != nullptr ? *driven : oracle.runs();
     const double direction = variant.typical > 0.0 ? sign : -sign;
     const double most = (direction > 0.0 ? variant.high : variant.low) - variant.absent;
     double before = 0.0;
     double seen_before = 0.0;
     double step = sign * variant.typical;
     for (int i = 0; i < 8; ++i) {
-        const double seen = shows(step);
+        Eigen::VectorXd left = oracle.left_by({cause_of(variant, variant.absent + step, critical_speed)}, runs);
+        const double seen = left.norm();
         if (seen < invisible || (step == most && seen < sigma)) {
             return std::nullopt;
         }
-        if (std::abs(seen - sigma) < 0.005 * sigma) {
-            return variant.absent + step;
+        if (std::abs(seen - sigma) < runs.rig->size_error * sigma) {
+            return Size{.number = variant.absent + step, .left = std::move(left)};
         }
         const double slope = (seen - seen_before) / (step - before);
         const double next = step + (sigma - seen) / slope;

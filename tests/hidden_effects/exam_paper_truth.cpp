@@ -18,33 +18,42 @@ constexpr std::array<const char*, 8> words{"nothing",     "single", "pair",     
 
 bool is_dull(Kind kind) { return kind == Kind::dull_nothing || kind == Kind::dull_single; }
 
-BenchRuns draw_runs(Kind kind, std::uint64_t seed, double interval, Random& random) {
-    BenchRuns runs{.lambda_h = 1.0 + 0.07 * random.normal(),
-                   .lambda_sel = 1.0 + 0.07 * random.normal(),
-                   .surface_start = {},
-                   .bulk_start = {},
-                   .programmes = {}};
+RigProgramme draw_programme_of(const Rig& rig, Kind kind, std::uint64_t seed, double interval) {
+    if (!is_dull(kind)) {
+        return rig.draw(seed, interval);
+    }
+    RigProgramme dull;
+    static_cast<Programme&>(dull) = draw_dull_programme(seed, interval);
+    return dull;
+}
+
+BenchRuns draw_runs(const Rig& rig, Kind kind, std::uint64_t seed, double interval, Random& random) {
+    BenchRuns runs{.rig = &rig};
+    for (const FreeNumber& number : rig.of_bench) {
+        runs.of_bench.push_back(number.expected + number.spread * random.normal());
+    }
     for (std::uint64_t run = 1; run <= n_runs; ++run) {
         // No two kinds share a programme, nor do they with the fits of test_recovery_bench.
         const std::uint64_t of_run = 1000000007ULL * (static_cast<std::uint64_t>(kind) + 1) + 10 * seed + run;
-        runs.programmes.push_back(is_dull(kind) ? draw_dull_programme(of_run, interval)
-                                                : draw_programme(of_run, interval));
+        runs.programmes.push_back(draw_programme_of(rig, kind, of_run, interval));
         const double air = runs.programmes.back().air_temperature.front();
-        runs.surface_start.push_back(air + 2.0 * random.normal());
-        runs.bulk_start.push_back(air + 2.0 * random.normal());
+        runs.of_run.emplace_back();
+        for (const FreeNumber& number : rig.of_run) {
+            runs.of_run.back().push_back(air + number.expected + number.spread * random.normal());
+        }
     }
     return runs;
 }
 
 /// What the sensors of a paper's bench give, without noise.
 Readings true_readings(const Paper& paper) {
+    const double tolerance = paper.runs.rig->tolerance;
     if (!is_unknown(paper.kind)) {
-        return readings_of(paper.runs, paper.hidden);
+        return readings_of(paper.runs, paper.hidden, tolerance);
     }
     BenchRuns driven = paper.runs;
     driven.programmes = driven_by(paper.source, paper.runs.programmes);
-    return readings_of(driven,
-                       {{.id = "unknown_" + paper.source.place, .parameters = {{"watts", paper.source.watts}}}});
+    return readings_of(driven, {{.id = paper.source.id, .parameters = {{"watts", paper.source.watts}}}}, tolerance);
 }
 
 }  // namespace
@@ -66,40 +75,39 @@ bool hides_nothing(Kind kind) { return kind == Kind::nothing || kind == Kind::de
 
 bool is_unknown(Kind kind) { return kind == Kind::unknown || kind == Kind::unknown_odd; }
 
-Paper draw_paper(Kind kind, double sigma, std::uint64_t seed, double interval) {
+Paper draw_paper(Kind kind, double sigma, std::uint64_t seed, double interval, const Rig& rig) {
+    if (!rig.every_kind && kind > Kind::unknown) {
+        throw std::invalid_argument("the bench " + rig.name +
+                                    " has papers of nothing, single, pair and unknown, none of " + word_of(kind));
+    }
     Random random(1000003ULL * seed + static_cast<std::uint64_t>(kind));
     Paper paper{.kind = kind,
                 .seed = seed,
                 .sigma = hides_nothing(kind) ? 0.0 : sigma,
-                .runs = draw_runs(kind, seed, interval, random),
+                .runs = draw_runs(rig, kind, seed, interval > 0.0 ? interval : rig.interval, random),
                 .hidden = {},
                 .oracle = {}};
     Random noise(2000003ULL * seed + static_cast<std::uint64_t>(kind) + 500);
-    bool hidden = hides_nothing(kind);
-    if (is_unknown(kind)) {
+    if (!hides_nothing(kind)) {
+        paper.oracle_of_runs = std::make_shared<Oracle>(paper.runs);
+        bool hidden = false;
         for (int draw = 0; draw < 200 && !hidden; ++draw) {
-            hidden = hide_source(paper, random);
+            hidden = is_unknown(kind) ? hide_source(paper, random) : hide_causes(paper, random);
         }
-    } else if (!hidden) {
-        const Oracle oracle(paper.runs);
-        for (int draw = 0; draw < 200 && !hidden; ++draw) {
-            hidden = hide_causes(paper, oracle, random);
+        if (!hidden) {
+            throw std::runtime_error("nothing can be hidden at " + std::to_string(sigma) + " standard deviations in " +
+                                     word_of(kind) + " of seed " + std::to_string(seed));
         }
-    }
-    if (!hidden) {
-        throw std::runtime_error("nothing can be hidden at " + std::to_string(sigma) + " standard deviations in " +
-                                 word_of(kind) + " of seed " + std::to_string(seed));
     }
     Readings readings = true_readings(paper);
-    const auto add = [&](std::vector<double>& values, const Noise& of, const std::vector<double>& times) {
-        const std::vector<double> drawn = draw_noise(of, times, noise);
-        std::transform(values.begin(), values.end(), drawn.begin(), values.begin(), std::plus<>());
-    };
     for (std::size_t run = 0; run < n_runs; ++run) {
-        const Programme& programme = paper.runs.programmes[run];
-        add(readings[run].surface, camera_noise, programme.time);
-        add(readings[run].bulk, probe_noise, programme.time);
-        paper.logs.push_back(bench_columns(programme, readings[run]));
+        const RigProgramme& programme = paper.runs.programmes[run];
+        for (std::size_t c = 0; c < rig.channels.size(); ++c) {
+            std::vector<double>& values = readings[run][c];
+            const std::vector<double> drawn = draw_noise(rig.channels[c].noise, programme.time, noise);
+            std::transform(values.begin(), values.end(), drawn.begin(), values.begin(), std::plus<>());
+        }
+        paper.logs.push_back(rig.log(programme, readings[run]));
     }
     if (kind == Kind::decoy) {
         add_decoys(paper.logs, paper.runs.programmes, random);
@@ -120,7 +128,7 @@ std::string answer_of(const Paper& paper) {
     }
     std::string names;
     for (const Cause& cause : paper.hidden) {
-        names += (names.empty() ? "" : " + ") + cause.id + (cause.channel.empty() ? "" : " of " + cause.channel);
+        names += (names.empty() ? "" : " + ") + name_of(cause);
     }
     return names.empty() ? "nothing" : names;
 }

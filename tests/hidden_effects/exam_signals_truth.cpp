@@ -9,16 +9,17 @@ namespace hidden_effects {
 namespace {
 
 /// What the source follows at a sample of a run.
-double followed(const HiddenSource& source, const Programme& p, std::size_t run, std::size_t i) {
+double followed(const HiddenSource& source, const RigProgramme& p, std::size_t run, std::size_t i) {
     if (source.signals.empty()) {
         return run == source.run && p.time[i] >= source.from && p.time[i] <= source.to ? 1.0 : 0.0;
     }
     double value = 1.0;
     for (const std::string& signal : source.signals) {
-        value *= signal == "throttle"        ? p.throttle[i]
-                 : signal == "speed"         ? p.speed[i]
-                 : signal == "vertical_load" ? p.vertical_load[i]
-                                             : std::abs(p.slip_angle[i]);
+        value *= signal == "throttle" || signal == "lamp" ? p.throttle[i]
+                 : signal == "time"                       ? p.time[i]
+                 : signal == "speed"                      ? p.speed[i]
+                 : signal == "vertical_load"              ? p.vertical_load[i]
+                                                          : std::abs(p.slip_angle[i]);
     }
     return value;
 }
@@ -75,7 +76,7 @@ Column proportional(const Programme& programme, int which) {
 
 }  // namespace
 
-std::vector<Programme> driven_by(const HiddenSource& source, std::vector<Programme> logged) {
+std::vector<RigProgramme> driven_by(const HiddenSource& source, std::vector<RigProgramme> logged) {
     double largest = 0.0;
     for (std::size_t run = 0; run < logged.size(); ++run) {
         std::vector<double> signal;
@@ -85,7 +86,7 @@ std::vector<Programme> driven_by(const HiddenSource& source, std::vector<Program
         }
         logged[run].throttle = signal;
     }
-    for (Programme& programme : logged) {
+    for (RigProgramme& programme : logged) {
         for (double& value : programme.throttle) {
             value /= largest > 0.0 ? largest : 1.0;
         }
@@ -93,8 +94,10 @@ std::vector<Programme> driven_by(const HiddenSource& source, std::vector<Program
     return logged;
 }
 
-HiddenSource draw_source(Kind kind, std::size_t n_runs, Random& random) {
-    HiddenSource source{.place = random.uniform() < 0.5 ? "surface" : "bulk", .signals = {"throttle"}};
+HiddenSource draw_source(const Rig& rig, Kind kind, std::size_t n_runs, Random& random) {
+    const RigSource& offered =
+        rig.sources[static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(rig.sources.size())))];
+    HiddenSource source{.id = offered.id, .place = offered.place, .or_at = offered.or_at, .signals = {offered.signal}};
     if (kind == Kind::unknown) {
         return source;
     }
@@ -112,7 +115,7 @@ HiddenSource draw_source(Kind kind, std::size_t n_runs, Random& random) {
     return source;
 }
 
-void add_decoys(std::vector<std::vector<Column>>& logs, const std::vector<Programme>& programmes, Random& random) {
+void add_decoys(std::vector<std::vector<Column>>& logs, const std::vector<RigProgramme>& programmes, Random& random) {
     const bool is_proportional = random.uniform() < 0.4;
     const int which = static_cast<int>(random.uniform(0.0, 3.0));
     for (std::size_t run = 0; run < logs.size(); ++run) {

@@ -1,11 +1,13 @@
 #include "hidden_effects/exam_sitting.hpp"
 
 #include <atomic>
+#include <ctime>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <thread>
 
-#include "hidden_effects/made_up_bench.hpp"
+#include "cases/measured_bench.hpp"
 
 namespace hidden_effects {
 
@@ -13,8 +15,11 @@ namespace {
 
 namespace diagnosis = tiretherm::diagnosis;
 
+double processor_seconds() { return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC); }
+
 Mark sit_one(const Sheet& sheet, double interval) {
-    Mark failed{.kind = sheet.kind,
+    Mark failed{.bench = sheet.rig->name,
+                .kind = sheet.kind,
                 .seed = sheet.seed,
                 .sigma = hides_nothing(sheet.kind) ? 0.0 : sheet.sigma,
                 .answer = "no paper",
@@ -23,10 +28,16 @@ Mark sit_one(const Sheet& sheet, double interval) {
                 .set = {},
                 .false_alarm = hides_nothing(sheet.kind)};
     try {
-        const Paper paper = draw_paper(sheet.kind, sheet.sigma, sheet.seed, interval);
+        const double begin = processor_seconds();
+        const Paper paper = draw_paper(sheet.kind, sheet.sigma, sheet.seed, interval, *sheet.rig);
         failed.answer = answer_of(paper);
-        const tiretherm::cases::Experiment experiment = read_paper(paper);
-        return mark_of(paper, diagnosis::diagnose(experiment, diagnosis::observe(experiment), {.plan_next = false}));
+        const double drawn = processor_seconds();
+        const diagnosis::Diagnosis found = diagnose_paper(paper, {.plan_next = false});
+        const double diagnosed = processor_seconds();
+        Mark mark = mark_of(paper, found);
+        mark.think_seconds = diagnosed - drawn;
+        mark.draw_seconds = drawn - begin + processor_seconds() - diagnosed;
+        return mark;
     } catch (const std::exception& failure) {
         failed.verdict = failure.what();
         return failed;
@@ -35,17 +46,39 @@ Mark sit_one(const Sheet& sheet, double interval) {
 
 }  // namespace
 
-void add_sheets(std::vector<Sheet>& sheets, Kind kind, double sigma, std::uint64_t first_seed, int count) {
+void add_sheets(std::vector<Sheet>& sheets, Kind kind, double sigma, std::uint64_t first_seed, int count,
+                const Rig& rig) {
     for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(count); ++i) {
-        sheets.push_back({.kind = kind, .sigma = sigma, .seed = first_seed + i});
+        sheets.push_back({.kind = kind, .sigma = sigma, .seed = first_seed + i, .rig = &rig});
     }
 }
 
-tiretherm::cases::Experiment read_paper(const Paper& paper) {
+tiretherm::cases::Experiment read_paper(const Paper& paper, int finer) {
     // UDUNITS parses with variables of the whole process.
     static std::mutex one_at_a_time;
     const std::scoped_lock lock(one_at_a_time);
-    return read_with(practice_case(), paper.logs);
+    namespace cases = tiretherm::cases;
+    const cases::Written scratch;
+    std::vector<std::filesystem::path> data;
+    for (const std::vector<Column>& log : paper.logs) {
+        data.push_back(scratch.add("run" + std::to_string(data.size() + 1) + ".csv", written(log)));
+    }
+    cases::ExperimentReading reading = cases::read_experiment(
+        cases::source_folder() / "cases/practice" / paper.runs.rig->case_file, data, cases::Occasion::measured, finer);
+    if (!reading.experiment) {
+        throw std::runtime_error(cases::complaints(reading));
+    }
+    return std::move(*reading.experiment);
+}
+
+diagnosis::Diagnosis diagnose_paper(const Paper& paper, diagnosis::DiagnosisChoice choice) {
+    const tiretherm::cases::Experiment experiment = read_paper(paper);
+    std::optional<tiretherm::cases::Experiment> finer;
+    if (experiment.runs.front().problem.mesh.kind != "two_node") {
+        finer = read_paper(paper, 2);
+        choice.finer = &*finer;
+    }
+    return diagnosis::diagnose(experiment, diagnosis::observe(experiment), choice);
 }
 
 std::vector<Mark> sit(const std::vector<Sheet>& sheets, int threads, double interval,

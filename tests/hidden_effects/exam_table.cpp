@@ -1,6 +1,6 @@
 #include "hidden_effects/exam_table.hpp"
 
-#include <cmath>
+#include <compare>
 #include <functional>
 #include <limits>
 #include <map>
@@ -39,6 +39,7 @@ const std::vector<Question>& questions() {
         {"truth in the set, when detected", [](const Mark& m) { return (is_single(m) || is_pair(m)) && m.detected; },
          [](const Mark& m) { return m.in_set; }, 0.93},
         {"no wrong name with confidence", is_hidden, [](const Mark& m) { return !m.wrong_with_confidence; }, 0.97},
+        {"the first pair is both and nothing else", is_pair, [](const Mark& m) { return m.first_right; }},
         {"both and nothing else", is_pair, [](const Mark& m) { return m.only_right; }, 0.75, 10.0},
         {"no name of the catalogue", is_unknown_paper, [](const Mark& m) { return !m.named_though_unknown; }, 0.80,
          10.0},
@@ -53,19 +54,25 @@ const std::vector<Question>& questions() {
     return all;
 }
 
-using Group = std::pair<Kind, double>;
+struct Group {
+    std::string bench;
+    Kind kind = Kind::nothing;
+    double sigma = 0.0;
+
+    auto operator<=>(const Group&) const = default;
+};
 
 std::map<Group, std::vector<const Mark*>> grouped(const std::vector<Mark>& marks) {
     std::map<Group, std::vector<const Mark*>> groups;
     for (const Mark& mark : marks) {
-        groups[{mark.kind, mark.sigma}].push_back(&mark);
+        groups[{mark.bench, mark.kind, mark.sigma}].push_back(&mark);
     }
     return groups;
 }
 
 std::string name_of(const Group& group) {
-    return hides_nothing(group.first) ? word_of(group.first)
-                                      : fmt::format("{}, {:g} sigma", word_of(group.first), group.second);
+    return fmt::format("{}, {}{}", group.bench, word_of(group.kind),
+                       hides_nothing(group.kind) ? "" : fmt::format(", {:g} sigma", group.sigma));
 }
 
 }  // namespace
@@ -86,7 +93,7 @@ std::vector<Row> rows_of(const std::vector<Mark>& marks) {
                 }
             }
             // A source that is no multiple of the throttle is counted, but nothing is demanded of it.
-            const bool demanded = group.second >= question.from_sigma && group.first != Kind::unknown_odd;
+            const bool demanded = group.sigma >= question.from_sigma && group.kind != Kind::unknown_odd;
             row.must = demanded ? question.must : 0.0;
             if (row.count > 0) {
                 rows.push_back(row);
@@ -99,7 +106,7 @@ std::vector<Row> rows_of(const std::vector<Mark>& marks) {
 std::string table_of(const std::vector<Row>& rows) {
     std::string text;
     for (const Row& row : rows) {
-        text += fmt::format("{:<22} {:<36} {:>4} of {:<4} {:5.1f} % ({:5.1f} to {:5.1f})", row.group, row.question,
+        text += fmt::format("{:<30} {:<40} {:>4} of {:<4} {:5.1f} % ({:5.1f} to {:5.1f})", row.group, row.question,
                             row.right, row.count, 100.0 * row.right / row.count,
                             100.0 * tiretherm::support::wilson(row.right, row.count, -1),
                             100.0 * tiretherm::support::wilson(row.right, row.count, +1));
@@ -112,16 +119,31 @@ std::string table_of(const std::vector<Row>& rows) {
     return text;
 }
 
+std::string costs_of(const std::vector<Mark>& marks) {
+    std::string text;
+    for (const auto& [group, papers] : grouped(marks)) {
+        double draw = 0.0;
+        double think = 0.0;
+        for (const Mark* mark : papers) {
+            draw += mark->draw_seconds / static_cast<double>(papers.size());
+            think += mark->think_seconds / static_cast<double>(papers.size());
+        }
+        text += fmt::format("{:<30} a paper takes {:.1f} s to draw and {:.1f} s to diagnose\n", name_of(group), draw,
+                            think);
+    }
+    return text;
+}
+
 std::string confusions_of(const std::vector<Mark>& marks) {
     std::map<std::pair<std::string, double>, std::map<std::string, int>> counts;
     for (const Mark& mark : marks) {
-        ++counts[{mark.answer, mark.sigma}][mark.first];
+        ++counts[{mark.bench + ": " + mark.answer, mark.sigma}][mark.first];
     }
     std::string text;
     for (const auto& [truth, firsts] : counts) {
         text += fmt::format("{}{}:", truth.first, truth.second > 0.0 ? fmt::format(", {:g} sigma", truth.second) : "");
         for (const auto& [first, count] : firsts) {
-            text += fmt::format("  {}{} {}", first == truth.first ? "= " : "", first, count);
+            text += fmt::format("  {}{} {}", truth.first.ends_with(": " + first) ? "= " : "", first, count);
         }
         text += '\n';
     }
@@ -132,8 +154,8 @@ std::string faults_of(const std::vector<Mark>& marks) {
     std::string text;
     for (const Mark& mark : marks) {
         if (const std::string faults = mark.faults(); !faults.empty()) {
-            text += fmt::format("{} {:g} {}: {}; truth {}; {} {}\n", word_of(mark.kind), mark.sigma, mark.seed, faults,
-                                mark.answer, mark.verdict, mark.set.empty() ? mark.first : mark.set);
+            text += fmt::format("{} {} {:g} {}: {}; truth {}; {} {}\n", mark.bench, word_of(mark.kind), mark.sigma,
+                                mark.seed, faults, mark.answer, mark.verdict, mark.set.empty() ? mark.first : mark.set);
         }
     }
     return text;

@@ -23,7 +23,12 @@ const Variant& variant_of(const std::string& name) {
 
 /// A paper with a sidewall's loss of 0.8 W/K, to which the gas correlates by 0.96 and the probe's offset by -0.97.
 Paper sidewall_paper() {
-    Paper paper{.kind = Kind::single, .seed = 7, .sigma = 10.0, .runs = {}, .hidden = {}, .oracle = {10.0}};
+    Paper paper{.kind = Kind::single,
+                .seed = 7,
+                .sigma = 10.0,
+                .runs = {.rig = &two_node_rig()},
+                .hidden = {},
+                .oracle = {10.0}};
     paper.hidden = {{"sidewall_convection", {{"conductance", 0.8}}}};
     paper.alike = {{&variant_of("sidewall_convection"), 1.0},
                    {&variant_of("sensor_offset of bulk_temperature"), -0.97},
@@ -34,7 +39,12 @@ Paper sidewall_paper() {
 }
 
 Paper pair_paper() {
-    Paper paper{.kind = Kind::pair, .seed = 8, .sigma = 10.0, .runs = {}, .hidden = {}, .oracle = {10.0, 10.0}};
+    Paper paper{.kind = Kind::pair,
+                .seed = 8,
+                .sigma = 10.0,
+                .runs = {.rig = &two_node_rig()},
+                .hidden = {},
+                .oracle = {10.0, 10.0}};
     paper.hidden = {{"sensor_lag", {{"tau", 3.0}}, "bulk_temperature"},
                     {"standing_wave", {{"gain", 1e-4}, {"critical_speed", 130.0}}}};
     paper.alike = {{&variant_of("standing_wave"), 0.75}};
@@ -42,7 +52,12 @@ Paper pair_paper() {
 }
 
 Paper throttle_paper() {
-    Paper paper{.kind = Kind::unknown, .seed = 9, .sigma = 10.0, .runs = {}, .hidden = {}, .oracle = {10.0}};
+    Paper paper{.kind = Kind::unknown,
+                .seed = 9,
+                .sigma = 10.0,
+                .runs = {.rig = &two_node_rig()},
+                .hidden = {},
+                .oracle = {10.0}};
     paper.source = {.place = "bulk", .signals = {"throttle"}, .watts = 30.0};
     return paper;
 }
@@ -131,6 +146,7 @@ TEST(ExamMarks, OfAPairBothCountAndOnTheirChannels) {
     EXPECT_TRUE(both.only_right && both.in_set && both.first_right);
     EXPECT_EQ(both.size_held, false);
     EXPECT_EQ(both.faults(), "size outside its interval");
+    EXPECT_EQ(rows_of({both}).front().group, "two_node, pair, 10 sigma");
     const Mark wrong_channel = mark_of(pair_paper(), said(Verdict::named, {{wave, camera_lag}}));
     EXPECT_TRUE(wrong_channel.wrong_with_confidence);
     EXPECT_FALSE(wrong_channel.in_set || wrong_channel.only_right);
@@ -139,6 +155,13 @@ TEST(ExamMarks, OfAPairBothCountAndOnTheirChannels) {
     const Mark among = mark_of(pair_paper(), said(Verdict::confounded, {{wave, probe_lag}, {wave, gas}}));
     EXPECT_TRUE(among.in_set && among.first_right);
     EXPECT_FALSE(among.only_right || among.size_held.has_value());
+    const auto pair_rows = rows_of({both, among, wrong_channel});
+    const auto right_of = [&](const char* question) {
+        const auto row = std::ranges::find(pair_rows, question, &Row::question);
+        return row == pair_rows.end() ? std::tuple(-1, -1, -1.0) : std::tuple(row->right, row->count, row->must);
+    };
+    EXPECT_EQ(right_of("the first pair is both and nothing else"), std::tuple(2, 3, 0.0));
+    EXPECT_EQ(right_of("both and nothing else"), std::tuple(1, 3, 0.75));
     EXPECT_EQ(among.faults(), "not the pair alone");
 }
 
@@ -155,6 +178,35 @@ TEST(ExamMarks, AnUnknownIsItsPlaceAndItsSignal) {
     const Mark named = mark_of(throttle_paper(), said(Verdict::named, {{gas}}));
     EXPECT_TRUE(named.named_though_unknown && named.wrong_with_confidence && named.detected);
     EXPECT_TRUE(mark_of(throttle_paper(), said(Verdict::confounded, {{gas}, {offset}})).named_though_unknown);
+}
+
+// Of layers each has its own name, and a volume that the program does not know may be found in a part of it.
+TEST(ExamMarks, OnAGridTheLayerCountsAndAPartOfAPlaceWillDo) {
+    Paper paper{.kind = Kind::single, .runs = {.rig = &layers_rig()}, .hidden = {}, .oracle = {10.0}};
+    paper.hidden = {{"layer_conductivity", {{"scale", 0.9}}, "tread"}};
+    EXPECT_EQ(answer_of(paper), "layer_conductivity in tread");
+    Diagnosis found;
+    found.verdict = Verdict::named;
+    found.causes = {{.id = "layer_conductivity", .place = "carcass"}, {.id = "layer_conductivity", .place = "tread"}};
+    found.explanations = {{0}};
+    EXPECT_TRUE(mark_of(paper, found).wrong_with_confidence);
+    found.explanations = {{1}};
+    EXPECT_EQ(mark_of(paper, found).faults(), "");
+    EXPECT_EQ(mark_of(paper, found).first, answer_of(paper));
+
+    paper = throttle_paper();
+    paper.source.place = "crown";
+    paper.source.or_at = {"bulk"};
+    found = said(Verdict::unknown, {});
+    found.unknown = {.place = "bulk", .follows = "throttle"};
+    EXPECT_TRUE(mark_of(paper, found).place_right);
+    found.unknown->place = "surface";
+    EXPECT_FALSE(mark_of(paper, found).place_right);
+    found.unknown->follows = "time window";
+    paper.source.signals = {"time"};
+    EXPECT_FALSE(mark_of(paper, found).signal_right);
+    found.unknown->follows = "time";
+    EXPECT_TRUE(mark_of(paper, found).signal_right);
 }
 
 // A window of 300 s in the second run: found by one that covers 150 s of it and is at most 600 s long. Of a combination
@@ -193,7 +245,7 @@ TEST(ExamTable, CountsWhatItIsGiven) {
     const std::vector<Row> rows = rows_of(marks);
     const auto right = [&](const std::string& question) {
         for (const Row& row : rows) {
-            if (row.group == "single, 10 sigma" && row.question == question) {
+            if (row.group == "two_node, single, 10 sigma" && row.question == question) {
                 return std::pair(row.right, row.count);
             }
         }
@@ -206,13 +258,14 @@ TEST(ExamTable, CountsWhatItIsGiven) {
     EXPECT_EQ(right("no wrong name with confidence"), std::pair(3, 4));
     EXPECT_EQ(right("size within its interval"), std::pair(2, 2));
     EXPECT_EQ(right("no false alarm"), std::pair(-1, -1));
-    EXPECT_EQ(rows.front().group, "nothing");
+    EXPECT_EQ(rows.front().group, "two_node, nothing");
     EXPECT_NE(table_of(rows).find("must 97 %  BELOW"), std::string::npos);
-    EXPECT_NE(confusions_of(marks).find("sidewall_convection, 10 sigma:  consistent 1  inner_gas 1  = "
+    EXPECT_NE(confusions_of(marks).find("two_node: sidewall_convection, 10 sigma:  consistent 1  inner_gas 1  = "
                                         "sidewall_convection 1  standing_wave 1"),
               std::string::npos)
         << confusions_of(marks);
-    EXPECT_NE(faults_of(marks).find("single 10 7: missed; truth sidewall_convection; consistent"), std::string::npos);
+    EXPECT_NE(faults_of(marks).find("two_node single 10 7: missed; truth sidewall_convection; consistent"),
+              std::string::npos);
 }
 
 // Binomial: with 2 % wrong, 8 papers have more than 1 wrong in 1.0 % (0.98^8 + 8 0.02 0.98^7 = 0.9897 < 0.99), more than 2

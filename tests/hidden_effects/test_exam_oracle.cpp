@@ -18,12 +18,11 @@ Oracle oracle_of(std::uint64_t seed) { return Oracle(draw_paper(Kind::nothing, 0
 
 Readings with_noise(Readings readings, const BenchRuns& runs, Random& random) {
     for (std::size_t run = 0; run < readings.size(); ++run) {
-        const std::vector<double>& times = runs.programmes[run].time;
-        const std::vector<double> camera = draw_noise(camera_noise, times, random);
-        const std::vector<double> probe = draw_noise(probe_noise, times, random);
-        for (std::size_t i = 0; i < times.size(); ++i) {
-            readings[run].surface[i] += camera[i];
-            readings[run].bulk[i] += probe[i];
+        for (std::size_t c = 0; c < readings[run].size(); ++c) {
+            const std::vector<double> noise =
+                draw_noise(runs.rig->channels[c].noise, runs.programmes[run].time, random);
+            std::transform(noise.begin(), noise.end(), readings[run][c].begin(), readings[run][c].begin(),
+                           std::plus<>());
         }
     }
     return readings;
@@ -62,10 +61,10 @@ TEST(ExamOracle, TakesOffWhatTheFreeNumbersCanImitate) {
     const Oracle oracle = oracle_of(11);
     for (std::size_t number = 0; number < 4; ++number) {
         BenchRuns runs = oracle.runs();
-        double* moved[] = {&runs.lambda_h, &runs.lambda_sel, &runs.surface_start[1], &runs.bulk_start[2]};
+        double* moved[] = {&runs.of_bench[0], &runs.of_bench[1], &runs.of_run[1][0], &runs.of_run[2][1]};
         const double step[] = {0.01, 0.01, 0.3, 0.3};
         *moved[number] += step[number];
-        const Readings readings = readings_of(runs, {});
+        const Readings readings = readings_of(runs, {}, runs.rig->tolerance);
         EXPECT_GT(oracle.whitened_difference(readings).norm(), 0.3) << number;
         EXPECT_LT(oracle.left_of(readings).norm(), 0.15) << number;
     }
@@ -81,12 +80,12 @@ TEST(ExamOracle, SeesTheCauseAtItsStandardDeviations) {
     const Oracle oracle = oracle_of(12);
     for (const std::size_t which : {std::size_t{0}, std::size_t{12}}) {
         const Variant& variant = single_variants()[which];
-        const std::optional<double> number = number_for(oracle, variant, 1.0, 8.0, 140.0);
-        ASSERT_TRUE(number.has_value());
-        const std::vector<Cause> hidden{cause_of(variant, *number, 140.0)};
+        const std::optional<Size> size = size_for(oracle, variant, 1.0, 8.0, 140.0);
+        ASSERT_TRUE(size.has_value());
+        const std::vector<Cause> hidden{cause_of(variant, size->number, 140.0)};
         const Eigen::VectorXd left = oracle.left_by(hidden);
         EXPECT_NEAR(left.norm(), 8.0, 0.04);
-        const Readings readings = readings_of(oracle.runs(), hidden);
+        const Readings readings = readings_of(oracle.runs(), hidden, oracle.runs().rig->tolerance);
         Random random(100 + which);
         double sum = 0.0;
         double squares = 0.0;
@@ -110,16 +109,16 @@ TEST(ExamOracle, SeesTheCauseAtItsStandardDeviations) {
 TEST(ExamOracle, FindsASizeForEveryCause) {
     const Oracle oracle = oracle_of(13);
     for (const Variant& variant : single_variants()) {
-        const std::optional<double> number = number_for(oracle, variant, 1.0, 6.0, 120.0);
-        ASSERT_TRUE(number.has_value()) << variant.name();
-        EXPECT_NEAR(oracle.left_by({cause_of(variant, *number, 120.0)}).norm(), 6.0, 0.03) << variant.name();
-        EXPECT_GE(*number, variant.low);
-        EXPECT_LE(*number, variant.high);
+        const std::optional<Size> size = size_for(oracle, variant, 1.0, 6.0, 120.0);
+        ASSERT_TRUE(size.has_value()) << variant.name();
+        EXPECT_NEAR(oracle.left_by({cause_of(variant, size->number, 120.0)}).norm(), 6.0, 0.03) << variant.name();
+        EXPECT_GE(size->number, variant.low);
+        EXPECT_LE(size->number, variant.high);
     }
     const Oracle dull(draw_paper(Kind::dull_nothing, 0.0, 13, 4.0).runs);
     for (const char* slips : {"cornering_loss", "partition_speed", "slip_input_gain"}) {
         const auto variant = std::ranges::find(single_variants(), slips, &Variant::id);
-        EXPECT_FALSE(number_for(dull, *variant, 1.0, 6.0, 120.0).has_value()) << slips;
+        EXPECT_FALSE(size_for(dull, *variant, 1.0, 6.0, 120.0).has_value()) << slips;
     }
 }
 
@@ -160,7 +159,7 @@ TEST(ExamPaper, EverythingIsDrawnSometimes) {
     }
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
         Random random(seed);
-        const HiddenSource source = draw_source(Kind::unknown_odd, 3, random);
+        const HiddenSource source = draw_source(two_node_rig(), Kind::unknown_odd, 3, random);
         sources.insert(source.place + (source.signals.empty() ? "" : source.signals.front()) +
                        std::to_string(source.signals.size()));
     }
