@@ -86,20 +86,19 @@ std::vector<Likeness> likenesses(const Paper& paper) {
 }
 }  // namespace
 
+Eigen::VectorXd left_beside(const Paper& paper, const Variant& variant, double step) {
+    return paper.oracle_of_runs->left_by({cause_of(variant, variant.absent + step, critical_speed_of(paper.hidden))});
+}
+
 Likeness likeness(const Paper& paper, const Variant& variant) {
-    const Oracle& oracle = *paper.oracle_of_runs;
-    const double critical_speed = critical_speed_of(paper.hidden);
-    const auto left_by = [&](double step) {
-        return oracle.left_by({cause_of(variant, variant.absent + step, critical_speed)});
-    };
-    Eigen::VectorXd left = left_by(variant.typical);
+    Eigen::VectorXd left = left_beside(paper, variant, variant.typical);
     if (left.norm() < 1e-3) {
         return {.variant = &variant, .correlation = 0.0};
     }
     if (!paper.runs.rig->costly) {
         const double room = (variant.typical > 0.0 ? variant.high : variant.low) - variant.absent;
         const double step = variant.typical * paper.left.norm() / left.norm();
-        left = left_by(std::abs(step) < std::abs(room) ? step : room);
+        left = left_beside(paper, variant, std::abs(step) < std::abs(room) ? step : room);
     }
     return {.variant = &variant, .correlation = correlation(paper.left, left)};
 }

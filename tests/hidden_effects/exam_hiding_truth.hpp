@@ -11,6 +11,9 @@ namespace hidden_effects {
 /// Hides heat that no effect of the catalogue explains, nor any one of them imitates. @returns like hide_causes
 [[nodiscard]] bool hide_source(Paper& paper, Random& random);
 
+/// What a cause leaves behind in a paper's runs, a step from absent, with the critical speed of the hidden wave.
+[[nodiscard]] Eigen::VectorXd left_beside(const Paper& paper, const Variant& variant, double step);
+
 /// How like what is hidden in a paper one cause is: at the size at which it shows as well or as large as it can be, or on
 /// a costly bench at its typical size, for causes are nearly linear.
 [[nodiscard]] Likeness likeness(const Paper& paper, const Variant& variant);

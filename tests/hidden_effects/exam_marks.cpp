@@ -132,7 +132,8 @@ void mark_unknown(const Paper& paper, const Diagnosis& diagnosis, Mark& mark) {
     mark.signal_right = paper.source.signals.empty()
                             ? is_window(paper.source, found, "run" + std::to_string(paper.source.run + 1))
                             : follows(paper.source, found.follows);
-    if (mark.place_right && mark.signal_right && found.low < found.high) {
+    // The watts of a part that stands for a place which the program does not know are not those of the place.
+    if (mark.place_right && !part && mark.signal_right && found.low < found.high) {
         mark.size_held = found.low <= paper.source.watts && paper.source.watts <= found.high;
     }
 }
@@ -174,6 +175,7 @@ Mark mark_of(const Paper& paper, const Diagnosis& diagnosis) {
               .verdict = std::string(diagnosis::word_of(diagnosis.verdict)),
               .first = {},
               .set = {}};
+    mark.apart = paper.twin ? std::optional(paper.twin->apart) : std::nullopt;
     mark.numerical_error_sigma = diagnosis.numerical_error_sigma;
     mark.simulations = diagnosis.simulations;
     mark.seconds = diagnosis.seconds;

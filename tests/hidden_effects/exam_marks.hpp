@@ -25,8 +25,9 @@ struct Mark {
     bool first_right = false;  ///< the first explanation is the truth, no more and no less
     /// That, or the first name correlates with the truth beyond 0.95 and the truth is in the set.
     bool first_right_or_alike = false;
-    bool in_set = false;      ///< the truth is one of the explanations
-    bool only_right = false;  ///< named, and it is the truth and nothing else
+    bool in_set = false;            ///< the truth is one of the explanations
+    bool only_right = false;        ///< named, and it is the truth and nothing else
+    std::optional<double> apart{};  ///< standard deviations that the nearest other explanation of a pair misses
     /// One explanation with confidence, and a name in it is not true.
     bool wrong_with_confidence = false;
     bool named_though_unknown = false;  ///< an unknown that got names of the catalogue

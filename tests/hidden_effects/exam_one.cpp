@@ -32,6 +32,9 @@ void print_truth(const Paper& paper) {
         fmt::print("           {:.1f} W at most, oracle {:.2f} sigma; window: run {} {:g} to {:g} s\n",
                    paper.source.watts, paper.oracle.front(), paper.source.run + 1, paper.source.from, paper.source.to);
     }
+    if (paper.twin) {
+        fmt::print("           nearest other: {}, misses {:.2f} sigma\n", paper.twin->name, paper.twin->apart);
+    }
     for (std::size_t i = 0; i < std::min<std::size_t>(5, paper.alike.size()); ++i) {
         fmt::print("           like {} {:+.4f}\n", paper.alike[i].variant->name(), paper.alike[i].correlation);
     }

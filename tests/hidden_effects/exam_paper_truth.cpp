@@ -7,6 +7,7 @@
 
 #include "exam_hiding_truth.hpp"
 #include "exam_signals_truth.hpp"
+#include "exam_twins_truth.hpp"
 
 namespace hidden_effects {
 
@@ -98,6 +99,9 @@ Paper draw_paper(Kind kind, double sigma, std::uint64_t seed, double interval, c
             throw std::runtime_error("nothing can be hidden at " + std::to_string(sigma) + " standard deviations in " +
                                      word_of(kind) + " of seed " + std::to_string(seed));
         }
+    }
+    if (kind == Kind::pair && rig.finds_twins) {
+        paper.twin = nearest_twin(paper);
     }
     Readings readings = true_readings(paper);
     for (std::size_t run = 0; run < n_runs; ++run) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,12 @@ struct Likeness {
     [[nodiscard]] double strength() const { return variant->both_ways() ? std::abs(correlation) : correlation; }
 };
 
+/// Another explanation, and the standard deviations of what is hidden that it misses at its best.
+struct Twin {
+    std::string name;
+    double apart = 0.0;
+};
+
 /// Heat that no effect of the catalogue explains.
 struct HiddenSource {
     std::string id{};                  ///< of the truth
@@ -59,7 +66,8 @@ struct Paper {
     HiddenSource source{};       ///< of an unknown
     /// The most like first, of every cause; empty where nothing is hidden, and on a costly bench where likeness() tells.
     std::vector<Likeness> alike{};
-    std::vector<std::vector<Column>> logs{};         ///< [n_runs]
+    std::vector<std::vector<Column>> logs{};  ///< [n_runs]
+    std::optional<Twin> twin{};  ///< the nearest, of a pair on a bench whose truth is quick enough to look for it
     std::vector<std::string> rejected{};             ///< draws that were given up, and why
     std::shared_ptr<const Oracle> oracle_of_runs{};  ///< where something is hidden
     Eigen::VectorXd left{};                          ///< all that is hidden, as the oracle sees it

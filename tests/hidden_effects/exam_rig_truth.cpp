@@ -62,6 +62,7 @@ const Rig& two_node_rig() {
         .draw = draw_two_node,
         .drive = drive_two_node,
         .log = log_two_node,
+        .finds_twins = true,
         .every_kind = true};
     return rig;
 }

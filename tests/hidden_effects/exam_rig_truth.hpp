@@ -62,7 +62,8 @@ struct Rig {
     double size_error = 0.005;   ///< relative, of the size at which a cause shows
     /// A truth's run takes a tenth of a second or more: what a cause is like is found at one size, and only when asked.
     bool costly = false;
-    bool every_kind = false;  ///< also unknown_odd, decoy and the dull kinds
+    bool finds_twins = false;  ///< a truth's run takes a tenth of a second or less: every other pair is tried on a pair
+    bool every_kind = false;   ///< also unknown_odd, decoy and the dull kinds
 };
 
 [[nodiscard]] const Rig& two_node_rig();

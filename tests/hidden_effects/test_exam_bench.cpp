@@ -1,5 +1,5 @@
-// The exam of the diagnosis on the benches of cases/practice: papers drawn from seeds, with something hidden by a truth that shares
-// no source file with the program, or nothing.
+// The exam of the diagnosis on the benches of cases/practice: papers drawn from seeds, with something hidden by a truth that
+// shares no source file with the program, or nothing.
 //     quick: fixed seeds, so that a change that breaks the diagnosis shows at once
 //     long:  fresh seeds, as many as the environment says; prints the table
 // What is demanded are shares. Of n papers as many may be wrong as in 99 of 100 exams of a diagnosis that only just does what

@@ -198,8 +198,9 @@ TEST(ExamMarks, OnAGridTheLayerCountsAndAPartOfAPlaceWillDo) {
     paper.source.place = "crown";
     paper.source.or_at = {"bulk"};
     found = said(Verdict::unknown, {});
-    found.unknown = {.place = "bulk", .follows = "throttle"};
+    found.unknown = {.place = "bulk", .follows = "throttle", .watts = 60.0, .low = 50.0, .high = 70.0};
     EXPECT_TRUE(mark_of(paper, found).place_right);
+    EXPECT_FALSE(mark_of(paper, found).size_held.has_value());
     found.unknown->place = "surface";
     EXPECT_FALSE(mark_of(paper, found).place_right);
     found.unknown->follows = "time window";

@@ -108,6 +108,18 @@ TEST(ExamRigs, APaperOfLayersHidesWhatItsKindSays) {
     EXPECT_TRUE(unknown.source.id == "unknown_surface" || unknown.source.id == "unknown_crown") << unknown.source.id;
 }
 
+// Another explanation than the truth; and never further away than one of the two alone, which misses at most what the other
+// shows: 10 standard deviations.
+TEST(ExamRigs, ATwinIsAnotherExplanationThatComesNear) {
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+        const Paper paper = draw_paper(Kind::pair, 10.0, seed, 8.0);
+        ASSERT_TRUE(paper.twin.has_value());
+        EXPECT_NE(paper.twin->name, answer_of(paper));
+        EXPECT_LT(paper.twin->apart, 10.05) << answer_of(paper);
+        EXPECT_GT(paper.twin->apart, 0.0);
+    }
+}
+
 // The laser's lamp takes the throttle's place: a source after it, or after the time, 1 at its largest.
 TEST(ExamRigs, ASourceOfTheLaserFollowsItsLampOrTheTime) {
     const std::vector<RigProgramme> logged{laser_rig().draw(5, 0.0)};
