@@ -94,10 +94,12 @@ TEST(ExamBenchLong, PapersOfFreshSeeds) {
     add_sheets(sheets, Kind::dull_nothing, 0.0, first, dull / 2, rig);
     add_sheets(sheets, Kind::dull_single, 10.0, first, dull - dull / 2, rig);
     ASSERT_FALSE(sheets.empty());
-    const std::vector<Mark> marks = sit(sheets, count_of("TIRETHERM_EXAM_THREADS", 2), 0.0,
-                                        [](const Mark& mark) { std::cout << faults_of({mark}) << std::flush; });
+    const std::vector<Mark> marks = sit(sheets, count_of("TIRETHERM_EXAM_THREADS", 2), 0.0, [](const Mark& mark) {
+        const std::string faults = faults_of({mark});
+        std::cout << (faults.empty() ? "." : "\n" + faults) << std::flush;
+    });
     const std::uint64_t last = std::ranges::max_element(sheets, {}, &Sheet::seed)->seed;
-    std::cout << fmt::format("{:%Y-%m-%d %H:%M}, {}, seeds {} to {}, {} papers\n", fmt::gmtime(now), rig.name, first,
+    std::cout << fmt::format("\n{:%Y-%m-%d %H:%M}, {}, seeds {} to {}, {} papers\n", fmt::gmtime(now), rig.name, first,
                              last, sheets.size())
               << table_of(rows_of(marks)) << costs_of(marks) << confusions_of(marks);
     expect_enough(marks);
