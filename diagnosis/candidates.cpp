@@ -20,7 +20,7 @@ struct Shape {
     std::string_view number;
     std::string_view other{};        ///< a number that moves along, or that is held
     double factor = 0.0;             ///< of what moves along
-    std::array<double, 10> held{};   ///< values of `other` on trial, as many as are not 0
+    std::array<double, 11> held{};   ///< values of `other` on trial, ascending, two or more, and zeros
     std::array<double, 4> trials{};  ///< values at which the signature is taken, as many as are not 0
     bool left_out = false;           ///< says nothing that another number of the effect does not say
 };
@@ -133,11 +133,13 @@ void add(std::vector<Candidate>& all, const Candidate& plain) {
     if (shape->factor != 0.0) {
         one.companions = {{.parameter = other, .factor = shape->factor}};
     }
-    for (const double value : shape->held) {
-        if (value != 0.0) {
-            one.held = {{other, value}};
-            all.push_back(one);
-        }
+    const auto n_held = static_cast<std::size_t>(std::ranges::find(shape->held, 0.0) - shape->held.begin());
+    for (std::size_t i = 0; i < n_held; ++i) {
+        const double value = shape->held[i];
+        const double below = i > 0 ? value - shape->held[i - 1] : shape->held[i + 1] - value;
+        const double above = i + 1 < n_held ? shape->held[i + 1] - value : below;
+        one.held = {{.parameter = other, .value = value, .low = value - below, .high = value + above}};
+        all.push_back(one);
     }
     for (const double value : shape->trials) {
         if (value != 0.0) {
@@ -219,8 +221,8 @@ physics::ActiveEffect active_at(const Candidate& candidate, const mesh::Mesh& me
             active.parameters[p] = absent;
         }
     }
-    for (const auto& [parameter, held] : candidate.held) {
-        active.parameters[parameter] = held;
+    for (const Candidate::Held& held : candidate.held) {
+        active.parameters[held.parameter] = held.value;
     }
     active.parameters[candidate.parameter] = value;
     for (const solver::Adjustable::Companion& companion : candidate.companions) {

@@ -17,7 +17,13 @@ struct Candidate {
     std::size_t parameter = 0;
     std::vector<solver::Adjustable::Companion> companions{};  ///< numbers that move along
     /// Numbers that mean nothing while the effect is absent, such as a critical speed, and their values on trial.
-    std::vector<std::pair<std::size_t, double>> held{};
+    struct Held {
+        std::size_t parameter = 0;
+        double value = 0.0;  ///< on trial
+        double low = 0.0;    ///< where the neighbouring trials are: as far as it goes in a fit
+        double high = 0.0;
+    };
+    std::vector<Held> held{};
     int channel = -1;  ///< index into Problem::channels, of a sensor's effect
     int layer = -1;    ///< index into Mesh::layers, of an effect on layers
     double absent = 0.0;

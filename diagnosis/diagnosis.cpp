@@ -45,7 +45,7 @@ Diagnosis diagnose(const cases::Experiment& experiment, const Observations& obse
     }
     Diagnosis result;
     Findings findings;
-    findings.evidence = gather_evidence(fine, observations, candidates_of(fine, fine.candidates));
+    findings.evidence = gather_evidence(fine, observations, candidates_of(fine, fine.candidates), choice.progress);
     result.status = findings.evidence.status;
     Observations corrected = observations;
     bool is_coarse = false;
@@ -54,9 +54,7 @@ Diagnosis diagnose(const cases::Experiment& experiment, const Observations& obse
         result.numerical_error_sigma = error.sigma;
         if (error.sigma > noticed) {
             corrected.measured -= error.change;
-            const long simulations = findings.evidence.simulations;
-            findings.evidence = gather_evidence(fine, corrected, candidates_of(fine, fine.candidates));
-            findings.evidence.simulations += simulations;
+            findings.evidence.take_observations(corrected);
             result.status = findings.evidence.status;
             result.numerical_error_sigma = left_over * error.sigma;
             is_coarse = result.numerical_error_sigma > too_coarse;

@@ -1,5 +1,7 @@
 #include "diagnosis/evidence.hpp"
 
+#include <cmath>
+
 #include <Eigen/Eigenvalues>
 
 namespace tiretherm::diagnosis {
@@ -11,6 +13,8 @@ constexpr double settled_noise = 0.01;
 /// A combination of signatures that is this small a part of all of them counts as noise's.
 constexpr double least_part = 0.01;
 constexpr double chance = 0.002;
+/// Two signatures that are this much alike are no pair.
+constexpr double alike = 0.995;
 /// Windows of a run in which heat of its own is looked for.
 constexpr int windows = 16;
 
@@ -45,7 +49,7 @@ void take_signatures(const cases::Experiment& still, const Eigen::VectorXd& simu
     Simulator all(wide, *evidence.observations);
     all.take_steps(evidence.steps);
     const Forecast& slopes = all.at(all.start());
-    evidence.simulations += all.simulations();
+    evidence.count(all.simulations());
     Eigen::Index taken = 0;
     for (std::size_t k = 0; k < evidence.candidates.size(); ++k) {
         const Candidate& candidate = evidence.candidates[k];
@@ -63,7 +67,33 @@ void take_signatures(const cases::Experiment& still, const Eigen::VectorXd& simu
         if (const Forecast& there = one.at(one.start()); there.status.ok()) {
             column = (there.simulated - simulated) / (candidate.trial - candidate.absent);
         }
-        evidence.simulations += one.simulations();
+        evidence.count(one.simulations());
+    }
+}
+
+/// Finds noise and base fit that belong together, and all that is judged by them.
+void settle(Evidence& evidence) {
+    Fit fit(*evidence.experiment, *evidence.observations);
+    fit.simulator().take_steps(evidence.steps);
+    fit.take_covariance(evidence.noise);
+    if (!fit.move_to(evidence.base.values)) {
+        evidence.status = fit.now().status;
+        return;
+    }
+    evidence.base = refit(fit);
+    for (int turn = 0; turn < most_turns && evidence.base.status.ok(); ++turn) {
+        const Covariance before = fit.covariance();
+        fit.find_noise(evidence.essence(evidence.base));
+        evidence.noise = fit.covariance();
+        evidence.base = refit(fit);
+        if (turn > 0 && change(before, evidence.noise) < settled_noise) {
+            break;
+        }
+    }
+    evidence.count(fit.simulator().simulations());
+    evidence.status = evidence.base.status;
+    if (evidence.status.ok()) {
+        evidence.take_noise(evidence.noise, evidence.base);
     }
 }
 
@@ -73,6 +103,13 @@ Scores scored(const Refit& model, const Eigen::MatrixXd& columns) {
 }
 
 }  // namespace
+
+void Evidence::count(long more) {
+    simulations += more;
+    if (progress) {
+        progress(simulations);
+    }
+}
 
 Scores Evidence::scores_after(const Refit& model) const { return scored(model, columns); }
 
@@ -105,17 +142,27 @@ void Evidence::take_noise(Covariance found, Refit refitted) {
     threshold = family_threshold(scores.correlation, sign, chance);
     unknown_threshold =
         family_threshold(unknown_scores.correlation, Eigen::VectorXi::Zero(unknown_scores.z.size()), chance);
+    pairs.clear();
+    for (Eigen::Index b = 0; b < scores.z.size(); ++b) {
+        for (Eigen::Index a = 0; a < b; ++a) {
+            const bool seen = scores.length[a] > 0.0 && scores.length[b] > 0.0;
+            const bool two =
+                candidates[static_cast<std::size_t>(a)].cause != candidates[static_cast<std::size_t>(b)].cause;
+            if (seen && two && std::abs(scores.correlation(a, b)) < alike) {
+                pairs.emplace_back(a, b);
+            }
+        }
+    }
+    pair_threshold = diagnosis::pair_threshold(scores.correlation, sign, pairs, chance);
 }
 
 Evidence gather_evidence(const cases::Experiment& experiment, const Observations& observations,
-                         std::vector<Candidate> candidates) {
+                         std::vector<Candidate> candidates, std::function<void(long)> progress) {
     Evidence evidence;
+    evidence.progress = std::move(progress);
     evidence.experiment = &experiment;
     evidence.observations = &observations;
     Fit fit(experiment, observations);
-    for (std::size_t c = 0; c < observations.channels.size(); ++c) {
-        evidence.data_sheet.push_back(fit.stated(c));
-    }
     fit.take_stated_noise();
     if (!fit.move_to(fit.simulator().start())) {
         evidence.status = fit.now().status;
@@ -143,22 +190,14 @@ Evidence gather_evidence(const cases::Experiment& experiment, const Observations
         problems.push_back(run.problem);
     }
     evidence.unknowns = dictionary_of(experiment, observations, problems, evidence.steps, windows);
-    for (int turn = 0; turn < most_turns; ++turn) {
-        const Covariance before = fit.covariance();
-        fit.find_noise(evidence.essence(evidence.base));
-        evidence.noise = fit.covariance();
-        evidence.base = refit(fit);
-        if (!evidence.base.status.ok()) {
-            evidence.status = evidence.base.status;
-            return evidence;
-        }
-        if (turn > 0 && change(before, evidence.noise) < settled_noise) {
-            break;
-        }
-    }
-    evidence.simulations += fit.simulator().simulations();
-    evidence.take_noise(evidence.noise, evidence.base);
+    evidence.count(fit.simulator().simulations());
+    settle(evidence);
     return evidence;
+}
+
+void Evidence::take_observations(const Observations& corrected) {
+    observations = &corrected;
+    settle(*this);
 }
 
 }  // namespace tiretherm::diagnosis

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -18,9 +19,7 @@ struct Evidence {
     const Observations* observations = nullptr;
     Refit base;
     Covariance noise;
-    std::vector<double> data_sheet;          ///< [n_noises] stated standard deviations, 0 where there is none
     std::vector<std::vector<double>> steps;  ///< [n_runs] s, ends of the steps that every run takes
-    double numerical_sigma = 0.0;            ///< of the model's own error of step and grid, after correction
 
     std::vector<Candidate> candidates;
     Eigen::VectorXi sign;        ///< [n_candidates] to which side of absent they may go; 0: either
@@ -33,8 +32,14 @@ struct Evidence {
     Scores unknown_scores;
     double threshold = 0.0;  ///< that the largest score of a sound model exceeds by chance twice in a thousand times
     double unknown_threshold = 0.0;
+    /// Indices of candidates that two causes can be told apart by, and the gain that the best of these pairs has by chance
+    /// as rarely. Two causes that hide each other are seen by this alone.
+    std::vector<Pair> pairs;
+    double pair_threshold = 0.0;
     long simulations = 0;
+    std::function<void(long simulations)> progress{};  ///< called as they are counted
 
+    void count(long more);
     /// Scores of the candidates and of the unknown sources against another model.
     [[nodiscard]] Scores scores_after(const Refit& model) const;
     [[nodiscard]] Scores unknown_scores_after(const Refit& model) const;
@@ -43,11 +48,15 @@ struct Evidence {
     [[nodiscard]] Eigen::MatrixXd essence(const Refit& model) const;
     /// Judges everything anew by another noise. @param refitted the base model fitted with it
     void take_noise(Covariance found, Refit refitted);
+    /// The same for other measured values. The signatures stay: a correction of the data does not bend them.
+    /// @param corrected lives longer
+    void take_observations(const Observations& corrected);
 };
 
 /// Fits the base model with the noise that is most likely whatever is missing, and takes every signature.
 /// @param experiment, observations live longer  @param candidates causes that may be missing
 [[nodiscard]] Evidence gather_evidence(const cases::Experiment& experiment, const Observations& observations,
-                                       std::vector<Candidate> candidates);
+                                       std::vector<Candidate> candidates,
+                                       std::function<void(long simulations)> progress = {});
 
 }  // namespace tiretherm::diagnosis

@@ -17,8 +17,6 @@ constexpr std::size_t most_singles = 8;
 /// Single numbers leave few directions, in which many causes look alike: what is not tried would be missing from the set.
 constexpr std::size_t most_singles_of_numbers = 24;
 constexpr std::size_t most_pairs = 8;
-/// Two signatures that are this much alike are no pair.
-constexpr double alike = 0.995;
 
 double largest(const Scores& scores, const Eigen::VectorXi& sign, const std::vector<std::size_t>& but,
                const std::vector<Candidate>& candidates) {
@@ -34,19 +32,19 @@ double largest(const Scores& scores, const Eigen::VectorXi& sign, const std::vec
 
 /// Numbers that a cause holds on trial are free in its fit, within what the effect allows.
 void free_held(cases::Experiment& model, const Candidate& candidate, std::size_t effect) {
-    for (const auto& [parameter, held] : candidate.held) {
-        const physics::Parameter& number = candidate.effect->parameters[parameter];
+    for (const Candidate::Held& held : candidate.held) {
+        const physics::Parameter& number = candidate.effect->parameters[held.parameter];
         model.parameters.push_back({.name = std::string(number.key),
                                     .unit = std::string(number.unit),
                                     .kind = solver::Adjustable::Kind::effect,
                                     .effect = effect,
-                                    .parameter = parameter,
+                                    .parameter = held.parameter,
                                     .layers = {},
                                     .knots = {},
                                     .nodes = {},
-                                    .prior = held,
-                                    .low = std::max(number.low, held - 20.0),
-                                    .high = std::min(number.high, held + 20.0)});
+                                    .prior = held.value,
+                                    .low = held.low,
+                                    .high = held.high});
     }
 }
 
@@ -70,7 +68,6 @@ std::vector<Explanation> fit_all(Evidence& evidence, const std::vector<Promise>&
     std::vector<Explanation> found;
     for (const Promise& promise : promises) {
         found.push_back(explain(evidence, promise.candidates, promise.amplitudes));
-        found.back().expected_gain = promise.gain;
     }
     std::ranges::stable_sort(found, std::greater{}, &Explanation::gain);
     return found;
@@ -118,7 +115,7 @@ void fit_model(Evidence& evidence, const Eigen::VectorXd& from, Explanation& one
     } else {
         one.fit.status = fit.now().status;
     }
-    evidence.simulations += fit.simulator().simulations();
+    evidence.count(fit.simulator().simulations());
     one.sound = one.fit.status.ok() && one.fit.converged;
     if (!one.fit.status.ok()) {
         return;
@@ -226,25 +223,15 @@ std::vector<Explanation> explain_by_one(Evidence& evidence) {
 std::vector<Explanation> explain_by_two(Evidence& evidence, double least_gain) {
     std::vector<Promise> promises;
     const Scores& scores = evidence.scores;
-    for (std::size_t j = 0; j < evidence.candidates.size(); ++j) {
-        for (std::size_t k = j + 1; k < evidence.candidates.size(); ++k) {
-            const auto a = static_cast<Eigen::Index>(j);
-            const auto b = static_cast<Eigen::Index>(k);
-            const double c = scores.correlation(a, b);
-            if (evidence.candidates[j].cause == evidence.candidates[k].cause || scores.length[a] == 0.0 ||
-                scores.length[b] == 0.0 || std::abs(c) > alike) {
-                continue;
-            }
-            const double left = 1.0 - c * c;
-            const double za = (scores.z[a] - c * scores.z[b]) / left;
-            const double zb = (scores.z[b] - c * scores.z[a]) / left;
-            if (admitted(za, evidence.sign[a]) > 0.0 && admitted(zb, evidence.sign[b]) > 0.0) {
-                take(promises,
-                     {.candidates = {j, k},
-                      .amplitudes = {za / scores.length[a], zb / scores.length[b]},
-                      .gain = 0.5 * (za * scores.z[a] + zb * scores.z[b])},
-                     evidence.candidates);
-            }
+    for (const Pair& pair : evidence.pairs) {
+        const PairScore both = score_of_pair(scores, evidence.sign, pair);
+        if (both.gain > 0.0) {
+            const auto [a, b] = pair;
+            take(promises,
+                 {.candidates = {static_cast<std::size_t>(a), static_cast<std::size_t>(b)},
+                  .amplitudes = {both.first / scores.length[a], both.second / scores.length[b]},
+                  .gain = both.gain},
+                 evidence.candidates);
         }
     }
     std::erase_if(promises, [&](const Promise& promise) { return promise.gain < least_gain; });
@@ -267,7 +254,7 @@ bool settle_noise(Evidence& evidence, const Explanation& best) {
         return false;
     }
     Refit again = refit(base);
-    evidence.simulations += fit.simulator().simulations() + base.simulator().simulations();
+    evidence.count(fit.simulator().simulations() + base.simulator().simulations());
     evidence.take_noise(fit.covariance(), std::move(again));
     return true;
 }

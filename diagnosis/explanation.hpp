@@ -13,7 +13,6 @@ struct Explanation {
     cases::Experiment model;              ///< with the causes switched on, their numbers free after its own
     Refit fit;
     double gain = 0.0;             ///< log likelihood ratio over the base model
-    double expected_gain = 0.0;    ///< what the straight picture at the base model promised
     double loudest = 0.0;          ///< largest score that is left among the candidates
     double loudest_unknown = 0.0;  ///< and among the unknown sources
     bool quiet = false;            ///< neither is beyond chance

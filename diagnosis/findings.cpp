@@ -84,8 +84,8 @@ Cause describe_cause(const Findings& found, const Explanation& one, std::size_t 
     for (std::size_t before = 0; before < i; ++before) {
         held += static_cast<Eigen::Index>(found.evidence.candidates[one.candidates[before]].held.size());
     }
-    for (const auto& [parameter, value] : candidate.held) {
-        add(held++, parameter, 1.0);
+    for (const Candidate::Held& number : candidate.held) {
+        add(held++, number.parameter, 1.0);
     }
     // What the likelihood says where the number is alone; a number that is nearly free makes its own deviation a poor guide.
     cause.sigma = one.candidates.size() == 1

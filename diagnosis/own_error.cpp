@@ -37,7 +37,7 @@ OwnError find_own_error(Evidence& evidence, const cases::Experiment* finer) {
     constexpr double second_order = 4.0 / 3.0;
     OwnError error{.change = Eigen::VectorXd::Zero(evidence.base.simulated.size())};
     const auto add = [&](const Forecast& better) {
-        evidence.simulations += static_cast<long>(evidence.experiment->runs.size());
+        evidence.count(static_cast<long>(evidence.experiment->runs.size()));
         if (better.status.ok()) {
             error.change += second_order * (better.simulated - evidence.base.simulated);
         }

@@ -13,6 +13,8 @@ constexpr int most_iterations = 12;
 constexpr int most_halvings = 6;
 /// Of any number, in standard deviations: what is left to gain is the square of it.
 constexpr double settled = 0.05;
+/// A fit that ends with less than this to gain, in log likelihood twice, has ended well.
+constexpr double little = 0.1;
 
 /// The model where the fit stands.
 void look(const Fit& fit, Refit& at) {
@@ -57,6 +59,39 @@ Eigen::MatrixXd normal_matrix(const Refit& at, Eigen::VectorXd& diagonal) {
     return unit;
 }
 
+/// Moves the fit along a step: all of it, half of it, a quarter, until the cost falls. Where it falls by less than half of
+/// what the step promises the valley is curved, and the lowest point of the parabola through both ends is tried as well:
+/// full steps would cross it from side to side.
+/// @param[out] there where the cost is lowest  @returns whether that is lower than `at`
+bool go(Fit& fit, const Refit& at, const Eigen::VectorXd& step, double promise, Refit& there) {
+    const auto try_part = [&](double part) {
+        const Eigen::VectorXd to =
+            (at.values + part * step.cwiseProduct(at.scale)).cwiseMax(fit.low()).cwiseMin(fit.high());
+        Refit tried;
+        if (fit.move_to(to)) {
+            look(fit, tried);
+            if (tried.cost < (there.values.size() > 0 ? there.cost : at.cost)) {
+                tried.at_bound = at.at_bound;
+                there = std::move(tried);
+                return true;
+            }
+        }
+        return false;
+    };
+    for (int halvings = 0; halvings <= most_halvings; ++halvings) {
+        const double part = std::ldexp(1.0, -halvings);
+        if (try_part(part)) {
+            const double fall = at.cost - there.cost;
+            const double curvature = (2.0 * promise * part - fall) / (part * part);
+            if (fall < 0.5 * promise * part && promise / curvature < part) {
+                try_part(promise / curvature);
+            }
+            return true;
+        }
+    }
+    return false;
+}
+
 }  // namespace
 
 Eigen::VectorXd Refit::deviations() const {
@@ -86,30 +121,20 @@ Refit refit(Fit& fit) {
             free[j] = at.at_bound[static_cast<std::size_t>(j)] ? 0.0 : free[j];
         }
         const Eigen::VectorXd step = unit.llt().solve(free.cwiseQuotient(diagonal)).cwiseQuotient(diagonal);
-        // What the step promises to gain is judged against what is noise: a thousandth of a standard deviation.
-        if (step.dot(free) < settled * settled) {
+        // What a full step promises to gain is judged against what is noise: a thousandth of a standard deviation.
+        const double promise = step.dot(free);
+        if (promise < settled * settled) {
             at.converged = true;
             break;
         }
-        bool better = false;
-        for (int halvings = 0; halvings <= most_halvings && !better; ++halvings) {
-            const Eigen::VectorXd to = (at.values + std::ldexp(1.0, -halvings) * step.cwiseProduct(at.scale))
-                                           .cwiseMax(fit.low())
-                                           .cwiseMin(fit.high());
-            if (fit.move_to(to)) {
-                Refit there;
-                look(fit, there);
-                if (better = there.cost < at.cost; better) {
-                    there.at_bound = at.at_bound;
-                    there.iterations = at.iterations;
-                    at = std::move(there);
-                }
-            }
+        at.converged = promise < little;
+        Refit there;
+        if (!go(fit, at, step, promise, there)) {
+            break;  // where little is promised, round-off of the forecasts is as large as what is left to gain
         }
-        if (!better) {
-            at.converged = step.dot(free) < 0.1;  // round-off of the forecasts is as large as what is left to gain
-            break;
-        }
+        there.iterations = at.iterations;
+        there.converged = at.converged;
+        at = std::move(there);
     }
     if (!fit.move_to(at.values)) {
         at.status = fit.now().status;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include <Eigen/Core>
 
 namespace tiretherm::diagnosis {
@@ -54,5 +57,20 @@ struct Scores {
 /// @param correlation [m][m]  @param sign [m] as of `admitted`
 [[nodiscard]] double family_threshold(const Eigen::MatrixXd& correlation, const Eigen::VectorXi& sign,
                                       double probability);
+
+using Pair = std::pair<Eigen::Index, Eigen::Index>;
+
+/// Two signatures fitted together in the straight picture.
+struct PairScore {
+    double first =
+        0.0;  ///< standard deviations of the first: its z were it the only one and the second as it should be
+    double second = 0.0;  ///< of the second
+    double gain = 0.0;    ///< log likelihood ratio; 0 where one is on the side that its sign forbids
+};
+[[nodiscard]] PairScore score_of_pair(const Scores& scores, const Eigen::VectorXi& sign, const Pair& pair);
+
+/// The largest gain of any of some pairs that chance exceeds with a given probability, by simulation.
+[[nodiscard]] double pair_threshold(const Eigen::MatrixXd& correlation, const Eigen::VectorXi& sign,
+                                    const std::vector<Pair>& pairs, double probability);
 
 }  // namespace tiretherm::diagnosis

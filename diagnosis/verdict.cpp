@@ -16,7 +16,7 @@ constexpr double behind_single = 5.0;
 constexpr double behind_pair = 4.0;
 /// A cause of the catalogue is given up for an unknown source that is likelier by this: there are twice as many of these,
 /// and they are rarer.
-constexpr double unknown_over_one = 2.5;
+constexpr double unknown_over_one = 4.0;
 /// One cause is given up for two that are likelier by this. A second cause beside the true one gains up to half the square
 /// of the threshold by chance, 6.4; pairs without the true one are many, and rarely do better.
 constexpr double two_over_one = 8.0;
@@ -46,12 +46,20 @@ double worth_of_unknown(const Findings& found) {
            std::log(static_cast<double>(found.evidence.unknowns.terms.size()));
 }
 
-bool is_loud(const Evidence& evidence, const LoudTerm& unknown) {
+/// A cause or a source by itself is beyond chance.
+bool is_one_loud(const Evidence& evidence, const LoudTerm& unknown) {
     double most = 0.0;
     for (Eigen::Index k = 0; k < evidence.scores.z.size(); ++k) {
         most = std::max(most, admitted(evidence.scores.z[k], evidence.sign[k]));
     }
     return most > evidence.threshold || std::abs(unknown.z) > evidence.unknown_threshold;
+}
+
+/// Two causes together are, whether or not one is: two may hide each other.
+bool are_two_loud(const Evidence& evidence) {
+    return std::ranges::any_of(evidence.pairs, [&](const Pair& pair) {
+        return score_of_pair(evidence.scores, evidence.sign, pair).gain > evidence.pair_threshold;
+    });
 }
 
 /// What is left of the scores once one unknown source is taken out as well.
@@ -94,10 +102,13 @@ void look(Findings& found) {
     found.pairs.clear();
     found.unknown_fit = {};
     found.unknown = loudest_term(found.evidence.unknown_scores);
-    if (!is_loud(found.evidence, found.unknown)) {
+    const bool one = is_one_loud(found.evidence, found.unknown);
+    if (!one && !are_two_loud(found.evidence)) {
         return;
     }
-    found.singles = explain_by_one(found.evidence);
+    if (one) {
+        found.singles = explain_by_one(found.evidence);
+    }
     const auto set = standing(found.singles, found.unknown.gain() - unknown_over_one, behind_single);
     found.pairs = explain_by_two(found.evidence, set.empty() ? 0.0 : set.front()->gain + two_over_one);
 }
@@ -108,7 +119,7 @@ void take(Findings& found, std::vector<const Explanation*> set) {
 }
 
 void decide(Findings& found) {
-    if (!is_loud(found.evidence, found.unknown)) {
+    if (!is_one_loud(found.evidence, found.unknown) && found.pairs.empty()) {
         found.verdict = Verdict::consistent;
         return;
     }

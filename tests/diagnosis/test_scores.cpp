@@ -50,6 +50,33 @@ TEST(FamilyThreshold, KnowsThatTheSameCountsOnce) {
     EXPECT_NEAR(family_threshold(Eigen::MatrixXd::Ones(16, 16), Eigen::VectorXi::Ones(16), 0.005), 2.576, 0.12);
 }
 
+// Two independent numbers together gain half a chi-square of two degrees of freedom, which is exponential: exceeded by 1 in
+// 200 beyond ln 200 = 5.298. Only one of four draws has both signs positive: ln 50 = 3.912. Only the best of three such pairs
+// that share nothing, 1 - (1 - e^-g)^3 = 0.005: g = 6.395. The 100th of 20 000 draws scatters by 10 % in the
+// probability, 0.1 in the gain; three of these are allowed.
+TEST(PairThreshold, IsThatOfIndependentNumbers) {
+    const auto independent = [](Eigen::Index n, int sign, const std::vector<Pair>& pairs) {
+        return pair_threshold(Eigen::MatrixXd::Identity(n, n), Eigen::VectorXi::Constant(n, sign), pairs, 0.005);
+    };
+    EXPECT_NEAR(independent(2, 0, {{0, 1}}), 5.298, 0.3);
+    EXPECT_NEAR(independent(2, 1, {{0, 1}}), 3.912, 0.3);
+    EXPECT_NEAR(independent(6, 0, {{0, 1}, {2, 3}, {4, 5}}), 6.395, 0.3);
+}
+
+// Two signatures whose correlation is 0.8, true amplitudes of 10 standard deviations and -10: alone each shows with
+// 10 - 8 = 2 and -2, together with 10 each and a gain of (10 x 2 + 10 x 2) / 2 = 20.
+TEST(PairScore, SeesWhatHidesEachOther) {
+    Scores scores;
+    scores.z = Eigen::Vector2d(2.0, -2.0);
+    scores.length = Eigen::Vector2d::Ones();
+    scores.correlation = Eigen::MatrixXd{{1.0, 0.8}, {0.8, 1.0}};
+    const PairScore both = score_of_pair(scores, Eigen::Vector2i(0, -1), {0, 1});
+    EXPECT_NEAR(both.first, 10.0, 1e-12);
+    EXPECT_NEAR(both.second, -10.0, 1e-12);
+    EXPECT_NEAR(both.gain, 20.0, 1e-12);
+    EXPECT_EQ(score_of_pair(scores, Eigen::Vector2i(0, +1), {0, 1}).gain, 0.0);
+}
+
 // Residuals of white noise of variance 1, 300 rows, 6 free numbers of which two are known before to a standard deviation,
 // 10 signatures with arbitrary lengths and correlations: every z is normal with variance 1 whatever the free numbers are.
 // Over 2 000 draws the distance of Kolmogorov and Smirnov stays below 1.95 / sqrt(2000) = 0.0436 in 999 of 1 000 cases, in

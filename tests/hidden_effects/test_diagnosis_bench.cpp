@@ -65,6 +65,28 @@ TEST(DiagnosisBench, DoesNotFollowTheOrderOfTheCandidates) {
     EXPECT_NE(one.verdict, diagnosis::Verdict::consistent);
 }
 
+// A camera that reads 2.7 % too little hides a warm gas: the loudest cause alone shows at less than three standard
+// deviations, both together at ten each.
+TEST(DiagnosisBench, TwoCausesThatHideEachOtherAreSeen) {
+    const Experiment experiment = paper(Kind::pair, 10.0, 734004);
+    const diagnosis::Observations observations = diagnosis::observe(experiment);
+    diagnosis::Findings found;
+    found.evidence = diagnosis::gather_evidence(experiment, observations,
+                                                diagnosis::candidates_of(experiment, experiment.candidates));
+    EXPECT_LT(found.evidence.scores.z.cwiseAbs().maxCoeff(), found.evidence.threshold);
+    diagnosis::inquire(found);
+    ASSERT_FALSE(found.set.empty());
+    EXPECT_TRUE(found.singles.empty());
+    const auto is_truth = [&](const diagnosis::Explanation* one) {
+        std::set<std::string_view> ids;
+        for (const std::size_t k : one->candidates) {
+            ids.insert(found.evidence.candidates[k].effect->id);
+        }
+        return ids == std::set<std::string_view>{"inner_gas", "sensor_gain"};
+    };
+    EXPECT_TRUE(std::ranges::any_of(found.set, is_truth));
+}
+
 // Two causes with one signature are a set of two, never a toss of a coin.
 TEST(DiagnosisBench, ACauseThatStandsTwiceIsASetOfTwo) {
     const Experiment experiment = paper(Kind::single, 20.0, 4205);
