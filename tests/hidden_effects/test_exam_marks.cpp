@@ -1,5 +1,8 @@
 // The marks of the exam, held against diagnoses that are made up: each is worth what the rules say, and a table counts
 // what it is given.
+#include <algorithm>
+#include <tuple>
+
 #include <gtest/gtest.h>
 
 #include "hidden_effects/exam_table.hpp"
@@ -162,6 +165,7 @@ TEST(ExamMarks, OfAPairBothCountAndOnTheirChannels) {
     };
     EXPECT_EQ(right_of("the first pair is both and nothing else"), std::tuple(2, 3, 0.0));
     EXPECT_EQ(right_of("both and nothing else"), std::tuple(1, 3, 0.75));
+    EXPECT_EQ(right_of("both and nothing else, no other near"), std::tuple(-1, -1, -1.0));
     EXPECT_EQ(among.faults(), "not the pair alone");
 }
 
@@ -178,6 +182,25 @@ TEST(ExamMarks, AnUnknownIsItsPlaceAndItsSignal) {
     const Mark named = mark_of(throttle_paper(), said(Verdict::named, {{gas}}));
     EXPECT_TRUE(named.named_though_unknown && named.wrong_with_confidence && named.detected);
     EXPECT_TRUE(mark_of(throttle_paper(), said(Verdict::confounded, {{gas}, {offset}})).named_though_unknown);
+}
+
+// Pairs from which the nearest other explanation stays 3.9, 4.1 and 6 standard deviations away: two stand apart.
+TEST(ExamTable, CountsThePairsApartThatDataCanTell) {
+    std::vector<Mark> marks;
+    for (const double apart : {3.9, 4.1, 6.0}) {
+        Paper paper = pair_paper();
+        paper.twin = {.name = "inner_gas + standing_wave", .apart = apart};
+        const bool among = apart < 5.0;
+        marks.push_back(mark_of(paper, among ? said(Verdict::confounded, {{wave, probe_lag}, {wave, gas}})
+                                             : said(Verdict::named, {{wave, probe_lag}})));
+    }
+    const std::vector<Row> rows = rows_of(marks);
+    const auto of = [&](const char* question) { return *std::ranges::find(rows, question, &Row::question); };
+    EXPECT_EQ(of("both in the set, no other near").count, 2);
+    EXPECT_EQ(of("both in the set, no other near").right, 2);
+    EXPECT_EQ(of("both and nothing else, no other near").count, 2);
+    EXPECT_EQ(of("both and nothing else, no other near").right, 1);
+    EXPECT_EQ(of("both and nothing else").count, 3);
 }
 
 // Of layers each has its own name, and a volume that the program does not know may be found in a part of it.
