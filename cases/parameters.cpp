@@ -252,21 +252,25 @@ void read_identify(Section& root, Experiment& into) {
     into.robust = section.flag("robust").value_or(into.robust);
 }
 
-void read_diagnose(Section& root, Experiment& into) {
+void read_diagnose(Section& root, const solver::Problem& problem, Experiment& into) {
     Section section = root.section("diagnose");
     std::vector<std::string> known;
     for (const physics::Effect* effect : physics::catalogue()) {
         known.emplace_back(effect->id);
+        const bool is_on =
+            std::ranges::find(problem.effects, effect, &physics::ActiveEffect::effect) != problem.effects.end();
         for (const physics::Parameter& parameter : effect->parameters) {
-            if (!std::isnan(parameter.absent)) {
+            if (is_on || !std::isnan(parameter.absent)) {
                 known.push_back(fmt::format("{}.{}", effect->id, parameter.key));
             }
         }
     }
     for (const Word& word : section.texts("candidates")) {
         if (std::ranges::find(known, word.text) == known.end()) {
-            root.mistakes().add(word.place, fmt::format("there is no effect \"{}\" that may be missing", word.text),
-                                suggest(word.text, known, "effects"));
+            root.mistakes().add(
+                word.place,
+                fmt::format("there is no effect \"{}\" that may be missing or have a wrong number", word.text),
+                suggest(word.text, known, "effects"));
         } else {
             into.candidates.push_back(word.text);
         }

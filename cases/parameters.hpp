@@ -17,7 +17,7 @@ void read_parameters(Section& root, const Draft& draft, const std::vector<std::s
 
 /// The table [identify]: how the noise is modelled.
 void read_identify(Section& root, Experiment& into);
-/// [diagnose]: which effects a diagnosis may name.
-void read_diagnose(Section& root, Experiment& into);
+/// [diagnose]: which effects a diagnosis may name. @param problem the case's, whose effects are on
+void read_diagnose(Section& root, const solver::Problem& problem, Experiment& into);
 
 }  // namespace tiretherm::cases

@@ -94,7 +94,7 @@ Runs read_runs(const Node& document, const std::string& name, const std::vector<
         if (documents.size() == 1) {
             read_parameters(root, draft, run_names, into.experiment.parameters);
             read_identify(root, into.experiment);
-            read_diagnose(root, into.experiment);
+            read_diagnose(root, draft.problem, into.experiment);
             into.problem = draft.problem;
         }
         run.problem = std::move(draft.problem);

@@ -194,6 +194,31 @@ void add_all(std::vector<Candidate>& all, const cases::Experiment& experiment, c
     }
 }
 
+/// Numbers of an effect that is on, with one value everywhere that the fit does not free, where the case doubts them.
+void add_numbers(std::vector<Candidate>& all, const cases::Experiment& experiment, std::size_t on,
+                 const std::vector<std::string>& chosen) {
+    const physics::ActiveEffect& active = experiment.runs.front().problem.effects[on];
+    for (std::size_t p = 0; p < active.parameters.size(); ++p) {
+        const Parameter& parameter = active.effect->parameters[p];
+        const bool is_free = std::ranges::any_of(experiment.parameters, [&](const solver::Adjustable& number) {
+            return number.kind == solver::Adjustable::Kind::effect && number.effect == on && number.parameter == p;
+        });
+        const bool is_split =
+            std::ranges::any_of(active.overrides, [&](const auto& other) { return other.parameter == p; });
+        if (!chosen.empty() && is_chosen(chosen, *active.effect, parameter) && !is_free && !is_split) {
+            const double value = active.parameters[p];
+            all.push_back({.effect = active.effect,
+                           .parameter = p,
+                           .on = static_cast<int>(on),
+                           .absent = value,
+                           .low = parameter.low,
+                           .high = parameter.high,
+                           .trial = value,
+                           .cause = all.empty() ? 0 : all.back().cause + 1});
+        }
+    }
+}
+
 /// Gas and rim start with the air around them, or as the rest where there is no air, as in a case that says nothing. K
 double start_of_own_nodes(const solver::Problem& problem) {
     const physics::Inputs first = problem.drive.at(problem.settings.start, solver::Limit::after);
@@ -209,6 +234,12 @@ std::vector<Candidate> candidates_of(const cases::Experiment& experiment, const 
     for (const Effect* effect : physics::catalogue()) {
         if (!is_on(experiment.runs.front().problem, *effect) && can_act(experiment, *effect)) {
             add_all(all, experiment, *effect, channels, chosen);
+        }
+    }
+    const std::vector<physics::ActiveEffect>& active = experiment.runs.front().problem.effects;
+    for (std::size_t on = 0; on < active.size(); ++on) {
+        if (active[on].name.empty()) {  // the user's own may be anything
+            add_numbers(all, experiment, on, chosen);
         }
     }
     return all;
@@ -244,7 +275,7 @@ std::string name_of(const Candidate& candidate, const cases::Experiment& experim
         const Shape* shape = shape_of(*candidate.effect, parameter);
         return !std::isnan(parameter.absent) && !(shape != nullptr && shape->left_out);
     });
-    if (numbers > 1) {
+    if (numbers > 1 || candidate.on >= 0) {
         name += fmt::format(".{}", candidate.number().key);
     }
     if (candidate.channel >= 0) {
@@ -272,6 +303,11 @@ cases::Experiment with(cases::Experiment experiment, const std::vector<Candidate
                                   .low = candidate.low,
                                   .high = candidate.high};
         for (cases::MeasuredRun& run : experiment.runs) {
+            if (candidate.on >= 0) {
+                number.effect = static_cast<std::size_t>(candidate.on);
+                run.problem.effects[number.effect].parameters[candidate.parameter] = values[k];
+                continue;
+            }
             const physics::ActiveEffect active = active_at(candidate, run.problem.mesh, values[k]);
             number.effect = solver::switch_on(run.problem, active, start_of_own_nodes(run.problem));
         }

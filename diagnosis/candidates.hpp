@@ -10,8 +10,8 @@
 
 namespace tiretherm::diagnosis {
 
-/// A cause that may be missing from a model: one number of an effect of the catalogue, at one place, and the value at
-/// which it changes nothing.
+/// What may be wrong with a model: one number of an effect of the catalogue, at one place, and the value at which it
+/// changes nothing: where the effect is absent, or, of an effect that is on, what the case says.
 struct Candidate {
     const physics::Effect* effect = nullptr;
     std::size_t parameter = 0;
@@ -26,6 +26,7 @@ struct Candidate {
     std::vector<Held> held{};
     int channel = -1;  ///< index into Problem::channels, of a sensor's effect
     int layer = -1;    ///< index into Mesh::layers, of an effect on layers
+    int on = -1;       ///< index into Problem::effects, where the effect is on and its number may be wrong
     double absent = 0.0;
     double low = 0.0;
     double high = 0.0;
@@ -39,8 +40,8 @@ struct Candidate {
 };
 
 /// Every cause that can act on an experiment's model and is not in it: effects of the catalogue that are off, whose inputs
-/// are given and whose places the mesh has.
-/// @param chosen effects by id, or one number of an effect ("layer_conductivity.scale"); empty: all that can act
+/// are given and whose places the mesh has. Of an effect that is on, its numbers that are chosen and not free anyway.
+/// @param chosen effects by id, or one number of an effect ("layer_conductivity.scale"); empty: all that are off
 [[nodiscard]] std::vector<Candidate> candidates_of(const cases::Experiment& experiment,
                                                    const std::vector<std::string>& chosen);
 

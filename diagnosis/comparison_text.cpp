@@ -5,6 +5,8 @@
 
 #include "diagnosis/comparison.hpp"
 #include "diagnosis/comparison_words.hpp"
+#include "diagnosis/number_text.hpp"
+#include "post/page.hpp"
 #include "post/table.hpp"
 
 namespace tiretherm::diagnosis {
@@ -121,37 +123,26 @@ std::string single_numbers(const Comparison& comparison) {
 }  // namespace
 
 std::string comparison_text(const Comparison& comparison, bool bold) {
-    const auto heading = [&](const std::string& line) {
-        return bold ? fmt::format("\n\033[1m{}\033[0m\n", line) : "\n" + line + "\n";
-    };
-    const auto section = [&](const char* title, const std::string& body) {
-        return body.empty() ? "" : heading(title) + body;
-    };
-    const auto list = [](const std::vector<std::string>& items) {
-        std::string text;
-        for (const std::string& item : items) {
-            text += post::wrap(item, 2);
-        }
-        return text;
-    };
-    std::string text = fmt::format("{}: {}, simulated in {:.2g} s\nDifferences are simulated - measured.\n",
-                                   comparison.name, number_of(comparison.runs.size(), "run"), comparison.seconds);
+    post::Page page(bold);
+    page.add(fmt::format("{}: {}, simulated in {} s\nDifferences are simulated - measured.\n", comparison.name,
+                         number_of(comparison.runs.size(), "run"),
+                         to_its_digits(comparison.seconds, 0.05 * comparison.seconds)));
     if (!comparison.channels.empty()) {
-        text += heading("Channels") + per_run(comparison);
-        text += heading("In words") + in_words(comparison);
-        text += section("By what the tire does", by_phase(comparison));
+        page.add("Channels", per_run(comparison));
+        page.add("In words", in_words(comparison));
+        page.add("By what the tire does", by_phase(comparison));
         std::string signals;
         for (const ComparedChannel& channel : comparison.channels) {
             signals += channel.regressors.empty() ? "" : by_signal(channel);
         }
-        text += section("By signal", signals);
+        page.add("By signal", signals);
     }
     if (!comparison.numbers.empty()) {
-        text += heading("Single numbers") + single_numbers(comparison);
+        page.add("Single numbers", single_numbers(comparison));
     }
-    text += section("Findings about the data", list(comparison.findings));
-    text += section("Warnings", list(comparison.warnings));
-    return text;
+    page.add("Findings about the data", post::paragraphs(comparison.findings));
+    page.add("Warnings", post::paragraphs(comparison.warnings));
+    return page.text();
 }
 
 }  // namespace tiretherm::diagnosis

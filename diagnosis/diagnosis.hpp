@@ -41,7 +41,9 @@ struct Cause {
     std::string channel{};               ///< of a sensor's effect
     std::string place{};                 ///< layer or zone, where it acts on one of several
     std::vector<CauseNumber> numbers{};  ///< that were fitted, and those it was tried at
-    double sigma = 0.0;                  ///< standard deviations from absent, with its physical sign
+    /// What the case says of the number, where the effect is on and its number is wrong.
+    std::optional<double> instead_of{};
+    double sigma = 0.0;  ///< standard deviations from absent, or from what the case says
     double gain = 0.0;                   ///< log likelihood ratio over the model without it
     double probability = 0.0;            ///< among the single explanations, before the data all alike
     bool in_set = false;

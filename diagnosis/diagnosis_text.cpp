@@ -9,6 +9,7 @@
 #include "diagnosis/look_alikes.hpp"
 #include "diagnosis/number_text.hpp"
 #include "post/channel_unit.hpp"
+#include "post/page.hpp"
 #include "post/table.hpp"
 
 namespace tiretherm::diagnosis {
@@ -98,11 +99,11 @@ std::string causes_table(const Diagnosis& result) {
     }
     const bool any = std::ranges::any_of(result.causes, &Cause::in_set);
     std::string text = table.text(2);
-    text +=
-        post::wrap(std::string(any ? "*: in the set; " : "") +
-                       "sigma: standard deviations from absent; gain: in log likelihood over the model without it, the "
-                       "free numbers fitted anew each time.",
-                   2);
+    text += post::wrap(std::string(any ? "*: in the set; " : "") +
+                           "sigma: standard deviations from absent or from the case's number; gain: in log likelihood "
+                           "over the model without it, the "
+                           "free numbers fitted anew each time.",
+                       2);
     if (others > most_others) {
         text += post::wrap(
             fmt::format("{} more are less likely; all of them stand in diagnosis.json.", others - most_others), 2);
@@ -206,40 +207,28 @@ std::string noise_table(const DiagnosisRecord& record) {
 }  // namespace
 
 std::string diagnosis_text(const DiagnosisRecord& record, bool bold) {
-    const auto section = [&](const char* title, const std::string& body) {
-        if (body.empty()) {
-            return std::string();
-        }
-        return (bold ? fmt::format("\n\033[1m{}\033[0m\n", title) : fmt::format("\n{}\n", title)) + body;
-    };
-    const auto list = [](const std::vector<std::string>& items) {
-        std::string text;
-        for (const std::string& item : items) {
-            text += post::wrap(item, 2);
-        }
-        return text;
-    };
     const Diagnosis& result = record.result;
     const std::size_t n_runs = record.experiment.runs.size();
     const std::size_t n_free = record.experiment.parameters.size();
-    std::string text = fmt::format(
-        "{}\n{} run{}, {} values, {} free number{}; {} simulations, {:.2g} s\nDifferences are simulated - measured.\n",
+    post::Page page(bold);
+    page.add(fmt::format(
+        "{}\n{} run{}, {} values, {} free number{}; {} simulations, {} s\nDifferences are simulated - measured.\n",
         record.experiment.runs.front().problem.title, n_runs, n_runs == 1 ? "" : "s",
         post::grouped(static_cast<double>(record.observations.measured.size())), n_free, n_free == 1 ? "" : "s",
-        result.simulations, result.seconds);
-    text += section("Verdict", post::wrap(reason_of(record), 2));
-    text += section("What that is", meanings_text(record));
-    text += section("What would tell", result.next.empty() ? "" : next_text(result));
-    text += section("Where it shows", where_text(record));
-    text += section("What heat the data ask for", result.asked.empty() ? "" : asked_table(record));
-    text += section("Causes that were tried", result.causes.empty() ? "" : causes_table(result));
-    text += section("How large each could be unseen", result.limits.empty() ? "" : limits_table(result));
-    text += section("Gain", result.channels.empty() ? "" : gain_text(record));
-    text += section("Noise", result.noise.empty() ? "" : noise_table(record));
-    text += section("Remarks", list(result.remarks));
-    text += section("Findings about the data", list(record.findings));
-    text += section("Warnings", list(record.warnings));
-    return text;
+        result.simulations, to_its_digits(result.seconds, 0.05 * result.seconds)));
+    page.add("Verdict", post::wrap(reason_of(record), 2));
+    page.add("What that is", meanings_text(record));
+    page.add("What would tell", result.next.empty() ? "" : next_text(result));
+    page.add("Where it shows", where_text(record));
+    page.add("What heat the data ask for", result.asked.empty() ? "" : asked_table(record));
+    page.add("Causes that were tried", result.causes.empty() ? "" : causes_table(result));
+    page.add("How large each could be unseen", result.limits.empty() ? "" : limits_table(result));
+    page.add("Gain", result.channels.empty() ? "" : gain_text(record));
+    page.add("Noise", result.noise.empty() ? "" : noise_table(record));
+    page.add("Remarks", post::paragraphs(result.remarks));
+    page.add("Findings about the data", post::paragraphs(record.findings));
+    page.add("Warnings", post::paragraphs(record.warnings));
+    return page.text();
 }
 
 }  // namespace tiretherm::diagnosis

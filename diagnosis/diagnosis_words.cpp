@@ -21,7 +21,8 @@ std::string digits(const CauseNumber& number, double value) {
 bool has_interval(const CauseNumber& number) { return number.high > number.low; }
 
 std::string full(const Cause& cause) {
-    return fmt::format("{}, {}, {:.1f} standard deviations from absent", name_of(cause), size_of(cause), cause.sigma);
+    const std::string from = cause.instead_of ? fmt::format("the case's {:.4g}", *cause.instead_of) : "absent";
+    return fmt::format("{}, {}, {:.1f} standard deviations from {}", name_of(cause), size_of(cause), cause.sigma, from);
 }
 
 std::string named(const Diagnosis& diagnosis) {
@@ -37,15 +38,19 @@ std::string named(const Diagnosis& diagnosis) {
                        one.size() == 2 ? "Two" : fmt::format("{}", one.size()), text);
 }
 
-std::string confounded(const Diagnosis& diagnosis) {
+std::string confounded(const Diagnosis& diagnosis, const cases::Experiment& experiment) {
     std::string text;
     for (const std::vector<std::size_t>& one : diagnosis.explanations) {
         std::string both;
         for (const std::size_t cause : one) {
-            both += fmt::format("{}{}, {}", both.empty() ? "" : " with ", name_of(diagnosis.causes[cause]),
-                                size_of(diagnosis.causes[cause]));
+            const Cause& one_of = diagnosis.causes[cause];
+            both += fmt::format("{}{}, {}{}", both.empty() ? "" : " with ", name_of(one_of), size_of(one_of),
+                                one_of.instead_of ? fmt::format(" instead of {:.4g}", *one_of.instead_of) : "");
         }
         text += (text.empty() ? "" : "; or ") + both;
+    }
+    if (diagnosis.unknown) {
+        text += fmt::format("; or, what no effect of the catalogue is, {}", text_of(*diagnosis.unknown, experiment));
     }
     return fmt::format("Something is missing, and these data cannot tell apart: {}.{}", text,
                        diagnosis.next.empty() ? "" : " To tell them apart: " + text_of(diagnosis.next.front()) + ".");
@@ -145,7 +150,7 @@ std::string reason_of(const DiagnosisRecord& record) {
         case Verdict::named:
             return named(diagnosis);
         case Verdict::confounded:
-            return confounded(diagnosis);
+            return confounded(diagnosis, record.experiment);
         case Verdict::unknown:
             return unknown(diagnosis, record.experiment);
         case Verdict::consistent:

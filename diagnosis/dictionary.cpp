@@ -147,7 +147,7 @@ std::vector<HeatPlace> heat_places(const solver::Problem& problem, bool all) {
     const mesh::Mesh& mesh = problem.mesh;
     for (const std::string& name : physics::names_of_places(mesh)) {
         const bool is_part = mesh.zones.empty() ? mesh.find_layer(name) >= 0 : mesh.find_zone(name) >= 0;
-        if (!all && !is_part && mesh.find_region(name) < 0) {
+        if (!all && !is_part && mesh.find_region(name) < 0 && mesh.find_patch(name) < 0) {
             continue;
         }
         const std::vector<int> nodes = physics::nodes_of_place(mesh, name);

@@ -17,7 +17,7 @@ struct HeatPlace {
     mesh::Functional nodes;  ///< weights sum to 1
 };
 /// Regions, layers, zones and patches, as a [[source]] names them, each set of nodes once.
-/// @param all otherwise regions and zones alone, or layers where there are no zones
+/// @param all otherwise regions, patches and zones alone, or layers where there are no zones
 [[nodiscard]] std::vector<HeatPlace> heat_places(const solver::Problem& problem, bool all);
 
 /// A signal that a source may follow, in every run.

@@ -59,6 +59,9 @@ Cause describe_cause(const Findings& found, const Explanation& one, std::size_t 
     const solver::Problem& problem = found.evidence.experiment->runs.front().problem;
     const Candidate& candidate = found.evidence.candidates[one.candidates[i]];
     Cause cause{.id = std::string(candidate.effect->id)};
+    if (candidate.on >= 0) {
+        cause.instead_of = candidate.absent;
+    }
     if (candidate.channel >= 0) {
         cause.channel = problem.channels[static_cast<std::size_t>(candidate.channel)].name;
     }
@@ -168,7 +171,7 @@ void find_limits(const Findings& found, Diagnosis& into) {
 void report(const Findings& found, Diagnosis& into) {
     into.verdict = found.verdict;
     describe_causes(found, into);
-    if (found.verdict == Verdict::unknown) {
+    if (found.verdict == Verdict::unknown || found.unknown_stands) {
         into.unknown = describe_unknown(found);
     }
     if (found.verdict == Verdict::consistent) {

@@ -25,6 +25,7 @@ struct Findings {
     Explanation unknown_fit;
     Verdict verdict = Verdict::cannot_tell;
     std::vector<const Explanation*> set;  ///< explanations that stand, the most likely first; point into the lists
+    bool unknown_stands = false;          ///< the unknown source explains the data about as well as the set
     bool something_left = false;          ///< beside the best explanation
 
     /// The explanation that the model is extended with; null where there is none.

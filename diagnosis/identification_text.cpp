@@ -7,6 +7,7 @@
 #include "diagnosis/identification_report.hpp"
 #include "diagnosis/number_text.hpp"
 #include "post/channel_unit.hpp"
+#include "post/page.hpp"
 #include "post/table.hpp"
 
 namespace tiretherm::diagnosis {
@@ -188,46 +189,34 @@ std::string describe(const Direction& direction, const cases::Experiment& experi
 }
 
 std::string identification_text(const IdentificationRecord& record, bool bold) {
-    const auto section = [&](const char* title, const std::string& body) {
-        if (body.empty()) {
-            return std::string();
-        }
-        return (bold ? fmt::format("\n\033[1m{}\033[0m\n", title) : fmt::format("\n{}\n", title)) + body;
-    };
-    const auto list = [](const std::vector<std::string>& items) {
-        std::string text;
-        for (const std::string& item : items) {
-            text += post::wrap(item, 2);
-        }
-        return text;
-    };
     const Identification& result = record.result;
     const std::size_t n_runs = record.experiment.runs.size();
-    std::string text = fmt::format(
-        "{}\n{} number{} {} {} run{}, {} values\n", record.experiment.runs.front().problem.title, result.fitted.size(),
-        result.fitted.size() == 1 ? "" : "s", record.planned ? "planned for" : "fitted to", n_runs,
-        n_runs == 1 ? "" : "s", post::grouped(static_cast<double>(record.observations.measured.size())));
-    text +=
-        record.planned
-            ? fmt::format("Predicted from the case as it stands, {} simulations in {:.2g} s: nothing was measured.\n",
-                          result.simulations, result.seconds)
-            : fmt::format("{} simulations, {:.2g} s{}\n", result.simulations, result.seconds,
-                          result.converged ? "" : "; THE SEARCH DID NOT CONVERGE");
-    text += section("Numbers", numbers_table(record));
-    text += section("What the data do not tell", directions_text(record));
-    text += section("Pairs that the data hardly tell apart (correlation)", correlations_text(record));
+    post::Page page(bold);
+    page.add(fmt::format("{}\n{} number{} {} {} run{}, {} values\n", record.experiment.runs.front().problem.title,
+                         result.fitted.size(), result.fitted.size() == 1 ? "" : "s",
+                         record.planned ? "planned for" : "fitted to", n_runs, n_runs == 1 ? "" : "s",
+                         post::grouped(static_cast<double>(record.observations.measured.size()))));
+    const std::string seconds = to_its_digits(result.seconds, 0.05 * result.seconds);
+    page.add(record.planned
+                 ? fmt::format("Predicted from the case as it stands, {} simulations in {} s: nothing was measured.\n",
+                               result.simulations, seconds)
+                 : fmt::format("{} simulations, {} s{}\n", result.simulations, seconds,
+                               result.converged ? "" : "; THE SEARCH DID NOT CONVERGE"));
+    page.add("Numbers", numbers_table(record));
+    page.add("What the data do not tell", directions_text(record));
+    page.add("Pairs that the data hardly tell apart (correlation)", correlations_text(record));
     if (!record.planned) {
-        text += section("Fit", fit_text(record));
+        page.add("Fit", fit_text(record));
     }
     if (!result.kinks.empty()) {
-        text += section("At a switch or a clamp",
-                        post::wrap(fmt::format("{}: the slope is that of one side, and the interval with it.",
-                                               fmt::join(result.kinks, ", ")),
-                                   2));
+        page.add("At a switch or a clamp",
+                 post::wrap(fmt::format("{}: the slope is that of one side, and the interval with it.",
+                                        fmt::join(result.kinks, ", ")),
+                            2));
     }
-    text += section("Findings about the data", list(record.findings));
-    text += section("Warnings", list(record.warnings));
-    return text;
+    page.add("Findings about the data", post::paragraphs(record.findings));
+    page.add("Warnings", post::paragraphs(record.warnings));
+    return page.text();
 }
 
 }  // namespace tiretherm::diagnosis

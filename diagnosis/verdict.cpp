@@ -14,9 +14,11 @@ namespace {
 /// it has a probability of 1 in 150. There are many pairs that do nearly as well as any pair.
 constexpr double behind_single = 5.0;
 constexpr double behind_pair = 4.0;
-/// A cause of the catalogue is given up for an unknown source that is likelier by this: there are twice as many of these,
-/// and they are rarer.
-constexpr double unknown_over_one = 4.0;
+/// A cause of the catalogue is given up for an unknown source that is likelier by this. Among the many of these some ten look
+/// much like any true cause; by chance the best of them gains half the square of 3.6 in one of three hundred cases.
+constexpr double unknown_over_one = 6.5;
+/// One that is likelier by this is told beside the cause.
+constexpr double unknown_beside_one = 3.0;
 /// One cause is given up for two that are likelier by this. A second cause beside the true one gains up to half the square
 /// of the threshold by chance, 6.4; pairs without the true one are many, and rarely do better.
 constexpr double two_over_one = 8.0;
@@ -118,6 +120,21 @@ void take(Findings& found, std::vector<const Explanation*> set) {
     found.verdict = found.set.size() == 1 ? Verdict::named : Verdict::confounded;
 }
 
+/// The strongest unknown source, fitted.
+void look_into_unknown(Findings& found) {
+    if (found.unknown.z != 0.0) {
+        const auto k = static_cast<Eigen::Index>(found.unknown.term);
+        found.unknown_fit =
+            explain_unknown(found.evidence, found.unknown.term, found.evidence.unknown_scores.amplitude(k));
+    }
+}
+
+/// Whether the strongest unknown source is likely enough beside a cause that leaves nothing.
+bool worth_telling(const Findings& found, const Explanation& cause) {
+    return std::abs(found.unknown.z) > found.evidence.unknown_threshold &&
+           found.unknown.gain() > cause.gain + unknown_beside_one;
+}
+
 void decide(Findings& found) {
     if (!is_one_loud(found.evidence, found.unknown) && found.pairs.empty()) {
         found.verdict = Verdict::consistent;
@@ -127,15 +144,16 @@ void decide(Findings& found) {
     const auto two = standing(found.pairs, 0.0, behind_pair);
     if (!alone.empty() && (two.empty() || two.front()->gain < alone.front()->gain + two_over_one)) {
         take(found, alone);
+        if (worth_telling(found, *alone.front())) {
+            look_into_unknown(found);
+            found.unknown_stands = true;
+            found.verdict = Verdict::confounded;
+        }
         return;
     }
     // No single cause leaves nothing. What does must be worth its numbers; if nothing does, the likeliest is named and
     // what is left is said.
-    if (found.unknown.z != 0.0) {
-        found.unknown_fit =
-            explain_unknown(found.evidence, found.unknown.term,
-                            found.evidence.unknown_scores.amplitude(static_cast<Eigen::Index>(found.unknown.term)));
-    }
+    look_into_unknown(found);
     const bool unknown_is_quiet =
         std::abs(found.unknown.z) > found.evidence.unknown_threshold &&
         (found.unknown_fit.sound

@@ -3,6 +3,7 @@
 #include "post/celsius.hpp"
 #include "post/channel_unit.hpp"
 #include "post/comparison.hpp"
+#include "post/page.hpp"
 #include "post/place.hpp"
 #include "post/summary.hpp"
 #include "post/summary_parts.hpp"
@@ -75,49 +76,32 @@ std::string ending(const RunRecord& run) {
     return status.ok() ? "" : wrap("ended early: " + status.message, 2);
 }
 
-std::string items(const std::vector<std::string>& texts) {
-    std::string lines;
-    for (const std::string& text : texts) {
-        lines += wrap(text, 2);
-    }
-    return lines;
-}
-
 }  // namespace
 
 std::string summary_text(const RunRecord& run, bool bold) {
-    const auto strong = [&](const std::string& line) { return bold ? fmt::format("\033[1m{}\033[0m", line) : line; };
-    const auto heading = [&](const std::string& line) { return "\n" + strong(line) + "\n"; };
     const std::string& name = run.problem.name;
     const std::string& title = run.problem.title;
-    std::string text = strong(title.empty() || title == name ? name : fmt::format("{} ({})", title, name)) + "\n";
-    text += ending(run);
-
+    Page page(bold);
+    page.add(page.strong(title.empty() || title == name ? name : fmt::format("{} ({})", title, name)) + "\n");
+    page.add(ending(run));
     if (run.history.rows() > 0) {
-        text += heading("Readings") + readings(run) + extremes(run);
+        page.add("Readings", readings(run) + extremes(run));
         const double symmetry = run.problem.symmetry;
-        text +=
-            heading(symmetry == 1.0 ? std::string("Heat budget")
-                                    : fmt::format("Heat budget of the whole specimen, {:g} times the mesh", symmetry));
-        text += heat_budget_text(run);
+        page.add(symmetry == 1.0 ? std::string("Heat budget")
+                                 : fmt::format("Heat budget of the whole specimen, {:g} times the mesh", symmetry),
+                 heat_budget_text(run));
     }
-    text += heading("Cost") + cost_text(run);
-
+    page.add("Cost", cost_text(run));
     std::vector<std::string> warnings = run.warnings;
     warnings.insert(warnings.end(), run.report.warnings.begin(), run.report.warnings.end());
-    if (!warnings.empty()) {
-        text += heading("Warnings") + items(warnings);
+    page.add("Warnings", paragraphs(warnings));
+    page.add("Cite", paragraphs(run.problem.sources));
+    std::string files;
+    for (const std::filesystem::path& file : run.files) {
+        files += "  " + file.string() + "\n";
     }
-    if (!run.problem.sources.empty()) {
-        text += heading("Cite") + items(run.problem.sources);
-    }
-    if (!run.files.empty()) {
-        text += heading("Files");
-        for (const std::filesystem::path& file : run.files) {
-            text += "  " + file.string() + "\n";
-        }
-    }
-    return text;
+    page.add("Files", files);
+    return page.text();
 }
 
 }  // namespace tiretherm::post

@@ -87,6 +87,33 @@ TEST(DiagnosisBench, TwoCausesThatHideEachOtherAreSeen) {
     EXPECT_TRUE(std::ranges::any_of(found.set, is_truth));
 }
 
+// An effect that is on may have a wrong number: 0.85 of the friction power are said to enter the tire, 0.6 do.
+TEST(DiagnosisBench, ANumberOfAnEffectThatIsOnMayBeWrong) {
+    Experiment experiment = paper(Kind::nothing, 0.0, 4101);
+    const tiretherm::physics::Effect& friction = *tiretherm::physics::find_effect("sliding_friction");
+    const auto partition = static_cast<std::size_t>(tiretherm::physics::find_parameter(friction, "partition"));
+    for (auto& run : experiment.runs) {
+        const auto active =
+            std::ranges::find(run.problem.effects, &friction, &tiretherm::physics::ActiveEffect::effect);
+        ASSERT_NE(active, run.problem.effects.end());
+        EXPECT_EQ(active->parameters[partition], 0.6);
+        active->parameters[partition] = 0.85;
+    }
+    experiment.candidates = {"sliding_friction.partition", "sensor_offset", "layer_heat_capacity",
+                             "sidewall_convection"};
+    const diagnosis::Diagnosis found =
+        diagnosis::diagnose(experiment, diagnosis::observe(experiment), {.plan_next = false});
+    ASSERT_EQ(found.verdict, diagnosis::Verdict::named);
+    const diagnosis::Cause& cause = found.causes.at(found.explanations.front().front());
+    EXPECT_EQ(cause.id, "sliding_friction");
+    EXPECT_EQ(cause.instead_of, 0.85);
+    ASSERT_EQ(cause.numbers.size(), 1U);
+    EXPECT_EQ(cause.numbers.front().key, "partition");
+    EXPECT_LT(cause.numbers.front().low, 0.6);
+    EXPECT_GT(cause.numbers.front().high, 0.6);
+    EXPECT_LT(cause.numbers.front().high - cause.numbers.front().low, 0.2);
+}
+
 // Two causes with one signature are a set of two, never a toss of a coin.
 TEST(DiagnosisBench, ACauseThatStandsTwiceIsASetOfTwo) {
     const Experiment experiment = paper(Kind::single, 20.0, 4205);
