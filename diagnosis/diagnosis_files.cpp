@@ -113,6 +113,8 @@ std::vector<std::filesystem::path> write_diagnosis(DiagnosisRecord& record, cons
     if (!record.result.asked.empty()) {
         files.push_back(directory / "what_is_asked.csv");
         post::replace_file(files.back(), asked_csv(record));
+        files.push_back(directory / "what_is_asked.png");
+        draw_asked(files.back(), record);
     }
     const auto is_series = [](const Block& block) { return block.channel >= 0; };
     if (std::ranges::any_of(record.observations.blocks, is_series)) {

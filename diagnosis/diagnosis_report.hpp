@@ -38,4 +38,8 @@ struct DiagnosisRecord {
 /// @errors post::FileError
 void draw_residuals(const std::filesystem::path& path, const DiagnosisRecord& record);
 
+/// The heat that the data ask for, in standard deviations: places below each other, windows along time, a panel for each
+/// run. @errors post::FileError
+void draw_asked(const std::filesystem::path& path, const DiagnosisRecord& record);
+
 }  // namespace tiretherm::diagnosis

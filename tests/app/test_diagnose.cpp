@@ -64,7 +64,8 @@ TEST(Diagnose, FindsWhatThePuzzleHides) {
     for (const char* section : {"\nVerdict\n", "\nWhere it shows\n", "\nCauses that were tried\n", "\nFiles\n"}) {
         EXPECT_TRUE(has(page.out, section)) << section << page.out;
     }
-    for (const char* name : {"diagnosis.json", "extended.toml", "residuals.csv", "residuals.png"}) {
+    for (const char* name : {"diagnosis.json", "extended.toml", "residuals.csv", "residuals.png", "what_is_asked.csv",
+                             "what_is_asked.png"}) {
         EXPECT_GT(std::filesystem::file_size(diagnoses.written.folder() / "out" / name), 100u) << name;
         EXPECT_TRUE(has(page.out, name)) << name;
     }
