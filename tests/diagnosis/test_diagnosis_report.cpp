@@ -74,6 +74,28 @@ TEST(DiagnosisReport, ConfoundedListsAllWithTheirSizesAndWhatWouldTell) {
     EXPECT_EQ(said["next_experiment"], "coast-down from 150 km/h, 5 min: from 1.2 to 7 sigma");
 }
 
+TEST(DiagnosisReport, AnUnknownSourceMayStandBesideACause) {
+    MadeUp made_up = sample::unknown();
+    made_up.result.verdict = Verdict::confounded;
+    made_up.result.causes = {sample::sidewalls()};
+    made_up.result.explanations = {{0}};
+    EXPECT_EQ(
+        reason_of(made_up.record()),
+        "Something is missing, and these data cannot tell apart: sidewall_convection, conductance 8.10 W/K (7.20 "
+        "to 9.00); or, what no effect of the catalogue is, heat at surface that follows throttle: 310 W where that "
+        "is largest (250 to 370).");
+    const Json said = json(made_up);
+    EXPECT_EQ(said["set"], Json::parse(R"([["sidewall_convection"]])"));
+    EXPECT_EQ(said["unknown"]["follows"], "throttle");
+}
+
+TEST(DiagnosisReport, ANumberThatIsWrongIsSaidBesideTheCases) {
+    MadeUp made_up = sample::named();
+    made_up.result.causes.front().instead_of = 4.0;
+    EXPECT_TRUE(has(reason_of(made_up.record()), "17.6 standard deviations from the case's 4."))
+        << reason_of(made_up.record());
+}
+
 TEST(DiagnosisReport, AnUnknownSourceHasPlaceSignalAndWatts) {
     MadeUp made_up = sample::unknown();
     EXPECT_EQ(reason_of(made_up.record()),
@@ -331,7 +353,8 @@ TEST(DiagnosisReport, WindowsThatAskForHeatAreToldAndWritten) {
     EXPECT_FALSE(has(text, "run2 bulk 30 60")) << text;
     const cases::Written written;
     DiagnosisRecord record = made_up.record();
-    EXPECT_EQ(write_diagnosis(record, written.folder()).size(), 4u);
+    EXPECT_EQ(write_diagnosis(record, written.folder()).size(), 5u);
+    EXPECT_EQ(post::read_text(written.folder() / "what_is_asked.png").substr(1, 3), "PNG");
     EXPECT_TRUE(has(post::read_text(written.folder() / "what_is_asked.csv"), "run3,surface,600,630,-85,-4.25\n"));
 }
 

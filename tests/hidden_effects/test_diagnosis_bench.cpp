@@ -114,6 +114,19 @@ TEST(DiagnosisBench, ANumberOfAnEffectThatIsOnMayBeWrong) {
     EXPECT_LT(cause.numbers.front().high - cause.numbers.front().low, 0.2);
 }
 
+// A cornering loss of this paper's noise looks somewhat more like heat that follows the lateral force, by e^5.8 (e^3 to
+// e^6.5 are told beside the cause): both are said, and no name is alone.
+TEST(DiagnosisBench, AnUnknownSourceThatIsSomewhatLikelierStandsBesideTheCause) {
+    const Experiment experiment = read_paper(draw_paper(Kind::single, 10.0, 900106, 2.0));
+    const diagnosis::Diagnosis found =
+        diagnosis::diagnose(experiment, diagnosis::observe(experiment), {.measure_gain = false, .plan_next = false});
+    EXPECT_EQ(found.verdict, diagnosis::Verdict::confounded);
+    EXPECT_EQ(set_of(found), (std::set<std::set<std::string>>{{"cornering_loss"}}));
+    ASSERT_TRUE(found.unknown);
+    EXPECT_EQ(found.unknown->place, "bulk");
+    EXPECT_EQ(found.unknown->follows, "abs(lateral_force)");
+}
+
 // Two causes with one signature are a set of two, never a toss of a coin.
 TEST(DiagnosisBench, ACauseThatStandsTwiceIsASetOfTwo) {
     const Experiment experiment = paper(Kind::single, 20.0, 4205);
