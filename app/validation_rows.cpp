@@ -9,7 +9,7 @@ namespace tiretherm::app {
 namespace {
 
 /// The unit in which a number is shown.
-post::ShownUnit unit_of(const cases::MeasuredNumber& number) {
+post::ShownUnit unit_of(const cases::ValidationNumber& number) {
     post::ShownUnit unit = post::shown_unit(number.quantity);
     switch (number.meaning) {
         case cases::Meaning::value:
@@ -38,7 +38,7 @@ post::ModelValue model_value(const cases::Expression& expression, const RunResul
     return found;
 }
 
-post::ValidationRow row_of(const cases::MeasuredNumber& number, const RunResults& results) {
+post::ValidationRow row_of(const cases::ValidationNumber& number, const RunResults& results) {
     const post::ShownUnit unit = unit_of(number);
     post::ValidationRow row{.id = number.id,
                             .what = number.what,
@@ -63,7 +63,7 @@ post::ValidationRow row_of(const cases::MeasuredNumber& number, const RunResults
 
 std::vector<post::ValidationRow> validation_rows(const cases::Validation& table, const RunResults& results) {
     std::vector<post::ValidationRow> rows;
-    for (const cases::MeasuredNumber& number : table.numbers) {
+    for (const cases::ValidationNumber& number : table.numbers) {
         rows.push_back(row_of(number, results));
     }
     return rows;

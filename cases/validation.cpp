@@ -48,7 +48,7 @@ std::vector<std::size_t> Expression::runs() const {
     return found;
 }
 
-double MeasuredNumber::total_uncertainty() const {
+double ValidationNumber::total_uncertainty() const {
     double squares = 0.0;
     for (const auto& [name, part] : uncertainty) {
         squares += part * part;
@@ -58,7 +58,7 @@ double MeasuredNumber::total_uncertainty() const {
 
 std::vector<std::string> Validation::ids() const {
     std::vector<std::string> found;
-    for (const MeasuredNumber& number : numbers) {
+    for (const ValidationNumber& number : numbers) {
         if (!has(found, number.id)) {
             found.push_back(number.id);
         }
@@ -71,12 +71,12 @@ std::vector<std::string> Validation::keep(const std::vector<std::string>& wanted
     std::vector<std::string> unknown;
     std::copy_if(wanted.begin(), wanted.end(), std::back_inserter(unknown),
                  [&](const std::string& id) { return !has(known, id); });
-    std::erase_if(numbers, [&](const MeasuredNumber& number) { return !has(wanted, number.id); });
+    std::erase_if(numbers, [&](const ValidationNumber& number) { return !has(wanted, number.id); });
 
     constexpr std::size_t unused = static_cast<std::size_t>(-1);
     std::vector<std::size_t> renumbered(runs.size(), unused);
     std::vector<ValidationRun> kept;
-    for (MeasuredNumber& number : numbers) {
+    for (ValidationNumber& number : numbers) {
         for (std::optional<Expression>& expression : number.models) {
             if (!expression) {
                 continue;

@@ -49,7 +49,7 @@ struct Expression {
 enum class Meaning : std::uint8_t { value, difference, ratio, time };
 
 /// One number that was measured.
-struct MeasuredNumber {
+struct ValidationNumber {
     std::string id;      ///< of the experiment: "M4"
     std::string what;    ///< "bulk, end of the second load"
     std::string source;  ///< where the measured number is from
@@ -73,7 +73,7 @@ struct ValidationRun {
 
 struct Validation {
     std::string title;
-    std::vector<MeasuredNumber> numbers;
+    std::vector<ValidationNumber> numbers;
     std::vector<ValidationRun> runs;  ///< each case once
 
     /// Leaves the numbers of some experiments and the runs that they need.

@@ -26,7 +26,7 @@ Wanted wanted_of(const Reckoning& reckoning, solver::Quantity quantity) {
     return {};
 }
 
-void read_range(Section& section, const Wanted& wanted, MeasuredNumber& number) {
+void read_range(Section& section, const Wanted& wanted, ValidationNumber& number) {
     const std::vector<Word> ends = section.texts("range");
     if (ends.size() != 2) {
         section.mistake("range", "a range has two ends",
@@ -47,7 +47,7 @@ void read_range(Section& section, const Wanted& wanted, MeasuredNumber& number) 
 }
 
 /// Standard uncertainty: one quantity, or its independent parts by name.
-void read_uncertainty(Section& section, Wanted wanted, MeasuredNumber& number) {
+void read_uncertainty(Section& section, Wanted wanted, ValidationNumber& number) {
     wanted.scale = Scale::difference;
     wanted.low = 0.0;
     wanted.above = true;
@@ -70,7 +70,7 @@ void read_uncertainty(Section& section, Wanted wanted, MeasuredNumber& number) {
     }
 }
 
-void read_measured(Section& section, const Wanted& wanted, MeasuredNumber& number) {
+void read_measured(Section& section, const Wanted& wanted, ValidationNumber& number) {
     constexpr std::array<const char*, 4> keys{"value", "range", "above", "below"};
     section.know({"value", "range", "above", "below"});
     const char* given = nullptr;
@@ -94,8 +94,8 @@ void read_measured(Section& section, const Wanted& wanted, MeasuredNumber& numbe
 
 }  // namespace
 
-MeasuredNumber read_number(Section& section, CaseShelf& shelf) {
-    MeasuredNumber number;
+ValidationNumber read_number(Section& section, CaseShelf& shelf) {
+    ValidationNumber number;
     number.id = section.text("id", Need::required).value_or("");
     number.what = section.text("what", Need::required).value_or("");
     Reckoning reckoning = read_reckoning(section, shelf);

@@ -46,6 +46,6 @@ struct Reckoning {
 [[nodiscard]] Reckoning read_reckoning(Section& section, CaseShelf& shelf);
 
 /// One [[number]].
-[[nodiscard]] MeasuredNumber read_number(Section& section, CaseShelf& shelf);
+[[nodiscard]] ValidationNumber read_number(Section& section, CaseShelf& shelf);
 
 }  // namespace tiretherm::cases

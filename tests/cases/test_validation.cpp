@@ -58,7 +58,7 @@ TEST_F(ValidationTable, CaseIsReadForBothModelsAndOnlyOnce) {
     EXPECT_EQ(table.title, "Two numbers");
     ASSERT_EQ(table.numbers.size(), 2U);
     ASSERT_EQ(table.runs.size(), 2U);
-    const MeasuredNumber& number = table.numbers[1];
+    const ValidationNumber& number = table.numbers[1];
     EXPECT_EQ(number.meaning, Meaning::value);
     EXPECT_DOUBLE_EQ(number.low, zero + 85.0);
     EXPECT_DOUBLE_EQ(number.high, zero + 85.0);
@@ -76,7 +76,7 @@ TEST_F(ValidationTable, DifferenceTakesOverWhatItDoesNotChange) {
                       "minus = { channel = \"inside\" }\nrange = [\"4 degC\", \"5 K\"]\nuncertainty = { sensor = \"3 "
                       "K\", dwell = \"4 K\" }\n"));
     ASSERT_EQ(table.runs.size(), 1U);
-    const MeasuredNumber& number = table.numbers.at(0);
+    const ValidationNumber& number = table.numbers.at(0);
     EXPECT_EQ(number.meaning, Meaning::difference);
     EXPECT_DOUBLE_EQ(number.low, 4.0);
     EXPECT_DOUBLE_EQ(number.high, 5.0);
@@ -95,7 +95,7 @@ TEST_F(ValidationTable, RatioOfTwoRises) {
     const Validation table =
         read(numbered("files = { section = \"warm_section.toml\" }\nchannel = \"top\"\nminus = { at = \"0 s\" }\n"
                       "over = { files = { section = \"cold_section.toml\" }, minus = { at = \"0 s\" } }\nabove = 1\n"));
-    const MeasuredNumber& number = table.numbers.at(0);
+    const ValidationNumber& number = table.numbers.at(0);
     EXPECT_EQ(number.meaning, Meaning::ratio);
     EXPECT_DOUBLE_EQ(number.low, 1.0);
     EXPECT_TRUE(std::isinf(number.high));
