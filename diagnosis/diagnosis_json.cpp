@@ -29,6 +29,7 @@ Json cause_json(const Cause& cause) {
             {"channel", text_or_null(cause.channel)},
             {"place", text_or_null(cause.place)},
             {"parameters", parameters},
+            {"instead_of", cause.instead_of ? number(*cause.instead_of) : Json()},
             {"sigma", number(cause.sigma)},
             {"log_likelihood_gain", number(cause.gain)},
             {"probability", cause.probability > 0.0 ? number(cause.probability) : Json()},

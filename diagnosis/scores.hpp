@@ -62,9 +62,8 @@ using Pair = std::pair<Eigen::Index, Eigen::Index>;
 
 /// Two signatures fitted together in the straight picture.
 struct PairScore {
-    double first =
-        0.0;  ///< standard deviations of the first: its z were it the only one and the second as it should be
-    double second = 0.0;  ///< of the second
+    double first = 0.0;   ///< amplitude of the first over that which one standard deviation of it alone would have
+    double second = 0.0;  ///< the same of the second
     double gain = 0.0;    ///< log likelihood ratio; 0 where one is on the side that its sign forbids
 };
 [[nodiscard]] PairScore score_of_pair(const Scores& scores, const Eigen::VectorXi& sign, const Pair& pair);

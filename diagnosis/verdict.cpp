@@ -173,6 +173,10 @@ void decide(Findings& found) {
             found.something_left = true;
         }
     }
+    if (found.set.empty() && !is_one_loud(found.evidence, found.unknown)) {
+        found.verdict = Verdict::consistent;  // two seemed loud together, and no fit of any pair bore it out
+        return;
+    }
     if (!unknown_is_quiet && worth_of_unknown(found) > best) {
         found.set.clear();
         found.verdict = Verdict::unknown;

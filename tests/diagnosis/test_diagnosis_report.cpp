@@ -94,6 +94,8 @@ TEST(DiagnosisReport, ANumberThatIsWrongIsSaidBesideTheCases) {
     made_up.result.causes.front().instead_of = 4.0;
     EXPECT_TRUE(has(reason_of(made_up.record()), "17.6 standard deviations from the case's 4."))
         << reason_of(made_up.record());
+    EXPECT_EQ(json(made_up)["causes"][0]["instead_of"], 4.0);
+    EXPECT_TRUE(json(sample::named())["causes"][0]["instead_of"].is_null());
 }
 
 TEST(DiagnosisReport, AnUnknownSourceHasPlaceSignalAndWatts) {

@@ -48,7 +48,7 @@ std::vector<Column> log_laser(const RigProgramme& programme, const RigTrace& tra
 
 }  // namespace
 
-// The inner face belongs to the layer `bulk`, which is all that the program knows of it.
+// The inner face belongs to the layer `bulk`: heat that enters there may be called by either name.
 const Rig& laser_rig() {
     static const Rig rig{.name = "laser",
                          .case_file = "laser_bench.toml",
