@@ -16,23 +16,25 @@ constexpr int draws = 30;
 constexpr int few_draws = 12;
 constexpr int small = 50;  // nodes
 
-/// What the heat at each place and window would raise the weighted sum of the readings by, W by W.
-/// @param weights [n_rows] of the readings  @returns [n_windows * n_places]
-Eigen::VectorXd answer(solver::Tape& tape, const Observations& observations, std::size_t run, std::size_t n_channels,
-                       const solver::Settings& settings, const std::vector<HeatPlace>& places,
-                       const Eigen::VectorXd& weights) {
-    std::vector<double> of_reading(observations.times[run].size() * n_channels);
+/// What the heat at each place and window would raise weighted sums of the readings by, W by W.
+/// @param weights [n_rows x n_sums] of the readings  @returns [n_windows * n_places x n_sums]
+Eigen::MatrixXd answers(solver::Tape& tape, const Observations& observations, std::size_t run, std::size_t n_channels,
+                        const solver::Settings& settings, const std::vector<HeatPlace>& places,
+                        const Eigen::MatrixXd& weights) {
+    const std::size_t n_readings = observations.times[run].size() * n_channels;
+    const auto n_sums = static_cast<std::size_t>(weights.cols());
+    std::vector<double> of_reading(n_readings * n_sums);
     for (std::size_t row = 0; row < observations.rows.size(); ++row) {
         const Observations::Row& what = observations.rows[row];
-        if (what.run == run) {
-            of_reading[what.time * n_channels + what.channel] = weights[static_cast<Eigen::Index>(row)];
+        for (std::size_t k = 0; what.run == run && k < n_sums; ++k) {
+            of_reading[k * n_readings + what.time * n_channels + what.channel] =
+                weights(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k));
         }
     }
-    const std::vector<double> by_heat = tape.backward(of_reading);
     const double length = (settings.end - settings.start) / windows;
-    Eigen::VectorXd sums = Eigen::VectorXd::Zero(windows * static_cast<Eigen::Index>(places.size()));
-    double begin = settings.start;
-    for (std::size_t s = 0; s < tape.n_steps(); ++s) {
+    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(windows * static_cast<Eigen::Index>(places.size()), weights.cols());
+    const auto add_step = [&](std::size_t s, std::span<const double> by_heat) {
+        const double begin = s == 0 ? settings.start : tape.end(s - 1);
         const double end = tape.end(s);
         for (int w = std::max(0, static_cast<int>((begin - settings.start) / length) - 1); w < windows; ++w) {
             const double from = settings.start + w * length;
@@ -42,15 +44,15 @@ Eigen::VectorXd answer(solver::Tape& tape, const Observations& observations, std
             const double share = std::max(0.0, std::min(end, from + length) - std::max(begin, from)) / (end - begin);
             for (std::size_t p = 0; p < places.size() && share > 0.0; ++p) {
                 const mesh::Functional& nodes = places[p].nodes;
-                double sum = 0.0;
-                for (std::size_t i = 0; i < nodes.nodes.size(); ++i) {
-                    sum += nodes.weights[i] * by_heat[s * tape.n_nodes() + static_cast<std::size_t>(nodes.nodes[i])];
+                for (std::size_t k = 0; k < n_sums; ++k) {
+                    sums(static_cast<Eigen::Index>(p) * windows + w, static_cast<Eigen::Index>(k)) +=
+                        share * nodes(by_heat.subspan(k * tape.n_nodes(), tape.n_nodes()));
                 }
-                sums[static_cast<Eigen::Index>(p) * windows + w] += share * sum;
             }
         }
-        begin = end;
-    }
+    };
+    // A millionth is seen by no picture.
+    tape.backward(n_sums, of_reading, add_step, 1e-6);
     return sums;
 }
 
@@ -87,25 +89,22 @@ void ask_for_heat(const Findings& found, Diagnosis& into) {
         if (!tape.status().ok()) {
             return;
         }
-        const auto ask = [&](Eigen::Index column) {
-            return answer(tape, observations, r, problem.channels.size(), problem.settings, places,
-                          weights.col(column));
-        };
-        const Eigen::VectorXd asked = ask(0);
-        Eigen::VectorXd variance = Eigen::VectorXd::Zero(asked.size());
-        for (int draw = 1; draw <= n_draws; ++draw) {
-            variance += ask(draw).cwiseAbs2() / n_draws;
+        const Eigen::MatrixXd asked =
+            answers(tape, observations, r, problem.channels.size(), problem.settings, places, weights);
+        if (!tape.status().ok()) {
+            return;
         }
+        const Eigen::VectorXd variance = asked.rightCols(n_draws).cwiseAbs2().rowwise().mean();
         const double length = (problem.settings.end - problem.settings.start) / windows;
-        for (Eigen::Index k = 0; k < asked.size(); ++k) {
+        for (Eigen::Index k = 0; k < asked.rows(); ++k) {
             if (variance[k] > 0.0) {
                 const double from = problem.settings.start + static_cast<double>(k % windows) * length;
                 of_run[r].push_back({.run = r,
                                      .place = places[static_cast<std::size_t>(k / windows)].name,
                                      .from = from,
                                      .to = from + length,
-                                     .watts = asked[k] / variance[k],
-                                     .sigma = asked[k] / std::sqrt(variance[k])});
+                                     .watts = asked(k, 0) / variance[k],
+                                     .sigma = asked(k, 0) / std::sqrt(variance[k])});
             }
         }
     });

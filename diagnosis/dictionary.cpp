@@ -99,43 +99,53 @@ void fill_run(std::size_t r, const Observations& observations, const solver::Pro
     if (!tape.status().ok()) {
         return;
     }
-    std::vector<double> heat(tape.n_steps() * tape.n_nodes());
+    std::vector<std::size_t> heats;  // the terms that this run sees as heat
+    std::vector<Integral> integrals;
+    for (const Course& course : dictionary.courses) {
+        integrals.emplace_back(course.time[r], course.value[r]);
+    }
     for (std::size_t k = 0; k < dictionary.terms.size(); ++k) {
         const UnknownTerm& term = dictionary.terms[k];
-        auto column = dictionary.columns.col(static_cast<Eigen::Index>(k));
-        if (term.event && term.run != r) {
+        if (!term.sensor && (!term.event || term.run == r)) {
+            heats.push_back(k);
+        }
+        if (!term.sensor) {
             continue;
         }
-        const Course* course = term.event ? nullptr : &dictionary.courses[term.course];
-        if (term.sensor) {
-            for (const Eigen::Index row : rows) {
-                const Observations::Row& what = observations.rows[static_cast<std::size_t>(row)];
-                if (what.channel == term.place) {
-                    column[row] = value_at(*course, r, observations.times[r][what.time]) / course->largest;
-                }
-            }
-            continue;
-        }
-        const mesh::Functional& nodes = dictionary.places[term.place].nodes;
-        std::ranges::fill(heat, 0.0);
-        double begin = problem.settings.start;
-        std::optional<Integral> integral;
-        if (course != nullptr) {
-            integral.emplace(course->time[r], course->value[r]);
-        }
-        for (std::size_t s = 0; s < tape.n_steps(); ++s) {
-            const double end = tape.end(s);
-            const double watts =
-                term.event ? overlap(begin, end, term.from, term.to) : integral->mean(begin, end) / course->largest;
-            for (std::size_t i = 0; i < nodes.nodes.size(); ++i) {
-                heat[s * tape.n_nodes() + static_cast<std::size_t>(nodes.nodes[i])] = watts * nodes.weights[i];
-            }
-            begin = end;
-        }
-        const std::vector<double> read = tape.forward(heat);
+        const Course& course = dictionary.courses[term.course];
         for (const Eigen::Index row : rows) {
             const Observations::Row& what = observations.rows[static_cast<std::size_t>(row)];
-            column[row] = read[what.time * n_channels + what.channel];
+            if (what.channel == term.place) {
+                dictionary.columns(row, static_cast<Eigen::Index>(k)) =
+                    value_at(course, r, observations.times[r][what.time]) / course.largest;
+            }
+        }
+    }
+    const auto heat_of_step = [&](std::size_t s, std::span<double> heat) {
+        const double begin = s == 0 ? problem.settings.start : tape.end(s - 1);
+        const double end = tape.end(s);
+        for (std::size_t h = 0; h < heats.size(); ++h) {
+            const UnknownTerm& term = dictionary.terms[heats[h]];
+            const double watts =
+                term.event ? overlap(begin, end, term.from, term.to)
+                           : integrals[term.course].mean(begin, end) / dictionary.courses[term.course].largest;
+            const mesh::Functional& nodes = dictionary.places[term.place].nodes;
+            for (std::size_t i = 0; i < nodes.nodes.size(); ++i) {
+                heat[h * tape.n_nodes() + static_cast<std::size_t>(nodes.nodes[i])] = watts * nodes.weights[i];
+            }
+        }
+    };
+    // A millionth of what a source does is seen by no score.
+    const std::vector<double> read = tape.forward(heats.size(), heat_of_step, 1e-6);
+    if (!tape.status().ok()) {
+        return;
+    }
+    const std::size_t n_readings = observations.times[r].size() * n_channels;
+    for (std::size_t h = 0; h < heats.size(); ++h) {
+        auto column = dictionary.columns.col(static_cast<Eigen::Index>(heats[h]));
+        for (const Eigen::Index row : rows) {
+            const Observations::Row& what = observations.rows[static_cast<std::size_t>(row)];
+            column[row] = read[h * n_readings + what.time * n_channels + what.channel];
         }
     }
 }

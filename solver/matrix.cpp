@@ -87,7 +87,7 @@ void Matrix::multiply_block(std::span<const double> X, std::span<double> Y, std:
     const Pattern& p = *pattern;
     const std::size_t n = at(p.n);
     std::size_t done = 0;
-    for (; done + at_once <= n_columns; done += at_once) {
+    for (; !transposed && done + at_once <= n_columns; done += at_once) {
         const double* x = X.data() + done * n;
         double* y = Y.data() + done * n;
         for (std::size_t i = 0; i < n; ++i) {

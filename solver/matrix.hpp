@@ -26,7 +26,7 @@ struct Matrix {
     const Pattern* pattern = nullptr;
     std::vector<double> value;  ///< [n_nonzeros]
     bool symmetric = true;
-    bool transposed = false;  ///< stands for the transposed matrix in `multiply`
+    bool transposed = false;  ///< stands for the transposed matrix in `multiply` and `multiply_block`
 
     /// One law of a region's mean: adds scale * row * (weights of the mean)'.
     struct Outer {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "solver/block_solver.hpp"
 #include "solver/prediction.hpp"
 #include "solver/readings.hpp"
 #include "solver/stepper.hpp"
@@ -11,8 +13,8 @@
 namespace tiretherm::solver {
 
 /// A run kept step by step, that can be gone through forwards, with small heat added to it, and backwards, from weights
-/// on its readings to the heat that would answer them: the tangent and the adjoint of the discrete equations. For heat h
-/// and weights w, (forward(h), w) = (h, backward(w)) to round-off.
+/// on its readings to the heat that would answer them: the tangent and the adjoint of the discrete equations, for several
+/// courses at once. For heat h and weights w, (forward(h), w) = (h, backward(w)) to the tolerance.
 class Tape {
 public:
     /// @param times s, ascending: when the channels are read
@@ -25,14 +27,21 @@ public:
     /// Ends of the steps. @returns s
     [[nodiscard]] double end(std::size_t step) const { return steps_[step].stages.back().time; }
 
-    /// How the channels answer to heat that is constant over each step.
-    /// @param heat [n_steps][n_nodes] W  @returns [n_times][n_channels] SI, of what follows no temperature 0
-    [[nodiscard]] std::vector<double> forward(std::span<const double> heat);
-    /// Slope of the weighted sum of readings with the heat of every step and node.
-    /// @param weights [n_times][n_channels]  @returns [n_steps][n_nodes] per W held over the step
-    [[nodiscard]] std::vector<double> backward(std::span<const double> weights);
+    /// Gives the heat of one step, [n_heats][n_nodes] W, in place of that of the step before.
+    using Heats = std::function<void(std::size_t step, std::span<double> heat)>;
+    /// How the channels answer to several courses of heat, each constant over each step.
+    /// @param tolerance of the linear solutions, beside the largest entry
+    /// @returns [n_heats][n_times][n_channels] SI, of what follows no temperature 0
+    [[nodiscard]] std::vector<double> forward(std::size_t n_heats, const Heats& heats, double tolerance = round_off);
+    /// Is given what one step's heat does, [n_sums][n_nodes] per W held over the step; the last step comes first.
+    using Slopes = std::function<void(std::size_t step, std::span<const double> slopes)>;
+    /// Slopes of weighted sums of readings with the heat of every step and node.
+    /// @param weights [n_sums][n_times][n_channels]  @param tolerance as above
+    void backward(std::size_t n_sums, std::span<const double> weights, const Slopes& slopes,
+                  double tolerance = round_off);
 
 private:
+    static constexpr double round_off = 1e-13;
     struct Step {
         std::vector<std::vector<double>> T;            ///< [stages][n_nodes] K
         std::vector<std::vector<double>> intensities;  ///< [stages]
@@ -57,24 +66,23 @@ private:
     };
     void record(const Stepper& stepper, std::span<const physics::Inputs> inputs, const Readings& readings);
     void linearise(const Step& step);
-    void solve(const Matrix& J, std::span<const double> b, std::span<double> x);
-    void settle_surfaces(std::span<double> S, std::span<const double> heat);
-    void settle_surfaces_back(std::span<double> adjoint, std::span<double> heat);
+    void solve(BlockSolver& solver, const Matrix& J, std::span<const double> B, std::span<double> X, double tolerance,
+               std::size_t step);
+    void settle_surfaces(std::span<double> S, std::span<const double> heats, std::span<double> product);
+    void settle_surfaces_back(std::span<double> adjoint, std::span<double> heat, std::span<double> w,
+                              std::span<double> product);
 
     const Problem problem_;
     Status status_;
     std::size_t n_ = 0;
     Stepper stepper_;
     std::unique_ptr<Factor> factor_;
-    Krylov krylov_;
     std::vector<Step> steps_;
     std::vector<Reading> readings_;           ///< ascending in their steps
     std::vector<std::size_t> first_reading_;  ///< [n_steps + 1]
     std::vector<mesh::Functional> places_;    ///< [n_channels]
     std::size_t n_readings_ = 0;              ///< n_times * n_channels
     Operator now_;
-    std::vector<double> left_;
-    double factored_s_ = 0.0;
 };
 
 }  // namespace tiretherm::solver

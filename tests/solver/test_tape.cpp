@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -41,6 +42,22 @@ Problem tire() {
     return problem;
 }
 
+/// One course of heat. @param heat [n_steps][n_nodes] W
+std::vector<double> forward(Tape& tape, const std::vector<double>& heat) {
+    return tape.forward(1, [&](std::size_t step, std::span<double> of_step) {
+        std::ranges::copy(std::span(heat).subspan(step * tape.n_nodes(), tape.n_nodes()), of_step.begin());
+    });
+}
+
+/// @param weights [n_times][n_channels]  @returns [n_steps][n_nodes]
+std::vector<double> backward(Tape& tape, const std::vector<double>& weights) {
+    std::vector<double> slopes(tape.n_steps() * tape.n_nodes());
+    tape.backward(1, weights, [&](std::size_t step, std::span<const double> of_step) {
+        std::ranges::copy(of_step, slopes.begin() + static_cast<std::ptrdiff_t>(step * tape.n_nodes()));
+    });
+    return slopes;
+}
+
 std::vector<double> every(double interval, double end) {
     std::vector<double> times;
     for (int i = 0; i * interval <= end; ++i) {
@@ -63,11 +80,42 @@ TEST(Tape, BackwardsIsTheTransposedOfForwards) {
     for (unsigned seed = 1; seed <= 5; ++seed) {
         const std::vector<double> heat = random_numbers(tape.n_steps() * tape.n_nodes(), seed);
         const std::vector<double> weights = random_numbers(times.size() * problem.channels.size(), 100 + seed);
-        const std::vector<double> forward = tape.forward(heat);
-        const std::vector<double> backward = tape.backward(weights);
-        const double size = std::sqrt(dot(forward, forward) * dot(weights, weights));
+        const std::vector<double> answer = forward(tape, heat);
+        const std::vector<double> slopes = backward(tape, weights);
+        const double size = std::sqrt(dot(answer, answer) * dot(weights, weights));
         EXPECT_GT(size, 0.0);
-        EXPECT_NEAR(dot(forward, weights), dot(heat, backward), 1e-10 * size) << "seed " << seed;
+        EXPECT_NEAR(dot(answer, weights), dot(heat, slopes), 1e-10 * size) << "seed " << seed;
+    }
+}
+
+// Three courses side by side, of sizes eleven decades apart and one of them nothing, answer as each by itself.
+TEST(Tape, CoursesOfHeatDoNotMix) {
+    const Problem problem = tire();
+    const std::vector<double> times = every(10.0, 300.0);
+    const Prediction run = predict(problem, {.times = times});
+    Tape tape(problem, times, run.step_ends);
+    ASSERT_TRUE(tape.status().ok()) << tape.status().message;
+    std::vector<std::vector<double>> heats;
+    for (const double size : {1e-5, 1e6, 0.0}) {
+        heats.push_back(random_numbers(tape.n_steps() * tape.n_nodes(), 7));
+        for (double& watts : heats.back()) {
+            watts *= size;
+        }
+    }
+    std::ranges::reverse(heats[1]);
+    const std::vector<double> together = tape.forward(heats.size(), [&](std::size_t step, std::span<double> of_step) {
+        for (std::size_t h = 0; h < heats.size(); ++h) {
+            std::copy_n(heats[h].begin() + static_cast<std::ptrdiff_t>(step * tape.n_nodes()), tape.n_nodes(),
+                        of_step.begin() + static_cast<std::ptrdiff_t>(h * tape.n_nodes()));
+        }
+    });
+    const std::size_t n = times.size() * problem.channels.size();
+    for (std::size_t h = 0; h < heats.size(); ++h) {
+        const std::vector<double> alone = forward(tape, heats[h]);
+        const double size = std::sqrt(dot(alone, alone));
+        for (std::size_t i = 0; i < n; ++i) {
+            EXPECT_NEAR(together[h * n + i], alone[i], 1e-10 * size) << "course " << h << ", reading " << i;
+        }
     }
 }
 
@@ -96,7 +144,7 @@ TEST(Tape, ForwardsEqualsTheSlopeOfASource) {
         const std::size_t node = i % tape.n_nodes();
         heat[i] = node < static_cast<std::size_t>(problem.mesh.n_cells) ? problem.mesh.volume[node] : 0.0;
     }
-    const std::vector<double> answer = tape.forward(heat);
+    const std::vector<double> answer = forward(tape, heat);
     double largest = 0.0;
     for (const double value : answer) {
         largest = std::max(largest, std::abs(value));
