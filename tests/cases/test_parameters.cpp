@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "cases/written.hpp"
@@ -219,6 +220,24 @@ TEST(Identify, SaysHowTheNoiseIsModelled) {
     const Experiment told = read(including("tire.toml", "[identify]\nnoise = \"white\"\nrobust = true\n"));
     EXPECT_EQ(told.noise, "white");
     EXPECT_TRUE(told.robust);
+}
+
+// A number of an effect that is on may be doubted even where it has no value at which the effect is absent; of one that is
+// off there is nothing to doubt.
+TEST(Diagnose, MayDoubtANumberOfAnEffectThatIsOn) {
+    const std::string on = including("tire.toml", "[effects.inner_gas]\nliner = \"8 W/K\"\n");
+    const std::string doubt = "[diagnose]\ncandidates = [\"radiation\", \"inner_gas.capacity\"]\n";
+    EXPECT_EQ(read(on + doubt).candidates, (std::vector<std::string>{"radiation", "inner_gas.capacity"}));
+    const Written written;
+    for (const char* wrong : {"inner_gas.nonsense", "inner_gas.capacity"}) {
+        const std::string text = including("tire.toml", fmt::format("[diagnose]\ncandidates = [\"{}\"]\n", wrong));
+        const ExperimentReading reading = read_experiment(written.add("case.toml", text + std::string(measured)));
+        EXPECT_FALSE(reading.experiment) << wrong;
+        ASSERT_EQ(reading.mistakes.size(), 1U) << wrong;
+        EXPECT_NE(render(reading.mistakes.front()).find("that may be missing or have a wrong number"),
+                  std::string::npos)
+            << render(reading.mistakes.front());
+    }
 }
 
 }  // namespace tiretherm::cases
