@@ -1,8 +1,5 @@
 #include "solver/tape.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace tiretherm::solver {
 
 namespace {
