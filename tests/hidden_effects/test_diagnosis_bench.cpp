@@ -115,7 +115,8 @@ TEST(DiagnosisBench, ANumberOfAnEffectThatIsOnMayBeWrong) {
 }
 
 // Gain and critical speed of a standing wave lie in a valley so curved that full steps of Gauss and Newton cross it from side to
-// side: twelve of them left 0.006 to gain in the steps' own terms, and the fit did not count.
+// side: twelve of them left 0.006 to gain in the steps' own terms, and the fit did not count. The parabola along a step ends it,
+// and so would that so little counts as an end (refit.cpp): without both the pair is not found.
 TEST(DiagnosisBench, AFitInACurvedValleyEnds) {
     const Experiment experiment = read_paper(draw_paper(Kind::pair, 10.0, 740019, 2.0));
     const diagnosis::Diagnosis found =
