@@ -47,24 +47,25 @@ void Tape::solve(BlockSolver& solver, const Matrix& J, std::span<const double> B
     }
 }
 
-/// Surfaces without capacity: J_ss S_s = s heat - J_sc S_c, by the diagonal of J_ss, which has little beside it.
-/// @param S, heats, product [n_heats][n_nodes]
-void Tape::settle_surfaces(std::span<double> S, std::span<const double> heats, std::span<double> product) {
+/// Surfaces without capacity: J_ss x_s = scale right_s - J_sc x_c, by the diagonal of J_ss, which has little beside it.
+/// J is that of the explicit stage, or its transpose. @param x, right, product [n_columns][n_nodes]
+void Tape::settle_surfaces(std::span<double> x, std::span<const double> right, double scale,
+                           std::span<double> product) {
     const Matrix& J = now_.J.front();
     const System& system = stepper_.system();
     for (int iteration = 0; iteration < 60; ++iteration) {
-        J.multiply_block(S, product, S.size() / n_);
+        J.multiply_block(x, product, x.size() / n_);
         bool settled = true;
-        for (std::size_t first = 0; first < S.size(); first += n_) {
+        for (std::size_t first = 0; first < x.size(); first += n_) {
             double change = 0.0;
             double largest = 0.0;
             for (std::size_t i = 0; i < n_; ++i) {
                 if (!system.has_capacity(i)) {
                     const double by =
-                        (now_.s * heats[first + i] - product[first + i]) / J.value[at(J.pattern->diagonal[i])];
-                    S[first + i] += by;
+                        (scale * right[first + i] - product[first + i]) / J.value[at(J.pattern->diagonal[i])];
+                    x[first + i] += by;
                     change = std::max(change, std::abs(by));
-                    largest = std::max(largest, std::abs(S[first + i]));
+                    largest = std::max(largest, std::abs(x[first + i]));
                 }
             }
             settled = settled && change <= 1e-15 * largest;
@@ -81,30 +82,10 @@ void Tape::settle_surfaces_back(std::span<double> adjoint, std::span<double> hea
                                 std::span<double> product) {
     Matrix& J = now_.J.front();
     const System& system = stepper_.system();
-    const std::size_t n_sums = adjoint.size() / n_;
     J.transposed = true;
     std::ranges::fill(w, 0.0);
-    for (int iteration = 0; iteration < 60; ++iteration) {
-        J.multiply_block(w, product, n_sums);
-        bool settled = true;
-        for (std::size_t first = 0; first < w.size(); first += n_) {
-            double change = 0.0;
-            double largest = 0.0;
-            for (std::size_t i = 0; i < n_; ++i) {
-                if (!system.has_capacity(i)) {
-                    const double by = (adjoint[first + i] - product[first + i]) / J.value[at(J.pattern->diagonal[i])];
-                    w[first + i] += by;
-                    change = std::max(change, std::abs(by));
-                    largest = std::max(largest, std::abs(w[first + i]));
-                }
-            }
-            settled = settled && change <= 1e-15 * largest;
-        }
-        if (settled) {
-            break;
-        }
-    }
-    J.multiply_block(w, product, n_sums);
+    settle_surfaces(w, adjoint, 1.0, product);
+    J.multiply_block(w, product, adjoint.size() / n_);
     J.transposed = false;
     for (std::size_t first = 0; first < w.size(); first += n_) {
         for (std::size_t i = 0; i < n_; ++i) {
@@ -144,7 +125,7 @@ std::vector<double> Tape::forward(std::size_t n_heats, const Heats& heats, doubl
         linearise(step);
         heats(k, heat);
         std::swap(S.front(), S.back());
-        settle_surfaces(S[0], heat, right);
+        settle_surfaces(S[0], heat, now_.s, right);
         now_.J[0].multiply_block(S[0], right, n_heats);
         for (std::size_t i = 0; i < n_; ++i) {
             const bool moves = system.has_capacity(i);
