@@ -124,7 +124,13 @@ bool read_surroundings(Section& section, const Draft& draft, solver::OwnEffect& 
     const auto course = read_course(section, "temperature", own.temperature, draft);
     const physics::Signal* input = physics::find_signal(own.temperature);
     const OwnColumn* column = find_column(draft, own.temperature);
-    const std::string_view unit = input != nullptr ? input->unit : column != nullptr ? column->unit : "";
+    // Spelled out: a choice between a text and a literal would be a text of its own, gone before it is looked at.
+    std::string_view unit;
+    if (input != nullptr) {
+        unit = input->unit;
+    } else if (column != nullptr) {
+        unit = column->unit;
+    }
     if (course && unit != "K") {
         section.mistake("temperature", fmt::format("{} is not a temperature", own.temperature),
                         "name an input or a column in degC or K, or write a value such as \"25 degC\"");
