@@ -37,6 +37,23 @@ std::string kind_name(physics::Kind kind) {
 
 std::string origin(const physics::Effect& effect) { return effect.on ? "thesis, on by default" : "off by default"; }
 
+/// What a file of a structural code may give an effect, and what else may replace its total.
+std::string field_text(const physics::Effect& effect) {
+    switch (effect.field) {
+        case physics::FieldOf::nothing:
+            return "";
+        case physics::FieldOf::pressure:
+            return "field = FILE places it by a structural code's contact pressure";
+        case physics::FieldOf::friction:
+            return "field = FILE places it by a structural code's friction power; use = \"watts\" takes its watts too";
+        case physics::FieldOf::loss:
+            return "field = FILE places it by a structural code's loss_density; use = \"watts\" takes its watts too. "
+                   "total = FILE or coastdown = { alpha, beta, a, b, c } measures the total (SAE J2452 in kPa, N, "
+                   "km/h)";
+    }
+    return "";
+}
+
 std::string unit_text(std::string_view unit) { return unit == "1" ? std::string("-") : std::string(unit); }
 
 /// The sentence up to its full stop.
@@ -90,6 +107,7 @@ void print_one(const physics::Effect& effect) {
         }
         fmt::print("\nTables\n{}\n", fmt::join(table.lines(4), "\n"));
     }
+    print_section("From files", field_text(effect));
     print_section("Reads the signals", fmt::format("{}", fmt::join(effect.reads, ", ")));
     print_section("Also, when given", fmt::format("{}", fmt::join(effect.may_read, ", ")));
     print_section("Acts on the patches",
@@ -104,10 +122,10 @@ void print_one(const physics::Effect& effect) {
 }
 
 Json as_json(const physics::Effect& effect) {
-    Json json{{"name", effect.id},           {"kind", kind_name(effect.kind)}, {"on", effect.on},
-              {"equation", effect.equation}, {"source", effect.source},        {"meaning", effect.meaning},
-              {"parameters", Json::array()}, {"choices", Json::array()},       {"reads", effect.reads},
-              {"patches", effect.patches},   {"needs_tire", effect.needs_tire}};
+    Json json{{"name", effect.id},           {"kind", kind_name(effect.kind)},  {"on", effect.on},
+              {"equation", effect.equation}, {"source", effect.source},         {"meaning", effect.meaning},
+              {"parameters", Json::array()}, {"choices", Json::array()},        {"reads", effect.reads},
+              {"patches", effect.patches},   {"needs_tire", effect.needs_tire}, {"from_files", field_text(effect)}};
     for (const physics::Parameter& p : effect.parameters) {
         json["parameters"].push_back({{"key", p.key},
                                       {"unit", p.unit},

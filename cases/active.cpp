@@ -163,6 +163,15 @@ ActiveEffect read_active(Section& section, const Effect& effect, const Draft& dr
             read_overrides(section, effect.parameters[i], i, where, draft, active);
         }
     }
+    if (effect.field != physics::FieldOf::nothing) {  // read when the run's times are known
+        section.know({"field"});
+        if (effect.field != physics::FieldOf::pressure) {
+            section.know({"use"});
+        }
+        if (effect.field == physics::FieldOf::loss) {
+            section.know({"total", "coastdown"});
+        }
+    }
     if (effect.on_channels) {  // read when the sensors are known
         section.know({"channels"});
         for (const Parameter& parameter : effect.parameters) {

@@ -37,11 +37,14 @@ bool ColumnReader::accept(std::string_view field, const std::optional<Number>& n
             }
             break;
         case Purpose::clock:
+        case Purpose::frame:
+        case Purpose::point:
         case Purpose::input:
             break;
     }
     const bool inside = value >= request_->wanted.low && value <= request_->wanted.high && std::isfinite(value);
-    const bool late = request_->purpose != Purpose::clock || value > last_;
+    const bool late = (request_->purpose != Purpose::clock || value > last_) &&
+                      (request_->purpose != Purpose::frame || value >= last_);
     return whole && (!has_unit_ || (inside && late));
 }
 
@@ -52,6 +55,9 @@ Fault ColumnReader::fault(std::string_view field, const std::optional<Number>& n
     const bool clock = request_->purpose == Purpose::clock;
     const bool may_miss = request_->purpose == Purpose::measured;
     if (field.empty() || (number && number->rest.empty() && std::isnan(number->value))) {
+        if (request_->purpose == Purpose::point || request_->purpose == Purpose::frame) {
+            return {fmt::format("{} is missing", name), "give every point of every frame a value, 0 where nothing is"};
+        }
         return {fmt::format("{} is missing", name),
                 clock ? "remove the line" : "remove the line: between samples an input is interpolated"};
     }
@@ -73,10 +79,12 @@ Fault ColumnReader::fault(std::string_view field, const std::optional<Number>& n
         }
         return *judged.fault;
     }
-    return conversion_.to_si(number->value) == last_
+    return conversion_.to_si(number->value) == last_ && clock
                ? Fault{fmt::format("{} stands still at {}", name, shown), "remove one of the lines"}
                : Fault{fmt::format("{} goes backwards to {}", name, shown),
-                       "sort the lines, or split the file where its clock was set"};
+                       request_->purpose == Purpose::frame
+                           ? "write the frames in ascending order, each with all its points"
+                           : "sort the lines, or split the file where its clock was set"};
 }
 
 }  // namespace tiretherm::cases

@@ -20,6 +20,8 @@ struct Head {
 /// What a column of a file is read for.
 enum class Purpose : std::uint8_t {
     clock,     ///< ascending
+    frame,     ///< not descending: alike for all points of a frame
+    point,     ///< every point counts, with a value of its own
     input,     ///< every sample counts
     measured,  ///< an empty field or nan is a missing value, NaN
     unused     ///< as written; what is no number is NaN

@@ -124,6 +124,21 @@ std::optional<Csv> Csv::open(const TextFile& file, Mistakes& mistakes) {
     return csv;
 }
 
+Place Csv::row(std::size_t index) const {
+    std::string_view rest = body_;
+    Line line{{}, first_line_ - 1};
+    for (std::size_t i = 0; i <= index; ++i) {
+        // Blank lines count as lines and not as rows.
+        for (auto text = next_line(rest); text; text = next_line(rest)) {
+            line = {*text, line.number + 1};
+            if (!trim(line.text).empty()) {
+                break;
+            }
+        }
+    }
+    return place(line, line.text);
+}
+
 int Csv::find(std::string_view name) const {
     const auto found =
         std::find_if(heads_.begin(), heads_.end(), [&](const Head& head) { return head.heading.name == name; });

@@ -27,6 +27,9 @@ public:
     [[nodiscard]] std::vector<std::vector<double>> read(const std::vector<ColumnRequest>& requests,
                                                         Mistakes& mistakes) const;
 
+    /// Where a row of values stands; the first is 0.
+    [[nodiscard]] Place row(std::size_t index) const;
+
     /// A line of the file, without its end.
     struct Line {
         std::string_view text;

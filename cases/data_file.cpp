@@ -65,6 +65,13 @@ std::string DataFile::unit_remedy(const Head& head, const Wanted& wanted) const 
     return fmt::format("{}, or say it in the case: units = {{ {} = \"{}\" }}", there, key, unit);
 }
 
+ColumnReader::Spot DataFile::spot(std::size_t row) const {
+    if (const Csv* csv = std::get_if<Csv>(&columns_)) {
+        return {.place = csv->row(row)};
+    }
+    return {.place = {.file = number_}, .aside = fmt::format(" (value {})", row + 1)};
+}
+
 std::vector<std::vector<double>> DataFile::read(const std::vector<ColumnRequest>& requests, Mistakes& mistakes) const {
     return std::visit([&](const auto& columns) { return columns.read(requests, mistakes); }, columns_);
 }

@@ -22,6 +22,9 @@ public:
     [[nodiscard]] int number() const { return number_; }  ///< of the file in the mistakes
     /// What to do about a column whose unit is missing or wrong.
     [[nodiscard]] std::string unit_remedy(const Head& head, const Wanted& wanted) const;
+    /// Where a row of values stands; the first is 0.
+    [[nodiscard]] ColumnReader::Spot spot(std::size_t row) const;
+    [[nodiscard]] bool is_text() const { return std::holds_alternative<Csv>(columns_); }
     /// @returns the values of each request, all of one length; none after a mistake
     [[nodiscard]] std::vector<std::vector<double>> read(const std::vector<ColumnRequest>& requests,
                                                         Mistakes& mistakes) const;

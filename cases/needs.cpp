@@ -112,6 +112,9 @@ std::vector<std::string_view> signals_of(solver::Quantity quantity) {
         case solver::Quantity::drag_force:
         case solver::Quantity::rolling_moment:
             return {"speed", "vertical_load"};
+        case solver::Quantity::surface_at_entry:
+        case solver::Quantity::surface_at_exit:
+            return {"speed", "vertical_load", "road_temperature"};
         case solver::Quantity::loaded_radius:
         case solver::Quantity::cornering_stiffness:
             return {"vertical_load"};

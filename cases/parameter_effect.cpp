@@ -233,7 +233,7 @@ std::optional<Freed> free_effect(Section& parameter, const Draft& draft, const N
     }
     const std::optional<std::size_t> index = read_key(parameter, *effect, key);
     const std::vector<ActiveEffect>& on = draft.problem.effects;
-    const auto active = std::find_if(on.begin(), on.end(), [&](const auto& other) { return other.effect == effect; });
+    const auto active = std::find_if(on.begin(), on.end(), [&](const auto& other) { return other.effect->id == id; });
     if (active == on.end()) {
         const Node* effects = document.find("effects");
         const bool named = effects != nullptr && effects->find(id) != nullptr;

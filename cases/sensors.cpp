@@ -31,6 +31,7 @@ struct Reading {
     std::string_view meaning;
     std::string_view region;  ///< whose temperature it follows, unless the case names a sensor
     bool needs_magic_formula = false;
+    std::string_view needs_effect{};
 };
 constexpr std::array readings{
     Reading{"drag_force", solver::Quantity::drag_force, "rolling resistance, as a force at the axle", ""},
@@ -45,6 +46,10 @@ constexpr std::array readings{
             "lateral force in pure slip, Magic Formula without temperature", "", true},
     Reading{"longitudinal_force", solver::Quantity::longitudinal_force,
             "longitudinal force in pure slip, Magic Formula without temperature", "", true},
+    Reading{"surface_at_entry", solver::Quantity::surface_at_entry,
+            "outer surface where it meets the road, in each revolution", "surface", false, "resolved_contact"},
+    Reading{"surface_at_exit", solver::Quantity::surface_at_exit,
+            "outer surface where it leaves the road, in each revolution", "surface", false, "resolved_contact"},
     Reading{"gas_pressure", solver::Quantity::gas_pressure, "inflation pressure above the atmosphere", "gas"},
 };
 
@@ -68,6 +73,12 @@ Where read_quantity(Section& sensor, const Reading& reading, const Draft& draft)
                        fmt::format("{} is of the Magic Formula, and the tire has no property file", reading.name),
                        "add property_file = \"....tir\" to [tire]");
         return std::nullopt;
+    }
+    if (!reading.needs_effect.empty() && std::ranges::none_of(draft.problem.effects, [&](const auto& active) {
+            return active.effect->id == reading.needs_effect;
+        })) {
+        sensor.mistake("kind", fmt::format("{} follows {}, which is off", reading.name, reading.needs_effect),
+                       fmt::format("switch it on: [effects.{}]", reading.needs_effect));
     }
     if (reading.region.empty()) {
         return channel;

@@ -61,6 +61,20 @@ const ActiveEffect* Setting::find(std::string_view id) const {
     return found == effects.end() ? nullptr : &*found;
 }
 
+const Effect& in_frames(const Effect& effect) {
+    static const std::vector<Effect> copies = [] {
+        std::vector<Effect> made;
+        for (const Effect* original : list) {
+            if (original->frame_intensities > 0) {
+                made.push_back(*original);
+                made.back().n_intensities += original->frame_intensities;
+            }
+        }
+        return made;
+    }();
+    return *std::ranges::find(copies, effect.id, &Effect::id);
+}
+
 int find_parameter(const Effect& effect, std::string_view key) { return find_key(effect.parameters, key); }
 
 int find_choice(const Effect& effect, std::string_view key) { return find_key(effect.choices, key); }

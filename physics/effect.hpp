@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "mesh/mesh.hpp"
+#include "physics/field.hpp"
 #include "physics/material.hpp"
 #include "physics/signals.hpp"
 #include "physics/terms.hpp"
@@ -55,6 +57,7 @@ enum class Scope : std::uint8_t { patch, layer, zone, channel };
 enum class Reads : std::uint8_t { anything, temperature, place, pressure };
 
 struct ActiveEffect;
+struct MeasuredLoss;
 
 /// What a case gives the effects to work with before a run; an effect that amends it changes a property.
 struct Stock {
@@ -139,6 +142,8 @@ struct Effect {
     bool before_lag = false;                      ///< a reading of what the sensor sees, not of what it gives
     Reads reads_what = Reads::anything;           ///< of a reading; `place`: the temperature at a point
     int n_intensities = 0;
+    FieldOf field = FieldOf::nothing;  ///< what a file of a structural code may give: the key `field` of a case
+    int frame_intensities = 0;         ///< more intensities, where such a field follows time; 0: it cannot
 
     /// Appends nodes and joints to the mesh, once, when the effect is switched on.
     void (*extend)(mesh::Mesh& mesh, ActiveEffect& active) = nullptr;
@@ -184,12 +189,14 @@ struct ActiveEffect {
     std::vector<int> layers;                   ///< indices into mesh.layers, of an effect on layers
     std::vector<int> channels;                 ///< indices into the problem's channels, of a reading
     std::vector<Override> overrides;
-    std::vector<int> appended;    ///< filled by `extend`: nodes of its own
-    std::vector<int> joints;      ///< filled by `extend`: faces that lead to appended nodes
-    std::vector<int> nodes;       ///< filled by `place`: where it acts
-    std::vector<double> weights;  ///< filled by `place`: with which share
-    std::vector<int> groups;      ///< filled by `place`: where runs of alike places begin in `weights`, and their end
-    std::vector<double> skew;     ///< filled by `place`: how far to the outside shoulder, -1 inside to 1 outside
+    std::shared_ptr<const Field> field{};         ///< replaces the weights of `place`
+    std::shared_ptr<const MeasuredLoss> total{};  ///< replaces the total of the effect's law
+    std::vector<int> appended;                    ///< filled by `extend`: nodes of its own
+    std::vector<int> joints;                      ///< filled by `extend`: faces that lead to appended nodes
+    std::vector<int> nodes;                       ///< filled by `place`: where it acts
+    std::vector<double> weights;                  ///< filled by `place`: with which share
+    std::vector<int> groups;   ///< filled by `place`: where runs of alike places begin in `weights`, and their end
+    std::vector<double> skew;  ///< filled by `place`: how far to the outside shoulder, -1 inside to 1 outside
 
     /// What it is called: its own name, or its effect's.
     [[nodiscard]] std::string_view title() const { return name.empty() ? effect->id : std::string_view(name); }
@@ -210,6 +217,9 @@ struct ActiveEffect {
 [[nodiscard]] int find_parameter(const Effect& effect, std::string_view key);
 [[nodiscard]] int find_choice(const Effect& effect, std::string_view key);
 [[nodiscard]] int find_table(const Effect& effect, std::string_view key);
+
+/// The same effect with the intensities that a field in frames needs. @pre effect.frame_intensities > 0
+[[nodiscard]] const Effect& in_frames(const Effect& effect);
 
 /// The catalogue, in the order of effects.list.
 [[nodiscard]] std::span<const Effect* const> catalogue();

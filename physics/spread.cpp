@@ -59,6 +59,11 @@ void exchange_by_weights(const Moment& moment, Terms& terms) {
 }
 
 void spread_over_patches(const Setting& setting, ActiveEffect& active, const std::optional<Curve>& profile) {
+    if (active.field) {
+        active.nodes = active.field->nodes;
+        active.weights = active.field->weights.front();
+        return;
+    }
     active.nodes.clear();
     active.weights.clear();
     for (const int patch : active.patches) {

@@ -21,7 +21,8 @@ inline constexpr Table contact_profile{"profile", "m", "1",
 [[nodiscard]] double towards_outside(const mesh::Mesh& mesh, int node);
 
 /// Fills nodes and weights of an effect with the faces of its patches, by area and, on a section, by a profile of weights
-/// against arc length where one is given. The weights sum to 1.
+/// against arc length where one is given; with those of a field of a structural code where it has one. The weights sum to
+/// 1.
 void spread_over_patches(const Setting& setting, ActiveEffect& active, const std::optional<Curve>& profile = {});
 
 /// The same for the cells below the surface layer in the zones of the tread (all cells of a mesh of one layer), by mass.

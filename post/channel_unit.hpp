@@ -19,6 +19,8 @@ struct ShownUnit {
 [[nodiscard]] constexpr ShownUnit shown_unit(solver::Quantity quantity) {
     switch (quantity) {
         case solver::Quantity::temperature:
+        case solver::Quantity::surface_at_entry:
+        case solver::Quantity::surface_at_exit:
             return {.name = "degC", .zero = zero_celsius};
         case solver::Quantity::drag_force:
             return {.name = "N"};

@@ -10,6 +10,8 @@ namespace tiretherm::solver {
 std::string_view unit_of(Quantity quantity) {
     switch (quantity) {
         case Quantity::temperature:
+        case Quantity::surface_at_entry:
+        case Quantity::surface_at_exit:
             return "K";
         case Quantity::drag_force:
             return "N";

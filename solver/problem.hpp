@@ -44,7 +44,9 @@ enum class Quantity : std::uint8_t {
     bulk_temperature_factor,  ///< lambda_Tb of the Magic Formula at the temperature of `where` (60)
     lateral_force,            ///< N, Magic Formula with the cornering stiffness at the temperature of `where` (59)
     reference_lateral_force,  ///< N, Magic Formula that knows no temperature (10)
-    longitudinal_force        ///< N, Magic Formula in pure longitudinal slip (8)
+    longitudinal_force,       ///< N, Magic Formula in pure longitudinal slip (8)
+    surface_at_entry,         ///< K, where the tread meets the road, in each revolution of which `where` is the mean
+    surface_at_exit           ///< K, where it leaves the road
 };
 [[nodiscard]] std::string_view unit_of(Quantity quantity);  ///< SI, as UDUNITS reads it
 

@@ -5,13 +5,11 @@
 #include <cmath>
 
 #include "mesh/probe.hpp"
-#include "physics/rolling_resistance.hpp"
 
 namespace tiretherm::solver {
 
 namespace {
 
-constexpr double atmosphere = 101325.0;  // Pa
 /// Half the step of a difference quotient with temperature: readings are smooth over kelvins. K
 constexpr double difference = 0.01;
 
@@ -37,7 +35,7 @@ Parabola through(std::span<const double> u, std::span<const double> v) {
 }  // namespace
 
 Readings::Readings(const Problem& problem, const System& system)
-    : problem_(&problem), system_(&system), chains_(problem.channels.size()) {
+    : problem_(&problem), system_(&system), chains_(problem.channels.size()), intensities_(system.n_intensities()) {
     const std::span<const physics::ActiveEffect> effects = system.effects();
     for (std::size_t c = 0; c < chains_.size(); ++c) {
         Chain& chain = chains_[c];
@@ -83,58 +81,6 @@ double Readings::followed_quantity(std::size_t channel, std::span<const double> 
         lost += watts[e];
     }
     return lost;
-}
-
-/// What the channel reads, from what is followed and from the inputs of the moment.
-double Readings::quantity(std::size_t channel, double followed, const physics::Inputs& logged) const {
-    const physics::Tire& tire = system_->stock().tire;
-    const physics::Inputs inputs = system_->transformed(logged);
-    switch (problem_->channels[channel].quantity) {
-        case Quantity::temperature:
-            return followed;
-        case Quantity::drag_force:
-            return physics::rolling_drag(tire, followed, inputs.speed, inputs.vertical_load);
-        case Quantity::rolling_moment:
-            return physics::rolling_moment(tire, followed, inputs.speed, inputs.vertical_load);
-        case Quantity::loaded_radius:
-            return tire.loaded_radius(inputs.vertical_load);
-        case Quantity::cornering_stiffness:
-            return stiffness(tire, inputs, followed);
-        case Quantity::bulk_temperature_factor:
-        case Quantity::lateral_force:
-        case Quantity::reference_lateral_force:
-        case Quantity::longitudinal_force:
-            return magic_formula(problem_->channels[channel].quantity, tire, inputs, followed);
-        case Quantity::gas_pressure:
-            return (inputs.inflation_pressure + atmosphere) * followed / gas_start_ - atmosphere;
-    }
-    return followed;
-}
-
-double Readings::stiffness(const physics::Tire& tire, const physics::Inputs& inputs, double T) const {
-    const Handling& handling = problem_->handling;
-    return handling.lambda_CP * physics::cornering_stiffness(handling.modulus, tire, inputs.vertical_load, T).value;
-}
-
-double Readings::magic_formula(Quantity quantity, const physics::Tire& tire, const physics::Inputs& inputs,
-                               double T) const {
-    const physics::MagicFormula& law = *problem_->handling.magic_formula;
-    physics::PureSlipState state{.load = inputs.vertical_load,
-                                 .slip = inputs.slip_angle,
-                                 .camber = inputs.camber,
-                                 .speed = inputs.speed,
-                                 .sliding_speed = std::abs(inputs.speed * std::tan(inputs.slip_angle))};
-    if (quantity == Quantity::longitudinal_force) {
-        state.slip = inputs.slip_ratio;
-        state.sliding_speed = std::abs(inputs.speed * inputs.slip_ratio);
-        return law.longitudinal(state).force;
-    }
-    if (quantity == Quantity::reference_lateral_force) {
-        return law.lateral(state).force;
-    }
-    const double lambda_Tb = physics::bulk_temperature_factor(
-        stiffness(tire, inputs, T), law.cornering_stiffness(inputs.vertical_load, inputs.camber));
-    return quantity == Quantity::bulk_temperature_factor ? lambda_Tb : law.lateral(state, lambda_Tb).force;
 }
 
 void Readings::begin(double t, std::span<const double> T, std::span<const double> watts,

@@ -28,6 +28,7 @@ void place(const Setting& setting, ActiveEffect& active) {
         return (*road)[static_cast<std::size_t>(find_parameter(*road->effect, key))];
     };
     active.patches = road->patches;
+    active.field = road->field;
     spread_over_patches(setting, active, road->tables[static_cast<std::size_t>(find_table(*road->effect, "profile"))]);
     for (double& weight : active.weights) {
         weight *= number("lambda_Hc") * number("Hc");

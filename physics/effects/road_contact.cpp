@@ -44,6 +44,7 @@ const Effect road_contact{
     .needs_tire = true,
     .patches = patches,
     .n_intensities = 2,
+    .field = FieldOf::pressure,
     .place = place,
     .drive = drive,
     .speak = exchange_by_weights,

@@ -32,24 +32,46 @@ void place(const Setting& setting, ActiveEffect& active) {
     spread_over_patches(setting, active, active.tables[profile]);
 }
 
-void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
+/// Power of sliding in the contact by the thesis's law. W
+double sliding_power(const ActiveEffect& active, const Driving& driving) {
     const Inputs& in = driving.inputs;
-    out[0] = 0.0;
     if (!driving.tire.touches(in.vertical_load)) {
-        return;
+        return 0.0;
     }
     // Sliding speeds of the contact: v_sx = V - R_R Omega = -V slip_ratio, v_sy = V tan(alpha).
     const double along = std::abs(in.longitudinal_force * in.speed * in.slip_ratio);
     const double across = std::abs(in.lateral_force * in.speed) * std::tan(std::abs(in.slip_angle));
+    return (active.choices[longitudinal] == 0 ? active[lambda_x] * along : 0.0) +
+           (active.choices[lateral] == 0 ? active[lambda_y] * across : 0.0);
+}
+
+/// The heat; of a field that follows time that of each frame.
+void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
     // A law may take the share beyond 1, where it says that a term is missing; it never turns heat into cold.
-    out[0] = active[partition] * std::max(0.0, driving.laws.partition) *
-             ((active.choices[longitudinal] == 0 ? active[lambda_x] * along : 0.0) +
-              (active.choices[lateral] == 0 ? active[lambda_y] * across : 0.0));
+    double factor = active[partition] * std::max(0.0, driving.laws.partition);
+    out[0] = 1.0;
+    if (active.field && !active.field->watts.empty()) {
+        active.field->watts_at(driving.inputs.time, out);
+    } else {
+        factor *= sliding_power(active, driving);
+        if (active.field) {
+            active.field->shares_at(driving.inputs.time, out);
+        }
+    }
+    for (double& watts : out) {
+        watts *= factor;
+    }
 }
 
 void speak(const Moment& m, Terms& terms) {
-    for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
-        terms.heat(m.active.nodes[i], m.intensities[0] * m.active.weights[i]);
+    for (std::size_t k = 0; k < m.intensities.size(); ++k) {
+        const std::vector<double>& weights = m.active.field ? m.active.field->weights[k] : m.active.weights;
+        for (std::size_t i = 0; i < m.active.nodes.size() && m.intensities[k] != 0.0; ++i) {
+            terms.heat(m.active.nodes[i], m.intensities[k] * weights[i]);
+        }
+        if (!m.active.field || k + 1 == m.active.field->frames()) {
+            return;
+        }
     }
 }
 
@@ -64,7 +86,8 @@ const Effect sliding_friction{
     .source = "thesis (31)",
     .meaning =
         "Heat of sliding in the contact, into the outer surface. Either sign convention of Fy and the slip "
-        "angle gives the same heat; signals that are not given count as zero.",
+        "angle gives the same heat; signals that are not given count as zero. "
+        "A field of a structural code places it by friction power, or gives its watts.",
     .parameters = parameters,
     .choices = choices,
     .tables = tables,
@@ -73,6 +96,8 @@ const Effect sliding_friction{
     .needs_tire = true,
     .patches = patches,
     .n_intensities = 1,
+    .field = FieldOf::friction,
+    .frame_intensities = most_frames,
     .place = place,
     .drive = drive,
     .speak = speak,

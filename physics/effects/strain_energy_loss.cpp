@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "physics/measured_loss.hpp"
 #include "physics/spread.hpp"
 
 namespace tiretherm::physics::effects {
@@ -100,6 +101,9 @@ void place(const Setting& setting, ActiveEffect& active) {
         active.skew.push_back(towards_outside(mesh, cell));
     }
     normalise(active);
+    if (active.field) {
+        active.weights = active.field->weights.front();
+    }
     double mean = 0.0;
     for (std::size_t i = 0; i < active.nodes.size(); ++i) {
         mean += active.weights[i] * active.skew[i];
@@ -109,47 +113,95 @@ void place(const Setting& setting, ActiveEffect& active) {
     }
 }
 
-/// The power per unit of loss tangent; with it the shift of the temperature and the skew, each times the power.
+/// Intensities: the power per unit of loss tangent, or the measured or the file's power; with it the shift of the
+/// temperature and the skew, each times the power. Then, where they are, the power by frames of a field, and the
+/// measured power at the table's temperatures of the bulk.
+enum : std::size_t { whole, shifted, skewed, framed };
+constexpr std::size_t tabled = framed + most_frames;
+
+bool gives_watts(const ActiveEffect& active) { return active.field && !active.field->watts.empty(); }
+
 void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
     const Inputs& in = driving.inputs;
-    const double power = strain_power(driving.tire, in.speed, in.vertical_load) * driving.laws.loss;
-    out[0] = power;
-    out[1] = out[2] = 0.0;
+    std::ranges::fill(out, 0.0);
+    if (gives_watts(active)) {
+        out[whole] = 1.0;
+        active.field->watts_at(in.time, out.size() > framed ? out.subspan(framed, most_frames) : out.first(1));
+        return;
+    }
+    double power = strain_power(driving.tire, in.speed, in.vertical_load) * driving.laws.loss;
+    if (active.total) {
+        const bool touches = driving.tire.touches(in.vertical_load);
+        const auto measured = [&](double T) { return touches ? active.total->power(in, T) * driving.laws.loss : 0.0; };
+        const std::vector<double>& at = active.total->bulk_temperatures;
+        for (std::size_t i = 0; i < at.size() && at.size() > 1; ++i) {
+            out[tabled + i] = measured(at[i]);
+        }
+        power = measured(at.empty() ? 0.0 : at.front());
+    }
+    out[whole] = power;
     if (power > 0.0) {
         const double frequency = driving.tire.revolutions(in.speed, in.vertical_load);
-        out[1] = power * (loss_tangent(active).shift(frequency) + driving.laws.loss_shift);
-        out[2] = power * driving.laws.loss_skew;
+        out[shifted] = power * (loss_tangent(active).shift(frequency) + driving.laws.loss_shift);
+        out[skewed] = power * driving.laws.loss_skew;
+    }
+    if (out.size() > framed && active.field) {
+        active.field->shares_at(in.time, out.subspan(framed, most_frames));
+        for (double& share : out.subspan(framed, most_frames)) {
+            share *= power;
+        }
     }
 }
 
-void speak(const Moment& m, Terms& terms) {
-    const double power = m.intensities[0];
-    if (power <= 0.0) {
-        return;
+/// A loss at a temperature, and its slope. W, W/K
+struct Loss {
+    double value = 0.0;
+    double slope = 0.0;
+};
+
+/// The measured power at the bulk's temperature over that which `whole` stands for.
+Loss relative_measured(const Moment& m, double T_bulk) {
+    const std::vector<double>& at = m.active.total->bulk_temperatures;
+    if (at.size() < 2) {
+        return {.value = 1.0};
     }
+    const auto P = [&](std::size_t i) { return m.intensities[tabled + i] / m.intensities[whole]; };
+    const auto next = static_cast<std::size_t>(std::ranges::upper_bound(at, T_bulk) - at.begin());
+    if (next == 0 || next == at.size()) {
+        return {.value = P(next == 0 ? 0 : next - 1)};
+    }
+    const double slope = (P(next) - P(next - 1)) / (at[next] - at[next - 1]);
+    return {.value = P(next - 1) + slope * (T_bulk - at[next - 1]), .slope = slope};
+}
+
+/// Shares a power out by weights; however it is shared, the total is the law's.
+void share_out(const Moment& m, double power, const std::vector<double>& weights, Terms& terms) {
     const auto bulk = m.mesh.find_region("bulk");
     const LossTangent law = loss_tangent(m.active);
-    const double shift = m.intensities[1] / power;
-    const double skew = m.intensities[2] / power;
-    const bool local = m.active.choices[temperature] == 1;
+    const double shift = m.intensities[shifted] / m.intensities[whole];
+    const double skew = m.intensities[skewed] / m.intensities[whole];
+    const bool local = m.active.choices[temperature] == 1 && !m.active.total;
     double factor = power;
     for (const Factor& f : m.loss_factors) {
         factor *= f.value;
     }
-    const double T_mean = m.region_mean[static_cast<std::size_t>(bulk)] + shift;
+    const double T_bulk = m.region_mean[static_cast<std::size_t>(bulk)];
+    const double T_mean = T_bulk + shift;
     // A shoulder can give no more than it has; where the skew asks for that, the others give it all the same.
     double kept = 0.0;
     for (std::size_t i = 0; i < m.active.nodes.size() && skew != 0.0; ++i) {
-        kept += m.active.weights[i] * std::max(0.0, 1.0 + skew * m.active.skew[i]);
+        kept += weights[i] * std::max(0.0, 1.0 + skew * m.active.skew[i]);
     }
     factor /= skew != 0.0 ? kept : 1.0;
-    double loss = factor * law.value(T_mean);
-    double slope = loss * law.log_slope(T_mean);
+    const Loss relative = m.active.total ? relative_measured(m, T_bulk)
+                                         : Loss{law.value(T_mean), law.value(T_mean) * law.log_slope(T_mean)};
+    double loss = factor * relative.value;
+    const double slope = factor * relative.slope;
     for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
         const int node = m.active.nodes[i];
         const bool at_surface = m.mesh.layer[static_cast<std::size_t>(node)] == 0 && m.mesh.layers.size() > 1;
-        const double share = m.active.weights[i] * std::max(0.0, 1.0 + skew * m.active.skew[i]) *
-                             m.active[at_surface ? lambda_srf : lambda_blk];
+        const double share =
+            weights[i] * std::max(0.0, 1.0 + skew * m.active.skew[i]) * m.active[at_surface ? lambda_srf : lambda_blk];
         if (local) {
             const double T = m.temperature[static_cast<std::size_t>(node)] + shift;
             loss = factor * law.value(T);
@@ -160,6 +212,25 @@ void speak(const Moment& m, Terms& terms) {
         }
         for (const Factor& f : m.loss_factors) {
             terms.heat_follows(node, f.region, share * loss / f.value * f.by_mean);
+        }
+    }
+}
+
+void speak(const Moment& m, Terms& terms) {
+    const bool by_frames = m.intensities.size() > framed && m.active.field;
+    const std::size_t frames = by_frames ? m.active.field->frames() : 1;
+    for (std::size_t k = 0; k < frames; ++k) {
+        const double power = m.intensities[by_frames ? framed + k : whole];
+        const std::vector<double>& weights = by_frames ? m.active.field->weights[k] : m.active.weights;
+        if (power <= 0.0) {
+            continue;
+        }
+        if (!gives_watts(m.active)) {
+            share_out(m, power, weights, terms);
+            continue;
+        }
+        for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
+            terms.heat(m.active.nodes[i], power * weights[i]);
         }
     }
 }
@@ -176,7 +247,9 @@ const Effect strain_energy_loss{
     .meaning =
         "Heat of cyclic deformation, shared over the cells by mass and by the weights of layers, zones and the "
         "place along the meridian; however it is shared, the total is the law's. tan delta is taken at the bulk's mean "
-        "temperature unless it is to be local; none at rest or without load.",
+        "temperature unless it is to be local; none at rest or without load. "
+        "A field of a structural code may replace the weights, or the loss itself; a drum's table (total) or SAE J2452 "
+        "coefficients (coastdown) the total, scaled by the lambdas and by laws that scale the loss.",
     .parameters = parameters,
     .choices = choices,
     .tables = tables,
@@ -185,6 +258,8 @@ const Effect strain_energy_loss{
     .needs_tire = true,
     .by_deformation = true,
     .n_intensities = 3,
+    .field = FieldOf::loss,
+    .frame_intensities = most_frames + most_temperatures,
     .place = place,
     .drive = drive,
     .speak = speak,

@@ -134,12 +134,14 @@ TEST(ContactOfHalfSpaces, HasTheInterfaceAndTheHalfSpacesAsItsLimits) {
     EXPECT_NEAR(scaled_erfc(20.0) / (std::exp(399.9) * std::erfc(std::sqrt(399.9))), 1.0, 2e-4);
 }
 
-TEST(ResolvedContact, IsFifteenTimesTheLumpedContact) {
+TEST(ResolvedContact, IsSixteenTimesTheLumpedContact) {
     // l(4 kN) = 96.7 mm, t = 96.7/27778 = 3.48 ms; e = 757.8 and 1576.1, a = 48.85, sqrt(tau) = 2.882:
-    // (0.1852 - 1 + 3.252)/8.31 * 2.5e4 = 7336 W/m2K on 93.32 cm2: 68.4 W/K against 4.67.
+    // (0.1852 - 1 + 3.252)/8.31 * 2.5e4 = 7336 W/m2K on 93.32 cm2 between fresh half-spaces, 68.4 W/K. A revolution of
+    // 2 pi 0.3233/27.778 = 73.1 ms leaves the tread's surface zeta(1/2) t h / (e sqrt(pi P)) = -1.46 * 3.48e-3 * 7336 /
+    // (757.8 * 0.4793) = 10.3 % above its mean: 68.4/(1 - 0.103) = 76.2 W/K, against 4.67.
     Whole whole(two_nodes(), {{"resolved_contact"}});
     whole.ask(rolling());
-    EXPECT_NEAR(whole.system().terms().node_G[0], 68.4, 0.2);
+    EXPECT_NEAR(whole.system().terms().node_G[0], 76.2, 0.3);
     EXPECT_NEAR(whole.watts("resolved_contact"), -12.0 * whole.system().terms().node_G[0], 1e-9);
     Inputs rest = rolling();
     rest.speed = 0.0;
