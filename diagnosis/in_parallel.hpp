@@ -8,17 +8,19 @@
 
 namespace tiretherm::diagnosis {
 
-/// Does something n times, on all cores, in any order. It must not throw.
+/// Does something n times, several at a time, each begun when a thread is free, in the order of its number. It must not
+/// throw.   @param threads 0: as many as the machine has
 template <typename Work>
-void in_parallel(std::size_t n, const Work& work) {
+void in_parallel(std::size_t n, const Work& work, unsigned threads = 0) {
     std::atomic<std::size_t> next{0};
     const auto take = [&] {
         for (std::size_t i = next++; i < n; i = next++) {
             work(i);
         }
     };
+    const std::size_t wanted = threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
     std::vector<std::jthread> others;
-    for (std::size_t i = 1; i < std::min<std::size_t>(std::max(1U, std::thread::hardware_concurrency()), n); ++i) {
+    for (std::size_t i = 1; i < std::min(wanted, n); ++i) {
         others.emplace_back(take);
     }
     take();

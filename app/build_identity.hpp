@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace tiretherm::app {
+
+/// Version and build of this program: results that it kept count only for the program that made them. The build is the
+/// linker's hash over the whole of it; where a linker writes none, the version stands alone.
+[[nodiscard]] std::string build_identity();
+
+}  // namespace tiretherm::app

@@ -1,0 +1,189 @@
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "app/build_identity.hpp"
+#include "app/commands.hpp"
+#include "app/messages.hpp"
+#include "app/stop_signal.hpp"
+#include "app/study_files.hpp"
+#include "app/study_runs.hpp"
+#include "cases/runs.hpp"
+#include "cases/study.hpp"
+#include "post/file.hpp"
+#include "post/study_journal.hpp"
+#include "post/study_summary.hpp"
+
+namespace tiretherm::app {
+
+namespace {
+
+struct Options {
+    std::string study_file;
+    std::string directory;
+    unsigned threads = 0;
+    bool fresh = false;
+    bool json = false;
+    bool quiet = false;
+    bool no_pictures = false;
+};
+
+using Clock = std::chrono::steady_clock;
+
+/// One line on a terminal, rewritten as runs end.
+class Counter {
+public:
+    Counter(bool shown, std::size_t runs) : shown_(shown), runs_(runs) {}
+    ~Counter() {
+        if (shown_) {
+            fmt::print(stderr, "\r\033[K");
+        }
+    }
+    Counter(const Counter&) = delete;
+    Counter& operator=(const Counter&) = delete;
+
+    void update(std::size_t done) {
+        if (!shown_) {
+            return;
+        }
+        first_ = first_ == 0 ? done - 1 : first_;
+        const double elapsed = std::chrono::duration<double>(Clock::now() - begin_).count();
+        const double left = elapsed / static_cast<double>(done - first_) * static_cast<double>(runs_ - done);
+        fmt::print(stderr, "\r\033[K{} of {} runs, about {:.0f} s left", done, runs_, left);
+        std::fflush(stderr);
+    }
+
+private:
+    bool shown_;
+    std::size_t runs_;
+    std::size_t first_ = 0;  ///< runs that were done before
+    Clock::time_point begin_ = Clock::now();
+};
+
+int study(const Options& options) {
+    cases::StudyReading reading = cases::read_study(options.study_file);
+    if (!reading.study) {
+        tell_mistakes({.problem = std::nullopt, .mistakes = reading.mistakes, .warnings = reading.warnings},
+                      "nothing was run", options.json);
+        return Exit::mistake;
+    }
+    const cases::Study& study = *reading.study;
+    const std::filesystem::path directory =
+        options.directory.empty() ? "out/" + cases::case_name(study.file) : options.directory;
+    std::optional<StudyFiles> files;
+    std::optional<post::StudyJournal> journal;
+    try {
+        files.emplace(directory, !options.no_pictures);
+        journal.emplace(files->journal(), build_identity(), options.fresh);
+    } catch (const std::runtime_error& error) {
+        tell_error(error.what(), "nothing was run; choose another directory with --out", options.json);
+        return Exit::mistake;
+    }
+    for (std::size_t run = 0; run < study.runs.size(); ++run) {
+        if (journal->find(identity(study, run)) == nullptr) {
+            files->remove_old();
+            break;
+        }
+    }
+    heed_stop_signals();
+    const Clock::time_point begin = Clock::now();
+    StudyResults results;
+    {
+        Counter counter(on_terminal(stdout) && on_terminal(stderr) && !options.quiet, study.runs.size());
+        results = run_study(study, *journal, options.threads, [&](std::size_t done) { counter.update(done); });
+    }
+    const std::string kept = fmt::format("{} of {} runs are kept in {}; the same call goes on from there", results.done,
+                                         study.runs.size(), directory.string());
+    if (!results.error.empty()) {
+        tell_error(results.error, kept, options.json);
+        return Exit::mistake;
+    }
+    if (results.done < study.runs.size()) {
+        tell_error("stopped", kept, options.json);
+        return Exit::interrupted;
+    }
+    post::StudyCall call{.kept = results.kept,
+                         .outdated = journal->outdated(),
+                         .seconds = std::chrono::duration<double>(Clock::now() - begin).count(),
+                         .run_seconds = results.run_seconds,
+                         .threads = threads_used(options.threads, study.runs.size() - results.kept),
+                         .files = {}};
+    post::StudyRecord record = study_record(study, std::move(results.outcomes));
+    record.warnings = std::move(reading.warnings);
+    record.warnings.insert(record.warnings.end(), results.warnings.begin(), results.warnings.end());
+    for (const std::string& key : record.without_effect()) {
+        record.warnings.push_back(fmt::format("\"{}\" changed nothing: no effect that is on looks at it", key));
+    }
+    try {
+        call.files = files->write(record);
+    } catch (const post::FileError& error) {
+        tell_error(error.what(), kept, options.json);
+        return Exit::mistake;
+    }
+    if (options.json) {
+        fmt::print("{}", post::study_json(record, call));
+    } else if (!options.quiet) {
+        fmt::print("{}", post::study_text(record, call, may_be_bold()));
+    }
+    if (const std::vector<std::size_t> failed = record.failed(); !failed.empty()) {
+        if (!options.json) {
+            std::fflush(stdout);
+            tell_error(fmt::format("{} of {} runs failed, the first is run {}: {}", failed.size(), study.runs.size(),
+                                   failed.front() + 1, record.outcomes[failed.front()].failure),
+                       "the others are in " + directory.string(), false);
+        }
+        return Exit::numerical_failure;
+    }
+    return Exit::done;
+}
+
+}  // namespace
+
+void add_study_command(CLI::App& program, int& exit_code) {
+    CLI::App* command =
+        program.add_subcommand("study", "Run a case many times with values on a grid or drawn at random");
+    const auto options = std::make_shared<Options>();
+    command->add_option("STUDY", options->study_file, "Study file (TOML)")->required()->option_text(" ");
+    command
+        ->add_option("--out", options->directory,
+                     "Where the files go; runs that an earlier call made there are kept. Default: out/<study name>")
+        ->option_text("DIR");
+    command->add_option("--threads", options->threads, "Runs at a time. Default: as many as the machine can do")
+        ->option_text("N")
+        ->check(CLI::Range(1, 1024));
+    command->add_flag("--fresh", options->fresh, "Make all runs again, also those that are kept");
+    command->add_flag("--no-pictures", options->no_pictures, "No study.png");
+    command->add_flag("--quiet", options->quiet, "No summary and no progress");
+    command->add_flag("--json", options->json, "One JSON object instead of the summary");
+    command->footer(
+        "A study names a case and what to change in it:\n"
+        "  case = \"../two_node/4000N_100kmh.toml\"\n"
+        "  critical = \"110 degC\"                    # optional\n"
+        "  [[vary]]                                 # sides of a grid\n"
+        "  key = \"drive.speed\"\n"
+        "  values = [\"80 km/h\", \"120 km/h\"]         # or from, to and count\n"
+        "  [[draw]]                                 # at random at each point of the grid\n"
+        "  key = \"effects.road_contact.Hc\"\n"
+        "  distribution = \"normal\"                  # normal, lognormal: mean and standard_deviation;\n"
+        "  mean = \"500 W/m2K\"                       # uniform: from and to; low and high cut any of them\n"
+        "  standard_deviation = \"50 W/m2K\"\n"
+        "  [sample]\n"
+        "  count = 200\n"
+        "A key is a path into the case; in lists a name stands for its table: mesh.layer.tread.thickness.\n\n"
+        "Files: study.csv and study.h5 (a row for each run), study.png (map, curve or distribution of the hottest\n"
+        "temperature), runs.jsonl (the runs as they are made). Each run that is done is kept, whatever ends the\n"
+        "program; the next call makes what is missing and what has changed. Ctrl-C ends a study early.\n\n"
+        "Exit code: 0 done, 1 a mistake in the call, the study or the case, 2 runs failed, 130 interrupted.\n\n"
+        "Example:\n"
+        "  tiretherm study cases/studies/speed_and_load_two_node.toml --out /tmp/study");
+    command->callback([options, &exit_code] { exit_code = study(*options); });
+}
+
+}  // namespace tiretherm::app

@@ -1,0 +1,108 @@
+#include "app/study_runs.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <mutex>
+
+#include <fmt/format.h>
+
+#include "app/run_to_end.hpp"
+#include "app/stop_signal.hpp"
+#include "diagnosis/in_parallel.hpp"
+#include "post/place.hpp"
+
+namespace tiretherm::app {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+post::StudyOutcome outcome_of(const solver::Problem& problem, const Ending& ending) {
+    const solver::Report& report = ending.report;
+    if (!ending.failure.empty()) {
+        return {.failure = ending.failure};
+    }
+    const post::Place place = post::place_of(problem.mesh, report.hottest.node);
+    return {.failure = {},
+            .hottest = report.hottest.temperature,
+            .hottest_time = report.hottest.time,
+            .hottest_layer = place.layer,
+            .hottest_zone = place.zone,
+            .channel_final = report.channel_final,
+            .channel_min = report.channel_min,
+            .channel_max = report.channel_max,
+            .energy_closure = report.energy_closure,
+            .steps = report.steps};
+}
+
+}  // namespace
+
+post::RunIdentity identity(const cases::Study& study, std::size_t run) {
+    post::RunIdentity identity{.fingerprint = study.runs[run].fingerprint, .values = {}};
+    for (std::size_t i = 0; i < study.inputs.size(); ++i) {
+        identity.values.push_back(fmt::format("{} = {}", study.inputs[i].key.text, study.value(run, i).text));
+    }
+    return identity;
+}
+
+StudyResults run_study(const cases::Study& study, post::StudyJournal& journal, unsigned threads,
+                       const std::function<void(std::size_t done)>& progress) {
+    StudyResults results{.outcomes = std::vector<post::StudyOutcome>(study.runs.size()), .warnings = {}, .error = {}};
+    std::vector<std::size_t> open;
+    for (std::size_t run = 0; run < study.runs.size(); ++run) {
+        if (const post::StudyOutcome* known = journal.find(identity(study, run))) {
+            results.outcomes[run] = *known;
+            ++results.kept;
+        } else {
+            open.push_back(run);
+        }
+    }
+    results.done = results.kept;
+    std::mutex talk;
+    std::atomic<bool> broken{false};
+    const auto work = [&](std::size_t i) {
+        if (broken || stop_requested()) {
+            return;
+        }
+        const std::size_t run = open[i];
+        const Clock::time_point begin = Clock::now();
+        Ending ending;
+        post::StudyOutcome outcome;
+        try {
+            const solver::Problem problem = study.problem(run);
+            ending = run_to_end(problem, [](const solver::Snapshot&) {});
+            outcome = outcome_of(problem, ending);
+        } catch (const std::exception& error) {
+            ending.failure = error.what();
+        }
+        const std::lock_guard lock(talk);
+        if (ending.stopped || broken) {
+            return;
+        }
+        try {
+            // What is no fault of the solver's, such as memory, may be well another time: it is not kept.
+            if (!ending.failure.empty() && !ending.is_numerical) {
+                throw std::runtime_error(fmt::format("run {}: {}", run + 1, ending.failure));
+            }
+            journal.add(identity(study, run), outcome);
+        } catch (const std::exception& error) {
+            broken = true;
+            results.error = error.what();
+            return;
+        }
+        results.outcomes[run] = outcome;
+        results.run_seconds += std::chrono::duration<double>(Clock::now() - begin).count();
+        for (const std::string& warning : ending.report.warnings) {
+            if (std::find(results.warnings.begin(), results.warnings.end(), warning) == results.warnings.end()) {
+                results.warnings.push_back(warning);
+            }
+        }
+        progress(++results.done);
+    };
+    diagnosis::in_parallel(open.size(), work, threads);
+    return results;
+}
+
+}  // namespace tiretherm::app

@@ -1,0 +1,237 @@
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program.hpp"
+
+namespace tiretherm::app_test {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string studies = TIRETHERM_SOURCE_DIR "/cases/studies/";
+
+/// Three speeds by two loads of the two-node tire.
+const std::string six = "title = \"Six\"\ncase = \"" + two_node + R"("
+critical = "60 degC"
+[[vary]]
+key = "drive.speed"
+values = ["60 km/h", "90 km/h", "120 km/h"]
+[[vary]]
+key = "drive.vertical_load"
+values = ["3000 N", "4000 N"]
+)";
+
+/// A few dozen runs of some hundredths of a second each, so that the study can be interrupted in the middle.
+const std::string many = "case = \"" + two_node + R"("
+[[vary]]
+key = "drive.speed"
+from = "60 km/h"
+to = "120 km/h"
+count = 40
+[[vary]]
+key = "time.step"
+values = ["0.25 s"]
+)";
+
+/// Lines of a file; 0 where there is none.
+std::ptrdiff_t lines(const std::filesystem::path& path) {
+    std::error_code error;
+    const std::string text = std::filesystem::exists(path, error) ? post::read_text(path) : "";
+    return std::count(text.begin(), text.end(), '\n');
+}
+
+/// Begins a study and ends it by a signal when three of its runs are done. @returns the status of its process
+int interrupt(const std::filesystem::path& folder, int signal) {
+    const std::string study = (folder / "study.toml").string();
+    const std::string out = (folder / "out").string();
+    const pid_t child = fork();
+    if (child == 0) {
+        const int null = open("/dev/null", O_RDWR);
+        dup2(null, STDOUT_FILENO);
+        dup2(open((folder / "err").c_str(), O_WRONLY | O_CREAT, 0600), STDERR_FILENO);
+        execl(TIRETHERM_PROGRAM, "tiretherm", "study", study.c_str(), "--threads", "2", "--out", out.c_str(), nullptr);
+        _exit(99);
+    }
+    for (int i = 0; i < 6000 && lines(folder / "out/runs.jsonl") < 3; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    kill(child, signal);
+    int status = 0;
+    waitpid(child, &status, 0);
+    return status;
+}
+
+}  // namespace
+
+// 67.6 degC is what `tiretherm run` gives for the case alone with 120 km/h in its [drive], printed to 0.1 K.
+TEST(Study, MakesAllRunsAndLeavesTheFilesThatItNames) {
+    const sample::Scratch scratch;
+    post::replace_file(scratch / "study.toml", six);
+    const Call study = call("study study.toml --json --out results", scratch.path());
+    EXPECT_EQ(study.exit_code, 0);
+    EXPECT_EQ(study.err, "");
+    const Json json = Json::parse(study.out);
+    EXPECT_EQ(json["runs"], 6);
+    EXPECT_EQ(json["made"], 6);
+    EXPECT_EQ(json["hottest"]["values"]["drive.speed"], "120 km/h");
+    EXPECT_EQ(json["hottest"]["values"]["drive.vertical_load"], "4000 N");
+    EXPECT_NEAR(json["hottest"]["temperature"].get<double>(), 67.6, 0.06);
+    EXPECT_EQ(json["outputs"].size(), 4U);
+    for (const std::string file : json["outputs"]) {
+        EXPECT_GT(std::filesystem::file_size(scratch.path() / file), 100U) << file;
+    }
+    EXPECT_EQ(lines(scratch / "results/study.csv"), 7);
+}
+
+TEST(Study, ShippedSectionStudyFindsItsHotSpotInTheShoulder) {
+    // The two corners of the shipped grid; 35 runs would take too long here. What this program gives, printed to 0.1 K: a
+    // change must be meant.
+    const sample::Scratch scratch;
+    std::string text = post::read_text(studies + "hot_spot_speed_and_load.toml");
+    text.replace(text.find("\"../section") + 1, 10, TIRETHERM_SOURCE_DIR "/cases/section");
+    text.replace(text.find("count = 7"), 9, "count = 2");
+    text.replace(text.find("count = 5"), 9, "count = 2");
+    post::replace_file(scratch / "study.toml", text);
+    const Json json = Json::parse(call("study study.toml --json --no-pictures --out o", scratch.path()).out);
+    EXPECT_EQ(json["runs"], 4);
+    EXPECT_NEAR(json["hottest"]["temperature"].get<double>(), 109.1, 0.06);
+    EXPECT_EQ(json["hottest"]["zone"], "outside_shoulder");
+    EXPECT_NEAR(json["coldest"]["temperature"].get<double>(), 43.5, 0.06);
+}
+
+TEST(Study, ShippedSamplesAreTheSameEverywhere) {
+    // 300 runs of two nodes. What this program gives, to 0.1 K: the draws follow from the seed alone.
+    const sample::Scratch scratch;
+    const Call study =
+        call("study --json --no-pictures --out o " + studies + "uncertain_two_node.toml", scratch.path());
+    EXPECT_EQ(study.exit_code, 0);
+    const Json points = Json::parse(study.out)["points"];
+    ASSERT_EQ(points.size(), 3U);
+    EXPECT_NEAR(points[1]["hottest"]["median"].get<double>(), 81.0, 0.06);
+    EXPECT_NEAR(points[2]["hottest"]["p95"].get<double>(), 90.1, 0.06);
+    EXPECT_EQ(points[2]["passes_critical"]["of"], 100);
+}
+
+TEST(Study, SecondCallMakesOnlyWhatIsNewOrChanged) {
+    const sample::Scratch scratch;
+    post::replace_file(scratch / "study.toml", six);
+    call("study study.toml --quiet --out o", scratch.path());
+    const std::string csv = post::read_text(scratch / "o/study.csv");
+    EXPECT_EQ(Json::parse(call("study study.toml --json --out o", scratch.path()).out)["kept"], 6);
+    EXPECT_EQ(post::read_text(scratch / "o/study.csv"), csv);
+    EXPECT_EQ(Json::parse(call("study study.toml --json --fresh --out o", scratch.path()).out)["kept"], 0);
+    std::string more = "# another remark\n" + six;
+    more.replace(more.find("\"4000 N\""), 8, "\"4000 N\", \"5000 N\"");
+    post::replace_file(scratch / "study.toml", more);
+    const Json grown = Json::parse(call("study study.toml --json --out o", scratch.path()).out);
+    EXPECT_EQ(grown["kept"], 6);
+    EXPECT_EQ(grown["made"], 3);
+}
+
+TEST(Study, FilesAreTheSameForAnyNumberOfThreads) {
+    const sample::Scratch scratch;
+    post::replace_file(scratch / "study.toml", six);
+    call("study study.toml --quiet --threads 1 --out one", scratch.path());
+    call("study study.toml --quiet --threads 3 --out three", scratch.path());
+    for (const char* file : {"study.csv", "study.h5", "study.png"}) {
+        EXPECT_EQ(post::read_text(scratch / "one" / file), post::read_text(scratch / "three" / file)) << file;
+    }
+}
+
+TEST(Study, KilledInTheMiddleGoesOnToTheSameFiles) {
+    const sample::Scratch scratch;
+    post::replace_file(scratch / "study.toml", many);
+    EXPECT_TRUE(WIFSIGNALED(interrupt(scratch.path(), SIGKILL)));
+    const std::ptrdiff_t done = lines(scratch / "out/runs.jsonl");
+    ASSERT_GE(done, 3);
+    ASSERT_LT(done, 40);
+    EXPECT_FALSE(std::filesystem::exists(scratch / "out/study.csv"));
+    const Json json = Json::parse(call("study study.toml --json --out out", scratch.path()).out);
+    EXPECT_EQ(json["kept"], done);
+    EXPECT_EQ(json["made"], 40 - done);
+    call("study study.toml --quiet --out whole", scratch.path());
+    for (const char* file : {"study.csv", "study.h5", "study.png"}) {
+        EXPECT_EQ(post::read_text(scratch / "out" / file), post::read_text(scratch / "whole" / file)) << file;
+    }
+}
+
+TEST(Study, CtrlCKeepsWhatIsDoneAndSaysHowToGoOn) {
+    const sample::Scratch scratch;
+    post::replace_file(scratch / "study.toml", many);
+    std::filesystem::create_directories(scratch / "out");
+    post::replace_file(scratch / "out/study.csv", "of another study\n");
+    const int status = interrupt(scratch.path(), SIGINT);
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 130);
+    EXPECT_FALSE(std::filesystem::exists(scratch / "out/study.csv"));
+    const std::string err = post::read_text(scratch / "err");
+    EXPECT_NE(
+        err.find(fmt::format("tiretherm: stopped; {} of 40 runs are kept in ", lines(scratch / "out/runs.jsonl"))),
+        std::string::npos)
+        << err;
+    EXPECT_NE(err.find("the same call goes on from there"), std::string::npos) << err;
+}
+
+TEST(Study, RunThatFailsIsARowAndTheOthersStand) {
+    const sample::Scratch scratch;
+    post::replace_file(scratch / "burning.toml", exploding);
+    post::replace_file(scratch / "study.toml",
+                       "case = \"burning.toml\"\n[[vary]]\nkey = \"effects.uniform_source.power_density\"\n"
+                       "values = [\"1e3 W/m3\", \"1e12 W/m3\", \"2e3 W/m3\"]\n");
+    const Call failed = call("study study.toml --out o", scratch.path());
+    EXPECT_EQ(failed.exit_code, 2);
+    EXPECT_NE(failed.err.find("1 of 3 runs failed, the first is run 2: "), std::string::npos) << failed.err;
+    EXPECT_NE(failed.out.find("run 2 (effects.uniform_source.power_density = 1e12 W/m3): "), std::string::npos)
+        << failed.out;
+    const std::string csv = post::read_text(scratch / "o/study.csv");
+    EXPECT_NE(csv.find("\n3,2000,ok,"), std::string::npos) << csv;
+    const Call json = call("study study.toml --json --out o", scratch.path());
+    EXPECT_EQ(json.exit_code, 2);
+    EXPECT_EQ(Json::parse(json.out)["failed"][0]["run"], 2);
+}
+
+TEST(Study, QuantityThatNothingLooksAtIsToldOf) {
+    const sample::Scratch scratch;
+    post::replace_file(scratch / "study.toml", "case = \"" + two_node +
+                                                   "\"\n[[vary]]\nkey = \"drive.camber\"\n"
+                                                   "values = [\"0 deg\", \"3 deg\"]\n");
+    const Call study = call("study study.toml --out o", scratch.path());
+    EXPECT_EQ(study.exit_code, 0);
+    EXPECT_NE(study.out.find("\"drive.camber\" changed nothing"), std::string::npos) << study.out;
+}
+
+TEST(Study, MistakesOfStudyAndCaseAreToldAtOnceAndNothingIsWritten) {
+    const sample::Scratch scratch;
+    const std::string bad = TIRETHERM_SOURCE_DIR "/tests/bad_cases/study/many_mistakes.toml";
+    const Call text = call("study " + bad, scratch.path());
+    EXPECT_EQ(text.exit_code, 1);
+    EXPECT_EQ(text.out, "");
+    EXPECT_TRUE(text.err.ends_with("7 mistakes; nothing was run\n")) << text.err;
+    const Json json = Json::parse(call("study --json " + bad, scratch.path()).out);
+    EXPECT_EQ(json["mistakes"].size(), 7U);
+    EXPECT_TRUE(std::filesystem::is_empty(scratch.path()));
+}
+
+TEST(Study, QuietSaysNothingAndUnwritableFolderIsNamed) {
+    const sample::Scratch scratch;
+    post::replace_file(scratch / "study.toml", six);
+    const Call quiet = call("study study.toml --quiet", scratch.path());
+    EXPECT_EQ(quiet.out + quiet.err, "");
+    EXPECT_TRUE(std::filesystem::exists(scratch / "out/study/study.csv"));
+    const Call wrong = call("study study.toml --out study.toml/results", scratch.path());
+    EXPECT_EQ(wrong.exit_code, 1);
+    EXPECT_EQ(
+        wrong.err,
+        "tiretherm: cannot create the directory study.toml/results: Not a directory; nothing was run; choose another "
+        "directory with --out\n");
+}
+
+}  // namespace tiretherm::app_test
