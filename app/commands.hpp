@@ -14,9 +14,11 @@ enum Exit : int { done = 0, mistake = 1, numerical_failure = 2, interrupted = 13
 void add_run_command(CLI::App& program, int& exit_code);
 void add_check_command(CLI::App& program, int& exit_code);
 void add_compare_command(CLI::App& program, int& exit_code);
+void add_convert_command(CLI::App& program, int& exit_code);
 void add_diagnose_command(CLI::App& program, int& exit_code);
 void add_effects_command(CLI::App& program, int& exit_code);
 void add_identify_command(CLI::App& program, int& exit_code);
+void add_study_command(CLI::App& program, int& exit_code);
 void add_validate_command(CLI::App& program, int& exit_code);
 
 }  // namespace tiretherm::app

@@ -71,16 +71,20 @@ int main(int argc, char** argv) {
     app::add_compare_command(program, exit_code);
     app::add_identify_command(program, exit_code);
     app::add_diagnose_command(program, exit_code);
+    app::add_study_command(program, exit_code);
     app::add_validate_command(program, exit_code);
     app::add_effects_command(program, exit_code);
+    app::add_convert_command(program, exit_code);
     program.footer(
         "Examples:\n"
         "  tiretherm run cases/laser/one_watt.toml\n"
         "  tiretherm check cases/laser/one_watt.toml\n"
         "  tiretherm compare cases/practice/two_node_bench.toml\n"
         "  tiretherm diagnose cases/practice/two_node_bench.toml\n"
+        "  tiretherm study cases/studies/speed_and_load_two_node.toml\n"
         "  tiretherm validate\n"
-        "  tiretherm effects air_convection\n\n"
+        "  tiretherm effects air_convection\n"
+        "  tiretherm convert cases/convert/thesis_225_50_R17.xlsx\n\n"
         "Help for a command: tiretherm COMMAND --help");
 
     const std::span<char*> arguments(argv, static_cast<std::size_t>(argc));

@@ -10,7 +10,7 @@ namespace {
 using Json = nlohmann::json;
 
 TEST(Call, HelpOfTheProgramAndOfEachCommandHasAnExample) {
-    for (const std::string command : {"", "run ", "check ", "validate ", "effects "}) {
+    for (const std::string command : {"", "run ", "check ", "study ", "validate ", "effects ", "convert "}) {
         const Call help = call(command + "--help");
         EXPECT_EQ(help.exit_code, 0) << command;
         EXPECT_EQ(help.err, "");
@@ -57,9 +57,10 @@ TEST(Call, MissingCaseAndMissingCommandAreMistakes) {
     EXPECT_EQ(call("run").exit_code, 1);
     EXPECT_EQ(call("run").err, "tiretherm: CASE is required; see tiretherm run --help\n");
     EXPECT_EQ(call("").exit_code, 1);
-    EXPECT_EQ(call("").err,
-              "tiretherm: no command; the commands are run, check, compare, identify, diagnose, validate and effects; "
-              "see tiretherm --help\n");
+    EXPECT_EQ(
+        call("").err,
+        "tiretherm: no command; the commands are run, check, compare, identify, diagnose, study, validate, effects "
+        "and convert; see tiretherm --help\n");
 }
 
 TEST(Check, SoundCaseIsToldInAFewLines) {
