@@ -43,7 +43,7 @@ inline constexpr std::array section_ends{
     SectionEnd{"oval_track/unladen_140_RL_section", 63.5, 63.2},
     SectionEnd{"oval_track/unladen_140_RR_section", 65.2, 65.0},
     SectionEnd{"section/4000N_100kmh", 57.9, 57.3},
-    SectionEnd{"section/4000N_100kmh_resolved_contact", 55.5, 56.3},
+    SectionEnd{"section/4000N_100kmh_resolved_contact", 55.4, 56.3},
     SectionEnd{"section/7000N_100kmh", 76.6, 77.2},
     SectionEnd{"section/7500N_150kmh", 91.9, 94.6},
 };
