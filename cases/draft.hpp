@@ -81,6 +81,8 @@ void read_effects(Section& root, Draft& draft);
 /// Fields of structural codes and measured totals of the effects that are on, when the drive and the run's times are
 /// known.
 void read_fields(Section& root, Draft& draft);
+/// The wheel's angle and the moments of contact, where an effect goes round the tire.
+void read_travelling(Section& root, Draft& draft);
 /// The lists [[source]] and [[exchange]], when the drive and the run's times are known.
 void read_own_effects(Section& root, Draft& draft);
 /// The channels of the effects that are readings; what else they say has been read.

@@ -148,6 +148,10 @@ public:
                              "take layers or section");
             return;
         }
+        if (mesh.sectors > 1) {
+            section_.mistake("field", "a field goes onto a section, not onto a ring", "remove sectors from [mesh]");
+            return;
+        }
         const Place mentioned = section_.place("field");
         const fs::path beside = fs::path(mistakes_.file(mentioned.file)).parent_path();
         const std::optional<FieldFile> file =

@@ -8,6 +8,8 @@
 #include "cases/draft.hpp"
 #include "cases/wanted.hpp"
 #include "cases/words.hpp"
+#include "mesh/ring.hpp"
+#include "physics/travelling.hpp"
 
 namespace tiretherm::cases {
 
@@ -180,6 +182,7 @@ bool read_section(Section& mesh, Draft& draft) {
     stretches[shoulders].length = shoulder;
     stretches[crown].length = tread - (stretches[shoulders].cells > 0 ? 2.0 * shoulder : 0.0);
     stretches[sidewalls].length = mesh.quantity("sidewall_length", wanted::length).value_or(0.0);
+    const int sectors = mesh.count("sectors", 1, physics::most_sectors).value_or(1);
     std::vector<std::vector<Word>> zones;
     mesh::Section section;
     section.layers = read_stack(mesh, draft, &zones);
@@ -198,6 +201,9 @@ bool read_section(Section& mesh, Draft& draft) {
     warn_of_other_sizes(mesh, section, stretches, tire);
     section.zones = zones_of(stretches);
     draft.problem.mesh = build(section);
+    if (sectors > 1) {
+        draft.problem.mesh = mesh::ring(draft.problem.mesh, sectors);
+    }
     return true;
 }
 

@@ -44,6 +44,7 @@ void read_tables(Section& root, Draft& draft) {
     read_effects(root, draft);
     read_times(root, draft);
     read_fields(root, draft);
+    read_travelling(root, draft);
     read_own_effects(root, draft);
     read_initial(root, draft);
     read_sensors(root, draft);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 #include "cases/probes.hpp"
 #include "cases/wanted.hpp"
 #include "cases/words.hpp"
+#include "mesh/ring.hpp"
 
 namespace tiretherm::cases {
 
@@ -133,6 +135,24 @@ std::vector<solver::Channel> read_places(Section& sensor, std::string_view kind,
     return where ? std::vector{*where} : std::vector<solver::Channel>{};
 }
 
+/// On a ring a sensor reads the mean around the circumference, or one place of the turning rubber.
+void read_angle(Section& sensor, const mesh::Mesh& mesh, std::vector<solver::Channel>& found) {
+    const std::optional<double> angle = sensor.quantity("angle", {.unit = "radian", .low = -1e3, .high = 1e3});
+    if (angle && mesh.sectors == 1) {
+        sensor.mistake("angle", "only a ring has places around the circumference",
+                       "remove angle, or give [mesh] sectors");
+    }
+    for (solver::Channel& channel : found) {
+        const bool of_place = angle && channel.quantity == solver::Quantity::temperature;
+        if (mesh.sectors > 1 && !channel.where.nodes.empty()) {
+            channel.where = of_place ? mesh::at_angle(mesh, channel.where, *angle) : mesh::around(mesh, channel.where);
+            channel.meaning += of_place
+                                   ? fmt::format(", {:.6g} deg around the rubber", *angle * 180.0 / std::numbers::pi)
+                                   : ", mean around the circumference";
+        }
+    }
+}
+
 /// "ir" of one channel; "ir_1", "ir_2" ... of several.
 std::string numbered(const std::string& name, std::size_t i, std::size_t of) {
     return of == 1 ? name : fmt::format("{}_{}", name, i + 1);
@@ -194,8 +214,9 @@ void read_sensors(Section& root, Draft& draft) {
         std::vector<solver::Channel> found;
         if (kind && draft.has_mesh) {
             found = read_places(sensor, names[*kind], draft);
+            read_angle(sensor, draft.problem.mesh, found);
         } else {
-            for (const std::string_view key : {"depth", "x", "y", "radius", "from", "to"}) {
+            for (const std::string_view key : {"depth", "x", "y", "radius", "from", "to", "angle"}) {
                 sensor.quantity(key, wanted::coordinate);
             }
             sensor.know({"standard_deviation"});

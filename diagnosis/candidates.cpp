@@ -50,6 +50,9 @@ bool is_on(const solver::Problem& problem, const Effect& effect) {
 /// Whether the effect's inputs are given in every run and its places are there.
 bool can_act(const cases::Experiment& experiment, const Effect& effect) {
     const solver::Problem& problem = experiment.runs.front().problem;
+    if (effect.travels) {  // the same cause, averaged over a revolution, is resolved_contact
+        return false;
+    }
     const bool has_tire = std::ranges::any_of(problem.effects, [](const auto& a) { return a.effect->needs_tire; });
     if ((effect.needs_tire && !has_tire) || (effect.needs_grid && problem.mesh.kind == "two_node")) {
         return false;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/ring.hpp"
+
 namespace tiretherm::mesh {
 
 namespace {
@@ -33,21 +35,8 @@ void add_depth(const Column& column, double depth, double weight, Functional& re
     }
 }
 
-}  // namespace
-
-std::ptrdiff_t column_at(const Mesh& mesh, double s) {
-    const auto found = std::find_if(mesh.columns.begin(), mesh.columns.end(),
-                                    [&](const Column& column) { return s >= column.from && s <= column.to; });
-    return found == mesh.columns.end() ? -1 : found - mesh.columns.begin();
-}
-
-bool in_columns(const Mesh& mesh, const Point& point) {
-    const std::ptrdiff_t i = column_at(mesh, point[0]);
-    return i >= 0 && point[2] >= 0.0 && point[2] <= thickness(mesh.columns[static_cast<std::size_t>(i)]) + 1e-12;
-}
-
-Functional at_column_point(const Mesh& mesh, const Point& point) {
-    const std::ptrdiff_t i = column_at(mesh, point[0]);
+/// In a section, or in the first sector of a ring.
+Functional in_section(const Mesh& mesh, std::ptrdiff_t i, const Point& point) {
     const Column& here = mesh.columns[static_cast<std::size_t>(i)];
     // The neighbour beyond the point; where there is none, the one on the other side, and the line goes on.
     const std::ptrdiff_t towards = point[0] >= here.middle() ? 1 : -1;
@@ -64,6 +53,26 @@ Functional at_column_point(const Mesh& mesh, const Point& point) {
     }
     add_depth(here, point[2], 1.0, result);
     return result;
+}
+
+}  // namespace
+
+std::ptrdiff_t column_at(const Mesh& mesh, double s) {
+    const auto found = std::find_if(mesh.columns.begin(), mesh.columns.end(),
+                                    [&](const Column& column) { return s >= column.from && s <= column.to; });
+    return found == mesh.columns.end() ? -1 : found - mesh.columns.begin();
+}
+
+bool in_columns(const Mesh& mesh, const Point& point) {
+    const std::ptrdiff_t i = column_at(mesh, point[0]);
+    return i >= 0 && point[2] >= 0.0 && point[2] <= thickness(mesh.columns[static_cast<std::size_t>(i)]) + 1e-12;
+}
+
+Functional at_column_point(const Mesh& mesh, const Point& point) {
+    const std::ptrdiff_t i = column_at(mesh, point[0]);
+    const Column& here = mesh.columns[static_cast<std::size_t>(i)];
+    Functional result = in_section(mesh, i, point);
+    return mesh.sectors == 1 ? result : at_angle(mesh, result, point[1] / here.radius);
 }
 
 Functional over_strip(const Mesh& mesh, double from, double to) {

@@ -118,7 +118,9 @@ struct Mesh {
     std::vector<Region> regions;
     std::vector<Appended> appended;
     std::optional<Grid> grid;     ///< present when the cells are a tensor product
-    std::vector<Column> columns;  ///< of a section, from outboard to inboard
+    std::vector<Column> columns;  ///< of a section, from outboard to inboard; of a ring its first sector's
+    int sectors = 1;              ///< of a ring: its cells are that many equal sectors one after the other, its surface
+                                  ///< nodes likewise
     Drawing drawing;
 
     int add_cell(double cell_volume, const Point& place, int cell_layer, int cell_zone = -1);

@@ -23,4 +23,10 @@ double ContactOfHalfSpaces::mean_conductance(double duration) const {
     return interface_h * (scaled_erfc(root) - 1.0 + 2.0 * root * std::numbers::inv_sqrtpi) / (root * root);
 }
 
+double ContactOfHalfSpaces::conductance_at(double since) const {
+    const double root = interface_h * (1.0 / effusivity_a + 1.0 / effusivity_b) * std::sqrt(since);
+    const double left = scaled_erfc(root);  // of the difference between the two surfaces
+    return interface_h * left / (1.0 - effusivity_b / (effusivity_a + effusivity_b) * (1.0 - left));
+}
+
 }  // namespace tiretherm::physics

@@ -14,6 +14,12 @@ struct ContactOfHalfSpaces {
     /// The interface alone for a very short contact, 2 / ((1/e_a + 1/e_b) sqrt(pi t)) for a long one.
     /// @param duration s, >= 0  @returns W/(m2 K)
     [[nodiscard]] double mean_conductance(double duration) const;
+
+    /// Flux at a moment of the contact, per kelvin by which the surface of a lies above b as it was before they met: what
+    /// a body needs whose own cells resolve a.
+    ///     h g / (1 - e_b (1 - g) / (e_a + e_b)),   g = e^tau erfc(sqrt tau), tau as above
+    /// @param since s since they met, >= 0  @returns W/(m2 K), descending from the interface's
+    [[nodiscard]] double conductance_at(double since) const;
 };
 
 /// e^(x^2) erfc(x), which stays finite where the two factors do not. @param x >= 0

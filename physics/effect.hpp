@@ -139,6 +139,7 @@ struct Effect {
     bool on_layers = false;                       ///< acts on the layers that a case names
     bool on_channels = false;                     ///< acts on the channels that a case names
     bool by_deformation = false;                  ///< its heat is work of deformation: what rolling resistance pays for
+    bool travels = false;                         ///< its place goes round the tire with the wheel angle
     bool before_lag = false;                      ///< a reading of what the sensor sees, not of what it gives
     Reads reads_what = Reads::anything;           ///< of a reading; `place`: the temperature at a point
     int n_intensities = 0;

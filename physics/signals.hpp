@@ -21,6 +21,7 @@ struct Inputs {
     double road_temperature = 0.0;    ///< K
     double wet = 0.0;                 ///< 0 or 1
     double laser_power = 0.0;         ///< W
+    double wheel_angle = 0.0;         ///< rad turned since the run's start
 
     friend bool operator==(const Inputs&, const Inputs&) = default;
 };

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "mesh/ring.hpp"
 #include "post/axes.hpp"
 #include "post/celsius.hpp"
 #include "post/colour_bar.hpp"
@@ -149,8 +150,10 @@ void name_zones(Canvas& canvas, const Page& page, const Mesh& mesh) {
 
 void draw_folded(const std::filesystem::path& path, const solver::Problem& problem, double time,
                  std::span<const double> temperature) {
-    const Mesh& mesh = problem.mesh;
-    const std::vector<double> kelvin = DrawnField(mesh).at_points(temperature);
+    const bool is_ring = problem.mesh.sectors > 1;
+    const Mesh mesh = is_ring ? mesh::drawn_section(problem.mesh) : problem.mesh;
+    const std::vector<double> mean = is_ring ? mesh::around(problem.mesh, temperature) : std::vector<double>{};
+    const std::vector<double> kelvin = DrawnField(mesh).at_points(is_ring ? mean : temperature);
     const auto hottest = std::max_element(kelvin.begin(), kelvin.end());
     const double low = celsius(*std::min_element(kelvin.begin(), kelvin.end()));
     const double high = celsius(*hottest);
@@ -160,10 +163,10 @@ void draw_folded(const std::filesystem::path& path, const solver::Problem& probl
                  {.size = look::title, .ink = look::ink, .bold = true});
     const std::string moment =
         problem.settings.steady ? std::string("steady state") : fmt::format("t = {:.6g} s", time);
-    canvas.write(
-        {margin, 88.0},
-        fmt::format("{}; hottest {:.1f} °C at the ring; outboard on the left, inboard on the right", moment, high),
-        {.size = look::text, .ink = look::faint});
+    canvas.write({margin, 88.0},
+                 fmt::format("{}{}; hottest {:.1f} °C at the ring; outboard on the left, inboard on the right", moment,
+                             is_ring ? ", mean around the tire" : "", high),
+                 {.size = look::text, .ink = look::faint});
     for (int cell = 0; cell < mesh.n_cells; ++cell) {
         fill_cell(canvas, page, mesh, cell, kelvin, low, high);
     }

@@ -53,14 +53,17 @@ void Hdf5Writer::write_mesh() {
     file_.add_attribute("/mesh", "kind", mesh.kind);
     file_.add_attribute("/mesh", "metric", round ? "axisymmetric" : "cartesian");
     file_.add_attribute("/mesh", "n_cells", mesh.n_cells);
+    file_.add_attribute("/mesh", "sectors", mesh.sectors);
     file_.add_attribute("/mesh", "symmetry", problem_.symmetry);
     const auto label = [&](const char* units, const char* meaning, const char* along = "") {
         return Label{.units = units, .long_name = meaning, .source = source_, .coordinates = along};
     };
-    file_.write("/mesh/centre", coordinates(mesh.centre), 3,
-                label("m", round                  ? "radius, 0 and depth of each node"
-                           : mesh.columns.empty() ? "x, y and depth of each node"
-                                                  : "arc length along the meridian, 0 and depth of each node"));
+    file_.write(
+        "/mesh/centre", coordinates(mesh.centre), 3,
+        label("m", round                  ? "radius, 0 and depth of each node"
+                   : mesh.columns.empty() ? "x, y and depth of each node"
+                   : mesh.sectors == 1    ? "arc length along the meridian, 0 and depth of each node"
+                                       : "arc length along the meridian, arc around the tire and depth of each node"));
     file_.write("/mesh/volume", mesh.volume, 0, label("m3", "volume of each node, 0 on a surface", "/mesh/centre"));
     file_.write("/mesh/layer", mesh.layer, 0, label("1", "layer of each node, counted from 0", "/mesh/centre"));
     file_.write("/mesh/layer_name", mesh.layers, label("1", "name of each layer, from the outside in"));

@@ -45,8 +45,8 @@ std::string describe_place(const mesh::Mesh& mesh, int node) {
     if (place.position) {
         const auto [x, y, depth] = *place.position;
         if (!mesh.grid) {
-            return text +
-                   fmt::format(", {}, {:.1f} mm along the meridian, depth {:.2f} mm", place.zone, 1e3 * x, 1e3 * depth);
+            return text + fmt::format(", {}, {:.1f} mm along the meridian{}, depth {:.2f} mm", place.zone, 1e3 * x,
+                                      mesh.sectors > 1 ? fmt::format(", {:.1f} mm around", 1e3 * y) : "", 1e3 * depth);
         }
         const mesh::Grid& grid = *mesh.grid;
         if (grid.metric == mesh::Metric::axisymmetric) {

@@ -4,7 +4,9 @@
 #include <numeric>
 
 #include "physics/contact_in_revolutions.hpp"
+#include "physics/rolling_contact.hpp"
 #include "physics/rolling_resistance.hpp"
+#include "physics/travelling.hpp"
 #include "solver/readings.hpp"
 
 namespace tiretherm::solver {
@@ -63,13 +65,14 @@ double Readings::flash(Quantity quantity, const physics::Inputs& logged, double 
     }
     const bool entry = quantity == Quantity::surface_at_entry;
     double heated = 0.0;  // W/m2
-    if (const auto sliding = by_id("sliding_friction"); sliding != effects.end()) {
+    if (const auto sliding = by_id("sliding_friction"); sliding != effects.end() && !physics::travels(*sliding)) {
         system_->drive(logged, intensities_);
         const auto of_sliding =
             system_->intensities_of(static_cast<std::size_t>(sliding - effects.begin()), intensities_);
         heated = std::accumulate(of_sliding.begin(), of_sliding.end(), 0.0) / tire.contact_area(inputs.vertical_load);
     }
-    return T + (T - inputs.road_temperature) * (entry ? contact->at_entry() : contact->at_exit()) +
+    const double taken = physics::rolling_contact::scale_of(*road) * (T - inputs.road_temperature);
+    return T + taken * (entry ? contact->at_entry() : contact->at_exit()) +
            heated * (entry ? contact->heated_at_entry() : contact->heated_at_exit());
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "physics/contact_in_revolutions.hpp"
+#include "physics/rolling_contact.hpp"
 #include "physics/spread.hpp"
 
 namespace tiretherm::physics {
@@ -9,19 +10,10 @@ namespace effects {
 
 namespace {
 
-enum : std::size_t { scale, interface_h, tire_conductivity, tire_capacity, road_conductivity, road_capacity };
+using rolling_contact::scale;
 enum : std::size_t { profile };
 
-constexpr std::array parameters{
-    Parameter{"scale", "1", 1.0, 0.0, 10.0, "factor on the whole", false, 0.0},
-    Parameter{"interface_h", "W m-2 K-1", 2.5e4, 1.0, 1e7, "conductance between the two surfaces; 1.2e4 to 5.7e4"},
-    Parameter{"tire_conductivity", "W m-1 K-1", 0.29, 1e-3, 1e3, "of the tread's rubber"},
-    Parameter{"tire_capacity", "J m-3 K-1", 1.98e6, 1e3, 1e8, "of the tread's rubber, per volume"},
-    Parameter{"road_conductivity", "W m-1 K-1", 1.2, 1e-3, 1e3, "of the road; asphalt concrete, 0.7 to 2.5 recalled"},
-    Parameter{"road_capacity", "J m-3 K-1", 2.07e6, 1e3, 1e8, "of the road, per volume; asphalt concrete"},
-};
 constexpr std::array tables{contact_profile};
-constexpr std::array<std::string_view, 3> reads{"speed", "vertical_load", "road_temperature"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
 void place(const Setting& setting, ActiveEffect& active) {
@@ -40,15 +32,11 @@ void drive(const ActiveEffect& active, const Driving& driving, std::span<double>
 
 std::optional<ContactInRevolutions> contact_in_revolutions(const ActiveEffect& active, const Tire& tire,
                                                            const Inputs& in) {
-    using namespace effects;
     if (!tire.touches(in.vertical_load) || in.speed == 0.0) {
         return std::nullopt;
     }
-    const ContactOfHalfSpaces contact{.interface_h = active[interface_h],
-                                      .effusivity_a = std::sqrt(active[tire_conductivity] * active[tire_capacity]),
-                                      .effusivity_b = std::sqrt(active[road_conductivity] * active[road_capacity])};
     const double speed = std::abs(in.speed);
-    return ContactInRevolutions(contact, tire.contact_length(in.vertical_load) / speed,
+    return ContactInRevolutions(rolling_contact::half_spaces(active), tire.contact_length(in.vertical_load) / speed,
                                 1.0 / tire.revolutions(speed, in.vertical_load));
 }
 
@@ -70,9 +58,9 @@ const Effect resolved_contact{
         "which T_surf is the mean. 76 W/K at 4 kN and 100 km/h, where the lumped Hc gives 5; nothing at rest. Sensors "
         "of the kinds surface_at_entry and surface_at_exit read the flash. A case that switches it on switches "
         "road_contact off.",
-    .parameters = parameters,
+    .parameters = rolling_contact::parameters,
     .tables = tables,
-    .reads = reads,
+    .reads = rolling_contact::reads,
     .instead_of = "road_contact",
     .needs_tire = true,
     .patches = patches,

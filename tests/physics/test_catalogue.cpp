@@ -25,6 +25,7 @@ TEST(Catalogue, HoldsTheseEffectsAndNoOther) {
                                                 "air_temperature_drift",
                                                 "wet_road",
                                                 "resolved_contact",
+                                                "travelling_contact",
                                                 "contact_pressure_conductance",
                                                 "convection_exponent",
                                                 "partition_speed",

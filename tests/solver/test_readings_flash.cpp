@@ -46,6 +46,12 @@ TEST(Readings, TheTreadsSurfaceSwingsInEveryRevolution) {
     (void)support::run_closed(problem, keep_first);
     const double heated = first[2] - first[0] - (first[0] - 296.15) * contact.at_exit();
     EXPECT_NEAR(heated, 10.9 - 1.75, 0.1);
+
+    // Half the exchange, half the swing that it makes; the heat of sliding stays.
+    problem.effects.back().parameters[0] = 0.5;
+    first.clear();
+    (void)support::run_closed(problem, keep_first);
+    EXPECT_NEAR(first[2] - first[0], 0.5 * (first[0] - 296.15) * contact.at_exit() + heated, 1e-9);
 }
 
 }  // namespace tiretherm::solver

@@ -1,0 +1,150 @@
+#include "solver/wheel_angle.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "physics/travelling.hpp"
+
+namespace tiretherm::solver {
+
+namespace {
+
+/// By so much a column is seen before and behind an edge of the contact at the moment when it is on it. rad
+constexpr double hair = 1e-8;
+constexpr double turn = 2.0 * std::numbers::pi;
+
+class Turning {
+public:
+    explicit Turning(const Problem& problem)
+        : problem_(problem),
+          signal_(physics::find_signal("wheel_angle")),
+          given_(problem.drive.gives(*signal_)),
+          pitch_(turn / problem.mesh.sectors) {}
+
+    std::optional<Series> series(std::size_t most) {
+        series_ = {.signal = signal_, .time = {}, .value = {}, .logged = false};
+        double t = problem_.settings.start;
+        double angle = given_ ? at(t, Limit::after).wheel_angle : 0.0;
+        add(t, angle);
+        for (const double knot : knots()) {
+            while (t < knot) {
+                const auto [time, where] = next(t, angle, knot);
+                t = time;
+                angle = where;
+                if (t < knot && problem_.mesh.sectors == 1) {
+                    const double before = at(t, Limit::before).speed < 0.0 ? hair : -hair;
+                    add(t, angle + before);
+                    add(t, angle - before);
+                } else {
+                    add(t, angle);
+                }
+                if (series_.time.size() > most) {
+                    return std::nullopt;
+                }
+            }
+        }
+        return std::move(series_);
+    }
+
+private:
+    struct Point {
+        double time = 0.0;
+        double angle = 0.0;
+    };
+
+    [[nodiscard]] physics::Inputs at(double t, Limit limit) const { return problem_.drive.at(t, limit); }
+
+    [[nodiscard]] double rate(const physics::Inputs& in) const {
+        return in.speed / problem_.tire.rolling_radius(in.vertical_load);
+    }
+
+    /// Where the drive bends: between two of them its inputs are straight.
+    [[nodiscard]] std::vector<double> knots() const {
+        const Settings& settings = problem_.settings;
+        std::vector<double> all;
+        std::ranges::set_union(problem_.drive.stops(), problem_.drive.samples(), std::back_inserter(all));
+        std::erase_if(all, [&](double t) { return t <= settings.start || t >= settings.end; });
+        all.push_back(settings.end);
+        return all;
+    }
+
+    /// Simpson's rule over a piece in which speed and load are straight.
+    [[nodiscard]] double angle_at(double t, const Point& from) const {
+        if (given_) {
+            return at(t, Limit::before).wheel_angle;
+        }
+        const double middle = rate(at(0.5 * (from.time + t), Limit::before));
+        return from.angle +
+               (t - from.time) / 6.0 * (rate(at(from.time, Limit::after)) + 4.0 * middle + rate(at(t, Limit::before)));
+    }
+
+    /// How far the contact's two edges have come, in pitches.
+    [[nodiscard]] std::array<double, 2> edges(double angle, const physics::Inputs& in) const {
+        const physics::TravellingContact contact(problem_.tire, in);
+        const double travelled = (in.speed < 0.0 ? -1.0 : 1.0) * (angle - std::numbers::pi);
+        return {(travelled + 0.5 * contact.length()) / pitch_, (travelled - 0.5 * contact.length()) / pitch_};
+    }
+
+    /// The next moment at which an edge has come a whole number of pitches, no later than the knot.
+    [[nodiscard]] Point next(double t, double angle, double knot) const {
+        const Point from{.time = t, .angle = angle};
+        const std::array<double, 2> begin = edges(angle, at(t, Limit::after));
+        Point found{.time = knot, .angle = angle_at(knot, from)};
+        for (const std::size_t edge : {0U, 1U}) {
+            // A hair beyond the one that it may be on.
+            const double whole = std::floor(begin[edge] + 10.0 * hair / pitch_) + 1.0;
+            const auto left = [&](double moment) {
+                return edges(angle_at(moment, from), at(moment, Limit::before))[edge] - whole;
+            };
+            double low = t;
+            double high = found.time;
+            double at_high = left(high);
+            if (at_high < 0.0) {
+                continue;
+            }
+            double at_low = begin[edge] - whole;
+            while (high - low > 4.0 * std::numeric_limits<double>::epsilon() * high && at_high > 1e-2 * hair) {
+                // Regula falsi, whose end that stays counts half (Illinois).
+                const double guess = std::clamp(low - at_low * (high - low) / (at_high - at_low), low, high);
+                const double value = left(guess);
+                if (value < 0.0) {
+                    low = guess;
+                    at_low = value;
+                    at_high *= 0.5;
+                } else {
+                    high = guess;
+                    at_high = value;
+                    at_low *= 0.5;
+                }
+                if (std::abs(value) < 1e-2 * hair) {
+                    high = guess;
+                    break;
+                }
+            }
+            found = {.time = high, .angle = angle_at(high, from)};
+        }
+        return found;
+    }
+
+    void add(double t, double angle) {
+        series_.time.push_back(t);
+        series_.value.push_back(angle);
+    }
+
+    const Problem& problem_;
+    const physics::Signal* signal_;
+    bool given_;
+    double pitch_;
+    Series series_{};
+};
+
+}  // namespace
+
+std::optional<Series> wheel_angle(const Problem& problem, std::size_t most) { return Turning(problem).series(most); }
+
+bool has_travelling_effect(const Problem& problem) { return std::ranges::any_of(problem.effects, physics::travels); }
+
+}  // namespace tiretherm::solver
