@@ -26,6 +26,12 @@ void draw_field(const std::filesystem::path& path, const solver::Problem& proble
 void draw_folded(const std::filesystem::path& path, const solver::Problem& problem, double time,
                  std::span<const double> temperature);
 
+/// The temperature of a ring's tread as a PNG, unrolled: angle in the rubber's frame across, meridian down, each face in one
+/// colour, and where the contact is, if one goes round.
+/// @param time s  @param temperature [n_nodes] K   @pre mesh.sectors > 1   @errors FileError
+void draw_tread(const std::filesystem::path& path, const solver::Problem& problem, double time,
+                std::span<const double> temperature);
+
 /// The channels against time as a PNG, measured values beside them.
 /// @param history at least two rows   @errors FileError
 void draw_channels(const std::filesystem::path& path, const solver::Problem& problem, const History& history);

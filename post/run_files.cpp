@@ -31,6 +31,7 @@ RunFiles::RunFiles(std::filesystem::path directory, const solver::Problem& probl
       csv_(add("channels.csv"), problem) {
     std::error_code ignored;  // pictures and fields of an earlier run must not outlive its results
     std::filesystem::remove(directory_ / "picture.png", ignored);
+    std::filesystem::remove(directory_ / "tread.png", ignored);
     std::filesystem::remove(directory_ / "channels.png", ignored);
     VtkWriter::remove_series(directory_);
     if (choice.vtk) {
@@ -63,6 +64,9 @@ void RunFiles::finish() {
         draw_field(add("picture.png"), problem_, last_field_time_, last_field_);
     } else if (!problem_.mesh.columns.empty() && !last_field_.empty()) {
         draw_folded(add("picture.png"), problem_, last_field_time_, last_field_);
+        if (problem_.mesh.sectors > 1) {
+            draw_tread(add("tread.png"), problem_, last_field_time_, last_field_);
+        }
     }
     const bool has_temperature = std::ranges::any_of(problem_.channels, [](const solver::Channel& channel) {
         return channel.quantity == solver::Quantity::temperature;

@@ -132,7 +132,7 @@ layer = "bulk"
     const physics::ActiveEffect& friction = problem.effects[2];
     const physics::ActiveEffect& air = problem.effects[3];
     EXPECT_EQ(friction.effect->id, "sliding_friction");
-    EXPECT_EQ(friction.choices, (std::vector<int>{1, 0}));
+    EXPECT_EQ(friction.choices, (std::vector<int>{1, 0, 0}));
     EXPECT_EQ(air.effect->id, "air_convection");
     EXPECT_EQ(air.choices, std::vector<int>{1});
     EXPECT_DOUBLE_EQ(air.parameters[0], 1.1);

@@ -91,6 +91,7 @@ inline Inputs lively() {
     in.time = 1800.0;
     in.speed = 45.0;
     in.vertical_load = 6000.0;
+    in.wheel_angle = 3.0;  // of a column that meets the road at pi, +- 0.2 rad of contact
     return in;
 }
 

@@ -61,7 +61,8 @@ TEST_P(EveryEffect, IsFiniteWithConductancesThatAreNotNegative) {
                             .air_temperature = 230.0 + 100.0 * unit(random),
                             .road_temperature = 230.0 + 120.0 * unit(random),
                             .wet = i % 2 == 0 ? 1.0 : 0.0,
-                            .laser_power = 3.0 * unit(random)};
+                            .laser_power = 3.0 * unit(random),
+                            .wheel_angle = 1e3 * (unit(random) - 0.5)};
             whole.ask(in, random_field(n_nodes(whole), random, 250.0, 450.0));
             const Terms& terms = whole.system().terms();
             for (const double q : whole.system().heat_flow()) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mesh/ring.hpp"
 #include "post/celsius.hpp"
 #include "post/file.hpp"
 #include "post/isotherms.hpp"
@@ -170,6 +171,30 @@ TEST(Picture, OfASectionIsFolded) {
     EXPECT_EQ(width, 1600U);
     const double radius = 0.16 / 3.14159265358979;
     EXPECT_NEAR(height, 150.0 + 1380.0 * radius / (0.12 + 2.0 * radius) + 215.0, 1.5);
+}
+
+TEST(Picture, OfARingIsItsTreadUnrolledAndItsMeanFolded) {
+    const sample::Scratch scratch;
+    solver::Problem problem = sample::problem();
+    problem.mesh = mesh::ring(sample::section(), 12);
+    const auto around = [](const mesh::Point& p) { return 300.0 + 10.0 * std::cos(p[1]); };
+    draw_tread(scratch / "tread.png", problem, 0.0, field(problem, around));
+    const std::string tread = read_text(scratch / "tread.png");
+    EXPECT_EQ(png_size(tread), (std::pair{1600U, 825U}));
+    // A field turned by some way looks different, one moved along the depth the same: only the surface shows.
+    draw_tread(scratch / "turned.png", problem, 0.0,
+               field(problem, [](const mesh::Point& p) { return 300.0 + 10.0 * std::cos(p[1] + 1.0); }));
+    EXPECT_NE(read_text(scratch / "turned.png"), tread);
+    draw_tread(scratch / "warm.png", problem, 0.0,
+               field(problem, [](const mesh::Point& p) { return 300.0 + 10.0 * std::cos(p[1]) + 1e4 * p[2]; }));
+    EXPECT_EQ(read_text(scratch / "warm.png"), tread);
+
+    // What differs around the tire only is even in the mean, as a section without differences is but for its heading.
+    draw_folded(scratch / "ring.png", problem, 0.0, field(problem, [](const mesh::Point& p) { return 300.0 + p[0]; }));
+    problem.mesh = sample::section();
+    draw_folded(scratch / "section.png", problem, 0.0,
+                field(problem, [](const mesh::Point& p) { return 300.0 + p[0]; }));
+    EXPECT_EQ(png_size(read_text(scratch / "ring.png")), png_size(read_text(scratch / "section.png")));
 }
 
 TEST(Picture, OfChannelsIsWritten) {
