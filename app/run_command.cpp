@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
+#include "app/hot_spots.hpp"
 #include "app/messages.hpp"
 #include "app/stop_signal.hpp"
 #include "cases/reader.hpp"
@@ -34,7 +35,8 @@ struct Options {
 using Clock = std::chrono::steady_clock;
 
 /// Marches through the case; stops where the user asks for it, with the field of that moment.
-solver::Report march(const solver::Problem& problem, post::RunFiles& files, const Options& options) {
+solver::Report march(const solver::Problem& problem, post::RunFiles& files, HotSpotWatch& hot_spots,
+                     const Options& options) {
     const bool watched = on_terminal(stdout) && on_terminal(stderr) && !options.quiet && !problem.settings.steady;
     post::Progress progress(stderr, watched, problem.name, problem.settings.start, problem.settings.end);
     return solver::run(problem, [&](const solver::Snapshot& snapshot) {
@@ -42,6 +44,7 @@ solver::Report march(const solver::Problem& problem, post::RunFiles& files, cons
         solver::Snapshot seen = snapshot;
         seen.field = seen.field || stop;
         files.take(seen);
+        hot_spots.take(seen);
         progress.update(seen.time, seen.temperature);
         return !stop;
     });
@@ -75,9 +78,14 @@ int run(const Options& options) {
     }
     heed_stop_signals();
     const Clock::time_point begin = Clock::now();
-    const solver::Report report = march(problem, *files, options);
+    HotSpotWatch watch(options.case_file, problem);
+    const solver::Report report = march(problem, *files, watch, options);
     const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     files->finish();
+    const std::optional<post::HotSpots> hot_spots = watch.report();
+    if (hot_spots) {
+        files->write_hot_spots(*hot_spots);
+    }
 
     const post::RunRecord record{.problem = problem,
                                  .report = report,
@@ -85,7 +93,8 @@ int run(const Options& options) {
                                  .origin = origin,
                                  .seconds = seconds,
                                  .warnings = reading.warnings,
-                                 .files = files->written()};
+                                 .files = files->written(),
+                                 .hot_spots = hot_spots ? &*hot_spots : nullptr};
     if (options.json) {
         fmt::print("{}", post::summary_json(record));
     } else if (!options.quiet) {
@@ -115,12 +124,14 @@ void add_run_command(CLI::App& program, int& exit_code) {
         ->option_text("SECONDS")
         ->check(CLI::PositiveNumber);
     command->add_flag("--no-vtk", options->no_vtk, "No field_*.vtu and field.pvd for ParaView");
-    command->add_flag("--no-pictures", options->no_pictures, "No picture.png and channels.png");
+    command->add_flag("--no-pictures", options->no_pictures, "No picture.png, channels.png and hot_spots.png");
     command->add_flag("--quiet", options->quiet, "No summary and no progress");
     command->add_flag("--json", options->json, "One JSON object instead of the summary");
     command->footer(
         "Files: results.h5 (everything, SI units), channels.csv, field.pvd with field_*.vtu (ParaView),\n"
         "picture.png (temperature across the thickness), channels.png (channels against time).\n"
+        "A case with [[critical]] temperatures is told where and when it passes them, what is left if it does not, in\n"
+        "which further step it would, and what drives that; hot_spots.csv and .png have the hottest places against time.\n"
         "Ctrl-C ends a run early and keeps what it has.\n\n"
         "Exit code: 0 done, 1 a mistake in the call or the case, 2 the solver failed, 130 interrupted.\n\n"
         "Example:\n"

@@ -126,6 +126,27 @@ void check_rivals(Section& section, const ActiveEffect& active) {
     }
 }
 
+/// Watts of a file are taken as they are: what else the effect knows about its heat has no say, but for the share of
+/// friction that the tire takes.
+void warn_of_idle_keys(const Section& section, const ActiveEffect& active) {
+    const auto warn = [&](std::string_view key) {
+        if (section.has(key)) {
+            section.mistakes().warn(section.place(key),
+                                    fmt::format("{} has no say where the field gives the watts: use = \"shape\" would "
+                                                "let it scale them",
+                                                key));
+        }
+    };
+    for (const physics::Parameter& parameter : active.effect->parameters) {
+        if (parameter.key != "partition") {
+            warn(parameter.key);
+        }
+    }
+    for (const physics::Choice& choice : active.effect->choices) {
+        warn(choice.key);
+    }
+}
+
 class FieldBinder {
 public:
     FieldBinder(Section& section, Draft& draft, ActiveEffect& active)
@@ -141,6 +162,9 @@ public:
             return;
         }
         const std::size_t before = mistakes_.count();
+        if (by_watts) {
+            warn_of_idle_keys(section_, active_);
+        }
         check_rivals(section_, active_);
         const mesh::Mesh& mesh = draft_.problem.mesh;
         if (active_.effect->field == FieldOf::loss && mesh.kind == "two_node") {

@@ -56,11 +56,9 @@ void read_range(Section& section, StudyInput& input) {
     const std::optional<Measure> from = read_measure(section, "from", Need::required);
     const std::optional<Measure> to = read_measure(section, "to", Need::required);
     const std::optional<int> count = section.count("count", 2, most_values, Need::required);
-    if (!from || !to || !count) {
-        return;
-    }
-    const std::optional<double> end = in_unit(*to, from->unit, false, "to", section.mistakes());
-    if (!end) {
+    const std::optional<double> end =
+        from && to ? in_unit(*to, from->unit, false, "to", section.mistakes()) : std::nullopt;
+    if (!end || !count) {
         return;
     }
     input.unit = from->unit;

@@ -44,9 +44,10 @@ const std::string* name_of(const Node& table) {
 }
 
 /// The table of a list whose name stands next in the path, with or without dots in it; the longest such name.
-Node* find_named(Node& list, const Steps& steps) {
-    Node* found = nullptr;
-    for (Node& item : list.items) {
+template <typename AnyNode>
+AnyNode* find_named(AnyNode& list, const Steps& steps) {
+    AnyNode* found = nullptr;
+    for (AnyNode& item : list.items) {
         const std::string* name = name_of(item);
         const bool here = name != nullptr && steps.rest().starts_with(*name) &&
                           (steps.last(*name) || steps.rest()[name->size()] == '.');
@@ -143,6 +144,22 @@ bool write_at(Node& document, const Word& path, const Node& value, Mistakes& mis
         steps.pass(key);
         at = &entry.value;
     }
+}
+
+const Node* find_at(const Node& document, const Word& path) {
+    Steps steps(path);
+    const Node* at = &document;
+    while (at != nullptr && !steps.rest().empty()) {
+        if (at->kind == Node::Kind::array) {
+            at = find_named(*at, steps);
+            steps.pass(at != nullptr ? std::string_view(*name_of(*at)) : steps.rest());
+        } else {
+            const std::string_view key = steps.key();
+            at = at->kind == Node::Kind::table ? at->find(key) : nullptr;
+            steps.pass(key);
+        }
+    }
+    return at;
 }
 
 }  // namespace tiretherm::cases

@@ -13,4 +13,7 @@ namespace tiretherm::cases {
 /// @returns false after a mistake: the path meets a value, or a table that is not in its list
 bool write_at(Node& document, const Word& path, const Node& value, Mistakes& mistakes);
 
+/// The value to which such a path leads, null where the case does not say it.
+[[nodiscard]] const Node* find_at(const Node& document, const Word& path);
+
 }  // namespace tiretherm::cases

@@ -33,6 +33,8 @@ RunFiles::RunFiles(std::filesystem::path directory, const solver::Problem& probl
     std::filesystem::remove(directory_ / "picture.png", ignored);
     std::filesystem::remove(directory_ / "tread.png", ignored);
     std::filesystem::remove(directory_ / "channels.png", ignored);
+    std::filesystem::remove(directory_ / "hot_spots.csv", ignored);
+    std::filesystem::remove(directory_ / "hot_spots.png", ignored);
     VtkWriter::remove_series(directory_);
     if (choice.vtk) {
         vtk_.emplace(directory_, problem.mesh);
@@ -52,6 +54,13 @@ void RunFiles::take(const solver::Snapshot& snapshot) {
         }
         last_field_time_ = snapshot.time;
         last_field_.assign(snapshot.temperature.begin(), snapshot.temperature.end());
+    }
+}
+
+void RunFiles::write_hot_spots(const HotSpots& hot_spots) {
+    write_hot_spots_csv(add("hot_spots.csv"), hot_spots, problem_);
+    if (choice_.pictures && history_.rows() > 1) {
+        draw_hot_spots(add("hot_spots.png"), hot_spots, problem_);
     }
 }
 

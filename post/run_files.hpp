@@ -7,6 +7,7 @@
 #include "post/csv_writer.hpp"
 #include "post/hdf5_writer.hpp"
 #include "post/history.hpp"
+#include "post/hot_spots.hpp"
 #include "post/vtk_writer.hpp"
 
 namespace tiretherm::post {
@@ -29,6 +30,9 @@ public:
     void take(const solver::Snapshot& snapshot);
     /// Completes the files and draws the pictures. @errors FileError
     void finish();
+
+    /// The courses of the hot spots as hot_spots.csv and hot_spots.png. @errors FileError
+    void write_hot_spots(const HotSpots& hot_spots);
 
     [[nodiscard]] const History& history() const { return history_; }
     /// All files written so far, by their use: results, channels, fields, pictures.

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "post/celsius.hpp"
+#include "post/study_drivers.hpp"
 #include "post/study_statistics.hpp"
 #include "post/study_summary.hpp"
 
@@ -56,6 +57,30 @@ Json point_json(const StudyRecord& study, std::size_t point) {
     return json;
 }
 
+/// null where there are too few samples.
+Json drivers_json(const StudyRecord& study, std::size_t point) {
+    const StudyRegression line = regression(study, point);
+    if (!line.exists()) {
+        return {};
+    }
+    Json list = Json::array();
+    for (const StudyDriver& driver : line.drivers) {
+        list.push_back({{"key", driver.key},
+                        {"unit", driver.unit},
+                        {"mean", driver.mean},
+                        {"standard_deviation", driver.standard_deviation},
+                        {"kelvin", driver.kelvin},
+                        {"uncertainty", driver.uncertainty},
+                        {"share", driver.share}});
+    }
+    return {{"mean", celsius(line.mean)},
+            {"standard_deviation", line.standard_deviation},
+            {"residual", line.residual},
+            {"r_squared", line.r_squared},
+            {"passes_critical", study.critical ? Json(line.chance_above(*study.critical)) : Json()},
+            {"numbers", list}};
+}
+
 }  // namespace
 
 std::string study_json(const StudyRecord& study, const StudyCall& call) {
@@ -87,6 +112,7 @@ std::string study_json(const StudyRecord& study, const StudyCall& call) {
         json["points"] = Json::array();
         for (std::size_t point = 0; point < study.points(); ++point) {
             json["points"].push_back(point_json(study, point));
+            json["points"].back()["drivers"] = drivers_json(study, point);
         }
     }
     json["warnings"] = study.warnings;

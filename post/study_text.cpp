@@ -4,6 +4,7 @@
 
 #include "post/celsius.hpp"
 #include "post/page.hpp"
+#include "post/study_drivers.hpp"
 #include "post/study_statistics.hpp"
 #include "post/study_summary.hpp"
 #include "post/table.hpp"
@@ -88,6 +89,17 @@ std::string points_text(const StudyRecord& study) {
     return table.text(2);
 }
 
+/// The straight line at each point of the grid, where a page holds them.
+std::string drivers_text(const StudyRecord& study) {
+    std::string text;
+    for (std::size_t point = 0; point < study.points() && study.points() <= most_rows; ++point) {
+        const std::string line =
+            study.is_sampled ? regression_text(regression(study, point), study.critical) : std::string();
+        text += line.empty() || study.sides.empty() ? line : fmt::format("  {}\n{}", point_text(study, point), line);
+    }
+    return text;
+}
+
 std::string extremes_text(const StudyRecord& study) {
     const auto hotter = [](const StudyOutcome& a, const StudyOutcome& b) {
         return a.ok() != b.ok() ? !a.ok() : a.hottest < b.hottest;
@@ -150,6 +162,7 @@ std::string study_text(const StudyRecord& study, const StudyCall& call, bool bol
         page.add(study.is_sampled ? "Hottest temperature [degC] of the samples" : "Hottest temperature [degC]",
                  points_text(study));
     }
+    page.add("What drives it", drivers_text(study));
     page.add("Extremes", extremes_text(study));
     page.add("Warnings", paragraphs(study.warnings));
     page.add("Runs that failed", failures_text(study));

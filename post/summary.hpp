@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "post/history.hpp"
+#include "post/hot_spots.hpp"
 #include "post/origin.hpp"
 #include "solver/march.hpp"
 
@@ -19,6 +20,7 @@ struct RunRecord {
     double seconds = 0.0;                      ///< wall time of the whole run
     std::vector<std::string> warnings;         ///< of the reader; the report brings its own
     std::vector<std::filesystem::path> files;  ///< written
+    const HotSpots* hot_spots = nullptr;       ///< null where the case asks for none
 };
 
 /// What a person reads at the end: temperatures beside measured values, hottest and coldest place, heat budget, cost,
@@ -28,7 +30,7 @@ struct RunRecord {
 
 /// The same for programs: one JSON object. Temperatures in degC, heat of the whole specimen in W and J.
 /// Keys: case, cells, steps, factorisations, seconds, simulated_seconds, energy_closure, channels, budget, hottest,
-/// outputs, and more.
+/// outputs, and more; hot_spots where the case has critical temperatures.
 [[nodiscard]] std::string summary_json(const RunRecord& run);
 
 }  // namespace tiretherm::post

@@ -107,6 +107,9 @@ std::string summary_json(const RunRecord& run) {
         json["symmetry"] = run.problem.symmetry;
         json["hottest"] = extreme(run, report.hottest);
         json["coldest"] = extreme(run, report.coldest);
+        if (run.hot_spots != nullptr) {
+            json["hot_spots"] = Json::parse(hot_spots_json(*run.hot_spots, run.problem.mesh));
+        }
     }
     json["warnings"] = run.warnings;
     for (const std::string& warning : report.warnings) {

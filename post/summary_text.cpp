@@ -86,6 +86,9 @@ std::string summary_text(const RunRecord& run, bool bold) {
     page.add(ending(run));
     if (run.history.rows() > 0) {
         page.add("Readings", readings(run) + extremes(run));
+        if (run.hot_spots != nullptr) {
+            page.add("Hot spots", hot_spots_text(*run.hot_spots, run.problem.mesh));
+        }
         const double symmetry = run.problem.symmetry;
         page.add(symmetry == 1.0 ? std::string("Heat budget")
                                  : fmt::format("Heat budget of the whole specimen, {:g} times the mesh", symmetry),

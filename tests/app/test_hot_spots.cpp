@@ -1,0 +1,269 @@
+// `tiretherm run` on a case with critical temperatures, as a user and a program read it.
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "post/file.hpp"
+#include "support/warming_lump.hpp"
+#include "tests/app/program.hpp"
+
+namespace tiretherm::app_test {
+
+namespace {
+
+using Json = nlohmann::json;
+using support::critical;
+using support::three_steps;
+using support::warming_plate;
+
+/// Text without its line breaks.
+std::string flowing(const std::string& text) {
+    std::string flow;
+    for (const char c : text) {
+        const char blank = c == '\n' ? ' ' : c;
+        if (blank != ' ' || flow.empty() || flow.back() != ' ') {
+            flow += blank;
+        }
+    }
+    return flow;
+}
+
+/// Runs a case that is written into an empty directory.
+Call run(const sample::Scratch& scratch, const std::string& text, const std::string& options) {
+    post::replace_file(scratch / "case.toml", text);
+    return call("run case.toml --out out --no-vtk " + options, scratch.path());
+}
+
+Json spots(const std::string& text) {
+    const sample::Scratch scratch;
+    const Call done = run(scratch, text, "--json --no-pictures");
+    EXPECT_EQ(done.exit_code, 0) << done.out << done.err;
+    return Json::parse(done.out)["hot_spots"];
+}
+
+}  // namespace
+
+// The plate passes 55 degC in its third step, whose closed form is support::WarmingLump: a source's formula is right to
+// 1e-4 of 48 K, 5 mK, and at 55 degC the plate warms by 13 mK/s.
+TEST(HotSpots, PassingIsToldWithItsStepAndSpeed) {
+    const Json all = spots(warming_plate + critical("55 degC") + three_steps);
+    const Json& spot = all["spots"][0];
+    const double expected = support::WarmingLump{}.passing(55.0, 3);
+    ASSERT_GT(expected, 1200.0);
+    EXPECT_NEAR(spot["passed"]["time"].get<double>(), expected, 1.0);
+    EXPECT_EQ(spot["passed"]["step"], 3);
+    EXPECT_NEAR(spot["passed"]["into_step"].get<double>(), expected - 1200.0, 1.0);
+    EXPECT_NEAR(spot["passed"]["speed"].get<double>(), 24.0 * 3.6, 1e-9);
+    EXPECT_TRUE(spot["further_steps"].is_null());
+    // Steps at their ends and held for ever: 60, 64 and 68 degC.
+    ASSERT_EQ(spot["steps"].size(), 3U);
+    for (int i = 0; i < 3; ++i) {
+        const Json& step = spot["steps"][static_cast<std::size_t>(i)];
+        EXPECT_NEAR(step["hottest_at_end"].get<double>(), support::WarmingLump{}.at_end(i), 0.02) << i;
+        EXPECT_NEAR(step["hottest_steady"].get<double>(), 60.0 + 4.0 * i, 0.02) << i;
+    }
+    EXPECT_NEAR(spot["margin"].get<double>(), 55.0 - support::WarmingLump{}.at_end(2), 0.02);
+    // The first step would settle at 60 degC: no step lies below, so that nobody knows the surface's threshold.
+    EXPECT_TRUE(spot["surface"]["threshold"].is_null());
+    EXPECT_TRUE(spot["surface"]["lag"].is_null());
+}
+
+// Steps of an hour come as near to 60 and 64 degC as 1.1 and 0.2 K: at 62 degC the surface reads what the hot spot has (the
+// plate has one temperature), and passes it together with it, at 3600 + 1000 ln(5.09/2) = 4534 s by the closed form.
+TEST(HotSpots, SurfaceOfAPlateThatHasOneTemperatureDoesNotLag) {
+    const Json all = spots(warming_plate + critical("62 degC") + R"([drive]
+air_temperature = "20 degC"
+[[drive.schedule]]
+columns = ["time [min]", "speed [m/s]"]
+rows = [[0, 20], [60, 20], [60, 22], [120, 22]]
+[time]
+end = "120 min"
+tolerance = "0.0001 K"
+output = "5 s"
+)");
+    const Json& spot = all["spots"][0];
+    EXPECT_NEAR(spot["passed"]["time"].get<double>(), (support::WarmingLump{.step = 3600.0}.passing(62.0, 2)), 3.0);
+    EXPECT_EQ(spot["surface"]["reading"], "top");
+    EXPECT_NEAR(spot["surface"]["threshold"].get<double>(), 62.0, 0.01);
+    EXPECT_NEAR(spot["surface"]["lag"].get<double>(), 0.0, 5.0);
+}
+
+TEST(HotSpots, MarginAndFurtherStepsAreToldWhenNothingPasses) {
+    const sample::Scratch scratch;
+    const Call done = run(scratch, warming_plate + critical("75 degC") + three_steps, "");
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    const double end = support::WarmingLump{}.at_end(2);
+    for (const std::string& piece :
+         {std::string("plate: critical 75.0 degC"), fmt::format("{:.1f} K are left", 75.0 - end),
+          std::string("Gone on with by 7 km/h every 10.0 min, the test passes 75.0 degC after 61.3 min"),
+          std::string("into step 7 (115 km/h, 0 N)"), std::string("hot_spots.csv"), std::string("hot_spots.png")}) {
+        EXPECT_NE(flowing(done.out).find(piece), std::string::npos) << "lacks: " << piece << "\n" << done.out;
+    }
+    const std::string csv = post::read_text(scratch / "out/hot_spots.csv");
+    EXPECT_TRUE(
+        csv.starts_with("time [s],speed [km/h],vertical_load [N],plate [degC],plate margin [K],plate layer,plate "
+                        "zone,plate along [mm],plate depth [mm],plate surface [degC]\n"))
+        << csv.substr(0, 200);
+    EXPECT_NE(csv.find("\n600,72,0,"), std::string::npos);
+    EXPECT_TRUE(std::filesystem::exists(scratch / "out/hot_spots.png"));
+    // Files of a case that asks for hot spots do not outlive it.
+    const Call again = run(scratch, warming_plate + three_steps, "--no-pictures");
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_EQ(again.out.find("Hot spots"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(scratch / "out/hot_spots.csv"));
+}
+
+// 2 * 20 + 20 = 60 degC in the steady state of 20 m/s, which has no time and is not passed at one.
+TEST(HotSpots, SteadyStateHasAMarginButNoTime) {
+    const sample::Scratch scratch;
+    const std::string steady =
+        "[drive]\nair_temperature = \"20 degC\"\nspeed = \"20 m/s\"\n[time]\nend = \"1 s\"\nsteady = true\n";
+    const Call done = run(scratch, warming_plate + critical("55 degC") + steady, "");
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    EXPECT_NE(flowing(done.out).find("hottest 60.0 degC in the steady state of 72 km/h, 0 N; top then reads 60.0 degC; "
+                                     "5.0 K too hot"),
+              std::string::npos)
+        << done.out;
+    const Json all = spots(warming_plate + critical("55 degC") + steady);
+    EXPECT_TRUE(all["spots"][0]["passed"].is_null());
+    EXPECT_TRUE(all["spots"][0]["further_steps"].is_null());
+    EXPECT_NEAR(all["spots"][0]["margin"].get<double>(), -5.0, 0.01);
+}
+
+TEST(HotSpots, RefusalToGoOnIsTold) {
+    const std::string steady = "[drive]\nair_temperature = \"20 degC\"\nspeed = \"20 m/s\"\n[time]\nend = \"30 min\"\n";
+    const Json all = spots(warming_plate + critical("75 degC") + steady);
+    EXPECT_EQ(all["spots"][0]["further_steps"]["refusal"], "the test has no steps of speed that could go on");
+    EXPECT_TRUE(all["spots"][0]["further_steps"]["passed"].is_null());
+}
+
+// The plate is straight in all three numbers. At its end, 1800 s and 62 K/40 ... above the air, it follows
+//   the source's watts, 20 +- 2 W per m/s:  0.1 (T - 20 degC),
+//   the air, 20 +- 2 K:                     2 K (1 - exp(-1.8)) = 1.669 K, for the start stays where it was.
+// Together their root sum of squares; above 62 degC with the normal probability of that.
+TEST(HotSpots, FirstOrderIsTheClosedFormOfAStraightCase) {
+    const Json all = spots(warming_plate + critical("62 degC") + three_steps + R"([[parameter]]
+source = "running"
+standard_deviation = "2 W"
+[[uncertain]]
+key = "drive.air_temperature"
+standard_deviation = "2 K"
+)");
+    const Json& uncertainty = all["spots"][0]["uncertainty"];
+    const double end = support::WarmingLump{}.at_end(2);
+    const double by_watts = 0.1 * (end - 20.0);
+    const double by_air = 2.0 * -std::expm1(-1.8);
+    ASSERT_EQ(uncertainty["drivers"].size(), 2U) << all;
+    EXPECT_NEAR(uncertainty["drivers"][0]["kelvin"].get<double>(), by_watts, 0.005);
+    EXPECT_EQ(uncertainty["drivers"][1]["name"], "drive.air_temperature");
+    EXPECT_NEAR(uncertainty["drivers"][1]["kelvin"].get<double>(), by_air, 0.002);
+    EXPECT_NEAR(uncertainty["drivers"][1]["bend"].get<double>(), 0.0, 1e-4);
+    const double sd = std::hypot(by_watts, by_air);
+    EXPECT_NEAR(uncertainty["standard_deviation"].get<double>(), sd, 0.005);
+    EXPECT_NEAR(uncertainty["chance_above_critical"].get<double>(), 0.5 * std::erfc((62.0 - end) / sd / std::sqrt(2.0)),
+                0.002);
+}
+
+// 1000 kg/m3 less a deviation of 1100 is no density: the number is left out, and said to be.
+TEST(HotSpots, UncertainValueThatTheCaseCannotHaveIsLeftOutAndTold) {
+    const Json all = spots(warming_plate + critical("62 degC") + three_steps + R"([[uncertain]]
+key = "material.metal.density"
+standard_deviation = "1100 kg/m3"
+[[uncertain]]
+key = "drive.air_temperature"
+standard_deviation = "2 K"
+)");
+    EXPECT_EQ(all["spots"][0]["uncertainty"]["drivers"].size(), 1U);
+    ASSERT_EQ(all["notes"].size(), 1U);
+    EXPECT_TRUE(all["notes"][0].get<std::string>().starts_with("material.metal.density is left out")) << all["notes"];
+}
+
+// The same numbers as a study's draws, 300 samples of a coarse section: the tangent's deviation and that of the samples'
+// straight line differ by no more than 4/sqrt(600) of it, its probability lies within 3 standard deviations of a count
+// of 300, and each number's slope within twice its 95 % interval and 5 % for the bend.
+TEST(HotSpots, FirstOrderAgreesWithSamples) {
+    const sample::Scratch scratch;
+    const std::string base = "include = [\"" TIRETHERM_SOURCE_DIR "/tests/bad_cases/good/section.toml\"]\n";
+    post::replace_file(scratch / "case.toml", base + R"([drive]
+speed = "120 km/h"
+vertical_load = "6000 N"
+[effects.load_input_gain]
+gain = 1.0
+[time]
+end = "40 min"
+[[critical]]
+name = "tire"
+temperature = "80 degC"
+[[parameter]]
+effect = "strain_energy_loss"
+key = "tan_delta_a"
+standard_deviation = 2.14e14
+[[parameter]]
+effect = "air_convection"
+key = "lambda_h"
+standard_deviation = 0.1
+[[parameter]]
+effect = "load_input_gain"
+key = "gain"
+standard_deviation = 0.03
+[[uncertain]]
+key = "drive.air_temperature"
+standard_deviation = "3 K"
+)");
+    const Call one = call("run case.toml --out one --json --no-vtk --no-pictures", scratch.path());
+    ASSERT_EQ(one.exit_code, 0) << one.out << one.err;
+    const Json spot = Json::parse(one.out)["hot_spots"]["spots"][0];
+    // A critical temperature half a deviation above the hot spot, where a probability says most.
+    const double sd = spot["uncertainty"]["standard_deviation"];
+    const double limit = spot["uncertainty"]["mean"].get<double>() + 0.5 * sd;
+    const auto draw = [](const std::string& key, const std::string& mean, const std::string& deviation) {
+        return "[[draw]]\nkey = \"" + key + "\"\ndistribution = \"normal\"\nmean = " + mean +
+               "\nstandard_deviation = " + deviation + "\n";
+    };
+    post::replace_file(scratch / "study.toml",
+                       fmt::format("case = \"case.toml\"\ncritical = \"{} degC\"\n[sample]\ncount = 300\n", limit) +
+                           draw("effects.strain_energy_loss.tan_delta_a", "2.14e15", "2.14e14") +
+                           draw("effects.air_convection.lambda_h", "1.0", "0.1") +
+                           draw("effects.load_input_gain.gain", "1.0", "0.03") +
+                           draw("drive.air_temperature", "\"23 degC\"", "\"3 K\""));
+    const Call many = call("study study.toml --out many --json --no-pictures", scratch.path());
+    ASSERT_EQ(many.exit_code, 0) << many.out << many.err;
+    const Json point = Json::parse(many.out)["points"][0];
+    EXPECT_NEAR(point["drivers"]["standard_deviation"].get<double>(), sd, 4.0 / std::sqrt(600.0) * sd);
+    EXPECT_GT(point["drivers"]["r_squared"].get<double>(), 0.97);
+    const double expected = 0.5 * std::erfc(0.5 / std::sqrt(2.0));
+    EXPECT_NEAR(point["passes_critical"]["share"].get<double>(), expected,
+                3.0 * std::sqrt(expected * (1.0 - expected) / 300.0));
+    for (const Json& number : point["drivers"]["numbers"]) {
+        const std::string key = number["key"];
+        const Json& drivers = spot["uncertainty"]["drivers"];
+        const auto same = std::find_if(drivers.begin(), drivers.end(), [&](const Json& driver) {
+            return key.ends_with(driver["name"].get<std::string>());
+        });
+        ASSERT_NE(same, drivers.end()) << key;
+        // Per deviation of the samples there, of the case's here.
+        const double slope = number["kelvin"].get<double>() / number["standard_deviation"].get<double>() *
+                             (*same)["standard_deviation"].get<double>();
+        const double exact = (*same)["kelvin"];
+        EXPECT_NEAR(slope, exact, 2.0 * number["uncertainty"].get<double>() + 0.05 * std::abs(exact)) << key;
+    }
+}
+
+TEST(HotSpots, HelpSpeaksOfThem) {
+    const Call help = call("run --help");
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_NE(help.out.find("[[critical]]"), std::string::npos);
+    EXPECT_NE(help.out.find("hot_spots.csv"), std::string::npos);
+}
+
+TEST(HotSpots, MistakesOfCriticalTemperaturesAreAnObjectToo) {
+    const sample::Scratch scratch;
+    const Call done = run(scratch, warming_plate + critical("15 degC") + three_steps, "--json");
+    EXPECT_EQ(done.exit_code, 1);
+    const Json told = Json::parse(done.out);
+    ASSERT_EQ(told["mistakes"].size(), 1U) << done.out;
+    EXPECT_FALSE(std::filesystem::exists(scratch / "out"));
+}
+
+}  // namespace tiretherm::app_test

@@ -1,0 +1,193 @@
+// cases/durability: what each test's page promises, on the grid it is shipped with and on one twice as fine.
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "cases/continued_schedule.hpp"
+#include "cases/study.hpp"
+#include "cases/written.hpp"
+
+namespace tiretherm::cases {
+
+namespace {
+
+constexpr double zero = 273.15;
+constexpr double minute = 60.0;
+
+std::filesystem::path file(const std::string& name) { return source_folder() / "cases/durability" / (name + ".toml"); }
+
+/// The courses of a case's hot spots, in the order of its [[critical]].
+struct Courses {
+    std::vector<solver::HotSpotCourse> all;
+    double energy_closure = 0.0;
+
+    [[nodiscard]] double hottest(std::size_t i) const { return all[i].temperature()[all[i].hottest_row()] - zero; }
+    [[nodiscard]] double passing(std::size_t i) const {
+        return solver::passing_time(all[i].time(), all[i].temperature(), all[i].critical().temperature) / minute;
+    }
+};
+
+Courses run(const std::filesystem::path& path) {
+    const Reading reading = read_case(path);
+    EXPECT_TRUE(reading.problem.has_value()) << render(reading);
+    EXPECT_TRUE(reading.warnings.empty()) << render(reading);
+    const std::optional<HotSpotCase> asked = HotSpotCase::read(path);
+    Courses courses;
+    if (!reading.problem || !asked) {
+        return courses;
+    }
+    for (const solver::Critical& critical : asked->critical) {
+        courses.all.emplace_back(reading.problem->mesh, critical);
+    }
+    const solver::Report report = solver::run(*reading.problem, [&](const solver::Snapshot& now) {
+        for (solver::HotSpotCourse& course : courses.all) {
+            course.take(now);
+        }
+        return true;
+    });
+    EXPECT_TRUE(report.status.ok()) << report.status.message;
+    courses.energy_closure = report.energy_closure;
+    return courses;
+}
+
+}  // namespace
+
+// Numbers of this program, printed to 0.1 K and 0.1 min; half a digit, and the stepper's 0.01 K, which is 0.1 min where a
+// plateau is nearly reached. A change must be meant.
+struct Promise {
+    std::string name;
+    double belt_edge = 0.0;   ///< degC, hottest
+    double whole_tire = 0.0;  ///< degC
+    double passing = 0.0;     ///< min, of 110 degC at the belt edge; NaN: never
+};
+
+class Durability : public testing::TestWithParam<Promise> {};
+
+TEST_P(Durability, CaseDoesAsItsPageSays) {
+    const Promise& promise = GetParam();
+    const Courses courses = run(file(promise.name));
+    ASSERT_EQ(courses.all.size(), 2U);
+    EXPECT_EQ(courses.all[0].critical().name, "belt edge");
+    EXPECT_NEAR(courses.hottest(0), promise.belt_edge, 0.06);
+    EXPECT_NEAR(courses.hottest(1), promise.whole_tire, 0.06);
+    if (std::isnan(promise.passing)) {
+        EXPECT_TRUE(std::isnan(courses.passing(0)));
+    } else {
+        EXPECT_NEAR(courses.passing(0), promise.passing, 0.15);
+    }
+    EXPECT_LE(courses.energy_closure, 1e-10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, Durability,
+                         testing::Values(Promise{"fmvss_139_high_speed", 113.4, 115.8, 272.1},
+                                         Promise{"fmvss_139_endurance", 115.5, 117.7, 600.2},
+                                         Promise{"fmvss_139_low_pressure", 120.1, 122.3, 4.8},
+                                         Promise{"un_r30_load_speed", 112.3, 115.0, 34.5},
+                                         Promise{"sae_j1561_step_speed", 108.2, 110.6, std::nan("")},
+                                         Promise{"sae_j1561_standing_wave", 109.8, 112.2, std::nan("")}),
+                         [](const auto& promise) { return promise.param.name; });
+
+// Cells halved in both directions, 6 144 of them, in the steady state of the last step: the hot spot moves by less than
+// 0.5 K, and by less than the rise from step to step that it is meant to tell.
+TEST(DurabilityGrid, HotSpotMovesByLessThanHalfAKelvinOnAGridTwiceAsFine) {
+    const Written written;
+    const std::string include =
+        "include = [\"" + file("fmvss_139_high_speed").string() + "\"]\n[time]\nsteady = true\n";
+    const Courses shipped = run(written.add("shipped.toml", include));
+    const Courses fine = run(written.add("fine.toml", include + R"([mesh]
+crown_cells = 56
+shoulder_cells = 20
+sidewall_cells = 16
+[[mesh.layer]]
+name = "tread"
+zones = ["crown", "shoulders"]
+thickness = "8 mm"
+cells = 24
+material = "tread rubber"
+[[mesh.layer]]
+name = "belt"
+zones = ["crown", "shoulders"]
+thickness = "2 mm"
+cells = 10
+material = "below"
+[[mesh.layer]]
+name = "sidewall"
+zones = ["sidewalls"]
+thickness = "7 mm"
+cells = 34
+material = "tread rubber"
+[[mesh.layer]]
+name = "carcass"
+thickness = "1.2 mm"
+cells = 8
+material = "below"
+[[mesh.layer]]
+name = "liner"
+thickness = "0.8 mm"
+cells = 6
+material = "below"
+)"));
+    ASSERT_EQ(fine.all.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+        RecordProperty("kelvin_" + std::to_string(i), std::to_string(fine.hottest(i) - shipped.hottest(i)));
+        EXPECT_LT(std::abs(fine.hottest(i) - shipped.hottest(i)), 0.5) << fine.hottest(i) << ", " << shipped.hottest(i);
+    }
+}
+
+// The study draws what the case says is uncertain: mean and deviation of 400 samples lie within 4 deviations of their own
+// of the case's value and standard deviation, 4/sqrt(400) of it and 4/sqrt(800) of it.
+TEST(DurabilityStudy, DrawsWhatTheCaseSaysIsUncertain) {
+    const StudyReading reading = read_study(source_folder() / "cases/studies/fmvss_139_hot_spot.toml");
+    ASSERT_TRUE(reading.study.has_value());
+    const Study& study = *reading.study;
+    ASSERT_EQ(study.samples, 400U);
+    const std::optional<HotSpotCase> asked = HotSpotCase::read(file("fmvss_139_high_speed"));
+    ASSERT_TRUE(asked.has_value());
+    struct Known {
+        std::string key;
+        double value;
+        double deviation;
+    };
+    std::vector<Known> known;
+    for (const solver::Adjustable& number : asked->known) {
+        known.push_back({"effects." + number.name, number.prior, number.standard_deviation});
+    }
+    for (const UncertainKey& key : asked->uncertain) {
+        known.push_back({key.key.text, key.number, key.standard_deviation});
+    }
+    ASSERT_EQ(study.inputs.size(), known.size());
+    for (const Known& one : known) {
+        const auto input = std::ranges::find_if(study.inputs, [&](const auto& i) { return i.key.text == one.key; });
+        ASSERT_NE(input, study.inputs.end()) << one.key;
+        double sum = 0.0;
+        double squares = 0.0;
+        for (const StudyValue& value : input->values) {
+            sum += value.number - one.value;
+            squares += (value.number - one.value) * (value.number - one.value);
+        }
+        EXPECT_LT(std::abs(sum / 400.0), 4.0 / 20.0 * one.deviation) << one.key;
+        EXPECT_NEAR(std::sqrt(squares / 400.0), one.deviation, 4.0 / std::sqrt(800.0) * one.deviation) << one.key;
+    }
+}
+
+// On from 180 km/h by 10 km/h every 10 min, the belt edge passes 110 degC at 190 km/h, as un_r30_load_speed does with the
+// same load, pressure and room.
+TEST(DurabilityFurther, StepSpeedTestGoesOnToWhereTheBeltEdgePasses) {
+    const std::filesystem::path path = file("sae_j1561_step_speed");
+    const HotSpotCase asked = *HotSpotCase::read(path);
+    const solver::Problem problem = *read_case(path).problem;
+    const ContinuedSchedule further = continue_schedule(
+        asked, problem.settings, solver::schedule_steps(problem.drive, problem.settings.start, problem.settings.end));
+    ASSERT_TRUE(further.problem.has_value()) << further.refusal;
+    solver::HotSpotCourse course(further.problem->mesh, asked.critical[0]);
+    const solver::Report report = solver::run(*further.problem, [&](const solver::Snapshot& now) {
+        course.take(now);
+        return now.time < 4000.0;
+    });
+    const double passed = solver::passing_time(course.time(), course.temperature(), zero + 110.0);
+    EXPECT_NEAR(passed / minute, 54.4, 0.15);
+    EXPECT_NEAR(further.problem->drive.at(passed, solver::Limit::before).speed * 3.6, 190.0, 1e-6);
+}
+
+}  // namespace tiretherm::cases
