@@ -52,7 +52,8 @@ void add_compare_command(CLI::App& program, int& exit_code) {
                          "files of an earlier comparison there are replaced. Default: out/<case name>");
     command->footer(
         "The case is simulated as it stands: nothing is fitted. Differences are simulated - measured.\n"
-        "Files: compare.csv (a row for each sample), compare_statistics.csv (a row for each figure).\n\n"
+        "Files: compare.csv (a row for each sample), compare_statistics.csv (a row for each figure); of cameras\n"
+        "compare_pixels.csv (a row for each pixel) and a picture of each run's worst frame.\n\n"
         "Exit code: 0 done, however far apart; 1 a mistake in the call, the case or the data; 2 the solver failed.\n\n"
         "Example:\n"
         "  tiretherm compare cases/practice/two_node_bench.toml --data run1.csv --data run2.csv --out /tmp/bench");

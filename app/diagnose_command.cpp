@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +12,7 @@
 #include "app/commands.hpp"
 #include "app/measured_call.hpp"
 #include "app/messages.hpp"
+#include "diagnosis/camera_rings.hpp"
 #include "diagnosis/diagnosis_report.hpp"
 
 namespace tiretherm::app {
@@ -21,12 +24,17 @@ int diagnose(const MeasuredCall& call) {
     if (!reading || !frees_numbers(call, *reading->experiment)) {
         return Exit::mistake;
     }
-    const cases::Experiment& experiment = *reading->experiment;
+    std::vector<std::string> remarks;
+    const cases::Experiment experiment = diagnosis::in_rings(*reading->experiment, remarks);
     const diagnosis::Observations observations = diagnosis::observe(experiment);
     // A grid has an error of its own, which a finer one shows; lumps are what they are.
     std::optional<cases::Experiment> finer;
     if (experiment.runs.front().problem.mesh.kind != "two_node") {
         finer = cases::read_experiment(call.case_file, call.data_files(), cases::Occasion::measured, 2).experiment;
+        if (finer) {
+            std::vector<std::string> same;
+            finer = diagnosis::in_rings(std::move(*finer), same);
+        }
     }
     SimulationCount count(call.json);
     const diagnosis::Diagnosis result =
@@ -41,8 +49,9 @@ int diagnose(const MeasuredCall& call) {
                                       .result = result,
                                       .case_file = call.case_file,
                                       .data = call.data_files(),
-                                      .warnings = reading->warnings,
+                                      .warnings = remarks,
                                       .findings = reading->findings};
+    std::ranges::copy(reading->warnings, std::back_inserter(record.warnings));
     const auto files = write_measured(
         call, "out/" + experiment.runs.front().problem.name,
         [&](const std::filesystem::path& directory) { return diagnosis::write_diagnosis(record, directory); });
@@ -70,6 +79,7 @@ void add_diagnose_command(CLI::App& program, int& exit_code) {
         "not in the model (or those of [diagnose] candidates), alone and in pairs, and against heat that no effect "
         "is.\n"
         "The answer is a set: one cause is named, several that the data cannot tell apart are all listed.\n"
+        "A camera is taken as the means of three rings about the spot.\n"
         "Differences are simulated - measured.\n"
         "Files: diagnosis.json, extended.toml (the case with the cause switched on, where there is one),\n"
         "residuals.csv (a row for each sample), residuals.png, what_is_asked.csv and .png (heat that windows of the "

@@ -93,9 +93,15 @@ int identify(const Options& options) {
     }
     const cases::Experiment& experiment = *reading->experiment;
     const diagnosis::Observations observations = diagnosis::observe(experiment);
+    // Thousands of pixels see the grid's own error, which a finer one shows.
+    std::optional<cases::Experiment> finer;
+    if (!observations.images.empty()) {
+        finer = cases::read_experiment(options.case_file, options.data_files(), cases::Occasion::measured, 2).experiment;
+    }
     SimulationCount count(options.json);
     const diagnosis::Identification result =
-        diagnosis::identify(experiment, observations, {.profile = options.profile, .progress = count.shown()});
+        diagnosis::identify(experiment, observations,
+                            {.profile = options.profile, .finer = finer ? &*finer : nullptr, .progress = count.shown()});
     count.wipe();
     if (!result.status.ok()) {
         tell_error(result.status.message, "nothing was fitted", options.json);
@@ -145,6 +151,7 @@ void add_identify_command(CLI::App& program, int& exit_code) {
     command->footer(
         "All runs and channels are fitted at once. The noise of each channel, correlated and white, is estimated from\n"
         "what no number can explain. A number that the data do not see is named as such.\n"
+        "Of a camera's frames every pixel is taken, and what the grid and the steps make of them is corrected.\n"
         "A plan takes every sensor with a standard_deviation, at the times of the runs' files or of [time] output.\n"
         "Files: identified.toml (the case with the fitted values), identify.csv (a row for each sample);\n"
         "plan.json of a plan.\n\n"

@@ -202,10 +202,30 @@ void check_channel(Section& section, const Word& word, const Effect& effect, con
     }
 }
 
+/// Puts a reading effect behind all that a camera sees.
+void bind_camera(Section& section, const Word& word, const Camera& camera, const Draft& draft, ActiveEffect& active) {
+    const bool has_own = std::ranges::any_of(draft.problem.effects, [&](const ActiveEffect& other) {
+        return other.name == camera.name && other.effect == active.effect;
+    });
+    if (has_own) {
+        section.mistakes().add(word.place, fmt::format("the [[camera]] {} has an emissivity of its own", camera.name),
+                               "state it once");
+        return;
+    }
+    if (camera.n_channels > 0) {
+        check_channel(section, word, *active.effect, draft.problem.channels[camera.first_channel]);
+    }
+    for (std::size_t i = 0; i < camera.n_channels; ++i) {
+        active.channels.push_back(static_cast<int>(camera.first_channel + i));
+    }
+}
+
 }  // namespace
 
 void bind_channels(Section& section, const Draft& draft, ActiveEffect& active) {
-    const std::vector<std::string> known = names_of(draft.problem.channels);
+    // A camera's channels go by the camera's name.
+    std::vector<std::string> known = names_of(draft.problem.channels);
+    known.resize(draft.cameras.empty() ? known.size() : draft.cameras.front().first_channel);
     const auto find = [&](std::string_view name) {
         const auto found = std::find(known.begin(), known.end(), name);
         return found == known.end() ? -1 : static_cast<int>(found - known.begin());
@@ -218,6 +238,9 @@ void bind_channels(Section& section, const Draft& draft, ActiveEffect& active) {
         if (const int channel = find(word.text); channel >= 0) {
             active.channels.push_back(channel);
             check_channel(section, word, *active.effect, draft.problem.channels[static_cast<std::size_t>(channel)]);
+        } else if (const auto camera = std::ranges::find(draft.cameras, word.text, &Camera::name);
+                   camera != draft.cameras.end()) {
+            bind_camera(section, word, *camera, draft, active);
         } else {
             section.mistakes().add(word.place, fmt::format("there is no sensor \"{}\"", word.text),
                                    suggest(word.text, known, "sensors"));
@@ -226,7 +249,21 @@ void bind_channels(Section& section, const Draft& draft, ActiveEffect& active) {
     for (std::size_t i = 0; i < active.effect->parameters.size(); ++i) {
         const Parameter& parameter = active.effect->parameters[i];
         Section table = section.section(std::string(parameter.key) + "_by_channel");
+        for (const Camera& camera : draft.cameras) {
+            if (const auto value =
+                    table.exists() ? table.quantity(camera.name, wanted::of(parameter)) : std::nullopt) {
+                for (const int channel : active.channels) {
+                    if (camera.has(channel)) {
+                        active.overrides.push_back(
+                            {.scope = physics::Scope::channel, .index = channel, .parameter = i, .value = *value});
+                    }
+                }
+            }
+        }
         for (const int channel : active.channels) {
+            if (static_cast<std::size_t>(channel) >= known.size()) {
+                continue;
+            }
             const std::string& name = known[static_cast<std::size_t>(channel)];
             if (const auto value = table.exists() ? table.quantity(name, wanted::of(parameter)) : std::nullopt) {
                 active.overrides.push_back(

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cases/camera.hpp"
 #include "cases/own_signals.hpp"
 #include "cases/section.hpp"
 #include "mesh/builders.hpp"
@@ -64,6 +65,8 @@ struct Draft {
     std::vector<std::string> followed{};              ///< what effects of the user's own speak of: inputs, columns
     std::vector<OwnColumn> columns{};                 ///< of them those that a log of [drive] gives
 
+    std::vector<Camera> cameras{};
+
     /// Whether the measured run's file gives a signal that stands in [drive] at this key.
     [[nodiscard]] bool outranked(std::string_view key, std::string_view signal) const {
         return run && run->outranks(key, signal);
@@ -90,6 +93,8 @@ void bind_readings(Section& root, Draft& draft);
 void read_initial(Section& root, Draft& draft);
 void read_times(Section& root, Draft& draft);
 void read_sensors(Section& root, Draft& draft);
+/// The list [[camera]], behind all sensors.
+void read_cameras(Section& root, Draft& draft);
 void read_measured(Section& root, Draft& draft);
 
 /// Laws must be positive wherever the run is sure to go: between the coldest and the hottest temperature that the case

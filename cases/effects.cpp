@@ -80,7 +80,7 @@ void bind_readings(Section& root, Draft& draft) {
     const Node* effects = root.table().find("effects");
     for (ActiveEffect& active : draft.problem.effects) {
         const Node* table = effects != nullptr ? effects->find(active.effect->id) : nullptr;
-        if (active.effect->on_channels && table != nullptr) {
+        if (active.effect->on_channels && table != nullptr && active.name.empty()) {
             Section section(*table, fmt::format("[effects.{}]", active.effect->id), root.mistakes());
             section.forgive();  // its other keys have been read
             bind_channels(section, draft, active);

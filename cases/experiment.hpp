@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cases/mistake.hpp"
+#include "physics/camera.hpp"
 #include "solver/adjustable.hpp"
 
 namespace tiretherm::cases {
@@ -33,6 +34,26 @@ struct UnusedSignal {
     std::vector<double> value;  ///< [n_times] in that unit; NaN where it is missing
 };
 
+/// What a camera gave: images of a surface, whose pixels are means over nodes of it.
+struct MeasuredFrames {
+    std::string camera;
+    std::string file;
+    int patch = -1;                 ///< that it looks at, index into the mesh's patches
+    std::size_t pose = 0;           ///< index into Problem::effects: where the image lies (physics::camera_pose)
+    std::size_t first_channel = 0;  ///< of the surface's nodes, index into Problem::channels
+    std::size_t n_channels = 0;
+    physics::Detectors detectors;
+    int bin = 1;  ///< so many by so many of them make a pixel
+    int rows = 0;  ///< of the binned image, all pixels
+    int columns = 0;
+    std::vector<physics::BinnedPixel> pixels{};  ///< [n_pixels] that are of use
+    std::vector<double> time{};                  ///< [n_frames] s, ascending
+    std::vector<double> value{};                 ///< [n_frames][n_pixels] K
+    std::optional<double> standard_deviation{};  ///< K, of a binned pixel, as the data sheet says
+    int dead = 0;                                ///< detectors without a value in some frame
+    int beside = 0;                              ///< detectors that do not see the specimen alone
+};
+
 /// A run as it was measured: the case under this run's inputs, from its first time to its last, with its own initial
 /// state, and what was read.
 struct MeasuredRun {
@@ -43,6 +64,7 @@ struct MeasuredRun {
     std::vector<MeasuredSeries> series;
     std::vector<MeasuredNumber> numbers;
     std::vector<UnusedSignal> unused;
+    std::vector<MeasuredFrames> frames;
 };
 
 /// A case with its measured runs and the numbers of it that may be fitted.

@@ -11,6 +11,7 @@
 #include "cases/own_effects.hpp"
 #include "cases/toml_text.hpp"
 #include "cases/words.hpp"
+#include "physics/camera.hpp"
 #include "physics/own_place.hpp"
 
 namespace tiretherm::cases {
@@ -80,6 +81,23 @@ std::string parts_line(std::string_view key, const std::vector<int>& parts, cons
     return fmt::format("{} = [{}]\n", key, fmt::join(words, ", "));
 }
 
+/// A camera's channels by the camera's name, once.
+std::string channels_line(const solver::Problem& problem, const std::vector<int>& channels) {
+    std::vector<std::string> words;
+    for (const int channel : channels) {
+        std::string name = problem.channels[static_cast<std::size_t>(channel)].name;
+        for (const ActiveEffect& camera : problem.effects) {
+            const bool has = camera.effect == &physics::camera_pose() &&
+                             std::ranges::find(camera.channels, channel) != camera.channels.end();
+            name = has ? camera.name : name;
+        }
+        if (std::string word = toml_text::in_quotes(name); std::ranges::find(words, word) == words.end()) {
+            words.push_back(std::move(word));
+        }
+    }
+    return fmt::format("channels = [{}]\n", fmt::join(words, ", "));
+}
+
 /// All that an effect was switched on with, where it is not the standard.
 std::string switched_on_text(const solver::Problem& problem, const ActiveEffect& active) {
     const Effect& effect = *active.effect;
@@ -92,7 +110,7 @@ std::string switched_on_text(const solver::Problem& problem, const ActiveEffect&
         text += parts_line("layers", active.layers, problem.mesh.layers);
     }
     if (effect.on_channels) {
-        text += parts_line("channels", active.channels, names_of(problem.channels));
+        text += channels_line(problem, active.channels);
     }
     for (std::size_t i = 0; i < effect.choices.size(); ++i) {
         if (active.choices[i] != standard.choices[i]) {
@@ -129,6 +147,9 @@ std::string own_text(const ActiveEffect& active, std::span<const solver::OwnEffe
 }
 
 std::string heading(const ActiveEffect& active) {
+    if (!active.name.empty() && !physics::is_own(*active.effect)) {
+        return fmt::format("\n[[camera]]\nname = {}\n", toml_text::in_quotes(active.name));
+    }
     if (!physics::is_own(*active.effect)) {
         return fmt::format("\n[effects.{}]\n", active.effect->id);
     }
@@ -141,6 +162,7 @@ std::string heading(const ActiveEffect& active) {
 std::string effects_text(const solver::Problem& before, const solver::Problem& fitted,
                          std::span<const solver::Adjustable> parameters, std::span<const solver::OwnEffect> own) {
     std::string text;
+    std::string last;
     for (std::size_t e = 0; e < fitted.effects.size(); ++e) {
         const ActiveEffect& active = fitted.effects[e];
         const bool was_on = std::ranges::any_of(before.effects, [&](const ActiveEffect& other) {
@@ -157,7 +179,10 @@ std::string effects_text(const solver::Problem& before, const solver::Problem& f
             }
         }
         if (!lines.empty()) {
-            text += heading(active) + lines;
+            // The pose and the emissivity of a camera stand in one table.
+            const std::string head = heading(active);
+            text += (head == last ? "" : head) + lines;
+            last = head;
         }
     }
     return text;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <system_error>
 
@@ -58,6 +59,25 @@ std::optional<std::string> attribute(hid_t object, const char* name) {
     }
     text.resize(std::min(text.find('\0'), text.size()));
     return std::string(trim(text));
+}
+
+/// A numeric attribute; empty where there is none.
+std::vector<double> numeric_attribute(hid_t object, const char* name) {
+    if (H5Aexists(object, name) <= 0) {
+        return {};
+    }
+    const Handle opened(H5Aopen(object, name, H5P_DEFAULT));
+    const Handle type(H5Aget_type(opened));
+    const Handle space(H5Aget_space(opened));
+    const H5T_class_t kind = H5Tget_class(type);
+    if (kind != H5T_INTEGER && kind != H5T_FLOAT) {
+        return {};
+    }
+    std::vector<double> values(static_cast<std::size_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(space))));
+    if (values.empty() || H5Aread(opened, H5T_NATIVE_DOUBLE, values.data()) < 0) {
+        return {};
+    }
+    return values;
 }
 
 std::vector<std::string> members(hid_t group, H5O_type_t kind) {
@@ -137,6 +157,68 @@ Datasets read_datasets(const std::filesystem::path& path) {
         }
     }
     return all;
+}
+
+std::optional<Hdf5Stack> Hdf5Stack::open(const std::filesystem::path& path, const std::string& name) {
+    const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
+    const std::vector<std::string> known = members(file, H5O_TYPE_DATASET);
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+        return std::nullopt;
+    }
+    Hdf5Stack stack;
+    stack.dataset_ = std::make_shared<Handle>(H5Dopen2(file, name.c_str(), H5P_DEFAULT));
+    const hid_t dataset = *static_cast<const Handle*>(stack.dataset_.get());
+    const Handle type(H5Dget_type(dataset));
+    const Handle space(H5Dget_space(dataset));
+    const H5T_class_t kind = H5Tget_class(type);
+    if (kind != H5T_INTEGER && kind != H5T_FLOAT) {
+        return std::nullopt;
+    }
+    std::vector<hsize_t> shape(static_cast<std::size_t>(std::max(0, H5Sget_simple_extent_ndims(space))));
+    if (!shape.empty()) {
+        H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+    }
+    stack.shape_.assign(shape.begin(), shape.end());
+    const auto first = [&](const char* attribute) {
+        const std::vector<double> values = numeric_attribute(dataset, attribute);
+        return values.empty() ? std::nullopt : std::optional(values.front());
+    };
+    stack.factor_ = first("scale_factor").value_or(1.0);
+    stack.offset_ = first("add_offset").value_or(0.0);
+    stack.fill_ = first("_FillValue");
+    return stack;
+}
+
+std::string Hdf5Stack::text(const std::string& attribute) const {
+    return cases::attribute(*static_cast<const Handle*>(dataset_.get()), attribute.c_str()).value_or("");
+}
+
+std::vector<double> Hdf5Stack::numbers(const std::string& attribute) const {
+    return numeric_attribute(*static_cast<const Handle*>(dataset_.get()), attribute.c_str());
+}
+
+bool Hdf5Stack::read(std::size_t index, std::vector<double>& values) const {
+    const hid_t dataset = *static_cast<const Handle*>(dataset_.get());
+    const Handle space(H5Dget_space(dataset));
+    std::vector<hsize_t> start(shape_.size(), 0);
+    std::vector<hsize_t> count(shape_.begin(), shape_.end());
+    start.front() = index;
+    count.front() = 1;
+    std::size_t size = 1;
+    for (const hsize_t extent : count) {
+        size *= extent;
+    }
+    values.resize(size);
+    const auto length = static_cast<hsize_t>(size);
+    const Handle memory(H5Screate_simple(1, &length, nullptr));
+    H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);
+    if (H5Dread(dataset, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values.data()) < 0) {
+        return false;
+    }
+    for (double& value : values) {
+        value = fill_ && value == *fill_ ? std::numeric_limits<double>::quiet_NaN() : factor_ * value + offset_;
+    }
+    return true;
 }
 
 }  // namespace tiretherm::cases

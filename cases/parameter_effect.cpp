@@ -76,6 +76,7 @@ Known known_places(const Draft& draft, const ActiveEffect& active, Scope scope) 
             return known;
         case Scope::channel:
             known = {names_of(draft.problem.channels), active.channels};
+            known.names.resize(draft.cameras.empty() ? known.names.size() : draft.cameras.front().first_channel);
             return known;
         case Scope::zone:
             known.names = mesh.zones;
@@ -91,6 +92,21 @@ Known known_places(const Draft& draft, const ActiveEffect& active, Scope scope) 
             return known;
     }
     return known;
+}
+
+/// A camera as that place: it is many channels, so that the effect must act on nothing else.
+bool read_camera(Section& section, const Camera& camera, const ActiveEffect& active, solver::Adjustable& number) {
+    const bool alone = std::ranges::all_of(active.channels, [&](int channel) { return camera.has(channel); });
+    if (!alone || active.channels.empty() || !active.overrides.empty()) {
+        section.mistake("channel",
+                        alone ? fmt::format("{} does not act on the camera {}", active.title(), camera.name)
+                              : fmt::format("{} acts on other sensors beside the camera {}", active.title(), camera.name),
+                        "let it act on the camera alone, everywhere with one value");
+        return false;
+    }
+    number.everywhere = true;
+    number.name += " at " + camera.name;
+    return true;
 }
 
 /// The place where alone the number is free, if the table names one. @returns false after a mistake
@@ -116,6 +132,11 @@ bool read_place(Section& section, const Draft& draft, const ActiveEffect& active
         }
         if (!draft.has_mesh) {
             return false;
+        }
+        const auto camera = std::ranges::find(draft.cameras, *name, &Camera::name);
+        if (place.scope == Scope::channel && camera != draft.cameras.end()) {
+            sound = read_camera(section, *camera, active, number) && sound;
+            continue;
         }
         const Known known = known_places(draft, active, place.scope);
         const auto found = std::find(known.names.begin(), known.names.end(), *name);

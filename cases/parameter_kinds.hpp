@@ -22,6 +22,8 @@ struct Freed {
 /// The number of an effect of the user's own: source or exchange, and its key, which may be left out.
 [[nodiscard]] std::optional<Freed> free_own(Section& parameter, const Draft& draft, const Node& document,
                                             const OwnKind& kind);
+/// A number of a camera: camera, key.
+[[nodiscard]] std::optional<Freed> free_camera(Section& parameter, const Draft& draft, const Node& document);
 /// The law of a material by its values at one to three temperatures: material, law, at.
 [[nodiscard]] std::optional<Freed> free_law(Section& parameter, const Draft& draft);
 /// The law of the link between two lumps: link, at.

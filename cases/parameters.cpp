@@ -190,7 +190,8 @@ void add(const Section& section, const Draft& draft, const Freed& freed, std::ve
 
 /// The one of these keys that says what is free, or a mistake.
 std::string_view read_subject(const Section& section) {
-    constexpr std::array<std::string_view, 6> subjects{"effect", "source", "exchange", "material", "link", "initial"};
+    constexpr std::array<std::string_view, 7> subjects{"effect",   "source", "exchange", "material",
+                                                       "camera",   "link",   "initial"};
     std::string_view found;
     for (const std::string_view subject : subjects) {
         if (!section.has(subject)) {
@@ -227,6 +228,8 @@ void read_parameters(Section& root, const Draft& draft, const std::vector<std::s
             freed = free_own(section, draft, root.table(), own_source);
         } else if (subject == "exchange") {
             freed = free_own(section, draft, root.table(), own_exchange);
+        } else if (subject == "camera") {
+            freed = free_camera(section, draft, root.table());
         } else if (subject == "material") {
             freed = free_law(section, draft);
         } else if (subject == "link") {

@@ -48,6 +48,7 @@ void read_tables(Section& root, Draft& draft) {
     read_own_effects(root, draft);
     read_initial(root, draft);
     read_sensors(root, draft);
+    read_cameras(root, draft);
     bind_readings(root, draft);
     read_measured(root, draft);
     check_laws(root, draft);
@@ -61,6 +62,7 @@ Reading read_case(const fs::path& file) {
     }
     Reading reading{.problem = std::nullopt, .mistakes = mistakes.in_order(), .warnings = unique(mistakes.warnings())};
     if (reading.mistakes.empty()) {
+        take_away_cameras(*problem);
         reading.problem = std::move(problem);
     }
     return reading;

@@ -130,7 +130,7 @@ void require_readings(const MeasuredRun& run, const RunTable& table, const RunFi
                       const std::vector<std::string>& sensors, Mistakes& mistakes) {
     const bool has_column = file != nullptr && std::any_of(file->columns.used.begin(), file->columns.used.end(),
                                                            [](const UsedColumn& column) { return column.is_sensor; });
-    if (has_column || !run.numbers.empty() || (table.file && file == nullptr)) {
+    if (has_column || !run.numbers.empty() || !table.frames.empty() || (table.file && file == nullptr)) {
         return;
     }
     const std::string known =

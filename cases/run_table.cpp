@@ -23,6 +23,26 @@ void read_window(Section& section, RunTable& run) {
     }
 }
 
+/// frames = "camera.h5", or frames = { outside = "outside.h5", inside = "inside.h5" }.
+void read_frame_files(Section& section, RunTable& run) {
+    const Node* frames = section.table().find("frames");
+    section.know({"frames"});
+    const auto add = [&](const Word& camera, const std::optional<std::string>& path, const Place& place) {
+        if (path) {
+            const fs::path beside = fs::path(section.mistakes().file(place.file)).parent_path();
+            run.frames.push_back({.camera = camera, .path = (beside / *path).lexically_normal(), .place = place});
+        }
+    };
+    if (frames != nullptr && frames->kind == Node::Kind::table) {
+        Section table = section.section("frames");
+        for (const Entry& entry : frames->entries) {
+            add({entry.key, entry.place}, table.text(entry.key), entry.value.place);
+        }
+    } else if (frames != nullptr) {
+        add({"", frames->place}, section.text("frames"), frames->place);
+    }
+}
+
 RunTable read_run(Section& section) {
     RunTable run{.table = &section.table(), .place = section.place(), .name = {}};
     const std::optional<std::string> file = section.text("file");
@@ -43,6 +63,7 @@ RunTable read_run(Section& section) {
                    .value_or(run.file ? run.file->stem().string() : std::string());
     run.keys->read(section);
     read_window(section, run);
+    read_frame_files(section, run);
     return run;
 }
 

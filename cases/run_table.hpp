@@ -41,6 +41,13 @@ private:
     bool forgiving_ = false;
 };
 
+/// A file of frames that a run names.
+struct FramesOfRun {
+    Word camera;  ///< empty: the only one
+    std::filesystem::path path;
+    Place place;  ///< of its name
+};
+
 /// A measured run as the case announces it.
 struct RunTable {
     const Node* table = nullptr;  ///< of [[run]]; null for the case itself and for a file given beside it
@@ -50,6 +57,7 @@ struct RunTable {
     std::shared_ptr<ColumnKeys> keys = std::make_shared<ColumnKeys>();
     std::optional<double> from{};  ///< s
     std::optional<double> to{};    ///< s
+    std::vector<FramesOfRun> frames{};
 };
 
 /// The runs of a case: its [[run]] tables; or one for each file that takes their place, with the keys of [data]; or,

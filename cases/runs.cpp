@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "cases/hot_spots.hpp"
+#include "cases/frames.hpp"
 #include "cases/own_effects.hpp"
 #include "cases/parameters.hpp"
 #include "cases/probes.hpp"
@@ -78,7 +80,7 @@ Runs read_runs(const Node& document, const std::string& name, const std::vector<
         Section root(merged, "the case", mistakes);
         root.know({"include"});
         read_tables(root, draft);
-        root.know({"run", "data", "parameter", "identify", "diagnose"});
+        root.know({"run", "data", "parameter", "identify", "diagnose", "critical", "uncertain"});
         MeasuredRun run;
         run.name = table.name;
         run.file = table.file ? table.file->generic_string() : "";
@@ -88,12 +90,15 @@ Runs read_runs(const Node& document, const std::string& name, const std::vector<
             std::ranges::move(find_suspicious(recording_of(*file, draft, run)), std::back_inserter(into.findings));
         }
         read_numbers(draft, merged, table, mistakes, run);
+        read_frames(table, draft, mistakes, run, into.findings);
         if (measured && occasion == Occasion::measured) {
             require_readings(run, table, file ? &*file : nullptr, sensors, mistakes);
         }
         if (documents.size() == 1) {
             read_parameters(root, draft, run_names, into.experiment.parameters);
             read_identify(root, into.experiment);
+            static_cast<void>(read_critical(root, draft.problem, draft.has_mesh));
+            static_cast<void>(read_uncertain(root));
             read_diagnose(root, draft.problem, into.experiment);
             into.problem = draft.problem;
         }

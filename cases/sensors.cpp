@@ -234,7 +234,7 @@ void read_sensors(Section& root, Draft& draft) {
         }
         add_channels(sensor, name.value_or(""), std::move(found), draft);
     });
-    if (draft.problem.channels.empty()) {
+    if (draft.problem.channels.empty() && !root.has("camera")) {
         root.mistakes().warn(root.place(), "the case has no [[sensor]]: the run records fields only");
     }
 }

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "physics/camera.hpp"
+
 namespace tiretherm::diagnosis {
 
 namespace {
@@ -119,6 +121,15 @@ std::vector<int> measured_channels(const cases::Experiment& experiment) {
     return channels;
 }
 
+/// The camera whose channels one belongs to, null for any other sensor.
+const physics::ActiveEffect* camera_of(const solver::Problem& problem, int channel) {
+    const auto found = std::ranges::find_if(problem.effects, [&](const physics::ActiveEffect& active) {
+        return active.effect == &physics::camera_pose() &&
+               std::ranges::find(active.channels, channel) != active.channels.end();
+    });
+    return found == problem.effects.end() ? nullptr : &*found;
+}
+
 /// One number of an effect at one place, in all its shapes.
 void add(std::vector<Candidate>& all, const Candidate& plain) {
     const Shape* shape = shape_of(*plain.effect, plain.number());
@@ -180,8 +191,13 @@ void add_all(std::vector<Candidate>& all, const cases::Experiment& experiment, c
         if (effect.on_channels) {
             for (const int channel : channels) {
                 if (can_read(effect, problem, problem.channels[static_cast<std::size_t>(channel)])) {
+                    const physics::ActiveEffect* camera = camera_of(problem, channel);
+                    if (camera != nullptr && camera->channels.front() != channel) {
+                        continue;
+                    }
                     Candidate one = plain;
                     one.channel = channel;
+                    one.last_channel = camera != nullptr ? camera->channels.back() : -1;
                     add(all, one);
                 }
             }
@@ -241,6 +257,11 @@ std::vector<Candidate> candidates_of(const cases::Experiment& experiment, const 
     return all;
 }
 
+std::string sensor_of(const solver::Problem& problem, int channel) {
+    const physics::ActiveEffect* camera = camera_of(problem, channel);
+    return camera != nullptr ? camera->name : problem.channels[static_cast<std::size_t>(channel)].name;
+}
+
 std::string name_of(const Candidate& candidate, const cases::Experiment& experiment) {
     const solver::Problem& problem = experiment.runs.front().problem;
     std::string name(candidate.effect->id);
@@ -252,7 +273,7 @@ std::string name_of(const Candidate& candidate, const cases::Experiment& experim
         name += fmt::format(".{}", candidate.number().key);
     }
     if (candidate.channel >= 0) {
-        name += " of " + problem.channels[static_cast<std::size_t>(candidate.channel)].name;
+        name += " of " + sensor_of(problem, candidate.channel);
     }
     if (candidate.layer >= 0 && problem.mesh.kind != "two_node" && problem.mesh.layers.size() > 1) {
         name += " of " + problem.mesh.layers[static_cast<std::size_t>(candidate.layer)];

@@ -25,6 +25,7 @@ struct Candidate {
     };
     std::vector<Held> held{};
     int channel = -1;  ///< index into Problem::channels, of a sensor's effect
+    int last_channel = -1;  ///< of a camera's rings, which are one sensor; -1: the one alone
     int layer = -1;    ///< index into Mesh::layers, of an effect on layers
     int on = -1;       ///< index into Problem::effects, where the effect is on and its number may be wrong
     double absent = 0.0;
@@ -47,6 +48,8 @@ struct Candidate {
 
 /// The effect as it is switched on at a value of the candidate's number.
 [[nodiscard]] physics::ActiveEffect active_at(const Candidate& candidate, const mesh::Mesh& mesh, double value);
+/// What a sensor is called: a camera's channels by the camera's name. @param channel index into Problem::channels
+[[nodiscard]] std::string sensor_of(const solver::Problem& problem, int channel);
 /// "sensor_lag of bulk_temperature", "layer_conductivity.slope of tread"
 [[nodiscard]] std::string name_of(const Candidate& candidate, const cases::Experiment& experiment);
 

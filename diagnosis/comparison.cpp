@@ -24,6 +24,9 @@ std::vector<double> times_of(const cases::MeasuredRun& run) {
     for (const cases::MeasuredNumber& number : run.numbers) {
         times.push_back(number.time);
     }
+    for (const cases::MeasuredFrames& frames : run.frames) {
+        times.insert(times.end(), frames.time.begin(), frames.time.end());
+    }
     std::sort(times.begin(), times.end());
     times.erase(std::unique(times.begin(), times.end()), times.end());
     return times;
@@ -145,6 +148,9 @@ Comparison compare(const cases::Experiment& experiment, const std::string& name)
         }
         for (const cases::MeasuredNumber& number : run.numbers) {
             result.numbers.push_back(beside.number(number));
+        }
+        for (const cases::MeasuredFrames& frames : run.frames) {
+            result.images.push_back(compare_images(run, r, frames, beside.times, beside.prediction));
         }
     }
     for (auto& [index, channel] : channels) {

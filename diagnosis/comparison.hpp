@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cases/experiment.hpp"
+#include "diagnosis/camera_comparison.hpp"
 #include "diagnosis/comparison_statistics.hpp"
 #include "diagnosis/phase.hpp"
 #include "post/channel_unit.hpp"
@@ -83,6 +84,7 @@ struct Comparison {
     std::vector<std::string> files;
     std::vector<ComparedChannel> channels;  ///< of which anything was logged
     std::vector<ComparedNumber> numbers;
+    std::vector<ComparedImages> images;  ///< of cameras, run by run
     std::vector<std::string> warnings;
     std::vector<std::string> findings;
     solver::Status status;  ///< of the first run that failed; then there are no figures
@@ -102,7 +104,8 @@ void reckon(ComparedChannel& channel, const std::vector<std::pair<std::string, s
 /// @param files that were written
 [[nodiscard]] std::string comparison_json(const Comparison& comparison,
                                           const std::vector<std::filesystem::path>& files);
-/// compare.csv: a row for each sample. compare_statistics.csv: a row for each channel, run, phase and bin.
+/// compare.csv: a row for each sample. compare_statistics.csv: a row for each channel, run, phase and bin. Of cameras
+/// compare_pixels.csv, a row for each pixel of each run, and a picture of the worst frame of each run.
 /// @errors post::FileError  @returns their paths
 [[nodiscard]] std::vector<std::filesystem::path> write_comparison(const Comparison& comparison,
                                                                   const std::filesystem::path& directory);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "diagnosis/camera_picture.hpp"
 #include "diagnosis/comparison.hpp"
 #include "post/file.hpp"
 
@@ -77,9 +78,18 @@ std::vector<std::filesystem::path> write_comparison(const Comparison& comparison
     if (error) {
         throw post::FileError("create", directory, error.message());
     }
-    const std::vector<std::filesystem::path> files{directory / "compare.csv", directory / "compare_statistics.csv"};
+    std::vector<std::filesystem::path> files{directory / "compare.csv", directory / "compare_statistics.csv"};
     post::replace_file(files[0], samples_csv(comparison));
     post::replace_file(files[1], statistics_csv(comparison));
+    if (!comparison.images.empty()) {
+        files.push_back(directory / "compare_pixels.csv");
+        post::replace_file(files.back(), pixels_csv(comparison.images, comparison.runs));
+    }
+    for (const ComparedImages& images : comparison.images) {
+        const std::string& run = comparison.runs[images.run];
+        files.push_back(directory / fmt::format("compare_{}_{}.png", images.camera, run));
+        draw_images(files.back(), images, images.worst, fmt::format("{}, {}, worst frame", images.camera, run));
+    }
     return files;
 }
 

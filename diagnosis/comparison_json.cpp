@@ -68,6 +68,43 @@ Json channel_json(const Comparison& comparison, const ComparedChannel& channel) 
     return json;
 }
 
+Json camera_json(const Comparison& comparison, const ComparedImages& images) {
+    const Figures& f = images.figures;
+    Json json{{"name", images.camera},
+              {"run", comparison.runs[images.run]},
+              {"file", images.file},
+              {"frames", images.time.size()},
+              {"pixels", images.pixels()},
+              {"dead", images.dead},
+              {"beside", images.beside},
+              {"bias", number(f.bias)},
+              {"bias_deviation", number(f.bias_deviation)},
+              {"rmse", number(f.rmse)},
+              {"scatter", number(f.scatter)},
+              {"noise", number(images.noise)},
+              {"sensor", number(images.sensor)},
+              {"sensor_is_stated", images.sensor_is_stated},
+              {"removable_rmse", number(images.removable)},
+              {"worst_frame_at", images.time[images.worst]}};
+    const auto parts = [](const std::vector<PartFigures>& figures) {
+        Json list = Json::array();
+        for (const PartFigures& part : figures) {
+            list.push_back({{"from", part.from},
+                            {"to", part.to},
+                            {"pixels", part.pixels},
+                            {"bias", part.bias},
+                            {"rmse", part.rmse}});
+        }
+        return list;
+    };
+    json["by_distance"] = parts(images.rings);
+    json["by_time"] = parts(images.stages);
+    for (const auto& [name, rms] : images.scales) {
+        json["by_size"].push_back({{"size", name}, {"rmse", rms}});
+    }
+    return json;
+}
+
 Json number_json(const Comparison& comparison, const ComparedNumber& n) {
     return {{"channel", n.channel},
             {"run", comparison.runs[n.run]},
@@ -95,6 +132,10 @@ std::string comparison_json(const Comparison& comparison, const std::vector<std:
     }
     for (const ComparedNumber& n : comparison.numbers) {
         json["numbers"].push_back(number_json(comparison, n));
+    }
+    json["cameras"] = Json::array();
+    for (const ComparedImages& images : comparison.images) {
+        json["cameras"].push_back(camera_json(comparison, images));
     }
     json["findings"] = comparison.findings;
     json["warnings"] = comparison.warnings;

@@ -137,6 +137,7 @@ std::string comparison_text(const Comparison& comparison, bool bold) {
         }
         page.add("By signal", signals);
     }
+    page.add("Cameras", cameras_text(comparison.images, comparison.runs));
     if (!comparison.numbers.empty()) {
         page.add("Single numbers", single_numbers(comparison));
     }

@@ -63,7 +63,7 @@ Cause describe_cause(const Findings& found, const Explanation& one, std::size_t 
         cause.instead_of = candidate.absent;
     }
     if (candidate.channel >= 0) {
-        cause.channel = problem.channels[static_cast<std::size_t>(candidate.channel)].name;
+        cause.channel = sensor_of(problem, candidate.channel);
     }
     if (candidate.layer >= 0) {
         cause.place = problem.mesh.layers[static_cast<std::size_t>(candidate.layer)];
@@ -157,7 +157,7 @@ void find_limits(const Findings& found, Diagnosis& into) {
         into.limits.push_back(
             {.id = std::string(candidate.effect->id),
              .channel =
-                 candidate.channel >= 0 ? problem.channels[static_cast<std::size_t>(candidate.channel)].name : "",
+                 candidate.channel >= 0 ? sensor_of(problem, candidate.channel) : "",
              .place = candidate.layer >= 0 ? problem.mesh.layers[static_cast<std::size_t>(candidate.layer)] : "",
              .key = std::string(candidate.number().key),
              .unit = std::string(candidate.number().unit),

@@ -5,6 +5,49 @@
 
 namespace tiretherm::diagnosis {
 
+namespace {
+
+/// Rows from which a channel's noise is estimated, enough to know its sigma to half a percent: of images, whose fine bands
+/// have hundreds of thousands, every so many pixels with all their frames.
+constexpr Eigen::Index enough_rows = 30000;
+
+struct Share {
+    std::vector<Block> blocks;
+    std::vector<Eigen::Index> rows;
+};
+
+/// @returns nothing where every channel has few rows
+std::optional<Share> a_share_of(const std::vector<Block>& blocks, std::size_t n_channels) {
+    std::vector<Eigen::Index> rows(n_channels, 0);
+    for (const Block& block : blocks) {
+        if (block.channel >= 0) {
+            rows[static_cast<std::size_t>(block.channel)] += block.rows();
+        }
+    }
+    if (std::ranges::all_of(rows, [](Eigen::Index n) { return n <= 2 * enough_rows; })) {
+        return std::nullopt;
+    }
+    Share share;
+    std::vector<Eigen::Index> seen(n_channels, 0);  // blocks of each channel
+    for (const Block& block : blocks) {
+        if (block.channel >= 0) {
+            const auto c = static_cast<std::size_t>(block.channel);
+            const Eigen::Index every = std::max<Eigen::Index>(1, rows[c] / enough_rows);
+            if (seen[c]++ % every != 0) {
+                continue;
+            }
+        }
+        share.blocks.push_back(block);
+        share.blocks.back().first = static_cast<Eigen::Index>(share.rows.size());
+        for (Eigen::Index i = 0; i < block.rows(); ++i) {
+            share.rows.push_back(block.first + i);
+        }
+    }
+    return share;
+}
+
+}  // namespace
+
 Fit::Fit(const cases::Experiment& experiment, const Observations& observations)
     : experiment_(experiment),
       observations_(observations),
@@ -52,13 +95,21 @@ void Fit::find_noise(const Eigen::MatrixXd& also) {
     }
     Eigen::VectorXd precision = Eigen::VectorXd::Zero(span.cols());
     precision.head(n_) = precision_.cwiseProduct(scale_.cwiseAbs2());
-    noise_ = estimate_noise({.blocks = observations_.blocks,
-                             .residual = residual,
-                             .span = span,
-                             .precision = precision,
-                             .data_sheet = std::move(sheet),
-                             .model = experiment_.noise == "white" ? NoiseModel::white : NoiseModel::correlated,
-                             .robust = experiment_.robust});
+    const auto estimate = [&](const std::vector<Block>& blocks, const Eigen::VectorXd& rest,
+                              const Eigen::MatrixXd& columns) {
+        noise_ = estimate_noise({.blocks = blocks,
+                                 .residual = rest,
+                                 .span = columns,
+                                 .precision = precision,
+                                 .data_sheet = std::move(sheet),
+                                 .model = experiment_.noise == "white" ? NoiseModel::white : NoiseModel::correlated,
+                                 .robust = experiment_.robust});
+    };
+    if (const auto some = experiment_.robust ? std::nullopt : a_share_of(observations_.blocks, sheet.size())) {
+        estimate(some->blocks, residual(some->rows), span(some->rows, Eigen::all));
+    } else {
+        estimate(observations_.blocks, residual, span);
+    }
     covariance_ = noise_.covariance;
 }
 
@@ -116,8 +167,7 @@ Eigen::VectorXd Fit::whitened_residuals() const {
 }
 
 double Fit::stated(std::size_t c) const {
-    const std::vector<solver::Channel>& channels = experiment_.runs.front().problem.channels;
-    return channels[observations_.channels[c]].standard_deviation.value_or(0.0);
+    return observations_.stated[c];
 }
 
 Eigen::VectorXd scales_of(const cases::Experiment& experiment, const Eigen::VectorXd& values) {

@@ -1,10 +1,13 @@
 #include "diagnosis/identification.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 #include "diagnosis/fit.hpp"
 #include "diagnosis/judgement.hpp"
+#include "diagnosis/own_error.hpp"
 #include "diagnosis/profile.hpp"
 
 namespace tiretherm::diagnosis {
@@ -41,6 +44,69 @@ bool settle(Fit& fit, Identification& into) {
     return true;
 }
 
+/// A correction by Richardson's rule leaves a quarter of the error at most, as another halving would change a quarter of
+/// what the last one did.
+constexpr double left_over = 0.25;
+
+/// What is left of the grid's error belongs to the interval.
+void widen(const Eigen::VectorXd& moved, const Fit& fit, Identification& into) {
+    for (std::size_t j = 0; j < into.fitted.size(); ++j) {
+        Fitted& one = into.fitted[j];
+        const auto i = static_cast<Eigen::Index>(j);
+        one.by_grid = moved[i];
+        if (!(one.standard_deviation > 0.0) || !std::isfinite(one.standard_deviation)) {
+            continue;
+        }
+        const double wider = std::hypot(1.0, left_over * moved[i] / one.standard_deviation);
+        one.standard_deviation *= wider;
+        one.low = std::max(fit.low()[i], one.value - (one.value - one.low) * wider);
+        one.high = std::min(fit.high()[i], one.value + (one.high - one.value) * wider);
+    }
+}
+
+/// The data less the error of grid and steps, at the values that were fitted.
+Observations corrected(Fit& fit, const cases::Experiment& finer) {
+    Observations observations = fit.observations();
+    observations.measured -= change_by_refinement({.experiment = fit.experiment(),
+                                                   .observations = fit.observations(),
+                                                   .values = fit.values(),
+                                                   .simulated = fit.now().simulated,
+                                                   .steps = fit.simulator().steps()},
+                                                  &finer);
+    return observations;
+}
+
+/// What was fitted, as numbers, channels and intervals.
+void judge(const Fit& fit, Identification& into) {
+    into.values = fit.values();
+    into.after = fit.now().simulated;
+    judge_numbers(fit, into, true);
+    judge_channels(fit, into);
+    into.simulations += fit.simulator().simulations();
+}
+
+/// Fits again to data that are corrected for the grid's error. @returns false when the model fails
+bool settle_corrected(Fit& rough, const cases::Experiment& finer, Identification& into) {
+    const Observations observations = corrected(rough, finer);
+    Fit fit(rough.experiment(), observations);
+    fit.simulator().take_steps(rough.simulator().steps());
+    fit.take_covariance(rough.covariance());
+    into.simulations += rough.simulator().simulations() + 2 * static_cast<long>(observations.times.size());
+    if (!fit.move_to(rough.values())) {
+        return false;
+    }
+    const Fit::Turn turn = fit.minimise_squares();
+    into.iterations += turn.iterations;
+    into.converged = into.converged && turn.converged;
+    if (!fit.now().status.ok()) {
+        return false;
+    }
+    fit.find_noise();
+    judge(fit, into);
+    widen(fit.values() - rough.values(), fit, into);
+    return true;
+}
+
 }  // namespace
 
 Identification identify(const cases::Experiment& experiment, const Observations& observations,
@@ -56,14 +122,18 @@ Identification identify(const cases::Experiment& experiment, const Observations&
         result.status = fit.now().status;
         return result;
     }
-    result.values = fit.values();
-    result.after = fit.now().simulated;
-    judge_numbers(fit, result, true);
-    judge_channels(fit, result);
+    if (choice.finer != nullptr && !observations.images.empty()) {
+        if (!settle_corrected(fit, *choice.finer, result)) {
+            result.status = {solver::Outcome::not_converged, "the fit that is corrected for the grid's error failed"};
+            return result;
+        }
+    } else {
+        judge(fit, result);
+    }
     if (choice.profile) {
         profile_intervals(fit.question(), result);
+        result.simulations = fit.simulator().simulations();
     }
-    result.simulations = fit.simulator().simulations();
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return result;
 }

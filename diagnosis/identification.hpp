@@ -34,6 +34,7 @@ struct Fitted {
     bool profiled = false;     ///< the interval is that of the profile likelihood, not the symmetric one (Wald)
     bool low_is_open = false;  ///< the interval reaches the bound to that side, or has no end
     bool high_is_open = false;
+    double by_grid = 0.0;  ///< by how much the correction for the grid's own error has moved it; of images only
     Sight sight = Sight::determined;
 };
 
@@ -48,6 +49,8 @@ struct Direction {
 /// How a channel fits.
 struct ChannelFit {
     std::size_t channel = 0;  ///< index into Problem::channels
+    std::string name;         ///< the sensor's, or of a camera with its band
+    double stated = 0.0;      ///< the data sheet's standard deviation, SI; 0: none
     Eigen::Index samples = 0;
     double rmse_before = 0.0;  ///< SI
     double rmse_after = 0.0;
@@ -84,7 +87,10 @@ struct Identification {
 };
 
 struct IdentificationChoice {
-    bool profile = false;                              ///< intervals by profile likelihood
+    bool profile = false;  ///< intervals by profile likelihood
+    /// The same experiment on a grid of half the spacing (read_experiment with finer = 2): thousands of pixels see the grid's
+    /// own error, so that where there are images it is corrected and what may be left of it widens the intervals.
+    const cases::Experiment* finer = nullptr;
     std::function<void(long simulations)> progress{};  ///< called after each forecast
 };
 

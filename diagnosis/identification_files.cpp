@@ -16,6 +16,9 @@ std::string samples_csv(const IdentificationRecord& record) {
     const std::vector<solver::Channel>& channels = record.experiment.runs.front().problem.channels;
     for (std::size_t i = 0; i < record.observations.rows.size(); ++i) {
         const Observations::Row& row = record.observations.rows[i];
+        if (row.image >= 0) {
+            continue;  // camera frames have pictures and a table of their own
+        }
         const auto k = static_cast<Eigen::Index>(i);
         const post::ShownUnit unit = post::shown_unit(channels[row.channel].quantity);
         fmt::format_to(std::back_inserter(text), "{:.10g},{},{},{},{:.8g},{:.8g},{:.8g}\n",

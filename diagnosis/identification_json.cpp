@@ -25,6 +25,7 @@ Json fitted_json(const solver::Adjustable& parameter, const Fitted& one) {
             {"interval", one.profiled ? "profile" : "wald"},
             {"low_is_open", one.low_is_open},
             {"high_is_open", one.high_is_open},
+            {"moved_by_grid_correction", number(one.by_grid)},
             {"prior", std::isfinite(parameter.standard_deviation) ? number(parameter.prior) : Json()},
             {"prior_standard_deviation", number(parameter.standard_deviation)},
             {"sight", word_of(one.sight)}};
@@ -59,7 +60,7 @@ std::string identification_json(const IdentificationRecord& record, const std::v
     for (const ChannelFit& fit : result.channels) {
         const solver::Channel& channel = channels[fit.channel];
         const post::ShownUnit unit = post::shown_unit(channel.quantity);
-        json["channels"].push_back({{"name", channel.name},
+        json["channels"].push_back({{"name", fit.name},
                                     {"unit", channel.quantity == solver::Quantity::temperature ? "K" : unit.name},
                                     {"samples", fit.samples},
                                     {"rmse_before", unit.difference(fit.rmse_before)},

@@ -56,6 +56,21 @@ std::string numbers_table(const IdentificationRecord& record) {
     const auto any = [&](Sight sight) {
         return std::ranges::any_of(record.result.fitted, [&](const Fitted& one) { return one.sight == sight; });
     };
+    std::string moved;
+    for (std::size_t j = 0; j < record.result.fitted.size(); ++j) {
+        const Fitted& one = record.result.fitted[j];
+        if (std::abs(one.by_grid) > 0.5 * one.standard_deviation) {
+            moved += fmt::format("{}{} {:+.2g}", moved.empty() ? "" : ", ", record.experiment.parameters[j].name,
+                                 one.by_grid);
+        }
+    }
+    if (!moved.empty()) {
+        text += post::wrap(
+            fmt::format("Corrected for the error of grid and steps, of which a quarter is added to the intervals: {}. "
+                        "Intervals are those of the noise and of this grid: what the model lacks may be larger.",
+                        moved),
+            2);
+    }
     if (profiled) {
         text += post::wrap("The intervals are those of the profile likelihood.", 2);
     }
@@ -133,12 +148,19 @@ std::string fit_text(const IdentificationRecord& record) {
             const solver::Channel& channel = channels[fit.channel];
             const post::ShownUnit unit = post::shown_unit(channel.quantity);
             const auto show = [&](double si) { return fmt::format("{:.3g}", unit.difference(si)); };
-            table.add({channel.name, channel.quantity == solver::Quantity::temperature ? "K" : unit.name,
+            table.add({fit.name, channel.quantity == solver::Quantity::temperature ? "K" : unit.name,
                        post::grouped(static_cast<double>(fit.samples)), show(fit.rmse_before), show(fit.rmse_after),
-                       show(fit.noise.sigma), channel.standard_deviation ? show(*channel.standard_deviation) : "-",
+                       show(fit.noise.sigma), fit.stated > 0.0 ? show(fit.stated) : "-",
                        fit.noise.white_share < 1.0 ? fmt::format("{:.3g} s", fit.noise.correlation_time) : "white"});
         }
         text += table.text(2);
+        if (!record.observations.images.empty()) {
+            text += post::wrap(
+                "A camera's frames are taken apart by size, so that what neighbouring pixels have in common counts as "
+                "few values and not as thousands: white noise of the pixels is the same in all its rows, the camera's "
+                "drift and what the model lacks stand in the lower ones.",
+                2);
+        }
         for (const ChannelFit& fit : result.channels) {
             for (const std::string& caution : fit.cautions) {
                 text += post::wrap("- " + caution, 2);

@@ -53,21 +53,39 @@ Fitted judge_number(const Fit& fit, Eigen::Index j, double deviation, bool searc
 }
 
 /// What is to be said where a fit has bought itself off with noise; empty where it has not.
-std::string say_given_up(const ChannelFit& fit, const solver::Channel& channel, double stated) {
+std::string say_given_up(const ChannelFit& fit, const solver::Channel& channel) {
+    const double stated = fit.stated;
     if (fit.rmse_after > worse * fit.rmse_before) {
         return fmt::format(
             "{}: its rms rose with the fit, from {:.2g} to {:.2g} {}: what the model lacks passes for slow "
             "noise, and the numbers and intervals are not to be trusted; see compare, and fit with noise = "
             "\"white\" beside it",
-            channel.name, fit.rmse_before, fit.rmse_after, solver::unit_of(channel.quantity));
+            fit.name, fit.rmse_before, fit.rmse_after, solver::unit_of(channel.quantity));
     }
     if (fit.noise.white_share < 1.0 && stated > 0.0 && fit.samples > many && fit.noise.sigma > swollen * stated) {
         return fmt::format(
             "{}: its noise is {:.1f} times what the sensor is said to have: part of it may be what the "
             "model lacks",
-            channel.name, fit.noise.sigma / stated);
+            fit.name, fit.noise.sigma / stated);
     }
     return "";
+}
+
+/// What is to be said of the noise of one band of a camera's frames.
+/// @param finest the finest band of the same camera; null: this one
+std::vector<std::string> cautions_of_band(const ChannelFit& band, const ChannelFit* finest) {
+    if (finest == nullptr) {
+        return band.stated > 0.0 && band.noise.sigma > swollen * band.stated
+                   ? std::vector{fmt::format("{}: the noise of {:.3g} K is {:.1f} times what the data sheet says",
+                                             band.name, band.noise.sigma, band.noise.sigma / band.stated)}
+                   : std::vector<std::string>{};
+    }
+    if (band.noise.sigma <= swollen * finest->noise.sigma) {
+        return {};
+    }
+    return {fmt::format("{}: {:.1f} times what the pixels' own noise makes of it: a drift that they share, or what the model "
+                        "lacks",
+                        band.name, band.noise.sigma / finest->noise.sigma)};
 }
 
 }  // namespace
@@ -119,10 +137,14 @@ void judge_channels(const Fit& fit, Identification& into) {
         const solver::Channel& channel = channels[observations.channels[c]];
         ChannelFit found;
         found.channel = observations.channels[c];
+        found.name = observations.names[c];
+        found.stated = fit.stated(c);
         found.noise = fit.covariance().channels[c];
         found.found = fit.noise().channels[c];
+        bool is_image = false;
         for (const Block& block : observations.blocks) {
             if (block.channel == static_cast<int>(c)) {
+                is_image = observations.rows[static_cast<std::size_t>(block.first)].image >= 0;
                 const auto rows = Eigen::seqN(block.first, block.rows());
                 found.samples += block.rows();
                 found.rmse_before += (into.before(rows) - observations.measured(rows)).squaredNorm();
@@ -131,10 +153,15 @@ void judge_channels(const Fit& fit, Identification& into) {
         }
         found.rmse_before = std::sqrt(found.rmse_before / static_cast<double>(found.samples));
         found.rmse_after = std::sqrt(found.rmse_after / static_cast<double>(found.samples));
-        found.cautions = cautions(channel.name, std::string(solver::unit_of(channel.quantity)), found.noise,
-                                  found.found, fit.stated(c), {});
-        if (std::string caution = say_given_up(found, channel, fit.stated(c)); !caution.empty()) {
-            found.cautions.push_back(std::move(caution));
+        if (is_image) {
+            const auto finest = std::ranges::find(into.channels, found.channel, &ChannelFit::channel);
+            found.cautions = cautions_of_band(found, finest == into.channels.end() ? nullptr : &*finest);
+        } else {
+            found.cautions = cautions(found.name, std::string(solver::unit_of(channel.quantity)), found.noise,
+                                      found.found, found.stated, {});
+            if (std::string caution = say_given_up(found, channel); !caution.empty()) {
+                found.cautions.push_back(std::move(caution));
+            }
         }
         into.channels.push_back(std::move(found));
     }

@@ -51,6 +51,11 @@ double filter_of(const Block& block, const Noise& noise, const Eigen::VectorXd& 
     return sum;
 }
 
+/// Whether the filter of one block serves the next as well: pixels of a camera are read at the same moments.
+bool shares_filter(const Block* last, const Block& block, const Eigen::VectorXd& weight) {
+    return last != nullptr && weight.size() == 0 && last->channel == block.channel && last->time == block.time;
+}
+
 /// Runs the filter down some columns at once; side by side they hide each other's latency.
 template <int columns>
 void filter_columns(const std::vector<FilterStep>& filter, Eigen::Ref<Eigen::MatrixXd> rows) {
@@ -98,6 +103,7 @@ double change(const Covariance& before, const Covariance& after) {
 
 void whiten(std::span<const Block> blocks, const Covariance& covariance, Eigen::Ref<Eigen::MatrixXd> rows) {
     std::vector<FilterStep> filter;
+    const Block* last = nullptr;
     for (const Block& block : blocks) {
         auto mine = rows.middleRows(block.first, block.rows());
         if (block.channel < 0) {
@@ -106,7 +112,10 @@ void whiten(std::span<const Block> blocks, const Covariance& covariance, Eigen::
             }
             continue;
         }
-        filter_of(block, covariance.channels[static_cast<std::size_t>(block.channel)], covariance.weight, filter);
+        if (!shares_filter(last, block, covariance.weight)) {
+            filter_of(block, covariance.channels[static_cast<std::size_t>(block.channel)], covariance.weight, filter);
+        }
+        last = &block;
         constexpr int together = 8;
         Eigen::Index j = 0;
         for (; j + together <= mine.cols(); j += together) {
@@ -142,10 +151,16 @@ void whiten_transposed(std::span<const Block> blocks, const Covariance& covarian
 double log_determinant(std::span<const Block> blocks, const Covariance& covariance) {
     std::vector<FilterStep> filter;
     double sum = 0.0;
+    double of_block = 0.0;
+    const Block* last = nullptr;
     for (const Block& block : blocks) {
         if (block.channel >= 0) {
-            sum += filter_of(block, covariance.channels[static_cast<std::size_t>(block.channel)], covariance.weight,
-                             filter);
+            if (!shares_filter(last, block, covariance.weight)) {
+                of_block = filter_of(block, covariance.channels[static_cast<std::size_t>(block.channel)],
+                                     covariance.weight, filter);
+            }
+            last = &block;
+            sum += of_block;
         }
         for (const double deviation : block.standard_deviation) {
             sum += 2.0 * std::log(deviation);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -17,6 +18,9 @@ std::vector<double> times_of(const cases::MeasuredRun& run) {
     for (const cases::MeasuredNumber& number : run.numbers) {
         times.push_back(number.time);
     }
+    for (const cases::MeasuredFrames& frames : run.frames) {
+        times.insert(times.end(), frames.time.begin(), frames.time.end());
+    }
     std::ranges::sort(times);
     times.erase(std::unique(times.begin(), times.end()), times.end());
     return times;
@@ -24,6 +28,55 @@ std::vector<double> times_of(const cases::MeasuredRun& run) {
 
 std::size_t index_of(const std::vector<double>& times, double time) {
     return static_cast<std::size_t>(std::ranges::lower_bound(times, time) - times.begin());
+}
+
+bool are_finite(const Eigen::MatrixXd& matrix, const std::vector<Eigen::Index>& rows) {
+    return std::ranges::all_of(rows, [&](Eigen::Index row) { return matrix.row(row).allFinite(); });
+}
+
+/// The frames of a camera, taken apart by size.
+void add_images(const cases::Experiment& experiment, std::size_t run, std::size_t which, Observations& all,
+                std::vector<double>& values) {
+    const cases::MeasuredFrames& frames = experiment.runs[run].frames[which];
+    ImageRows image{
+        .run = run, .frames = which, .first = values.size(), .time = {}, .bands = bands_of(frames)};
+    for (const double t : frames.time) {
+        image.time.push_back(index_of(all.times[run], t));
+    }
+    // Runs whose images are as large share their noise, band by band.
+    std::vector<int> noises;
+    for (int band = 0; band < image.bands.bands(); ++band) {
+        const std::string name = fmt::format("{}, {}", frames.camera, image.bands.name(band));
+        const auto known = std::ranges::find(all.names, name) - all.names.begin();
+        if (known == std::ssize(all.names)) {
+            all.channels.push_back(frames.first_channel);
+            all.names.push_back(name);
+            all.stated.push_back(frames.standard_deviation.value_or(0.0));
+        }
+        noises.push_back(static_cast<int>(known));
+    }
+    const std::size_t n_pixels = frames.pixels.size();
+    values.resize(values.size() + n_pixels * image.time.size());
+    for (std::size_t f = 0; f < image.time.size(); ++f) {
+        std::vector<double> pixels(frames.value.begin() + static_cast<std::ptrdiff_t>(f * n_pixels),
+                                   frames.value.begin() + static_cast<std::ptrdiff_t>((f + 1) * n_pixels));
+        image.bands.apply(pixels);
+        for (std::size_t entry = 0; entry < n_pixels; ++entry) {
+            values[image.row(entry, f)] = pixels[entry];
+        }
+    }
+    for (std::size_t entry = 0; entry < n_pixels; ++entry) {
+        all.blocks.push_back(series_block(noises[static_cast<std::size_t>(image.bands.band(entry))],
+                                          static_cast<Eigen::Index>(image.row(entry, 0)), frames.time,
+                                          std::span(values).subspan(image.row(entry, 0), image.time.size())));
+        for (const std::size_t time : image.time) {
+            all.rows.push_back({.run = run,
+                                .channel = frames.first_channel,
+                                .time = time,
+                                .image = static_cast<int>(all.images.size())});
+        }
+    }
+    all.images.push_back(std::move(image));
 }
 
 }  // namespace
@@ -39,6 +92,9 @@ Observations observe(const cases::Experiment& experiment) {
             const auto noise = static_cast<int>(known - all.channels.begin());
             if (known == all.channels.end()) {
                 all.channels.push_back(series.channel);
+                const solver::Channel& channel = run.problem.channels[series.channel];
+                all.names.push_back(channel.name);
+                all.stated.push_back(channel.standard_deviation.value_or(0.0));
             }
             all.blocks.push_back(series_block(noise, static_cast<Eigen::Index>(values.size()), run.time, series.value));
             for (std::size_t i = 0; i < run.time.size(); ++i) {
@@ -47,6 +103,9 @@ Observations observe(const cases::Experiment& experiment) {
                     values.push_back(series.value[i]);
                 }
             }
+        }
+        for (std::size_t i = 0; i < run.frames.size(); ++i) {
+            add_images(experiment, r, i, all, values);
         }
     }
     std::vector<double> deviations;
@@ -83,7 +142,9 @@ Simulator::Simulator(const cases::Experiment& experiment, const Observations& ob
         }
     }
     for (std::size_t row = 0; row < observations.rows.size(); ++row) {
-        rows_[observations.rows[row].run].push_back(static_cast<Eigen::Index>(row));
+        if (observations.rows[row].image < 0) {
+            rows_[observations.rows[row].run].push_back(static_cast<Eigen::Index>(row));
+        }
     }
 }
 
@@ -105,6 +166,44 @@ const Forecast& Simulator::at(const Eigen::VectorXd& values) {
         last_ = forecast(values);
     }
     return last_;
+}
+
+void Simulator::read_images(const ImageRows& image, const solver::Prediction& prediction, const solver::Problem& now,
+                            Forecast& into) const {
+    const cases::MeasuredFrames& frames = experiment_->runs[image.run].frames[image.frames];
+    const std::vector<std::size_t>& numbers = parameters_[image.run];
+    const ImageView view(frames, now);
+    std::vector<std::optional<ImageView>> turned(numbers.size());  // of numbers of the pose
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+        const solver::Adjustable& number = experiment_->parameters[numbers[k]];
+        if (number.kind == solver::Adjustable::Kind::effect && number.effect == frames.pose) {
+            turned[k] = ImageView::slope(frames, now, number.parameter);
+        }
+    }
+    std::vector<double> pixels(frames.pixels.size());
+    std::vector<double> moved(pixels.size());
+    for (std::size_t f = 0; f < image.time.size(); ++f) {
+        const auto at = [&](const std::vector<double>& all, std::size_t first) {
+            return std::span(all).subspan((first + image.time[f]) * prediction.n_channels, prediction.n_channels);
+        };
+        const auto put = [&](auto&& column, std::span<double> values) {
+            image.bands.apply(values);
+            for (std::size_t entry = 0; entry < values.size(); ++entry) {
+                column[static_cast<Eigen::Index>(image.row(entry, f))] = values[entry];
+            }
+        };
+        const std::span<const double> channels = at(prediction.value, 0);
+        view.read(channels, pixels);
+        for (std::size_t k = 0; k < numbers.size(); ++k) {
+            if (turned[k]) {
+                turned[k]->turn(channels, pixels, moved);
+            } else {
+                view.follow(channels, at(prediction.slope, k * prediction.n_times), pixels, moved);
+            }
+            put(into.slope.col(static_cast<Eigen::Index>(numbers[k])), moved);
+        }
+        put(into.simulated, pixels);
+    }
 }
 
 Forecast Simulator::forecast(const Eigen::VectorXd& values) {
@@ -156,7 +255,7 @@ Forecast Simulator::forecast(const Eigen::VectorXd& values) {
                     prediction.slope_at(k, what.time, what.channel);
             }
         }
-        if (!forecast.slope.allFinite()) {
+        if (!are_finite(forecast.slope, rows_[r])) {
             forecast.status = {solver::Outcome::not_finite,
                                fmt::format("run {}: a sensitivity is not a number", experiment_->runs[r].name)};
             return forecast;
@@ -165,6 +264,20 @@ Forecast Simulator::forecast(const Eigen::VectorXd& values) {
             if (std::ranges::find(forecast.kinks, kink) == forecast.kinks.end()) {
                 forecast.kinks.push_back(kink);
             }
+        }
+    }
+    in_parallel(observations_->images.size(), [&](std::size_t i) {
+        const ImageRows& image = observations_->images[i];
+        read_images(image, predictions[image.run], problem(image.run, values), forecast);
+    });
+    for (const ImageRows& image : observations_->images) {
+        const auto first = static_cast<Eigen::Index>(image.first);
+        if (!forecast.simulated.segment(first, image.rows()).allFinite() ||
+            !forecast.slope.middleRows(first, image.rows()).allFinite()) {
+            forecast.status = {solver::Outcome::not_finite,
+                               fmt::format("run {}: a pixel of {} is not a number", experiment_->runs[image.run].name,
+                                           experiment_->runs[image.run].frames[image.frames].camera)};
+            return forecast;
         }
     }
     return forecast;

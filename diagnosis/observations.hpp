@@ -8,24 +8,30 @@
 #include <Eigen/Core>
 
 #include "cases/experiment.hpp"
+#include "diagnosis/images.hpp"
 #include "diagnosis/noise.hpp"
-#include "solver/status.hpp"
+#include "solver/prediction.hpp"
 
 namespace tiretherm::diagnosis {
 
-/// All measured values of an experiment in one stack: channel by channel of each run, then the single numbers.
+/// All measured values of an experiment in one stack: channel by channel of each run, then its cameras' frames, each
+/// taken apart by size (ImageBands), of which every band has its noise; then the single numbers.
 struct Observations {
     /// What a row is.
     struct Row {
         std::size_t run = 0;
         std::size_t channel = 0;  ///< index into Problem::channels
         std::size_t time = 0;     ///< index into `times` of the run
+        int image = -1;           ///< index into `images`; -1: a channel as it is
     };
     std::vector<Block> blocks;
     std::vector<Row> rows;
     Eigen::VectorXd measured;                ///< [n_rows] SI
     std::vector<std::vector<double>> times;  ///< [n_runs] s, ascending: when the run is asked
     std::vector<std::size_t> channels;       ///< [n_noises] indices into Problem::channels: Block::channel counts these
+    std::vector<std::string> names;          ///< [n_noises] the sensor's, or of a camera with its band
+    std::vector<double> stated;              ///< [n_noises] standard deviation as the data sheet says, or 0
+    std::vector<ImageRows> images;
 };
 [[nodiscard]] Observations observe(const cases::Experiment& experiment);
 
@@ -68,6 +74,9 @@ public:
 
 private:
     [[nodiscard]] Forecast forecast(const Eigen::VectorXd& values);
+    /// A camera's frames as the run gives them, and their slopes. @param now the run's problem
+    void read_images(const ImageRows& image, const solver::Prediction& prediction, const solver::Problem& now,
+                     Forecast& into) const;
 
     const cases::Experiment* experiment_;
     const Observations* observations_;

@@ -28,12 +28,11 @@ cases::Experiment planned(cases::Experiment experiment) {
     return experiment;
 }
 
-std::vector<Noise> stated_noise(const cases::Experiment& experiment, const Observations& observations,
+std::vector<Noise> stated_noise(const cases::Experiment& /*experiment*/, const Observations& observations,
                                 double correlation_time, double white_share) {
     std::vector<Noise> noise;
-    for (const std::size_t channel : observations.channels) {
-        const solver::Channel& sensor = experiment.runs.front().problem.channels[channel];
-        noise.push_back({.sigma = sensor.standard_deviation.value_or(1.0),
+    for (const double stated : observations.stated) {
+        noise.push_back({.sigma = stated > 0.0 ? stated : 1.0,
                          .correlation_time = correlation_time,
                          .white_share = correlation_time > 0.0 ? white_share : 1.0});
     }

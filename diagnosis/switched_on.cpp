@@ -33,6 +33,9 @@ physics::ActiveEffect active_at(const Candidate& candidate, const mesh::Mesh& me
     }
     if (candidate.channel >= 0) {
         active.channels = {candidate.channel};
+        for (int channel = candidate.channel + 1; channel <= candidate.last_channel; ++channel) {
+            active.channels.push_back(channel);
+        }
     }
     if (candidate.layer >= 0) {
         active.layers = {candidate.layer};

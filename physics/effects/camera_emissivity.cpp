@@ -7,17 +7,28 @@ namespace tiretherm::physics::effects {
 
 namespace {
 
-enum : std::size_t { emissivity };
+enum : std::size_t { emissivity, reflected_temperature };
+enum : std::size_t { reflects };
+enum : int { the_air, what_is_stated };
 
 constexpr std::array parameters{
     Parameter{"emissivity", "1", 0.95, 0.0, 1.0, "of the surface, where the camera is set to 1", false, 1.0},
+    Parameter{"reflected_temperature", "K", 293.15, 0.0, 3000.0,
+              "of the surroundings that the surface mirrors, with reflects = \"stated\""},
 };
+constexpr std::array<std::string_view, 2> mirrored{"air", "stated"};
+constexpr std::array choices{
+    Choice{"reflects", mirrored, "whose temperature is mirrored: the air's, or reflected_temperature"}};
 constexpr std::array scopes{Scope::channel};
 constexpr std::array<std::string_view, 1> reads{"air_temperature"};
 
 double read(const ActiveEffect& active, std::size_t position, double value, const Inputs& logged) {
-    const double e = active.at(emissivity, Scope::channel, active.channels[position]);
-    return std::pow(e * std::pow(value, 4) + (1.0 - e) * std::pow(logged.air_temperature, 4), 0.25);
+    const int channel = active.channels[position];
+    const double e = active.at(emissivity, Scope::channel, channel);
+    const double around = active.choices[reflects] == what_is_stated
+                              ? active.at(reflected_temperature, Scope::channel, channel)
+                              : logged.air_temperature;
+    return std::pow(e * std::pow(value, 4) + (1.0 - e) * std::pow(around, 4), 0.25);
 }
 
 }  // namespace
@@ -26,13 +37,14 @@ extern const Effect camera_emissivity;
 const Effect camera_emissivity{
     .id = "camera_emissivity",
     .kind = Kind::sensor,
-    .equation = "reading^4 = e T^4 + (1 - e) T_air^4, kelvin, T_air as logged",
+    .equation = "reading^4 = e T^4 + (1 - e) T_air^4, kelvin, T_air as logged, or the temperature that is stated",
     .source = "Stefan-Boltzmann law, grey surface, all wavelengths",
     .meaning =
         "A camera that takes rubber for black sees the surroundings in it: it reads too low above their temperature, "
         "too "
         "high below, by 3 K at 80 degC for an emissivity of 0.95.",
     .parameters = parameters,
+    .choices = choices,
     .scopes = scopes,
     .reads = reads,
     .on_channels = true,

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "cases/draft.hpp"
+#include "cases/experiment.hpp"
+#include "cases/run_table.hpp"
+
+namespace tiretherm::cases {
+
+/// What the cameras gave in a run: opens the files of frames that it names, masks what is dead or beside the specimen,
+/// bins, and says what is suspicious about them.
+/// @param findings out, sentences
+void read_frames(const RunTable& table, const Draft& draft, Mistakes& mistakes, MeasuredRun& run,
+                 std::vector<std::string>& findings);
+
+}  // namespace tiretherm::cases
