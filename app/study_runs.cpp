@@ -5,6 +5,7 @@
 #include <chrono>
 #include <exception>
 #include <mutex>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -12,6 +13,7 @@
 #include "app/stop_signal.hpp"
 #include "diagnosis/in_parallel.hpp"
 #include "post/place.hpp"
+#include "solver/hot_spot.hpp"
 
 namespace tiretherm::app {
 
@@ -19,15 +21,41 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-post::StudyOutcome outcome_of(const solver::Problem& problem, const Ending& ending) {
+/// The hottest temperature of a run: at the rows between the cells too, at every step that of a node.
+class Hottest {
+public:
+    explicit Hottest(const solver::Problem& problem) : finder_(problem.mesh, all_nodes(problem.mesh)) {}
+
+    void take(const solver::Snapshot& snapshot) {
+        const solver::HotSpotFinder::Found found = finder_.find(snapshot.temperature);
+        if (found.temperature > peak_.temperature) {
+            peak_ = {.temperature = found.temperature, .time = snapshot.time, .node = found.node};
+        }
+    }
+    [[nodiscard]] solver::Report::Extreme of(const solver::Report& report) const {
+        return peak_.temperature > report.hottest.temperature ? peak_ : report.hottest;
+    }
+
+private:
+    static std::vector<int> all_nodes(const mesh::Mesh& mesh) {
+        std::vector<int> nodes(static_cast<std::size_t>(mesh.n_nodes));
+        std::iota(nodes.begin(), nodes.end(), 0);
+        return nodes;
+    }
+    solver::HotSpotFinder finder_;
+    solver::Report::Extreme peak_;
+};
+
+post::StudyOutcome outcome_of(const solver::Problem& problem, const Ending& ending, const Hottest& seen) {
     const solver::Report& report = ending.report;
     if (!ending.failure.empty()) {
         return {.failure = ending.failure};
     }
-    const post::Place place = post::place_of(problem.mesh, report.hottest.node);
+    const solver::Report::Extreme hottest = seen.of(report);
+    const post::Place place = post::place_of(problem.mesh, hottest.node);
     return {.failure = {},
-            .hottest = report.hottest.temperature,
-            .hottest_time = report.hottest.time,
+            .hottest = hottest.temperature,
+            .hottest_time = hottest.time,
             .hottest_layer = place.layer,
             .hottest_zone = place.zone,
             .channel_final = report.channel_final,
@@ -72,8 +100,9 @@ StudyResults run_study(const cases::Study& study, post::StudyJournal& journal, u
         post::StudyOutcome outcome;
         try {
             const solver::Problem problem = study.problem(run);
-            ending = run_to_end(problem, [](const solver::Snapshot&) {});
-            outcome = outcome_of(problem, ending);
+            Hottest hottest(problem);
+            ending = run_to_end(problem, [&](const solver::Snapshot& snapshot) { hottest.take(snapshot); });
+            outcome = outcome_of(problem, ending, hottest);
         } catch (const std::exception& error) {
             ending.failure = error.what();
         }

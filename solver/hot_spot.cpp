@@ -176,7 +176,11 @@ HotSpotFinder::Blend HotSpotFinder::along(std::size_t line, const Blend& depth, 
         x[i] = mesh_->columns[first + i].middle();
         f[i] = at_depth(first + i, depth, T);
     }
-    const Peak found = peak(x, f, column.from, column.to);
+    // Where the thickness jumps the field turns into the neighbour: the parabola is not carried on towards it.
+    const bool ends_before = line == first;
+    const bool ends_behind = line == first + 2;
+    const Peak found =
+        peak(x, f, ends_before ? column.middle() : column.from, ends_behind ? column.middle() : column.to);
     here.at = found.at;
     here.weight = found.weight;
     here.count = 3;

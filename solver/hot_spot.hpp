@@ -23,7 +23,8 @@ struct Critical {
 };
 
 /// The hottest place of a part, between its cells as well: a parabola through three nodes in depth and another along the
-/// meridian about the hottest node, each on one side of a jump of material or thickness where there is one. Second order
+/// meridian about the hottest node, each on one side of a jump of material or thickness where there is one; along the meridian never
+/// beyond the last node before it. Second order
 /// in the cell size where the hottest node alone lies below the peak by as much as half a cell's bend. Along the meridian
 /// only on a section; of lumps and of directions with too few cells the node itself.
 class HotSpotFinder {
