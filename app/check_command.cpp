@@ -7,8 +7,8 @@
 
 #include "app/commands.hpp"
 #include "app/messages.hpp"
-#include "cases/reader.hpp"
-#include "post/table.hpp"
+#include "input/model/reader.hpp"
+#include "post/report/table.hpp"
 
 namespace tiretherm::app {
 
@@ -68,7 +68,7 @@ void print_json(const solver::Problem& problem, const std::vector<std::string>& 
 }
 
 int check(const std::string& case_file, bool json) {
-    const cases::Reading reading = cases::read_case(case_file);
+    const input::Reading reading = input::read_case(case_file);
     if (!reading.problem) {
         tell_mistakes(reading, "the case cannot be run", json);
         return Exit::mistake;

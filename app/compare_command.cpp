@@ -10,14 +10,14 @@
 #include "app/commands.hpp"
 #include "app/measured_call.hpp"
 #include "app/messages.hpp"
-#include "diagnosis/comparison.hpp"
+#include "post/comparison/comparison_report.hpp"
 
 namespace tiretherm::app {
 
 namespace {
 
 int compare(const MeasuredCall& call) {
-    const std::optional<cases::ExperimentReading> reading = read_measured(call, "nothing was compared");
+    const std::optional<input::ExperimentReading> reading = read_measured(call, "nothing was compared");
     if (!reading) {
         return Exit::mistake;
     }
@@ -30,15 +30,15 @@ int compare(const MeasuredCall& call) {
     comparison.warnings = reading->warnings;
     comparison.findings = reading->findings;
     const auto files = write_measured(call, "out/" + name, [&](const std::filesystem::path& directory) {
-        return diagnosis::write_comparison(comparison, directory);
+        return post::write_comparison(comparison, directory);
     });
     if (!files) {
         return Exit::mistake;
     }
     if (call.json) {
-        fmt::print("{}", diagnosis::comparison_json(comparison, *files));
+        fmt::print("{}", post::comparison_json(comparison, *files));
     } else {
-        print_page(diagnosis::comparison_text(comparison, may_be_bold()), *files);
+        print_page(post::comparison_text(comparison, may_be_bold()), *files);
     }
     return Exit::done;
 }

@@ -8,9 +8,9 @@
 
 #include "app/commands.hpp"
 #include "app/messages.hpp"
-#include "cases/sheet_case.hpp"
-#include "post/file.hpp"
-#include "post/table.hpp"
+#include "input/spreadsheet/sheet_case.hpp"
+#include "post/report/file.hpp"
+#include "post/report/table.hpp"
 
 namespace tiretherm::app {
 
@@ -40,7 +40,7 @@ fs::path case_file(const Options& options) {
     return (fs::path(options.directory) / (nameless ? "tire" : name.string() + ".toml")).lexically_normal();
 }
 
-void print_json(const cases::SheetCase& made, const std::string& file) {
+void print_json(const input::SheetCase& made, const std::string& file) {
     Json json{{"case", file},
               {"sheets", made.sheets},
               {"mapped", Json::array()},
@@ -48,16 +48,16 @@ void print_json(const cases::SheetCase& made, const std::string& file) {
               {"missing", Json::array()},
               {"warnings", made.warnings},
               {"mistakes", Json::array()}};
-    for (const cases::SheetMapped& m : made.mapped) {
+    for (const input::SheetMapped& m : made.mapped) {
         const Json value = m.is_number ? Json(m.number) : Json(m.value);
         json["mapped"].push_back(
             {{"sheet", m.sheet}, {"parameter", m.parameter}, {"key", m.key}, {"value", value}, {"unit", m.unit}});
     }
-    for (const cases::SheetUnmapped& u : made.unmapped) {
+    for (const input::SheetUnmapped& u : made.unmapped) {
         json["unmapped"].push_back(
             {{"sheet", u.sheet}, {"parameter", u.parameter}, {"value", u.value}, {"reason", u.reason}});
     }
-    for (const cases::SheetMissing& m : made.missing) {
+    for (const input::SheetMissing& m : made.missing) {
         json["missing"].push_back(
             {{"sheet", m.sheet}, {"parameter", m.parameter}, {"key", m.key}, {"value", m.value}, {"reason", m.reason}});
     }
@@ -71,14 +71,14 @@ void print_table(const char* title, const post::Table& table) {
     }
 }
 
-void print_text(const cases::SheetCase& made, const std::string& file) {
+void print_text(const input::SheetCase& made, const std::string& file) {
     fmt::print("{}: a case of the two-node model\n", file);
     const std::size_t n = made.mapped.size();
     fmt::print("  {} of {} sheets {} in it\n", n == 1 ? "1 parameter" : fmt::format("{} parameters", n),
                made.sheets.size(), n == 1 ? "has its place" : "have their place");
     if (!made.missing.empty()) {
         post::Table table({true, true, true});
-        for (const cases::SheetMissing& m : made.missing) {
+        for (const input::SheetMissing& m : made.missing) {
             const bool wide = m.value.size() > widest_value;
             const std::string reason = wide ? fmt::format("{}: {}", m.value, m.reason) : m.reason;
             table.add({m.key, wide ? "" : m.value,
@@ -88,7 +88,7 @@ void print_text(const cases::SheetCase& made, const std::string& file) {
     }
     if (!made.unmapped.empty()) {
         post::Table table({true, true, true});
-        for (const cases::SheetUnmapped& u : made.unmapped) {
+        for (const input::SheetUnmapped& u : made.unmapped) {
             table.add({fmt::format("{}: {}", u.sheet, u.parameter), u.value, u.reason});
         }
         print_table("In the sheets, but without a place in a case", table);
@@ -102,7 +102,7 @@ void print_text(const cases::SheetCase& made, const std::string& file) {
 int convert(const Options& options) {
     const fs::path target = case_file(options);
     const std::string file = target.generic_string();
-    const cases::SheetCase made = cases::convert_sheet(options.sheet);
+    const input::SheetCase made = input::convert_sheet(options.sheet);
     if (!made.mistakes.empty()) {
         tell_mistakes({.problem = std::nullopt, .mistakes = made.mistakes, .warnings = made.warnings},
                       "no case was written", options.json);

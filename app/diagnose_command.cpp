@@ -12,25 +12,25 @@
 #include "app/commands.hpp"
 #include "app/measured_call.hpp"
 #include "app/messages.hpp"
-#include "diagnosis/camera_rings.hpp"
-#include "diagnosis/diagnosis_report.hpp"
+#include "diagnosis/compare/camera_rings.hpp"
+#include "post/diagnosis/diagnosis_report.hpp"
 
 namespace tiretherm::app {
 
 namespace {
 
 int diagnose(const MeasuredCall& call) {
-    const std::optional<cases::ExperimentReading> reading = read_measured(call, "nothing was diagnosed");
+    const std::optional<input::ExperimentReading> reading = read_measured(call, "nothing was diagnosed");
     if (!reading || !frees_numbers(call, *reading->experiment)) {
         return Exit::mistake;
     }
     std::vector<std::string> remarks;
-    const cases::Experiment experiment = diagnosis::in_rings(*reading->experiment, remarks);
+    const input::Experiment experiment = diagnosis::in_rings(*reading->experiment, remarks);
     const diagnosis::Observations observations = diagnosis::observe(experiment);
     // A grid has an error of its own, which a finer one shows; lumps are what they are.
-    std::optional<cases::Experiment> finer;
+    std::optional<input::Experiment> finer;
     if (experiment.runs.front().problem.mesh.kind != "two_node") {
-        finer = cases::read_experiment(call.case_file, call.data_files(), cases::Occasion::measured, 2).experiment;
+        finer = input::read_experiment(call.case_file, call.data_files(), input::Occasion::measured, 2).experiment;
         if (finer) {
             std::vector<std::string> same;
             finer = diagnosis::in_rings(std::move(*finer), same);
@@ -44,7 +44,7 @@ int diagnose(const MeasuredCall& call) {
         tell_error(result.status.message, "nothing was diagnosed", call.json);
         return Exit::numerical_failure;
     }
-    diagnosis::DiagnosisRecord record{.experiment = experiment,
+    post::DiagnosisRecord record{.experiment = experiment,
                                       .observations = observations,
                                       .result = result,
                                       .case_file = call.case_file,
@@ -54,14 +54,14 @@ int diagnose(const MeasuredCall& call) {
     std::ranges::copy(reading->warnings, std::back_inserter(record.warnings));
     const auto files = write_measured(
         call, "out/" + experiment.runs.front().problem.name,
-        [&](const std::filesystem::path& directory) { return diagnosis::write_diagnosis(record, directory); });
+        [&](const std::filesystem::path& directory) { return post::write_diagnosis(record, directory); });
     if (!files) {
         return Exit::mistake;
     }
     if (call.json) {
-        fmt::print("{}", diagnosis::diagnosis_json(record, *files));
+        fmt::print("{}", post::diagnosis_json(record, *files));
     } else {
-        print_page(diagnosis::diagnosis_text(record, may_be_bold()), *files);
+        print_page(post::diagnosis_text(record, may_be_bold()), *files);
     }
     return Exit::done;
 }

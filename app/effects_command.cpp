@@ -7,9 +7,9 @@
 
 #include "app/commands.hpp"
 #include "app/messages.hpp"
-#include "cases/words.hpp"
+#include "input/text/words.hpp"
 #include "physics/effect.hpp"
-#include "post/table.hpp"
+#include "post/report/table.hpp"
 
 namespace tiretherm::app {
 
@@ -159,7 +159,7 @@ int show(const std::string& name, bool json) {
         for (const physics::Effect* one : physics::catalogue()) {
             known.emplace_back(one->id);
         }
-        tell_error(fmt::format("there is no effect \"{}\"", name), cases::suggest(name, known, "effects"), json);
+        tell_error(fmt::format("there is no effect \"{}\"", name), input::suggest(name, known, "effects"), json);
         return Exit::mistake;
     }
     if (json) {

@@ -11,8 +11,8 @@
 #include "app/commands.hpp"
 #include "app/measured_call.hpp"
 #include "app/messages.hpp"
-#include "cases/reader.hpp"
-#include "diagnosis/identification_report.hpp"
+#include "input/model/reader.hpp"
+#include "post/identification/identification_report.hpp"
 
 namespace tiretherm::app {
 
@@ -28,8 +28,8 @@ struct Options : MeasuredCall {
 constexpr double white_share = 0.3;
 
 /// What a fit would say.
-int plan(const Options& options, cases::ExperimentReading& reading) {
-    const cases::Experiment experiment = diagnosis::planned(std::move(*reading.experiment));
+int plan(const Options& options, input::ExperimentReading& reading) {
+    const input::Experiment experiment = diagnosis::planned(std::move(*reading.experiment));
     const diagnosis::Observations observations = diagnosis::observe(experiment);
     if (observations.rows.empty()) {
         tell_error(fmt::format("{}: no sensor says how well it measures", options.case_file),
@@ -43,7 +43,7 @@ int plan(const Options& options, cases::ExperimentReading& reading) {
         tell_error(result.status.message, "nothing was planned", options.json);
         return Exit::numerical_failure;
     }
-    const diagnosis::IdentificationRecord record{.experiment = experiment,
+    const post::IdentificationRecord record{.experiment = experiment,
                                                  .observations = observations,
                                                  .result = result,
                                                  .case_file = options.case_file,
@@ -54,7 +54,7 @@ int plan(const Options& options, cases::ExperimentReading& reading) {
     std::vector<std::filesystem::path> files;
     if (!options.directory.empty()) {
         const auto written = write_measured(options, {}, [&](const std::filesystem::path& directory) {
-            return diagnosis::write_identification(record, directory);
+            return post::write_identification(record, directory);
         });
         if (!written) {
             return Exit::mistake;
@@ -62,9 +62,9 @@ int plan(const Options& options, cases::ExperimentReading& reading) {
         files = *written;
     }
     if (options.json) {
-        fmt::print("{}", diagnosis::identification_json(record, files));
+        fmt::print("{}", post::identification_json(record, files));
     } else {
-        fmt::print("{}", diagnosis::identification_text(record, may_be_bold()));
+        fmt::print("{}", post::identification_text(record, may_be_bold()));
         fmt::print(
             "\nNoise assumed: as stated with the sensors; {:.0f} % of its variance new in every sample, the rest "
             "forgotten over {:g} s (--correlation-time).\n",
@@ -83,20 +83,20 @@ int identify(const Options& options) {
         tell_error("a plan is of first order and has no profiles", "leave out --profile", options.json);
         return Exit::mistake;
     }
-    std::optional<cases::ExperimentReading> reading = read_measured(
-        options, "nothing was fitted", options.plan ? cases::Occasion::planned : cases::Occasion::measured);
+    std::optional<input::ExperimentReading> reading = read_measured(
+        options, "nothing was fitted", options.plan ? input::Occasion::planned : input::Occasion::measured);
     if (!reading || !frees_numbers(options, *reading->experiment)) {
         return Exit::mistake;
     }
     if (options.plan) {
         return plan(options, *reading);
     }
-    const cases::Experiment& experiment = *reading->experiment;
+    const input::Experiment& experiment = *reading->experiment;
     const diagnosis::Observations observations = diagnosis::observe(experiment);
     // Thousands of pixels see the grid's own error, which a finer one shows.
-    std::optional<cases::Experiment> finer;
+    std::optional<input::Experiment> finer;
     if (!observations.images.empty()) {
-        finer = cases::read_experiment(options.case_file, options.data_files(), cases::Occasion::measured, 2).experiment;
+        finer = input::read_experiment(options.case_file, options.data_files(), input::Occasion::measured, 2).experiment;
     }
     SimulationCount count(options.json);
     const diagnosis::Identification result =
@@ -107,7 +107,7 @@ int identify(const Options& options) {
         tell_error(result.status.message, "nothing was fitted", options.json);
         return Exit::numerical_failure;
     }
-    diagnosis::IdentificationRecord record{.experiment = experiment,
+    post::IdentificationRecord record{.experiment = experiment,
                                            .observations = observations,
                                            .result = result,
                                            .case_file = options.case_file,
@@ -116,19 +116,19 @@ int identify(const Options& options) {
                                            .findings = reading->findings};
     const std::string name = experiment.runs.front().problem.name;
     const auto files = write_measured(options, "out/" + name, [&](const std::filesystem::path& directory) {
-        return diagnosis::write_identification(record, directory);
+        return post::write_identification(record, directory);
     });
     if (!files) {
         return Exit::mistake;
     }
     // A law that fits where the data are may fail elsewhere, and the case with it.
-    if (const cases::Reading fitted = cases::read_case(files->front()); !fitted.problem) {
+    if (const input::Reading fitted = input::read_case(files->front()); !fitted.problem) {
         record.warnings.push_back("the fitted case cannot be run as it is: " + fitted.mistakes.front().what);
     }
     if (options.json) {
-        fmt::print("{}", diagnosis::identification_json(record, *files));
+        fmt::print("{}", post::identification_json(record, *files));
     } else {
-        print_page(diagnosis::identification_text(record, may_be_bold()), *files);
+        print_page(post::identification_text(record, may_be_bold()), *files);
     }
     return result.converged ? Exit::done : Exit::numerical_failure;
 }

@@ -9,7 +9,7 @@
 
 #include "app/commands.hpp"
 #include "app/messages.hpp"
-#include "cases/words.hpp"
+#include "input/text/words.hpp"
 
 namespace {
 
@@ -45,12 +45,12 @@ void tell_wrong_call(const CLI::App& program, const CLI::ParseError& error, bool
     const auto word = std::find_if_not(extra.begin(), extra.end(), is_option);
     if (chosen.empty() && word != extra.end()) {
         app::tell_error(fmt::format("there is no command \"{}\"", *word),
-                        cases::suggest(*word, command_names(program), "commands"), json);
+                        input::suggest(*word, command_names(program), "commands"), json);
     } else if (option != extra.end()) {
         app::tell_error(fmt::format("there is no option \"{}\"", *option),
-                        cases::suggest(*option, option_names(command), "options"), json);
+                        input::suggest(*option, option_names(command), "options"), json);
     } else if (chosen.empty()) {
-        app::tell_error(fmt::format("no command; the commands are {}", cases::listed(command_names(program))), help,
+        app::tell_error(fmt::format("no command; the commands are {}", input::listed(command_names(program))), help,
                         json);
     } else if (!extra.empty()) {
         app::tell_error(fmt::format("one argument too many: \"{}\"", extra.front()), help, json);

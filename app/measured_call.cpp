@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/messages.hpp"
-#include "post/file.hpp"
+#include "post/report/file.hpp"
 
 namespace tiretherm::app {
 
@@ -22,9 +22,9 @@ void add_measured_options(CLI::App& command, MeasuredCall& call, const char* cas
     command.add_flag("--json", call.json, "One JSON object instead of the page");
 }
 
-std::optional<cases::ExperimentReading> read_measured(const MeasuredCall& call, const char* consequence,
-                                                      cases::Occasion occasion) {
-    cases::ExperimentReading reading = cases::read_experiment(call.case_file, call.data_files(), occasion);
+std::optional<input::ExperimentReading> read_measured(const MeasuredCall& call, const char* consequence,
+                                                      input::Occasion occasion) {
+    input::ExperimentReading reading = input::read_experiment(call.case_file, call.data_files(), occasion);
     if (!reading.experiment) {
         tell_mistakes({.problem = std::nullopt, .mistakes = reading.mistakes, .warnings = reading.warnings},
                       consequence, call.json);
@@ -33,7 +33,7 @@ std::optional<cases::ExperimentReading> read_measured(const MeasuredCall& call, 
     return reading;
 }
 
-bool frees_numbers(const MeasuredCall& call, const cases::Experiment& experiment) {
+bool frees_numbers(const MeasuredCall& call, const input::Experiment& experiment) {
     if (!experiment.parameters.empty()) {
         return true;
     }

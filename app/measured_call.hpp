@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/experiment.hpp"
+#include "input/measurements/experiment.hpp"
 
 namespace CLI {
 class App;
@@ -30,11 +30,11 @@ void add_measured_options(CLI::App& command, MeasuredCall& call, const char* cas
 
 /// Reads the case and its runs; tells every mistake. @param consequence of mistakes, "nothing was fitted"
 /// @returns nothing when there are any
-[[nodiscard]] std::optional<cases::ExperimentReading> read_measured(
-    const MeasuredCall& call, const char* consequence, cases::Occasion occasion = cases::Occasion::measured);
+[[nodiscard]] std::optional<input::ExperimentReading> read_measured(
+    const MeasuredCall& call, const char* consequence, input::Occasion occasion = input::Occasion::measured);
 
 /// Whether the case frees any number; tells it when not.
-[[nodiscard]] bool frees_numbers(const MeasuredCall& call, const cases::Experiment& experiment);
+[[nodiscard]] bool frees_numbers(const MeasuredCall& call, const input::Experiment& experiment);
 
 /// Counts simulations for a person who waits. Quiet unless both streams are terminals and no JSON is wanted.
 class SimulationCount {

@@ -33,15 +33,15 @@ void tell_error(const std::string& sentence, const std::string& remedy, bool jso
     }
 }
 
-void tell_mistakes(const cases::Reading& reading, const std::string& consequence, bool json) {
+void tell_mistakes(const input::Reading& reading, const std::string& consequence, bool json) {
     const std::size_t n = reading.mistakes.size();
     const std::string sentence = fmt::format("{} {}; {}", n, n == 1 ? "mistake" : "mistakes", consequence);
     if (!json) {
-        fmt::print(stderr, "{}{}\n", cases::render(reading), sentence);
+        fmt::print(stderr, "{}{}\n", input::render(reading), sentence);
         return;
     }
     Json mistakes = Json::array();
-    for (const cases::Mistake& mistake : reading.mistakes) {
+    for (const input::Mistake& mistake : reading.mistakes) {
         mistakes.push_back({{"file", mistake.file},
                             {"line", mistake.line},
                             {"column", mistake.column},

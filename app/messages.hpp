@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "cases/reader.hpp"
+#include "input/model/reader.hpp"
 
 namespace tiretherm::app {
 
@@ -18,6 +18,6 @@ void tell_error(const std::string& sentence, const std::string& remedy, bool jso
 
 /// Tells every mistake of a case at once and counts them: "3 mistakes; nothing was run".
 /// @param consequence what follows from them, "nothing was run"
-void tell_mistakes(const cases::Reading& reading, const std::string& consequence, bool json);
+void tell_mistakes(const input::Reading& reading, const std::string& consequence, bool json);
 
 }  // namespace tiretherm::app

@@ -8,15 +8,15 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
-#include "app/hot_spots.hpp"
+#include "diagnosis/hot_spot/hot_spot_watch.hpp"
 #include "app/messages.hpp"
-#include "app/stop_signal.hpp"
-#include "cases/reader.hpp"
-#include "post/file.hpp"
-#include "post/progress.hpp"
-#include "post/run_files.hpp"
-#include "post/summary.hpp"
-#include "solver/march.hpp"
+#include "solver/stop_signal.hpp"
+#include "input/model/reader.hpp"
+#include "post/report/file.hpp"
+#include "post/report/progress.hpp"
+#include "post/run/run_files.hpp"
+#include "post/run/summary.hpp"
+#include "solver/time_integration/march.hpp"
 
 namespace tiretherm::app {
 
@@ -40,7 +40,7 @@ solver::Report march(const solver::Problem& problem, post::RunFiles& files, HotS
     const bool watched = on_terminal(stdout) && on_terminal(stderr) && !options.quiet && !problem.settings.steady;
     post::Progress progress(stderr, watched, problem.name, problem.settings.start, problem.settings.end);
     return solver::run(problem, [&](const solver::Snapshot& snapshot) {
-        const bool stop = stop_requested();
+        const bool stop = solver::stop_requested();
         solver::Snapshot seen = snapshot;
         seen.field = seen.field || stop;
         files.take(seen);
@@ -51,7 +51,7 @@ solver::Report march(const solver::Problem& problem, post::RunFiles& files, HotS
 }
 
 int run(const Options& options) {
-    cases::Reading reading = cases::read_case(options.case_file);
+    input::Reading reading = input::read_case(options.case_file);
     if (!reading.problem) {
         tell_mistakes(reading, "nothing was run", options.json);
         return Exit::mistake;
@@ -76,13 +76,13 @@ int run(const Options& options) {
         tell_error(error.what(), "nothing was run; choose another directory with --out", options.json);
         return Exit::mistake;
     }
-    heed_stop_signals();
+    solver::heed_stop_signals();
     const Clock::time_point begin = Clock::now();
     HotSpotWatch watch(options.case_file, problem);
     const solver::Report report = march(problem, *files, watch, options);
     const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     files->finish();
-    const std::optional<post::HotSpots> hot_spots = watch.report();
+    const std::optional<diagnosis::HotSpots> hot_spots = watch.report();
     if (hot_spots) {
         files->write_hot_spots(*hot_spots);
     }

@@ -12,14 +12,14 @@
 #include "app/build_identity.hpp"
 #include "app/commands.hpp"
 #include "app/messages.hpp"
-#include "app/stop_signal.hpp"
-#include "app/study_files.hpp"
-#include "app/study_runs.hpp"
-#include "cases/runs.hpp"
-#include "cases/study.hpp"
-#include "post/file.hpp"
-#include "post/study_journal.hpp"
-#include "post/study_summary.hpp"
+#include "solver/stop_signal.hpp"
+#include "post/study/study_files.hpp"
+#include "diagnosis/study/study_runs.hpp"
+#include "input/measurements/runs.hpp"
+#include "input/studies/study.hpp"
+#include "post/report/file.hpp"
+#include "post/study/study_journal.hpp"
+#include "post/study/study_summary.hpp"
 
 namespace tiretherm::app {
 
@@ -68,15 +68,15 @@ private:
 };
 
 int study(const Options& options) {
-    cases::StudyReading reading = cases::read_study(options.study_file);
+    input::StudyReading reading = input::read_study(options.study_file);
     if (!reading.study) {
         tell_mistakes({.problem = std::nullopt, .mistakes = reading.mistakes, .warnings = reading.warnings},
                       "nothing was run", options.json);
         return Exit::mistake;
     }
-    const cases::Study& study = *reading.study;
+    const input::Study& study = *reading.study;
     const std::filesystem::path directory =
-        options.directory.empty() ? "out/" + cases::case_name(study.file) : options.directory;
+        options.directory.empty() ? "out/" + input::case_name(study.file) : options.directory;
     std::optional<StudyFiles> files;
     std::optional<post::StudyJournal> journal;
     try {
@@ -92,7 +92,7 @@ int study(const Options& options) {
             break;
         }
     }
-    heed_stop_signals();
+    solver::heed_stop_signals();
     const Clock::time_point begin = Clock::now();
     StudyResults results;
     {
@@ -115,7 +115,7 @@ int study(const Options& options) {
                          .run_seconds = results.run_seconds,
                          .threads = threads_used(options.threads, study.runs.size() - results.kept),
                          .files = {}};
-    post::StudyRecord record = study_record(study, std::move(results.outcomes));
+    diagnosis::StudyRecord record = study_record(study, std::move(results.outcomes));
     record.warnings = std::move(reading.warnings);
     record.warnings.insert(record.warnings.end(), results.warnings.begin(), results.warnings.end());
     for (const std::string& key : record.without_effect()) {

@@ -11,12 +11,12 @@
 
 #include "app/commands.hpp"
 #include "app/messages.hpp"
-#include "app/stop_signal.hpp"
-#include "app/validation_rows.hpp"
-#include "app/validation_runs.hpp"
-#include "cases/validation.hpp"
-#include "cases/words.hpp"
-#include "post/validation_table.hpp"
+#include "solver/stop_signal.hpp"
+#include "diagnosis/validation/validation_rows.hpp"
+#include "diagnosis/validation/validation_runs.hpp"
+#include "input/validation/validation.hpp"
+#include "input/text/words.hpp"
+#include "post/validation/validation_table.hpp"
 
 namespace tiretherm::app {
 
@@ -35,7 +35,7 @@ struct Options {
 using Clock = std::chrono::steady_clock;
 
 /// Says what is wrong and returns true, or leaves the table as asked for.
-bool refuses(cases::ValidationReading& reading, const Options& options) {
+bool refuses(input::ValidationReading& reading, const Options& options) {
     if (!reading.table) {
         std::error_code error;
         if (!std::filesystem::exists(options.table, error) && options.table == shipped) {
@@ -51,7 +51,7 @@ bool refuses(cases::ValidationReading& reading, const Options& options) {
     if (!options.only.empty()) {
         if (const std::vector<std::string> unknown = reading.table->keep(options.only); !unknown.empty()) {
             tell_error(fmt::format("there is no experiment \"{}\"", unknown.front()),
-                       cases::suggest(unknown.front(), known, "experiments"), options.json);
+                       input::suggest(unknown.front(), known, "experiments"), options.json);
             return true;
         }
     }
@@ -59,12 +59,12 @@ bool refuses(cases::ValidationReading& reading, const Options& options) {
 }
 
 int validate(const Options& options) {
-    cases::ValidationReading reading = cases::read_validation(options.table);
+    input::ValidationReading reading = input::read_validation(options.table);
     if (refuses(reading, options)) {
         return Exit::mistake;
     }
-    const cases::Validation& table = *reading.table;
-    heed_stop_signals();
+    const input::Validation& table = *reading.table;
+    solver::heed_stop_signals();
     const Clock::time_point begin = Clock::now();
     const bool watched = on_terminal(stderr) && on_terminal(stdout);
     const RunResults results = run_all(table.runs, options.threads, [&](std::size_t done) {
@@ -76,13 +76,13 @@ int validate(const Options& options) {
     if (watched) {
         fmt::print(stderr, "\r\033[K");
     }
-    if (stop_requested()) {
+    if (solver::stop_requested()) {
         tell_error("stopped", "there is no table", options.json);
         return Exit::interrupted;
     }
     std::vector<std::string> warnings = reading.warnings;
     warnings.insert(warnings.end(), results.warnings.begin(), results.warnings.end());
-    const post::ValidationRecord record{.title = table.title,
+    const diagnosis::ValidationRecord record{.title = table.title,
                                         .models = {{"two_node", "two nodes"}, {"section", "section"}},
                                         .rows = validation_rows(table, results),
                                         .runs = table.runs.size(),

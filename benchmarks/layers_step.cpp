@@ -4,7 +4,7 @@
 
 #include "benchmarks/ratio.hpp"
 #include "mesh/builders.hpp"
-#include "solver/session.hpp"
+#include "solver/time_integration/session.hpp"
 
 namespace tiretherm::benchmarks {
 

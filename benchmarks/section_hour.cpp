@@ -3,7 +3,7 @@
 // wall time.
 #include "benchmarks/ratio.hpp"
 #include "benchmarks/rolling_section.hpp"
-#include "solver/march.hpp"
+#include "solver/time_integration/march.hpp"
 
 namespace tiretherm::benchmarks {
 

@@ -7,7 +7,7 @@
 #include "benchmarks/ratio.hpp"
 #include "benchmarks/rolling_section.hpp"
 #include "mesh/probe.hpp"
-#include "solver/prediction.hpp"
+#include "solver/sensitivity/prediction.hpp"
 
 namespace tiretherm::benchmarks {
 

@@ -13,7 +13,7 @@
 #include "benchmarks/ratio.hpp"
 #include "mesh/builders.hpp"
 #include "mesh/probe.hpp"
-#include "solver/march.hpp"
+#include "solver/time_integration/march.hpp"
 
 namespace tiretherm::benchmarks {
 

@@ -4,15 +4,13 @@ include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/tiretherm)
 
 install(TARGETS tiretherm)
-foreach(part core files diagnosis)
+foreach(part IN LISTS TIRETHERM_PARTS)
     install(TARGETS tiretherm_${part} EXPORT tiretherm_${part})
     install(EXPORT tiretherm_${part} NAMESPACE tiretherm:: FILE tiretherm_${part}.cmake DESTINATION ${package_dir})
 endforeach()
-install(DIRECTORY mesh physics solver cases post diagnosis DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tiretherm
+install(DIRECTORY mesh physics solver input diagnosis post DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tiretherm
     FILES_MATCHING PATTERN "*.hpp")
-# cases/ holds the reader beside the library of cases; only the latter is data.
-install(DIRECTORY cases/ DESTINATION ${CMAKE_INSTALL_DATADIR}/tiretherm/cases
-    PATTERN "*.cpp" EXCLUDE PATTERN "*.hpp" EXCLUDE)
+install(DIRECTORY cases/ DESTINATION ${CMAKE_INSTALL_DATADIR}/tiretherm/cases)
 
 configure_package_config_file(cmake/tirethermConfig.cmake.in ${PROJECT_BINARY_DIR}/tirethermConfig.cmake
     INSTALL_DESTINATION ${package_dir})

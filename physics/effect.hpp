@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "mesh/mesh.hpp"
-#include "physics/field.hpp"
+#include "physics/field_transfer/field.hpp"
 #include "physics/material.hpp"
 #include "physics/signals.hpp"
 #include "physics/terms.hpp"

@@ -7,18 +7,16 @@
 #include <vector>
 
 #include "mesh/mesh.hpp"
-#include "physics/cornering_stiffness.hpp"
+#include "physics/tire_laws/cornering_stiffness.hpp"
 #include "physics/effect.hpp"
-#include "physics/magic_formula.hpp"
+#include "physics/tire_laws/magic_formula.hpp"
 #include "solver/drive.hpp"
+#include "solver/linear/factor.hpp"
 
 namespace tiretherm::solver {
 
 /// How time is stepped.
 enum class Method : std::uint8_t { tr_bdf2, backward_euler };
-
-/// Which factor stands behind the linear systems; `automatic` looks at the fill that CHOLMOD's analysis predicts.
-enum class LinearSolver : std::uint8_t { automatic, cholesky, conjugate_gradient };
 
 struct Settings {
     bool steady = false;  ///< solve for the steady state of the drive at `end` instead of marching

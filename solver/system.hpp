@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "physics/terms.hpp"
-#include "solver/matrix.hpp"
+#include "solver/linear/matrix.hpp"
 #include "solver/problem.hpp"
 #include "solver/status.hpp"
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "physics/travelling.hpp"
+#include "physics/contact/travelling.hpp"
 
 namespace tiretherm::solver {
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "post/file.hpp"
+#include "post/report/file.hpp"
 #include "tests/post/scratch.hpp"
 
 /// The real program, called as a user calls it.

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/app/program.hpp"
-#include "tests/cases/written.hpp"
-#include "tests/diagnosis/compared_bench.hpp"
+#include "tests/support/written.hpp"
+#include "tests/diagnosis/compare/compared_bench.hpp"
 
 namespace tiretherm::app_test {
 namespace {
@@ -14,7 +14,7 @@ using Json = nlohmann::json;
 
 /// The idle bench with its two logs in a folder: it stays at 23 degC, the bulk is read 7/6 K lower on the whole.
 struct Bench {
-    cases::Written written;
+    input::Written written;
     std::string file;
 
     Bench() {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/app/program.hpp"
-#include "tests/cases/written.hpp"
+#include "tests/support/written.hpp"
 
 namespace tiretherm::app_test {
 namespace {
@@ -20,7 +20,7 @@ const std::string puzzle =
 
 /// A folder, and diagnoses whose files go there.
 struct Diagnoses {
-    cases::Written written;
+    input::Written written;
 
     [[nodiscard]] std::string file(const std::string& name) const { return (written.folder() / name).string(); }
     [[nodiscard]] Call diagnose(const std::string& case_file, const std::string& arguments = "") const {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "post/file.hpp"
+#include "post/report/file.hpp"
 #include "support/warming_lump.hpp"
 #include "tests/app/program.hpp"
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/app/program.hpp"
-#include "tests/cases/written.hpp"
+#include "tests/support/written.hpp"
 
 namespace tiretherm::app_test {
 namespace {
@@ -17,7 +17,7 @@ const std::string bench = library + "practice/two_node_bench.toml";
 
 /// A folder, and fits whose files go there.
 struct Fits {
-    cases::Written written;
+    input::Written written;
 
     [[nodiscard]] std::string file(const std::string& name) const { return (written.folder() / name).string(); }
     [[nodiscard]] Call identify(const std::string& case_file, const std::string& arguments = "") const {

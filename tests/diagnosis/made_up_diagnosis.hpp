@@ -1,7 +1,7 @@
 #pragma once
 
-#include "diagnosis/candidates.hpp"
-#include "diagnosis/diagnosis_report.hpp"
+#include "diagnosis/detect/candidates.hpp"
+#include "post/diagnosis/diagnosis_report.hpp"
 #include "tests/diagnosis/practice_bench.hpp"
 
 namespace tiretherm::diagnosis::sample {
@@ -9,7 +9,7 @@ namespace tiretherm::diagnosis::sample {
 /// A diagnosis of the practice bench that nobody made: every value is 0.5 K above the base model and on the extended
 /// one, in white noise of 0.5 and 0.3 K.
 struct MadeUp {
-    cases::Experiment experiment = practice_bench();
+    input::Experiment experiment = practice_bench();
     Observations observations = observe(experiment);
     Diagnosis result;
 

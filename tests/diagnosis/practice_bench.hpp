@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "cases/measured_bench.hpp"
-#include "diagnosis/identification.hpp"
+#include "input/measurements/measured_bench.hpp"
+#include "diagnosis/fit/identification.hpp"
 
 namespace tiretherm::diagnosis::sample {
 
@@ -52,33 +52,33 @@ inline Log read_log(const std::filesystem::path& file) {
     return log;
 }
 
-inline std::filesystem::path practice() { return cases::source_folder() / "cases/practice"; }
+inline std::filesystem::path practice() { return input::source_folder() / "cases/practice"; }
 
 /// The three runs of cases/practice: made up with lambda_h = 1.05 and lambda_SEL = 0.93, a sample every 4 s.
 inline std::vector<Log> practice_logs() {
     return {read_log(practice() / "run1.csv"), read_log(practice() / "run2.csv"), read_log(practice() / "run3.csv")};
 }
 
-inline cases::Experiment read_bench(const std::filesystem::path& file,
+inline input::Experiment read_bench(const std::filesystem::path& file,
                                     const std::vector<std::filesystem::path>& data = {}) {
-    cases::ExperimentReading reading = cases::read_experiment(file, data);
-    EXPECT_TRUE(reading.experiment) << cases::complaints(reading);
-    return reading.experiment ? std::move(*reading.experiment) : cases::Experiment{};
+    input::ExperimentReading reading = input::read_experiment(file, data);
+    EXPECT_TRUE(reading.experiment) << input::complaints(reading);
+    return reading.experiment ? std::move(*reading.experiment) : input::Experiment{};
 }
 
-inline cases::Experiment practice_bench() { return read_bench(practice() / "two_node_bench.toml"); }
+inline input::Experiment practice_bench() { return read_bench(practice() / "two_node_bench.toml"); }
 
 /// The text of the practice case, its files named so that it can lie anywhere.
 inline std::string practice_text() {
     std::ifstream in(practice() / "two_node_bench.toml");
     std::string text{std::istreambuf_iterator<char>(in), {}};
-    text = cases::replaced(text, "../tires", (cases::source_folder() / "cases/tires").string());
-    return cases::replaced(text, "file = \"run", "file = \"" + (practice() / "run").string());
+    text = input::replaced(text, "../tires", (input::source_folder() / "cases/tires").string());
+    return input::replaced(text, "file = \"run", "file = \"" + (practice() / "run").string());
 }
 
 /// The case of cases/practice with other logs.
-inline cases::Experiment practice_bench(const std::vector<Log>& logs) {
-    const cases::Written written;
+inline input::Experiment practice_bench(const std::vector<Log>& logs) {
+    const input::Written written;
     std::vector<std::filesystem::path> data;
     for (const Log& log : logs) {
         data.push_back(written.add(fmt::format("run{}.csv", data.size() + 1), log.text()));
@@ -86,14 +86,14 @@ inline cases::Experiment practice_bench(const std::vector<Log>& logs) {
     return read_bench(practice() / "two_node_bench.toml", data);
 }
 
-inline Identification fit(const cases::Experiment& experiment, const IdentificationChoice& choice = {}) {
+inline Identification fit(const input::Experiment& experiment, const IdentificationChoice& choice = {}) {
     Identification result = identify(experiment, observe(experiment), choice);
     EXPECT_TRUE(result.status.ok()) << result.status.message;
     EXPECT_TRUE(result.converged);
     return result;
 }
 
-inline std::size_t index_of(const cases::Experiment& experiment, std::string_view name) {
+inline std::size_t index_of(const input::Experiment& experiment, std::string_view name) {
     for (std::size_t j = 0; j < experiment.parameters.size(); ++j) {
         if (experiment.parameters[j].name == name) {
             return j;
@@ -108,7 +108,7 @@ inline constexpr std::string_view loss = "strain_energy_loss.tan_delta_a";
 
 /// The same numbers in two experiments, by their names: how far apart values and intervals are, in standard deviations
 /// of the first.
-inline double apart(const cases::Experiment& first, const Identification& one, const cases::Experiment& second,
+inline double apart(const input::Experiment& first, const Identification& one, const input::Experiment& second,
                     const Identification& other) {
     EXPECT_EQ(first.parameters.size(), second.parameters.size());
     double most = 0.0;

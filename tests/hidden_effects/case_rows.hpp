@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/written.hpp"
-#include "solver/march.hpp"
+#include "support/written.hpp"
+#include "solver/time_integration/march.hpp"
 
 namespace hidden_effects {
 
@@ -25,10 +25,10 @@ inline double largest_difference(const std::vector<double>& a, const std::vector
 /// The rows of a case of the library: [channel][row], degC, at its output times without the first.
 /// @param tolerance K, local error of a step; 0: the case's
 inline std::vector<std::vector<double>> run_case(const std::string& name, double tolerance = 0.0) {
-    namespace cases = tiretherm::cases;
-    cases::Reading reading = cases::read_case(cases::source_folder() / "cases" / (name + ".toml"));
+    namespace cases = tiretherm::input;
+    input::Reading reading = input::read_case(input::source_folder() / "cases" / (name + ".toml"));
     if (!reading.problem) {
-        ADD_FAILURE() << cases::render(reading);
+        ADD_FAILURE() << input::render(reading);
         return {};
     }
     if (tolerance > 0.0) {

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "cases/measured_bench.hpp"
-#include "hidden_effects/random_truth.hpp"
+#include "input/measurements/measured_bench.hpp"
+#include "numerics/random_truth.hpp"
 
 namespace hidden_effects {
 
@@ -60,23 +60,23 @@ double MadeUpBench::truth_of(const tiretherm::solver::Adjustable& parameter) con
     throw std::invalid_argument("the bench has no " + parameter.name);
 }
 
-tiretherm::cases::Experiment read_with(const std::filesystem::path& file,
+tiretherm::input::Experiment read_with(const std::filesystem::path& file,
                                        const std::vector<std::vector<Column>>& logs) {
-    namespace cases = tiretherm::cases;
-    const cases::Written scratch;
+    namespace cases = tiretherm::input;
+    const input::Written scratch;
     std::vector<std::filesystem::path> data;
     for (const std::vector<Column>& log : logs) {
         data.push_back(scratch.add("run" + std::to_string(data.size() + 1) + ".csv", written(log)));
     }
-    cases::ExperimentReading reading = cases::read_experiment(file, data);
+    input::ExperimentReading reading = input::read_experiment(file, data);
     if (!reading.experiment) {
-        throw std::runtime_error(cases::complaints(reading));
+        throw std::runtime_error(input::complaints(reading));
     }
     return std::move(*reading.experiment);
 }
 
 std::filesystem::path practice_case() {
-    return tiretherm::cases::source_folder() / "cases/practice/two_node_bench.toml";
+    return tiretherm::input::source_folder() / "cases/practice/two_node_bench.toml";
 }
 
 }  // namespace hidden_effects

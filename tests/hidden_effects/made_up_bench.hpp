@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "cases/experiment.hpp"
-#include "hidden_effects/programme_truth.hpp"
-#include "hidden_effects/table_truth.hpp"
+#include "input/measurements/experiment.hpp"
+#include "two_node/programme_truth.hpp"
+#include "numerics/table_truth.hpp"
 
 namespace hidden_effects {
 
@@ -31,7 +31,7 @@ struct MadeUpBench {
 [[nodiscard]] MadeUpBench make_up_bench(std::uint64_t seed, double interval, const Maker& maker = draw_programme);
 
 /// The experiment that the program reads from a case and these logs, written to files as a user would.
-[[nodiscard]] tiretherm::cases::Experiment read_with(const std::filesystem::path& file,
+[[nodiscard]] tiretherm::input::Experiment read_with(const std::filesystem::path& file,
                                                      const std::vector<std::vector<Column>>& logs);
 /// cases/practice/two_node_bench.toml
 [[nodiscard]] std::filesystem::path practice_case();

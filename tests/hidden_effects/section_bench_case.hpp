@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "cases/measured_bench.hpp"
+#include "input/measurements/measured_bench.hpp"
 #include "hidden_effects/case_rows.hpp"
 #include "hidden_effects/made_up_bench.hpp"
-#include "hidden_effects/section_columns_truth.hpp"
+#include "section/section_columns_truth.hpp"
 
 namespace hidden_effects {
 
@@ -23,9 +23,9 @@ inline SectionProgramme first_of(SectionProgramme programme, std::size_t n) {
 /// A case of cases/practice as it is, with what a user would add to it, read with a log of its own.
 inline tiretherm::solver::Problem practice_problem(const std::string& name, const std::string& added,
                                                    const std::vector<Column>& log) {
-    namespace cases = tiretherm::cases;
-    const cases::Written written;
-    const std::string include = (cases::source_folder() / "cases/practice" / (name + ".toml")).string();
+    namespace cases = tiretherm::input;
+    const input::Written written;
+    const std::string include = (input::source_folder() / "cases/practice" / (name + ".toml")).string();
     const std::filesystem::path file = written.add("bench.toml", "include = [\"" + include + "\"]\n" + added);
     return read_with(file, {log}).runs.front().problem;
 }

@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/measured_bench.hpp"
-#include "diagnosis/diagnosis.hpp"
-#include "diagnosis/findings.hpp"
-#include "hidden_effects/exam_sitting.hpp"
+#include "input/measurements/measured_bench.hpp"
+#include "diagnosis/assess/diagnosis.hpp"
+#include "diagnosis/assess/findings.hpp"
+#include "hidden_effects/exam/exam_sitting.hpp"
 #include "hidden_effects/made_up_bench.hpp"
 
 namespace hidden_effects {
@@ -17,7 +17,7 @@ namespace hidden_effects {
 namespace {
 
 namespace diagnosis = tiretherm::diagnosis;
-using tiretherm::cases::Experiment;
+using tiretherm::input::Experiment;
 
 /// s between samples: half of the bench's, which is quick enough for a tire.
 constexpr double interval = 4.0;
@@ -228,7 +228,7 @@ TEST(DiagnosisBench, ReadingsOfTheProgramItselfFitBetterThanThoseOfTheTruth) {
 // With 16 cells the own error is 0.1 to 0.2 standard deviations after correction; it falls with the square of the spacing,
 // so that an eighth of the cells makes some ten of them, and 3 are allowed.
 TEST(DiagnosisBench, RefusesAGridThatCouldPassForACause) {
-    const std::filesystem::path folder = tiretherm::cases::source_folder() / "cases/practice";
+    const std::filesystem::path folder = tiretherm::input::source_folder() / "cases/practice";
     std::ifstream bench(folder / "layers_bench.toml");
     std::string text((std::istreambuf_iterator<char>(bench)), std::istreambuf_iterator<char>());
     const auto replace = [&](const std::string& from, const std::string& to) {
@@ -240,11 +240,11 @@ TEST(DiagnosisBench, RefusesAGridThatCouldPassForACause) {
     replace("ratio = 2.2", "ratio = 1.0");
     replace("cells = 7", "cells = 1");
     replace("../tires", (folder / "../tires").string());
-    const tiretherm::cases::Written scratch;
+    const tiretherm::input::Written scratch;
     const std::filesystem::path file = scratch.add("coarse.toml", text);
     const std::vector<std::filesystem::path> data{folder / "layers_run1.csv"};
     const auto read = [&](int finer) {
-        return *tiretherm::cases::read_experiment(file, data, tiretherm::cases::Occasion::measured, finer).experiment;
+        return *tiretherm::input::read_experiment(file, data, tiretherm::input::Occasion::measured, finer).experiment;
     };
     const Experiment experiment = read(1);
     const Experiment finer = read(2);

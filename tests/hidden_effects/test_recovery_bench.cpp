@@ -1,5 +1,5 @@
 // Benches of two nodes with known numbers: does identify find them again, as often as its intervals say?
-//     truth: 8 (or 200) sets of three runs of forty minutes, scales and starts drawn, tests/hidden_effects/*_truth
+//     truth: 8 (or 200) sets of three runs of forty minutes, scales and starts drawn, tests/truths
 //     fit:   cases/practice/two_node_bench.toml, 8 numbers
 // An honest 95 % interval misses once in 20. Sets are independent of each other, and so are, but for what the scales
 // make them share, the six starts of a set.
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "diagnosis/identification.hpp"
+#include "diagnosis/fit/identification.hpp"
 #include "hidden_effects/made_up_bench.hpp"
 #include "support/coverage.hpp"
 
@@ -30,7 +30,7 @@ std::map<std::string, Coverage> recover(std::uint64_t first, std::uint64_t last,
     std::map<std::string, Coverage> found;
     for (std::uint64_t seed = first; seed <= last; ++seed) {
         const MadeUpBench made = make_up_bench(seed, interval);
-        const tiretherm::cases::Experiment experiment = read_with(practice_case(), made.logs);
+        const tiretherm::input::Experiment experiment = read_with(practice_case(), made.logs);
         const diagnosis::Identification fit = diagnosis::identify(experiment, diagnosis::observe(experiment));
         EXPECT_TRUE(fit.status.ok()) << "seed " << seed << ": " << fit.status.message;
         EXPECT_TRUE(fit.converged) << "seed " << seed;

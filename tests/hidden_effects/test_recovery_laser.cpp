@@ -1,5 +1,5 @@
 // K1(T) and K2(T) from a laser at three powers: do 95 % intervals hold what is true, 19 times of 20?
-//     truth: biquadratic finite elements, tests/hidden_effects/*_truth, with the numbers of cases/laser/README.md
+//     truth: biquadratic finite elements, tests/truths, with the numbers of cases/laser/README.md
 //     fit:   cases/laser/identify.toml, finite volumes, 13 numbers
 // Of what is known before, each number is drawn about the truth with the standard deviation that the case states: so a
 // prior that is honest comes about, and intervals in which it has a share are as honest as it is.
@@ -14,19 +14,19 @@
 #include <gtest/gtest.h>
 #include <Eigen/Cholesky>
 
-#include "cases/measured_bench.hpp"
-#include "diagnosis/fit.hpp"
-#include "diagnosis/identification.hpp"
-#include "hidden_effects/laser_truth.hpp"
-#include "hidden_effects/random_truth.hpp"
-#include "hidden_effects/shipped_truth.hpp"
+#include "input/measurements/measured_bench.hpp"
+#include "diagnosis/fit/fit.hpp"
+#include "diagnosis/fit/identification.hpp"
+#include "laser/laser_truth.hpp"
+#include "numerics/random_truth.hpp"
+#include "two_node/shipped_truth.hpp"
 #include "support/coverage.hpp"
 
 namespace hidden_effects {
 
 namespace {
 
-namespace cases = tiretherm::cases;
+namespace cases = tiretherm::input;
 namespace diagnosis = tiretherm::diagnosis;
 namespace solver = tiretherm::solver;
 
@@ -55,8 +55,8 @@ double truth_of(const solver::Adjustable& parameter) {
 class LaserBench {
 public:
     LaserBench() {
-        cases::ExperimentReading reading = cases::read_experiment(cases::source_folder() / "cases/laser/identify.toml");
-        EXPECT_TRUE(reading.experiment) << cases::complaints(reading);
+        input::ExperimentReading reading = input::read_experiment(input::source_folder() / "cases/laser/identify.toml");
+        EXPECT_TRUE(reading.experiment) << input::complaints(reading);
         experiment_ = std::move(*reading.experiment);
         const std::size_t n = experiment_.parameters.size();
         truth_.resize(static_cast<Eigen::Index>(n));
@@ -83,8 +83,8 @@ public:
     }
 
     /// A measurement of the truth. @param seed 0: without noise, and all is known before as it is
-    [[nodiscard]] cases::Experiment measure(std::uint64_t seed) const {
-        cases::Experiment experiment = experiment_;
+    [[nodiscard]] input::Experiment measure(std::uint64_t seed) const {
+        input::Experiment experiment = experiment_;
         Random random(seed);
         for (std::size_t j = 0; j < experiment.parameters.size(); ++j) {
             solver::Adjustable& parameter = experiment.parameters[j];
@@ -92,9 +92,9 @@ public:
             parameter.prior = truth_[static_cast<Eigen::Index>(j)] + (seed > 0 ? known * random.normal() : 0.0);
         }
         for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
-            cases::MeasuredRun& run = experiment.runs[r];
+            input::MeasuredRun& run = experiment.runs[r];
             EXPECT_EQ(run.series.size(), channels.size());
-            for (cases::MeasuredSeries& series : run.series) {
+            for (input::MeasuredSeries& series : run.series) {
                 const std::size_t c = run.problem.channels[series.channel].name == channels[0] ? 0 : 1;
                 const std::vector<double> noise =
                     draw_noise({.standard_deviation = seed > 0 ? deviations.at(c) : 0.0}, run.time, random);
@@ -108,7 +108,7 @@ public:
     [[nodiscard]] const Eigen::VectorXd& truth() const { return truth_; }
 
 private:
-    cases::Experiment experiment_;
+    input::Experiment experiment_;
     Eigen::VectorXd truth_;
     std::vector<std::array<std::vector<double>, 2>> traces_;  ///< [n_runs] degC
 };
@@ -121,7 +121,7 @@ struct Estimate {
 /// The fit of a model that is a plane about the true numbers.
 class Plane {
 public:
-    Plane(const cases::Experiment& experiment, const Eigen::VectorXd& truth)
+    Plane(const input::Experiment& experiment, const Eigen::VectorXd& truth)
         : truth_(truth), scale_(diagnosis::scales_of(experiment, truth)), precision_(truth.size()) {
         const diagnosis::Observations observations = diagnosis::observe(experiment);
         forecast_ = diagnosis::Simulator(experiment, observations).at(truth);
@@ -134,7 +134,7 @@ public:
     }
 
     /// @param noise where it is known; otherwise it is found
-    [[nodiscard]] Estimate fit(const cases::Experiment& experiment,
+    [[nodiscard]] Estimate fit(const input::Experiment& experiment,
                                const std::vector<diagnosis::Noise>& noise = {}) const {
         const diagnosis::Observations observations = diagnosis::observe(experiment);
         const Eigen::Index n = truth_.size();
@@ -182,7 +182,7 @@ private:
 
 TEST(LaserRecoveryLong, IntervalsOfTheConductivitiesHoldTheTruthNineteenTimesOfTwenty) {
     const LaserBench bench;
-    const cases::Experiment first = bench.measure(0);
+    const input::Experiment first = bench.measure(0);
     const Plane plane(first, bench.truth());
     constexpr double wide = 1.959964;
     constexpr std::size_t n_conductivities = 6;
@@ -217,7 +217,7 @@ TEST(LaserRecoveryLong, IntervalsOfTheConductivitiesHoldTheTruthNineteenTimesOfT
     }
 
     for (std::uint64_t seed = 7001; seed <= 7005; ++seed) {
-        const cases::Experiment measured = bench.measure(seed);
+        const input::Experiment measured = bench.measure(seed);
         const Estimate estimate = plane.fit(measured);
         const diagnosis::Identification whole = diagnosis::identify(measured, diagnosis::observe(measured));
         ASSERT_TRUE(whole.status.ok()) << whole.status.message;

@@ -3,23 +3,23 @@
 // (BenchRecoveryLong).
 #include <gtest/gtest.h>
 
-#include "cases/measured_bench.hpp"
-#include "diagnosis/identification.hpp"
+#include "input/measurements/measured_bench.hpp"
+#include "diagnosis/fit/identification.hpp"
 
 namespace hidden_effects {
 
 namespace {
 
-namespace cases = tiretherm::cases;
+namespace cases = tiretherm::input;
 namespace diagnosis = tiretherm::diagnosis;
 
 /// Fits a case of cases/practice to its own runs. @param truth [n_parameters] in their order and units
 void expect_recovered(const std::string& name, const std::vector<double>& truth) {
     SCOPED_TRACE(name);
-    const cases::ExperimentReading reading =
-        cases::read_experiment(cases::source_folder() / "cases/practice" / (name + ".toml"));
-    ASSERT_TRUE(reading.experiment) << cases::complaints(reading);
-    const cases::Experiment& experiment = *reading.experiment;
+    const input::ExperimentReading reading =
+        input::read_experiment(input::source_folder() / "cases/practice" / (name + ".toml"));
+    ASSERT_TRUE(reading.experiment) << input::complaints(reading);
+    const input::Experiment& experiment = *reading.experiment;
     const diagnosis::Identification fit = diagnosis::identify(experiment, diagnosis::observe(experiment));
     ASSERT_TRUE(fit.status.ok()) << fit.status.message;
     EXPECT_TRUE(fit.converged);

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/measured_bench.hpp"
-#include "diagnosis/fit.hpp"
-#include "diagnosis/identification.hpp"
+#include "input/measurements/measured_bench.hpp"
+#include "diagnosis/fit/fit.hpp"
+#include "diagnosis/fit/identification.hpp"
 #include "diagnosis/practice_bench.hpp"
 #include "hidden_effects/made_up_bench.hpp"
 #include "support/coverage.hpp"
@@ -17,7 +17,7 @@ namespace hidden_effects {
 
 namespace {
 
-namespace cases = tiretherm::cases;
+namespace cases = tiretherm::input;
 namespace diagnosis = tiretherm::diagnosis;
 namespace sample = tiretherm::diagnosis::sample;
 using diagnosis::Sight;
@@ -27,19 +27,19 @@ std::string free_case(bool with_priors) {
     std::string text = sample::practice_text();
     text = text.substr(0, text.find("[[run]]"));
     if (!with_priors) {
-        text = cases::replaced(text, "standard_deviation = 0.1\n", "");
-        text = cases::replaced(text, "standard_deviation = 0.214e15\n", "");
+        text = input::replaced(text, "standard_deviation = 0.1\n", "");
+        text = input::replaced(text, "standard_deviation = 0.214e15\n", "");
     }
     return text + "[[parameter]]\nlink = \"conductivity\"\nat = [\"60 degC\"]\n";
 }
 
 struct Recovered {
-    cases::Experiment experiment;
+    input::Experiment experiment;
     diagnosis::Identification fit;
 };
 
 Recovered recover(const MadeUpBench& made, bool with_priors) {
-    const cases::Written written;
+    const input::Written written;
     std::vector<Column> log = made.logs.front();
     std::erase_if(log, [](const Column& column) { return column.heading.starts_with("surface_temperature"); });
     Recovered found{.experiment = read_with(written.add("free.toml", free_case(with_priors)), {log}), .fit = {}};

@@ -5,33 +5,33 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/experiment.hpp"
-#include "hidden_effects/shipped_truth.hpp"
-#include "solver/march.hpp"
+#include "input/measurements/experiment.hpp"
+#include "two_node/shipped_truth.hpp"
+#include "solver/time_integration/march.hpp"
 
 namespace hidden_effects {
 
 namespace {
 
-namespace cases = tiretherm::cases;
+namespace cases = tiretherm::input;
 namespace solver = tiretherm::solver;
 
 constexpr double celsius = 273.15;
 
 /// A case as it is read, or a failure.
-cases::Experiment experiment(const std::string& name) {
-    const cases::ExperimentReading reading =
-        cases::read_experiment(std::string(TIRETHERM_SOURCE_DIR) + "/cases/" + name + ".toml");
-    for (const cases::Mistake& mistake : reading.mistakes) {
-        ADD_FAILURE() << cases::render(mistake);
+input::Experiment experiment(const std::string& name) {
+    const input::ExperimentReading reading =
+        input::read_experiment(std::string(TIRETHERM_SOURCE_DIR) + "/cases/" + name + ".toml");
+    for (const input::Mistake& mistake : reading.mistakes) {
+        ADD_FAILURE() << input::render(mistake);
     }
     EXPECT_TRUE(reading.warnings.empty()) << reading.warnings.front();
     EXPECT_TRUE(reading.findings.empty()) << reading.findings.front();
-    return reading.experiment ? *reading.experiment : cases::Experiment{};
+    return reading.experiment ? *reading.experiment : input::Experiment{};
 }
 
 /// Gives the parameter of this name, which must be one of the free ones, another value in the problem of a run.
-void set(const cases::Experiment& from, solver::Problem& problem, const std::string& name, double value) {
+void set(const input::Experiment& from, solver::Problem& problem, const std::string& name, double value) {
     const auto found = std::find_if(from.parameters.begin(), from.parameters.end(),
                                     [&](const solver::Adjustable& number) { return number.name == name; });
     ASSERT_NE(found, from.parameters.end()) << name;
@@ -65,7 +65,7 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 // Rest, coasting, ramps and slip: with a local error of 1e-3, 1e-4 and 1e-5 K a step the two are 7, 1.3 and 0.28 mK
 // apart at most, so that only the steps tell them apart.
 TEST(ShippedCases, TheBenchOfTwoNodesIsThatOfItsRuns) {
-    const cases::Experiment bench = experiment("practice/two_node_bench");
+    const input::Experiment bench = experiment("practice/two_node_bench");
     ASSERT_EQ(bench.runs.size(), 3U);
     ASSERT_EQ(bench.parameters.size(), 2U + 6U);
     for (std::uint64_t run = 0; run < 3; ++run) {
@@ -88,7 +88,7 @@ TEST(ShippedCases, TheBenchOfTwoNodesIsThatOfItsRuns) {
 
 // What the head of the case says of its grid: 0.17 and 0.10 K at 3 W; the truth adds 0.02 K.
 TEST(ShippedCases, TheLasersGridIsAsGoodAsItsCaseSays) {
-    const cases::Experiment laser = experiment("laser/identify");
+    const input::Experiment laser = experiment("laser/identify");
     ASSERT_EQ(laser.runs.size(), 3U);
     LaserSpecimen specimen = shipped_specimen();
     specimen.power = 3.0;

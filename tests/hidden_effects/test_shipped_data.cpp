@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "hidden_effects/laser_logs_truth.hpp"
-#include "hidden_effects/section_logs_truth.hpp"
-#include "hidden_effects/shipped_truth.hpp"
+#include "laser/laser_logs_truth.hpp"
+#include "section/section_logs_truth.hpp"
+#include "two_node/shipped_truth.hpp"
 
 namespace hidden_effects {
 

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "hidden_effects/programme_truth.hpp"
-#include "hidden_effects/random_truth.hpp"
+#include "two_node/programme_truth.hpp"
+#include "numerics/random_truth.hpp"
 
 namespace hidden_effects {
 

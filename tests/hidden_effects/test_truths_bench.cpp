@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "hidden_effects/case_rows.hpp"
-#include "hidden_effects/two_node_truth.hpp"
+#include "two_node/two_node_truth.hpp"
 
 namespace hidden_effects {
 

@@ -1,7 +1,7 @@
 // The truth of the laser's specimen: that it converges, keeps its heat, and agrees with what others computed and with
 // this project. It shares no source file with it (house.hidden_effects_border).
 #include "hidden_effects/case_rows.hpp"
-#include "hidden_effects/laser_truth.hpp"
+#include "laser/laser_truth.hpp"
 
 namespace hidden_effects {
 

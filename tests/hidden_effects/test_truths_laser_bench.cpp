@@ -3,7 +3,7 @@
 // (house.hidden_effects_border).
 #include <stdexcept>
 
-#include "hidden_effects/laser_logs_truth.hpp"
+#include "laser/laser_logs_truth.hpp"
 #include "hidden_effects/section_bench_case.hpp"
 
 namespace hidden_effects {

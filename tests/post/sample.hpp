@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "mesh/builders.hpp"
-#include "post/summary.hpp"
-#include "solver/march.hpp"
+#include "post/run/summary.hpp"
+#include "solver/time_integration/march.hpp"
 #include "tests/post/scratch.hpp"
 
 /// What the tests of post/ share: a small case and moments of it that no solver made.

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "solver/bench.hpp"
-#include "solver/window.hpp"
+#include "solver/time_integration/window.hpp"
 
 namespace tiretherm::solver {
 

@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "solver/bench.hpp"
-#include "solver/march.hpp"
+#include "solver/time_integration/march.hpp"
 #include "solver/own_effect.hpp"
-#include "solver/slopes.hpp"
+#include "solver/sensitivity/slopes.hpp"
 
 namespace tiretherm::solver {
 

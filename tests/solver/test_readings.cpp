@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "solver/bench.hpp"
-#include "solver/march.hpp"
+#include "solver/time_integration/march.hpp"
 
 namespace tiretherm::solver {
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "physics/contact_in_revolutions.hpp"
-#include "solver/march.hpp"
+#include "physics/contact/contact_in_revolutions.hpp"
+#include "solver/time_integration/march.hpp"
 #include "tests/support/tire_section.hpp"
 
 namespace tiretherm::solver {

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "mesh/ring.hpp"
-#include "physics/contact_in_revolutions.hpp"
-#include "physics/travelling.hpp"
+#include "physics/contact/contact_in_revolutions.hpp"
+#include "physics/contact/travelling.hpp"
 #include "solver/wheel_angle.hpp"
 #include "tests/support/order.hpp"
 #include "tests/support/problem.hpp"

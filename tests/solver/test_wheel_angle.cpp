@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/ring.hpp"
-#include "physics/travelling.hpp"
+#include "physics/contact/travelling.hpp"
 #include "tests/support/tire_section.hpp"
 
 namespace tiretherm::solver {

@@ -10,7 +10,7 @@
 
 #include "mesh/builders.hpp"
 #include "mesh/probe.hpp"
-#include "solver/march.hpp"
+#include "solver/time_integration/march.hpp"
 
 /// What tests share: problems put together by hand, runs that must close their energy balance, exact solutions and
 /// independent integrators. Headers only.

@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/reader.hpp"
-#include "cases/trace.hpp"
-#include "solver/march.hpp"
+#include "input/model/reader.hpp"
+#include "input/validation/trace.hpp"
+#include "solver/time_integration/march.hpp"
 
 /// Cases of the library as a user runs them, and what they read.
 namespace tiretherm::validation {
@@ -21,8 +21,8 @@ class Experiment {
 public:
     /// @param name below the library, without its ending: "handling/panic_stop_section"
     explicit Experiment(std::string_view name) {
-        cases::Reading reading = cases::read_case(library() / (std::string(name) + ".toml"));
-        EXPECT_TRUE(reading.problem.has_value()) << cases::render(reading);
+        input::Reading reading = input::read_case(library() / (std::string(name) + ".toml"));
+        EXPECT_TRUE(reading.problem.has_value()) << input::render(reading);
         if (!reading.problem) {
             return;
         }
@@ -37,20 +37,20 @@ public:
 
     /// A channel at a time. @param t s
     [[nodiscard]] double at(std::string_view channel, double t) const {
-        return read(channel, {.take = cases::Window::Take::at, .from = t, .to = t});
+        return read(channel, {.take = input::Window::Take::at, .from = t, .to = t});
     }
     /// Its largest value from a time on. @param t s
     [[nodiscard]] double highest_after(std::string_view channel, double t) const {
-        return read(channel, {.take = cases::Window::Take::max, .from = t, .to = problem_.settings.end});
+        return read(channel, {.take = input::Window::Take::max, .from = t, .to = problem_.settings.end});
     }
     /// Its mean over the last seconds of the run.
     [[nodiscard]] double mean_of_last(std::string_view channel, double seconds) const {
         const double end = problem_.settings.end;
-        return read(channel, {.take = cases::Window::Take::mean, .from = end - seconds, .to = end});
+        return read(channel, {.take = input::Window::Take::mean, .from = end - seconds, .to = end});
     }
 
 private:
-    [[nodiscard]] double read(std::string_view channel, const cases::Window& window) const {
+    [[nodiscard]] double read(std::string_view channel, const input::Window& window) const {
         const auto& channels = problem_.channels;
         const auto found =
             std::find_if(channels.begin(), channels.end(), [&](const auto& c) { return c.name == channel; });
@@ -63,7 +63,7 @@ private:
 
     solver::Problem problem_;
     solver::Report report_;
-    cases::Trace trace_;
+    input::Trace trace_;
 };
 
 }  // namespace tiretherm::validation

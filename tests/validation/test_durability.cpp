@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/continued_schedule.hpp"
-#include "cases/study.hpp"
-#include "cases/written.hpp"
+#include "input/model/continued_schedule.hpp"
+#include "input/studies/study.hpp"
+#include "support/written.hpp"
 
-namespace tiretherm::cases {
+namespace tiretherm::input {
 
 namespace {
 
@@ -190,4 +190,4 @@ TEST(DurabilityFurther, StepSpeedTestGoesOnToWhereTheBeltEdgePasses) {
     EXPECT_NEAR(further.problem->drive.at(passed, solver::Limit::before).speed * 3.6, 190.0, 1e-6);
 }
 
-}  // namespace tiretherm::cases
+}  // namespace tiretherm::input

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "solver/system.hpp"
-#include "solver/window.hpp"
+#include "solver/time_integration/window.hpp"
 #include "tests/support/laser_strip.hpp"
 #include "tests/support/order.hpp"
 #include "tests/support/two_node_case.hpp"

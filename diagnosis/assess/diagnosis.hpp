@@ -1,0 +1,162 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "input/measurements/experiment.hpp"
+#include "diagnosis/noise/noise_estimate.hpp"
+#include "diagnosis/fit/observations.hpp"
+#include "solver/own_effect.hpp"
+#include "solver/status.hpp"
+
+namespace tiretherm::diagnosis {
+
+enum class Verdict : std::uint8_t {
+    named,       ///< one explanation is left, a cause or a pair of causes
+    confounded,  ///< several explanations that these data cannot tell apart
+    unknown,     ///< something is missing that the catalogue does not have
+    consistent,  ///< nothing significant is left
+    cannot_tell  ///< the grid, the steps or the data are too poor
+};
+[[nodiscard]] std::string_view word_of(Verdict verdict);
+
+/// A number of a cause, as it is fitted when the cause acts alone (or with its partner) beside the free parameters.
+struct CauseNumber {
+    std::string key;
+    std::string unit;
+    double value = 0.0;
+    double low = 0.0;  ///< 95 %
+    double high = 0.0;
+};
+
+/// An effect of the catalogue as an explanation of what the model gets wrong.
+struct Cause {
+    std::string id;
+    std::string channel{};               ///< of a sensor's effect
+    std::string place{};                 ///< layer or zone, where it acts on one of several
+    std::vector<CauseNumber> numbers{};  ///< that were fitted, and those it was tried at
+    /// What the case says of the number, where the effect is on and its number is wrong.
+    std::optional<double> instead_of{};
+    double sigma = 0.0;  ///< standard deviations from absent, or from what the case says
+    double gain = 0.0;                   ///< log likelihood ratio over the model without it
+    double probability = 0.0;            ///< among the single explanations, before the data all alike
+    bool in_set = false;
+    int rank = 0;         ///< 1: the most likely
+    std::string bound{};  ///< what to say when a number ended at its bound
+};
+
+/// Heat that no effect of the catalogue explains: where it enters and which signal it follows.
+struct UnknownSource {
+    std::string place;      ///< region, layer or zone; a channel where only the sensor can be wrong
+    std::string follows{};  ///< a signal or a product of signals; "time window" of an event
+    std::string unit{};     ///< of `per`
+    double watts = 0.0;     ///< at the signal's largest absolute value in the runs, mean sign included
+    double low = 0.0;
+    double high = 0.0;
+    double per = 0.0;  ///< W per unit of the signal
+    double sigma = 0.0;
+    double from = 0.0;  ///< s, of an event
+    double to = 0.0;
+    std::string run{};                 ///< of an event
+    bool sensor = false;               ///< the readings change faster than heat could make them
+    std::vector<std::string> alike{};  ///< other places and signals that do as well, "place, signal"
+};
+
+/// What a channel gains by the extension.
+struct ChannelGain {
+    std::size_t channel = 0;   ///< index into Problem::channels
+    double rmse_before = 0.0;  ///< SI, with the fitted base model
+    double rmse_after = 0.0;
+    double heldout_before = 0.0;  ///< on runs or blocks that took no part; NaN when there were none
+    double heldout_after = 0.0;
+};
+
+/// The gain of the extension on data that took no part in naming or fitting.
+struct Gain {
+    bool measured = false;           ///< there was something to hold out
+    bool within_run = false;         ///< blocks of one run, not whole runs
+    double removable_removed = 0.0;  ///< 1 - (MSE after - sigma^2) / (MSE before - sigma^2)
+    double low = 0.0;                ///< 95 %
+    double high = 0.0;
+    double log_e = 0.0;      ///< natural logarithm of the e-value over the held-out runs
+    bool confirmed = false;  ///< e-value of 100 and more
+};
+
+/// An experiment that would tell what these data do not.
+struct NextExperiment {
+    std::string name;   ///< "coast-down from 150 km/h, 5 min"
+    double now = 0.0;   ///< standard deviations by which the explanations differ today
+    double then = 0.0;  ///< with the experiment in addition
+};
+
+/// How large an effect could be without being seen.
+struct UpperLimit {
+    std::string id;
+    std::string channel{};
+    std::string place{};  ///< layer
+    std::string key;
+    std::string unit;
+    double low = 0.0;  ///< 95 %
+    double high = 0.0;
+};
+
+/// Heat that the data ask for over a window of time: what it would have to be for the base model to fit there, all else as
+/// it is.
+struct AskedHeat {
+    std::size_t run = 0;
+    std::string place;
+    double from = 0.0;  ///< s
+    double to = 0.0;
+    double watts = 0.0;
+    double sigma = 0.0;  ///< standard deviations from none, with its sign
+};
+
+/// Everything that a diagnosis found out.
+struct Diagnosis {
+    solver::Status status;  ///< of a run that failed; then nothing else holds
+    Verdict verdict = Verdict::cannot_tell;
+    std::vector<Cause> causes;  ///< every candidate, the most likely first
+    std::vector<std::vector<std::size_t>>
+        explanations;  ///< the set: indices into causes, one or two each, the best first
+    std::optional<UnknownSource> unknown;
+    std::string reason;
+    std::vector<NextExperiment> next;  ///< the most telling first
+    std::vector<UpperLimit> limits;    ///< when nothing is found
+    std::vector<AskedHeat> asked;      ///< where and when, of the base model
+    std::vector<ChannelGain> channels;
+    Gain gain;
+    double numerical_error_sigma = 0.0;
+    std::vector<Noise> noise;  ///< [Observations::channels]
+    std::vector<std::string> remarks;
+    Eigen::VectorXd values;    ///< [n_parameters] of the base fit
+    Eigen::VectorXd base;      ///< [n_rows] SI, simulated with the fitted base model
+    Eigen::VectorXd extended;  ///< [n_rows] SI, with the best explanation; equal to base where there is none
+    /// The base experiment with the best explanation switched on, its numbers free after the experiment's own; nothing
+    /// where nothing is to be switched on.
+    std::optional<input::Experiment> extended_model;
+    Eigen::VectorXd extended_values;  ///< [n_parameters of extended_model] as fitted
+    std::vector<solver::OwnEffect> extended_own{};  ///< effects of the user's own that the case itself lacks
+    long simulations = 0;
+    double seconds = 0.0;
+};
+
+struct DiagnosisChoice {
+    bool measure_gain = true;
+    /// The same experiment on a grid of half the spacing (read_experiment with finer = 2), where the model has a grid: what
+    /// changes is taken for the grid's error and corrected.
+    const input::Experiment* finer = nullptr;
+    bool plan_next = true;
+    std::function<void(long simulations)> progress{};
+};
+
+/// Fits the base model, estimates its own numerical error and the noise, and looks for what explains the rest.
+[[nodiscard]] Diagnosis diagnose(const input::Experiment& experiment, const Observations& observations,
+                                 const DiagnosisChoice& choice = {});
+
+}  // namespace tiretherm::diagnosis

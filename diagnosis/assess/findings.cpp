@@ -1,0 +1,200 @@
+#include "diagnosis/assess/findings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+constexpr double wide = 1.959964;  // 95 % of a normal distribution
+/// In log likelihood: places and signals that are no less likely than this are named beside the best.
+constexpr double alike = 5.0;
+
+std::string place_of(const Evidence& evidence, const UnknownTerm& term) {
+    return term.sensor ? evidence.experiment->runs.front().problem.channels[term.place].name
+                       : evidence.unknowns.places[term.place].name;
+}
+
+UnknownSource describe_unknown(const Findings& found) {
+    const Evidence& evidence = found.evidence;
+    const UnknownTerm& term = evidence.unknowns.terms[found.unknown.term];
+    const auto k = static_cast<Eigen::Index>(found.unknown.term);
+    const Scores& scores = evidence.unknown_scores;
+    UnknownSource source{.place = place_of(evidence, term), .sigma = std::abs(found.unknown.z), .sensor = term.sensor};
+    const double largest = term.event ? 1.0 : evidence.unknowns.courses[term.course].largest;
+    double per = scores.amplitude(k) / largest;
+    double deviation = 1.0 / (scores.length[k] * largest);
+    if (found.unknown_fit.sound) {
+        const Eigen::Index j = evidence.base.values.size();
+        per = found.unknown_fit.fit.values[j];
+        deviation = found.unknown_fit.fit.deviations()[j];
+    }
+    source.per = per;
+    source.watts = largest * per;
+    source.low = largest * (per - wide * deviation);
+    source.high = largest * (per + wide * deviation);
+    if (term.event) {
+        source.follows = "time window";
+        source.unit = "1";
+        source.from = term.from;
+        source.to = term.to;
+        source.run = evidence.experiment->runs[term.run].name;
+    } else {
+        source.follows = evidence.unknowns.courses[term.course].follows;
+        source.unit = evidence.unknowns.courses[term.course].unit;
+    }
+    for (std::size_t other = 0; other < evidence.unknowns.terms.size(); ++other) {
+        const UnknownTerm& one = evidence.unknowns.terms[other];
+        const double z = scores.z[static_cast<Eigen::Index>(other)];
+        if (other != found.unknown.term && found.unknown.gain() - 0.5 * z * z < alike && !one.event) {
+            source.alike.push_back(place_of(evidence, one) + ", " + evidence.unknowns.courses[one.course].follows);
+        }
+    }
+    return source;
+}
+
+/// One cause of an explanation, with its numbers in their intervals.
+Cause describe_cause(const Findings& found, const Explanation& one, std::size_t i) {
+    const solver::Problem& problem = found.evidence.experiment->runs.front().problem;
+    const Candidate& candidate = found.evidence.candidates[one.candidates[i]];
+    Cause cause{.id = std::string(candidate.effect->id)};
+    if (candidate.on >= 0) {
+        cause.instead_of = candidate.absent;
+    }
+    if (candidate.channel >= 0) {
+        cause.channel = sensor_of(problem, candidate.channel);
+    }
+    if (candidate.layer >= 0) {
+        cause.place = problem.mesh.layers[static_cast<std::size_t>(candidate.layer)];
+    }
+    const Eigen::VectorXd deviation = one.fit.deviations();
+    const auto add = [&](Eigen::Index j, std::size_t parameter, double factor) {
+        const physics::Parameter& number = candidate.effect->parameters[parameter];
+        const double value = one.fit.values[j];
+        cause.numbers.push_back({.key = std::string(number.key),
+                                 .unit = std::string(number.unit),
+                                 .value = factor * value,
+                                 .low = factor * std::max(number.low, value - wide * deviation[j]),
+                                 .high = factor * std::min(number.high, value + wide * deviation[j])});
+    };
+    const Eigen::Index j = one.number_of(i);
+    add(j, candidate.parameter, 1.0);
+    for (const solver::Adjustable::Companion& companion : candidate.companions) {
+        add(j, companion.parameter, companion.factor);
+    }
+    Eigen::Index held = one.fit.values.size() - one.n_held;
+    for (std::size_t before = 0; before < i; ++before) {
+        held += static_cast<Eigen::Index>(found.evidence.candidates[one.candidates[before]].held.size());
+    }
+    for (const Candidate::Held& number : candidate.held) {
+        add(held++, number.parameter, 1.0);
+    }
+    // What the likelihood says where the number is alone; a number that is nearly free makes its own deviation a poor guide.
+    cause.sigma = one.candidates.size() == 1
+                      ? std::sqrt(2.0 * std::max(0.0, one.gain))
+                      : (deviation[j] > 0.0 ? std::abs(one.fit.values[j] - candidate.absent) / deviation[j] : 0.0);
+    cause.gain = one.gain;
+    if (one.fit.at_bound[static_cast<std::size_t>(j)]) {
+        cause.bound = "at its bound: what lies beyond was not tried";
+    }
+    return cause;
+}
+
+/// Causes of the set first, explanation by explanation, then the others that were tried alone.
+void describe_causes(const Findings& found, Diagnosis& into) {
+    std::vector<std::size_t> described;  // Candidate::cause of each
+    const auto describe = [&](const Explanation& one, bool in_set) {
+        std::vector<std::size_t> members;
+        for (std::size_t i = 0; i < one.candidates.size(); ++i) {
+            const std::size_t cause = found.evidence.candidates[one.candidates[i]].cause;
+            const auto known = std::ranges::find(described, cause);
+            members.push_back(static_cast<std::size_t>(known - described.begin()));
+            if (known == described.end()) {
+                described.push_back(cause);
+                into.causes.push_back(describe_cause(found, one, i));
+                into.causes.back().in_set = in_set;
+                into.causes.back().rank = static_cast<int>(described.size());
+            }
+        }
+        if (in_set) {
+            into.explanations.push_back(std::move(members));
+        }
+    };
+    for (const Explanation* one : found.set) {
+        describe(*one, true);
+    }
+    for (const Explanation& one : found.singles) {
+        if (one.sound) {
+            describe(one, false);
+        }
+    }
+    double sum = 0.0;
+    for (const Explanation* one : found.set) {
+        sum += std::exp(one->gain - found.set.front()->gain);
+    }
+    for (std::size_t e = 0; e < found.set.size(); ++e) {
+        for (const std::size_t member : into.explanations[e]) {
+            into.causes[member].probability += std::exp(found.set[e]->gain - found.set.front()->gain) / sum;
+        }
+    }
+}
+
+/// How large each cause could be without having been seen.
+void find_limits(const Findings& found, Diagnosis& into) {
+    const Evidence& evidence = found.evidence;
+    std::size_t last = static_cast<std::size_t>(-1);
+    for (std::size_t k = 0; k < evidence.candidates.size(); ++k) {
+        const Candidate& candidate = evidence.candidates[k];
+        const auto i = static_cast<Eigen::Index>(k);
+        if (candidate.cause == last || evidence.scores.length[i] == 0.0) {
+            continue;
+        }
+        last = candidate.cause;
+        const double middle = candidate.absent + evidence.scores.amplitude(i);
+        const double spread = wide / evidence.scores.length[i];
+        const solver::Problem& problem = evidence.experiment->runs.front().problem;
+        into.limits.push_back(
+            {.id = std::string(candidate.effect->id),
+             .channel =
+                 candidate.channel >= 0 ? sensor_of(problem, candidate.channel) : "",
+             .place = candidate.layer >= 0 ? problem.mesh.layers[static_cast<std::size_t>(candidate.layer)] : "",
+             .key = std::string(candidate.number().key),
+             .unit = std::string(candidate.number().unit),
+             .low = std::max(candidate.low, middle - spread),
+             .high = std::min(candidate.high, middle + spread)});
+    }
+}
+
+}  // namespace
+
+void report(const Findings& found, Diagnosis& into) {
+    into.verdict = found.verdict;
+    describe_causes(found, into);
+    if (found.verdict == Verdict::unknown || found.unknown_stands) {
+        into.unknown = describe_unknown(found);
+    }
+    if (found.verdict == Verdict::consistent) {
+        find_limits(found, into);
+    }
+    if (found.something_left) {
+        into.remarks.emplace_back("something significant is left beside it: there is more than one thing missing");
+    }
+    into.values = found.evidence.base.values;
+    into.base = found.evidence.base.simulated;
+    into.noise = found.evidence.noise.channels;
+    const Explanation* best = found.best();
+    into.extended = best != nullptr ? best->fit.simulated : into.base;
+    // A window of one run is nothing that a case could have.
+    const bool is_event = found.verdict == Verdict::unknown && found.evidence.unknowns.terms[found.unknown.term].event;
+    if (best != nullptr && !is_event) {
+        into.extended_model = best->model;
+        into.extended_values = best->fit.values;
+        if (found.verdict == Verdict::unknown) {
+            into.extended_own = {own_effect(found.evidence, found.unknown.term, 0)};
+        }
+    }
+    into.simulations = found.evidence.simulations;
+}
+
+}  // namespace tiretherm::diagnosis

@@ -1,0 +1,244 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "diagnosis/assess/findings.hpp"
+#include "diagnosis/fit/picture.hpp"
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+/// What takes no part, and what the rest is.
+struct Fold {
+    Rows test;
+    Rows rest;
+    int run = -1;  ///< whose start is fitted to the test itself; -1: to the rest
+};
+
+/// Each run once; of a single run, each of its quarters, with a gap of a twentieth of the run between it and the rest.
+std::vector<Fold> folds_of(const Observations& observations) {
+    const std::size_t n_runs = observations.times.size();
+    std::vector<Fold> folds(n_runs > 1 ? n_runs : 4);
+    for (std::size_t row = 0; row < observations.rows.size(); ++row) {
+        const Observations::Row& what = observations.rows[row];
+        const std::vector<double>& times = observations.times[what.run];
+        const double length = times.back() - times.front();
+        for (std::size_t f = 0; f < folds.size(); ++f) {
+            bool is_test = what.run == f;
+            bool is_rest = !is_test;
+            if (n_runs == 1) {
+                const double share = length > 0.0 ? (times[what.time] - times.front()) / length : 0.0;
+                const double from = 0.25 * static_cast<double>(f);
+                is_test = share >= from && (share < from + 0.25 || f == 3);
+                is_rest = share < from - 0.05 || share > from + 0.30;
+            }
+            if (is_test) {
+                folds[f].test.push_back(static_cast<Eigen::Index>(row));
+            } else if (is_rest) {
+                folds[f].rest.push_back(static_cast<Eigen::Index>(row));
+            }
+        }
+    }
+    for (std::size_t f = 0; n_runs > 1 && f < folds.size(); ++f) {
+        folds[f].run = static_cast<int>(f);
+    }
+    return folds;
+}
+
+/// Log of the e-value of a size that others gave, on rows that took no part: exp(a U - a^2 I / 2) has mean 1 where the
+/// cause is absent, whatever the free numbers are.
+double log_e_value(const Evidence& evidence, const Eigen::VectorXd& signature, double size, const Rows& test) {
+    const Refit& base = evidence.base;
+    const Remainder remainder(base.slopes(test, Eigen::all), base.precision);
+    const Eigen::VectorXd left = remainder.of(base.residual(test), base.known);
+    const Eigen::VectorXd column = remainder.of(Eigen::MatrixXd(signature(test))).col(0);
+    return size * column.dot(left) - 0.5 * size * size * column.squaredNorm();
+}
+
+/// Squared errors over sigma^2, sample by sample, beyond those of the extended model fitted to everything: what is noise is
+/// the same in all of them and falls out.
+struct Losses {
+    std::vector<double> before;
+    std::vector<double> after;
+};
+
+/// 1 - after / before with its interval, by drawing blocks of samples with replacement (Kuensch,
+/// Ann. Statist. 17 (1989) 1217); each block is as long as the noise takes to be forgotten many times.
+void find_share(const Losses& losses, std::size_t block, Gain& gain) {
+    const std::size_t n = losses.before.size();
+    const std::size_t n_blocks = std::max<std::size_t>(1, n / block);
+    std::vector<double> before(n_blocks);
+    std::vector<double> after(n_blocks);
+    for (std::size_t b = 0; b < n_blocks; ++b) {
+        for (std::size_t i = b * n / n_blocks; i < (b + 1) * n / n_blocks; ++i) {
+            before[b] += losses.before[i];
+            after[b] += losses.after[i];
+        }
+    }
+    const auto share = [&](const auto& pick) {
+        double sum_before = 0.0;
+        double sum_after = 0.0;
+        for (std::size_t b = 0; b < n_blocks; ++b) {
+            const std::size_t which = pick(b);
+            sum_before += before[which];
+            sum_after += after[which];
+        }
+        return 1.0 - sum_after / sum_before;
+    };
+    gain.removable_removed = share([](std::size_t b) { return b; });
+    std::mt19937_64 engine(1989);
+    std::vector<double> drawn;
+    for (int draw = 0; draw < 1000; ++draw) {
+        drawn.push_back(share([&](std::size_t /*b*/) { return static_cast<std::size_t>(engine() % n_blocks); }));
+    }
+    std::ranges::sort(drawn);
+    gain.low = drawn[25];
+    gain.high = drawn[974];
+}
+
+/// Which unknown number the extension adds, chosen and sized from some of the runs alone.
+struct Trained {
+    Picture picture;
+    Eigen::VectorXd step;       ///< [n] of the picture's numbers
+    Eigen::VectorXd signature;  ///< [n_rows] whitened, of what was chosen
+    double size = 0.0;
+};
+
+/// The extension that these rows alone would have chosen: the explanation itself where it is still the best of its kind,
+/// otherwise the best signature at the base model.
+Trained train(const Findings& found, const Picture& base, const Picture& extended, const Rows& rows) {
+    const Evidence& evidence = found.evidence;
+    const Refit& fit = evidence.base;
+    const Remainder remainder(fit.slopes(rows, Eigen::all), fit.precision);
+    const Eigen::VectorXd left = remainder.of(fit.residual(rows), fit.known);
+    const auto best_of = [&](const Eigen::MatrixXd& columns, const Eigen::VectorXi* sign) {
+        const Eigen::MatrixXd some = columns(rows, Eigen::all);
+        const Scores scores = score(remainder.of(some), left, some.colwise().norm());
+        Eigen::Index best = 0;
+        double most = 0.0;
+        for (Eigen::Index k = 0; k < scores.z.size(); ++k) {
+            const double z = admitted(scores.z[k], sign != nullptr ? (*sign)[k] : 0);
+            if (z > most) {
+                most = z;
+                best = k;
+            }
+        }
+        return best;
+    };
+    const bool unknown = found.verdict == Verdict::unknown;
+    const Explanation& best = *found.best();
+    const Eigen::MatrixXd& columns = unknown ? evidence.unknown_columns : evidence.columns;
+    const Eigen::Index chosen = best_of(columns, unknown ? nullptr : &evidence.sign);
+    const std::size_t ours = unknown ? found.unknown.term : best.candidates.front();
+    const bool same = unknown
+                          ? static_cast<std::size_t>(chosen) == ours
+                          : best.candidates.size() > 1 || evidence.candidates[static_cast<std::size_t>(chosen)].cause ==
+                                                              evidence.candidates[ours].cause;
+    Trained trained;
+    const Eigen::Index n = fit.values.size();
+    if (same) {
+        trained.picture = extended;
+        trained.step = solve(extended, rows);
+        trained.signature = extended.slopes.col(n);
+        const double absent = unknown ? 0.0 : evidence.candidates[ours].absent;
+        trained.size = (best.fit.values[n] - absent) / best.fit.scale[n] + trained.step[n];
+    } else {
+        const Eigen::MatrixXd& raw = unknown ? evidence.unknowns.columns : evidence.signatures;
+        trained.picture = with_column(base, columns.col(chosen), raw.col(chosen));
+        trained.step = solve(trained.picture, rows);
+        trained.signature = columns.col(chosen);
+        trained.size = trained.step[n];
+    }
+    return trained;
+}
+
+}  // namespace
+
+void measure_gain(const Findings& found, Diagnosis& into) {
+    const Evidence& evidence = found.evidence;
+    const Observations& observations = *evidence.observations;
+    const std::size_t n_noises = observations.channels.size();
+    const Explanation* best = found.best();
+    const auto n_rows = static_cast<std::size_t>(observations.measured.size());
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    std::vector<int> noise_of(n_rows, -1);
+    for (const Block& block : observations.blocks) {
+        for (Eigen::Index i = block.first; i < block.first + block.rows(); ++i) {
+            noise_of[static_cast<std::size_t>(i)] = block.channel;
+        }
+    }
+    const auto rms = [&](const Eigen::VectorXd& left, std::size_t noise) {
+        double sum = 0.0;
+        int count = 0;
+        for (std::size_t row = 0; row < n_rows; ++row) {
+            if (noise_of[row] == static_cast<int>(noise) && std::isfinite(left[static_cast<Eigen::Index>(row)])) {
+                sum += left[static_cast<Eigen::Index>(row)] * left[static_cast<Eigen::Index>(row)];
+                ++count;
+            }
+        }
+        return count > 0 ? std::sqrt(sum / count) : none;
+    };
+    Eigen::VectorXd before = Eigen::VectorXd::Constant(observations.measured.size(), none);
+    Eigen::VectorXd after = before;
+    if (best != nullptr && n_noises > 0) {
+        const Picture base = picture_of(evidence.base, observations);
+        const Picture extended = picture_of(best->fit, observations);
+        std::vector<double> log_e;
+        for (const Fold& fold : folds_of(observations)) {
+            const auto& [test, rest, run] = fold;
+            if (test.empty() || rest.empty()) {
+                continue;
+            }
+            const Trained trained = train(found, base, extended, rest);
+            std::vector<bool> own(static_cast<std::size_t>(trained.picture.slopes.cols()), false);
+            for (std::size_t j = 0; j < evidence.experiment->parameters.size(); ++j) {
+                own[j] = run >= 0 && evidence.experiment->parameters[j].run == run;
+            }
+            after(test) = left_of(trained.picture, trained.step, test, own);
+            own.resize(static_cast<std::size_t>(base.slopes.cols()));
+            before(test) = left_of(base, solve(base, rest), test, own);
+            log_e.push_back(log_e_value(evidence, trained.signature, trained.size, test));
+        }
+        Losses losses;
+        double longest = 1.0;
+        for (std::size_t row = 0; row < n_rows; ++row) {
+            const auto i = static_cast<Eigen::Index>(row);
+            if (noise_of[row] >= 0 && std::isfinite(before[i])) {
+                const Noise& noise = evidence.noise.channels[static_cast<std::size_t>(noise_of[row])];
+                const double least = std::pow(observations.measured[i] - into.extended[i], 2);
+                losses.before.push_back((before[i] * before[i] - least) / (noise.sigma * noise.sigma));
+                losses.after.push_back((after[i] * after[i] - least) / (noise.sigma * noise.sigma));
+                longest = std::max(longest, noise.correlation_time);
+            }
+        }
+        if (!losses.before.empty()) {
+            const Observations::Row& first = observations.rows.front();
+            const std::vector<double>& times = observations.times[first.run];
+            const double interval =
+                times.size() > 1 ? (times.back() - times.front()) / static_cast<double>(times.size() - 1) : 1.0;
+            const auto block = static_cast<std::size_t>(std::max(10.0, 10.0 * longest / interval));
+            into.gain.measured = true;
+            into.gain.within_run = observations.times.size() == 1;
+            find_share(losses, block, into.gain);
+            // The folds share their training runs: the mean of e-values is one, their product is not.
+            const double most = *std::ranges::max_element(log_e);
+            double sum = 0.0;
+            for (const double one : log_e) {
+                sum += std::exp(one - most);
+            }
+            into.gain.log_e = most + std::log(sum / static_cast<double>(log_e.size()));
+            into.gain.confirmed = into.gain.log_e >= std::log(100.0);
+        }
+    }
+    for (std::size_t c = 0; c < n_noises; ++c) {
+        into.channels.push_back({.channel = observations.channels[c],
+                                 .rmse_before = rms(observations.measured - into.base, c),
+                                 .rmse_after = rms(observations.measured - into.extended, c),
+                                 .heldout_before = rms(before, c),
+                                 .heldout_after = rms(after, c)});
+    }
+}
+
+}  // namespace tiretherm::diagnosis

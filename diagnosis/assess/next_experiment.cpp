@@ -1,0 +1,290 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "diagnosis/assess/findings.hpp"
+#include "solver/in_parallel.hpp"
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+constexpr double minute = 60.0;
+constexpr double kmh = 1.0 / 3.6;
+constexpr double degree = std::numbers::pi / 180.0;
+/// s between readings of a run that is yet to be made.
+constexpr double interval = 5.0;
+/// How long inputs take from one value to the next, s.
+constexpr double ramp = 5.0;
+
+/// What is held from a moment on. What is NaN stays as before.
+struct Hold {
+    double minutes = 0.0;
+    double speed = 0.0;  ///< m/s
+    double load = 0.0;   ///< N
+    double slip = 0.0;   ///< rad
+    double camber = 0.0;
+    double laser = 0.0;  ///< share of the largest power so far
+};
+
+struct Manoeuvre {
+    std::string name;
+    std::string_view needs;  ///< an input that must be given
+    std::vector<Hold> holds;
+};
+
+std::vector<Manoeuvre> menu() {
+    const double v = 100.0 * kmh;
+    const double fast = 150.0 * kmh;
+    const double load = 4500.0;
+    return {
+        {"speed steps of 50, 100 and 150 km/h at 4500 N, 10 min each",
+         "speed",
+         {{10, 50 * kmh, load}, {10, v, load}, {10, fast, load}}},
+        {"load steps of 2000, 4500 and 7000 N at 100 km/h, 10 min each",
+         "vertical_load",
+         {{10, v, 2000}, {10, v, load}, {10, v, 7000}}},
+        {"slip angles of 2 degrees to either side at 80 km/h, 2 min on and 4 min off, 30 min",
+         "slip_angle",
+         {{4, 80 * kmh, load},
+          {2, 80 * kmh, load, 2 * degree},
+          {4, 80 * kmh, load},
+          {2, 80 * kmh, load, -2 * degree},
+          {4, 80 * kmh, load},
+          {2, 80 * kmh, load, 2 * degree},
+          {12, 80 * kmh, load}}},
+        {"15 min at 150 km/h and 6000 N, then 25 min coasting at 50 km/h and 200 N",
+         "speed",
+         {{15, fast, 6000}, {25, 50 * kmh, 200}}},
+        {"15 min at 150 km/h and 6000 N, then 45 min standing", "speed", {{15, fast, 6000}, {45, 0, 200}}},
+        {"two hours at 100 km/h and 4500 N", "speed", {{120, v, load}}},
+        {"camber of 3 degrees to either side at 100 km/h, 15 min each",
+         "camber",
+         {{15, v, load, 0, 3 * degree}, {15, v, load, 0, -3 * degree}}},
+        {"laser at a third, two thirds and all of its power, 10 min each",
+         "laser_power",
+         {{10, 0, 0, 0, 0, 1.0 / 3}, {10, 0, 0, 0, 0, 2.0 / 3}, {10, 0, 0, 0, 0, 1}}},
+        {"laser at all of its power for 10 min, then 20 min off", "laser_power", {{10, 0, 0, 0, 0, 1}, {20}}},
+    };
+}
+
+/// Side force over slip angle of the logs, N/rad.
+double cornering_slope(const input::Experiment& experiment) {
+    double product = 0.0;
+    double square = 0.0;
+    for (const input::MeasuredRun& run : experiment.runs) {
+        for (const double t : run.time) {
+            const physics::Inputs u = run.problem.drive.at(t, solver::Limit::after);
+            product += u.lateral_force * u.slip_angle;
+            square += u.slip_angle * u.slip_angle;
+        }
+    }
+    return square > 0.0 ? product / square : 0.0;
+}
+
+double largest_power(const input::Experiment& experiment) {
+    double most = 0.0;
+    for (const input::MeasuredRun& run : experiment.runs) {
+        for (const double t : run.time) {
+            most = std::max(most, run.problem.drive.at(t, solver::Limit::after).laser_power);
+        }
+    }
+    return most;
+}
+
+/// The experiment with nothing but this manoeuvre as a run, under the surroundings of the first run; sensors as there.
+input::Experiment rehearse(const input::Experiment& experiment, const Manoeuvre& manoeuvre) {
+    input::Experiment planned = experiment;
+    planned.runs.resize(1);
+    input::MeasuredRun& run = planned.runs.front();
+    const physics::Inputs first = run.problem.drive.at(run.problem.settings.start, solver::Limit::after);
+    const double slope = cornering_slope(experiment);
+    const double power = largest_power(experiment);
+    solver::Drive drive;
+    const auto series = [&](const physics::Signal& signal, auto value) {
+        solver::Series one{.signal = &signal, .time = {}, .value = {}};
+        double t = 0.0;
+        for (const Hold& hold : manoeuvre.holds) {
+            one.time.insert(one.time.end(), {t == 0.0 ? 0.0 : t + ramp, t + minute * hold.minutes});
+            one.value.insert(one.value.end(), {value(hold), value(hold)});
+            t += minute * hold.minutes;
+        }
+        drive.add(std::move(one));
+    };
+    for (const physics::Signal& signal : physics::signals()) {
+        if (!experiment.runs.front().problem.drive.gives(signal)) {
+            continue;
+        }
+        if (signal.name == "speed") {
+            series(signal, [](const Hold& hold) { return hold.speed; });
+        } else if (signal.name == "vertical_load") {
+            series(signal, [](const Hold& hold) { return hold.load; });
+        } else if (signal.name == "slip_angle") {
+            series(signal, [](const Hold& hold) { return hold.slip; });
+        } else if (signal.name == "lateral_force") {
+            series(signal,
+                   [&](const Hold& hold) { return std::clamp(slope * hold.slip, -0.9 * hold.load, 0.9 * hold.load); });
+        } else if (signal.name == "camber") {
+            series(signal, [](const Hold& hold) { return hold.camber; });
+        } else if (signal.name == "laser_power") {
+            series(signal, [&](const Hold& hold) { return power * hold.laser; });
+        } else {
+            drive.add(signal, first.*signal.member);
+        }
+    }
+    drive.start_at(0.0);
+    double length = 0.0;
+    for (const Hold& hold : manoeuvre.holds) {
+        length += minute * hold.minutes;
+    }
+    run.problem.drive = std::move(drive);
+    run.problem.settings.start = 0.0;
+    run.problem.settings.end = length;
+    run.time.clear();
+    for (double t = 0.0; t <= length; t += interval) {
+        run.time.push_back(t);
+    }
+    run.numbers.clear();
+    for (input::MeasuredSeries& one : run.series) {
+        one.value.assign(run.time.size(), 0.0);
+    }
+    // How this run starts is as unknown as how the first one did.
+    for (solver::Adjustable& number : planned.parameters) {
+        if (number.run > 0) {
+            number.run = -1;
+            number.nodes.clear();
+            number.kind = solver::Adjustable::Kind::initial;
+        }
+    }
+    return planned;
+}
+
+/// What two explanations differ by, squared, in standard deviations: nothing free of either can bring them together.
+/// @param a, b signatures at the sizes that the data gave
+double separation(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& precision, const Eigen::VectorXd& a,
+                  const Eigen::VectorXd& b) {
+    Eigen::MatrixXd free(slopes.rows(), slopes.cols() + 1);
+    free << slopes, b;
+    Eigen::VectorXd known(precision.size() + 1);
+    known << precision, 0.0;
+    return Remainder(free, known).of(Eigen::MatrixXd(a)).squaredNorm();
+}
+
+/// Signature of an explanation in whole: what it makes of the fitted base model.
+struct Shape {
+    Eigen::VectorXd old;   ///< whitened, of the data there are
+    Eigen::VectorXd more;  ///< whitened, of the manoeuvre
+};
+
+/// Problems of the planned run with an explanation's causes at their fitted numbers, all else as in the base fit.
+input::Experiment with_causes(const Findings& found, const input::Experiment& planned, const Explanation& one) {
+    std::vector<Candidate> on;
+    std::vector<double> values;
+    for (std::size_t i = 0; i < one.candidates.size(); ++i) {
+        on.push_back(found.evidence.candidates[one.candidates[i]]);
+        values.push_back(one.fit.values[one.number_of(i)]);
+    }
+    input::Experiment model = with(planned, on, values);
+    model.parameters.clear();
+    return model;
+}
+
+}  // namespace
+
+void plan_next(const Findings& found, Diagnosis& into) {
+    const Evidence& evidence = found.evidence;
+    const Observations& observations = *evidence.observations;
+    if (found.set.size() < 2 || observations.channels.empty()) {
+        return;
+    }
+    const std::size_t n_shapes = std::min<std::size_t>(3, found.set.size());
+    const std::vector<Manoeuvre> all = menu();
+    const Eigen::Index n = evidence.base.values.size();
+    std::vector<Shape> shapes(n_shapes);
+    for (std::size_t s = 0; s < n_shapes; ++s) {
+        shapes[s].old = Eigen::VectorXd::Zero(observations.measured.size());
+        const Explanation& one = *found.set[s];
+        for (std::size_t i = 0; i < one.candidates.size(); ++i) {
+            const std::size_t k = one.candidates[i];
+            shapes[s].old += (one.fit.values[one.number_of(i)] - evidence.candidates[k].absent) *
+                             evidence.columns.col(static_cast<Eigen::Index>(k));
+        }
+    }
+    const auto apart = [&](const Eigen::MatrixXd& slopes, const auto& shape) {
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t j = 0; j < n_shapes; ++j) {
+            for (std::size_t k = 0; k < j; ++k) {
+                least = std::min({least, separation(slopes, evidence.base.precision, shape(j), shape(k)),
+                                  separation(slopes, evidence.base.precision, shape(k), shape(j))});
+            }
+        }
+        return std::sqrt(std::max(0.0, least));
+    };
+    const double now =
+        apart(evidence.base.slopes, [&](std::size_t s) -> const Eigen::VectorXd& { return shapes[s].old; });
+    for (const Manoeuvre& manoeuvre : all) {
+        const input::Experiment& experiment = *evidence.experiment;
+        if (!experiment.runs.front().problem.drive.gives(*physics::find_signal(manoeuvre.needs))) {
+            continue;
+        }
+        input::Experiment planned = rehearse(experiment, manoeuvre);
+        const Simulator fitted(experiment, observations);
+        // Numbers of all runs at their fitted values, the start as the first run's.
+        const Observations seen = observe(planned);
+        Simulator base(planned, seen);
+        Eigen::VectorXd values = base.start();
+        for (Eigen::Index j = 0; j < n; ++j) {
+            const solver::Adjustable& number = experiment.parameters[static_cast<std::size_t>(j)];
+            values[j] = number.run < 0 || number.kind == solver::Adjustable::Kind::initial
+                            ? (number.run > 0 ? 0.0 : evidence.base.values[j])
+                            : values[j];
+        }
+        const Forecast& plain = base.at(values);
+        into.simulations += base.simulations();
+        if (!plain.status.ok()) {
+            continue;
+        }
+        // Blocks of the planned run know channels by their order of appearance there.
+        Covariance noise;
+        for (const std::size_t channel : seen.channels) {
+            const auto known = std::ranges::find(observations.channels, channel) - observations.channels.begin();
+            noise.channels.push_back(evidence.noise.channels[static_cast<std::size_t>(known)]);
+        }
+        Eigen::MatrixXd slopes = plain.slope * evidence.base.scale.asDiagonal();
+        whiten(seen.blocks, noise, slopes);
+        planned.runs.front().problem = base.problem(0, values);
+        bool sound = true;
+        for (std::size_t s = 0; s < n_shapes && sound; ++s) {
+            const input::Experiment model = with_causes(found, planned, *found.set[s]);
+            Simulator other(model, seen);
+            other.take_steps(base.steps());
+            const Forecast& there = other.at(other.start());
+            into.simulations += 1;
+            sound = there.status.ok();
+            if (sound) {
+                Eigen::MatrixXd difference = there.simulated - plain.simulated;
+                whiten(seen.blocks, noise, difference);
+                shapes[s].more = difference.col(0);
+            }
+        }
+        if (!sound) {
+            continue;
+        }
+        // The new run starts for itself: its own start is a further number, which the first run's stands in for.
+        Eigen::MatrixXd together = Eigen::MatrixXd::Zero(evidence.base.slopes.rows() + slopes.rows(), n);
+        together.topRows(evidence.base.slopes.rows()) = evidence.base.slopes;
+        together.bottomRows(slopes.rows()) = slopes;
+        const double then = apart(together, [&](std::size_t s) {
+            Eigen::VectorXd joined(together.rows());
+            joined << shapes[s].old, shapes[s].more;
+            return joined;
+        });
+        into.next.push_back({.name = manoeuvre.name, .now = now, .then = then});
+    }
+    std::ranges::stable_sort(into.next, std::greater{}, &NextExperiment::then);
+}
+
+}  // namespace tiretherm::diagnosis

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "input/measurements/experiment.hpp"
+#include "diagnosis/compare/camera_comparison.hpp"
+#include "diagnosis/compare/comparison_statistics.hpp"
+#include "diagnosis/compare/phase.hpp"
+#include "solver/channel_unit.hpp"
+#include "solver/status.hpp"
+
+namespace tiretherm::diagnosis {
+
+/// A channel of a run: samples that were measured, and what is simulated at their times. SI; a missing sample is not here.
+struct ComparedSeries {
+    std::size_t run = 0;
+    std::vector<double> time;  ///< s
+    std::vector<double> measured;
+    std::vector<double> simulated;
+    std::vector<double> surroundings;  ///< what a rise is counted from: air temperature, or 0
+    std::vector<Phase> phase;
+    std::vector<std::vector<double>> regressor;  ///< [n_regressors][n_samples], NaN where it is missing
+
+    [[nodiscard]] std::vector<double> difference() const;  ///< simulated - measured
+};
+
+struct RunFigures {
+    std::size_t run = 0;
+    Figures figures;
+};
+
+struct PhaseFigures {
+    Phase phase = Phase::standing;
+    double share = 0.0;  ///< of the time with samples
+    Figures figures;
+};
+
+/// What the differences do against one signal.
+struct RegressorFigures {
+    std::string name;
+    std::string unit;
+    Association association;
+    std::vector<Bin> bins;
+};
+
+/// All of one channel.
+struct ComparedChannel {
+    std::string name;
+    solver::ShownUnit unit;
+    std::vector<ComparedSeries> series;
+    Figures figures;                ///< over all runs
+    double noise = 0.0;             ///< what changes from one sample to the next; NaN: too few samples to tell
+    double sensor = 0.0;            ///< standard deviation taken for the sensor
+    bool sensor_is_stated = false;  ///< by the case; otherwise it is `noise`
+    ModelUncertainty model;
+    std::vector<RunFigures> runs;
+    std::vector<PhaseFigures> phases;
+    std::vector<RegressorFigures> regressors;  ///< the closest first
+    /// Chance below which the closest regressor counts: 5 % over all that were tried.
+    double significant = 0.05;
+};
+
+/// A single measured number beside the simulated one.
+struct ComparedNumber {
+    std::string channel;
+    solver::ShownUnit unit;
+    std::size_t run = 0;
+    double time = 0.0;  ///< s
+    bool at_end = false;
+    double measured = 0.0;     ///< SI
+    double uncertainty = 0.0;  ///< standard
+    double simulated = 0.0;    ///< SI
+    std::string source;
+
+    [[nodiscard]] double in_uncertainties() const { return (simulated - measured) / uncertainty; }
+};
+
+/// Measured held against simulated. Every difference is simulated - measured.
+struct Comparison {
+    std::string name;
+    std::vector<std::string> runs;
+    std::vector<std::string> files;
+    std::vector<ComparedChannel> channels;  ///< of which anything was logged
+    std::vector<ComparedNumber> numbers;
+    std::vector<ComparedImages> images;  ///< of cameras, run by run
+    std::vector<std::string> warnings;
+    std::vector<std::string> findings;
+    solver::Status status;  ///< of the first run that failed; then there are no figures
+    double seconds = 0.0;   ///< of all simulations
+};
+
+/// Simulates every run as the case stands and compares.
+[[nodiscard]] Comparison compare(const input::Experiment& experiment, const std::string& name);
+/// The figures of a channel, from its series.
+/// @param regressors names and units, in the order of ComparedSeries::regressor
+void reckon(ComparedChannel& channel, const std::vector<std::pair<std::string, std::string>>& regressors);
+
+}  // namespace tiretherm::diagnosis

@@ -1,0 +1,109 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "diagnosis/compare/comparison.hpp"
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+Pieces differences_of(const ComparedChannel& channel) {
+    Pieces pieces;
+    for (const ComparedSeries& series : channel.series) {
+        pieces.push_back(series.difference());
+    }
+    return pieces;
+}
+
+/// Stretches of a series in one phase, each a piece of its own.
+std::vector<PhaseFigures> phases_of(const ComparedChannel& channel) {
+    std::vector<PhaseFigures> result;
+    double whole = 0.0;
+    for (const Phase phase : phases) {
+        Pieces pieces;
+        double time = 0.0;
+        for (const ComparedSeries& series : channel.series) {
+            const std::vector<double> difference = series.difference();
+            for (std::size_t i = 0; i < series.time.size(); ++i) {
+                if (series.phase[i] != phase) {
+                    continue;
+                }
+                if (i == 0 || series.phase[i - 1] != phase) {
+                    pieces.emplace_back();
+                }
+                pieces.back().push_back(difference[i]);
+                // A sample stands for half the interval on either side.
+                const double before = series.time[i > 0 ? i - 1 : i];
+                const double after = series.time[std::min(i + 1, series.time.size() - 1)];
+                time += 0.5 * (after - before);
+            }
+        }
+        whole += time;
+        if (!pieces.empty()) {
+            result.push_back({.phase = phase, .share = time, .figures = figures(pieces)});
+        }
+    }
+    for (PhaseFigures& phase : result) {
+        phase.share = whole > 0.0 ? phase.share / whole : 1.0;
+    }
+    return result;
+}
+
+RegressorFigures against(const ComparedChannel& channel, std::size_t regressor) {
+    Pieces values;
+    Pieces differences;
+    for (const ComparedSeries& series : channel.series) {
+        values.emplace_back();
+        differences.emplace_back();
+        const std::vector<double> difference = series.difference();
+        for (std::size_t i = 0; i < difference.size(); ++i) {
+            if (!std::isnan(series.regressor[regressor][i])) {
+                values.back().push_back(series.regressor[regressor][i]);
+                differences.back().push_back(difference[i]);
+            }
+        }
+    }
+    return {.name = {}, .unit = {}, .association = association(values, differences), .bins = bins(values, differences)};
+}
+
+}  // namespace
+
+void reckon(ComparedChannel& channel, const std::vector<std::pair<std::string, std::string>>& regressors) {
+    const Pieces differences = differences_of(channel);
+    channel.figures = figures(differences);
+    Pieces times;
+    std::vector<double> measured;
+    std::vector<double> simulated;
+    for (std::size_t s = 0; s < channel.series.size(); ++s) {
+        const ComparedSeries& series = channel.series[s];
+        channel.runs.push_back({.run = series.run, .figures = figures({differences[s]})});
+        times.push_back(series.time);
+        for (std::size_t i = 0; i < series.time.size(); ++i) {
+            if (!std::isnan(series.surroundings[i])) {
+                measured.push_back(series.measured[i] - series.surroundings[i]);
+                simulated.push_back(series.simulated[i] - series.surroundings[i]);
+            }
+        }
+    }
+    channel.noise = quick_noise(times, differences);
+    if (!channel.sensor_is_stated) {
+        channel.sensor = std::isnan(channel.noise) ? 0.0 : channel.noise;
+    }
+    channel.model = model_uncertainty(channel.figures, measured, simulated, channel.sensor);
+    channel.phases = phases_of(channel);
+    for (std::size_t r = 0; r < regressors.size(); ++r) {
+        RegressorFigures found = against(channel, r);
+        if (found.bins.size() > 1 && found.association.correlation != 0.0) {  // the signal varies
+            std::tie(found.name, found.unit) = regressors[r];
+            channel.regressors.push_back(std::move(found));
+        }
+    }
+    std::stable_sort(channel.regressors.begin(), channel.regressors.end(),
+                     [](const RegressorFigures& a, const RegressorFigures& b) {
+                         return std::abs(a.association.sigmas) > std::abs(b.association.sigmas);
+                     });
+    channel.significant = 0.05 / static_cast<double>(std::max<std::size_t>(1, channel.regressors.size()));
+}
+
+}  // namespace tiretherm::diagnosis

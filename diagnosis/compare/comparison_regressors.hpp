@@ -1,0 +1,32 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "input/measurements/experiment.hpp"
+#include "physics/signals.hpp"
+
+namespace tiretherm::diagnosis {
+
+/// A sample of a channel, as far as differences may follow it.
+struct Moment {
+    const input::MeasuredRun& run;
+    std::size_t sample = 0;  ///< of the run's log
+    const physics::Inputs& inputs;
+    double simulated = 0.0;
+    bool is_temperature = true;
+};
+
+/// A signal that differences are held against.
+struct Regressor {
+    std::string name;
+    std::string unit;
+    std::function<double(const Moment&)> value;  ///< in its unit; NaN where it is missing
+};
+
+/// Time, the inputs that make or carry heat, the simulated rise over the air, and the columns that no model uses. The
+/// rise is the simulated one: the measured one shares its noise with the differences and would follow them by itself.
+[[nodiscard]] std::vector<Regressor> regressors_of(const input::Experiment& experiment);
+
+}  // namespace tiretherm::diagnosis

@@ -1,0 +1,63 @@
+#include "diagnosis/compare/phase.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+constexpr double standing_speed = 0.1;                       // m/s
+constexpr double slip_angle = 0.3 * std::numbers::pi / 180;  // rad
+constexpr double slip_ratio = 0.005;
+constexpr double slowing_down = 0.01 * 9.81;  // m/s2
+/// s before and after, over which the fall of speed is taken: a logger's noise of 0.1 m/s gives 0.035 m/s2.
+constexpr double reach = 2.0;
+
+}  // namespace
+
+std::string_view name_of(Phase phase) {
+    switch (phase) {
+        case Phase::standing:
+            return "standing";
+        case Phase::slipping:
+            return "slipping";
+        case Phase::slowing:
+            return "slowing";
+        case Phase::free_rolling:
+            return "free rolling";
+    }
+    return "";
+}
+
+std::string_view meaning_of(Phase phase) {
+    switch (phase) {
+        case Phase::standing:
+            return "speed below 0.1 m/s";
+        case Phase::slipping:
+            return "slip angle from 0.3 deg or slip ratio from 0.5 % on";
+        case Phase::slowing:
+            return "straight, speed falling faster than 0.01 g";
+        case Phase::free_rolling:
+            return "straight, speed steady or rising";
+    }
+    return "";
+}
+
+Phase phase_at(const solver::Problem& problem, double time) {
+    const physics::Inputs now = problem.drive.at(time, solver::Limit::after);
+    if (std::abs(now.speed) < standing_speed) {
+        return Phase::standing;
+    }
+    if (std::abs(now.slip_angle) >= slip_angle || std::abs(now.slip_ratio) >= slip_ratio) {
+        return Phase::slipping;
+    }
+    const double before = std::max(problem.settings.start, time - reach);
+    const double after = std::min(problem.settings.end, time + reach);
+    const double fall = std::abs(problem.drive.at(before, solver::Limit::after).speed) -
+                        std::abs(problem.drive.at(after, solver::Limit::before).speed);
+    return fall > slowing_down * (after - before) ? Phase::slowing : Phase::free_rolling;
+}
+
+}  // namespace tiretherm::diagnosis

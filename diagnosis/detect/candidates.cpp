@@ -1,0 +1,284 @@
+#include "diagnosis/detect/candidates.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "physics/camera.hpp"
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+using physics::Effect;
+using physics::Parameter;
+
+/// What the catalogue's plain numbers do not say of an effect as a candidate.
+struct Shape {
+    std::string_view effect;
+    std::string_view number;
+    std::string_view other{};        ///< a number that moves along, or that is held
+    double factor = 0.0;             ///< of what moves along
+    std::array<double, 11> held{};   ///< values of `other` on trial, ascending, two or more, and zeros
+    std::array<double, 4> trials{};  ///< values at which the signature is taken, as many as are not 0
+    bool left_out = false;           ///< says nothing that another number of the effect does not say
+};
+
+// A little gas conductance is slow, much of it is quick: four signatures. A wave's signature begins at its speed.
+constexpr std::array shapes{
+    Shape{
+        .effect = "inner_gas", .number = "liner", .other = "rim", .factor = 4.0 / 9.0, .trials = {0.3, 1.0, 3.0, 9.0}},
+    Shape{.effect = "inner_gas", .number = "rim", .left_out = true},
+    Shape{.effect = "sidewall_convection", .number = "h", .left_out = true},
+    Shape{.effect = "standing_wave",
+          .number = "gain",
+          .other = "critical_speed",
+          .held = {80.0, 95.0, 110.0, 125.0, 140.0, 155.0, 170.0, 190.0, 215.0, 245.0}},
+};
+
+const Shape* shape_of(const Effect& effect, const Parameter& parameter) {
+    const auto found = std::ranges::find_if(
+        shapes, [&](const Shape& shape) { return shape.effect == effect.id && shape.number == parameter.key; });
+    return found == shapes.end() ? nullptr : &*found;
+}
+
+bool is_on(const solver::Problem& problem, const Effect& effect) {
+    return std::ranges::any_of(problem.effects, [&](const physics::ActiveEffect& a) { return a.effect == &effect; });
+}
+
+/// Whether the effect's inputs are given in every run and its places are there.
+bool can_act(const input::Experiment& experiment, const Effect& effect) {
+    const solver::Problem& problem = experiment.runs.front().problem;
+    if (effect.travels) {  // the same cause, averaged over a revolution, is resolved_contact
+        return false;
+    }
+    const bool has_tire = std::ranges::any_of(problem.effects, [](const auto& a) { return a.effect->needs_tire; });
+    if ((effect.needs_tire && !has_tire) || (effect.needs_grid && problem.mesh.kind == "two_node")) {
+        return false;
+    }
+    for (const std::string_view signal : effect.reads) {
+        if (!std::ranges::all_of(experiment.runs, [&](const input::MeasuredRun& run) {
+                return run.problem.drive.gives(*physics::find_signal(signal));
+            })) {
+            return false;
+        }
+    }
+    const physics::ActiveEffect standard = physics::activate(effect, problem.mesh);
+    const bool placed = effect.patches.empty() || !standard.patches.empty();
+    return placed && (effect.objection == nullptr || effect.objection(standard, problem.mesh).empty());
+}
+
+/// Whether a camera can see what the channel reads: nodes of the boundary alone.
+bool is_seen(const mesh::Mesh& mesh, const solver::Channel& channel) {
+    return std::ranges::all_of(channel.where.nodes, [&](int node) {
+        return std::ranges::any_of(mesh.patches, [&](const mesh::Patch& patch) {
+            return patch.name != "inside" &&
+                   std::ranges::any_of(patch.faces, [&](const mesh::PatchFace& face) { return face.node == node; });
+        });
+    });
+}
+
+bool can_read(const Effect& effect, const solver::Problem& problem, const solver::Channel& channel) {
+    const bool is_temperature = channel.quantity == solver::Quantity::temperature;
+    switch (effect.reads_what) {
+        case physics::Reads::anything:
+            break;
+        case physics::Reads::temperature:
+            if (!is_temperature) {
+                return false;
+            }
+            break;
+        case physics::Reads::place:
+            if (!is_temperature || !channel.point) {
+                return false;
+            }
+            break;
+        case physics::Reads::pressure:
+            if (channel.quantity != solver::Quantity::gas_pressure) {
+                return false;
+            }
+            break;
+    }
+    return effect.id != "camera_emissivity" || is_seen(problem.mesh, channel);
+}
+
+/// Channels of which anything was measured.
+std::vector<int> measured_channels(const input::Experiment& experiment) {
+    std::vector<int> channels;
+    for (const input::MeasuredRun& run : experiment.runs) {
+        for (const input::MeasuredSeries& series : run.series) {
+            channels.push_back(static_cast<int>(series.channel));
+        }
+        for (const input::MeasuredNumber& number : run.numbers) {
+            channels.push_back(static_cast<int>(number.channel));
+        }
+    }
+    std::ranges::sort(channels);
+    channels.erase(std::unique(channels.begin(), channels.end()), channels.end());
+    return channels;
+}
+
+/// The camera whose channels one belongs to, null for any other sensor.
+const physics::ActiveEffect* camera_of(const solver::Problem& problem, int channel) {
+    const auto found = std::ranges::find_if(problem.effects, [&](const physics::ActiveEffect& active) {
+        return active.effect == &physics::camera_pose() &&
+               std::ranges::find(active.channels, channel) != active.channels.end();
+    });
+    return found == problem.effects.end() ? nullptr : &*found;
+}
+
+/// One number of an effect at one place, in all its shapes.
+void add(std::vector<Candidate>& all, const Candidate& plain) {
+    const Shape* shape = shape_of(*plain.effect, plain.number());
+    Candidate one = plain;
+    one.cause = all.empty() ? 0 : all.back().cause + 1;
+    one.trial = one.absent;
+    if (shape == nullptr) {
+        all.push_back(one);
+        return;
+    }
+    if (shape->left_out) {
+        return;
+    }
+    const auto other = static_cast<std::size_t>(physics::find_parameter(*plain.effect, shape->other));
+    if (shape->factor != 0.0) {
+        one.companions = {{.parameter = other, .factor = shape->factor}};
+    }
+    const auto n_held = static_cast<std::size_t>(std::ranges::find(shape->held, 0.0) - shape->held.begin());
+    for (std::size_t i = 0; i < n_held; ++i) {
+        const double value = shape->held[i];
+        const double below = i > 0 ? value - shape->held[i - 1] : shape->held[i + 1] - value;
+        const double above = i + 1 < n_held ? shape->held[i + 1] - value : below;
+        one.held = {{.parameter = other, .value = value, .low = value - below, .high = value + above}};
+        all.push_back(one);
+    }
+    for (const double value : shape->trials) {
+        if (value != 0.0) {
+            one.trial = value;
+            all.push_back(one);
+        }
+    }
+}
+
+/// @param chosen ids of effects, or of one number of them: "layer_conductivity.scale"; empty: all
+bool is_chosen(const std::vector<std::string>& chosen, const Effect& effect, const Parameter& parameter) {
+    return chosen.empty() || std::ranges::any_of(chosen, [&](const std::string& name) {
+               return name == effect.id || name == fmt::format("{}.{}", effect.id, parameter.key);
+           });
+}
+
+void add_all(std::vector<Candidate>& all, const input::Experiment& experiment, const Effect& effect,
+             const std::vector<int>& channels, const std::vector<std::string>& chosen) {
+    const solver::Problem& problem = experiment.runs.front().problem;
+    // By itself an effect on layers leaves the outermost alone, whose numbers are known best; what is known may be wrong.
+    std::vector<int> layers = physics::activate(effect, problem.mesh).layers;
+    if (problem.mesh.kind != "two_node" && !layers.empty() && layers.front() > 0) {
+        layers.insert(layers.begin(), 0);
+    }
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
+        const Parameter& parameter = effect.parameters[p];
+        if (std::isnan(parameter.absent) || !is_chosen(chosen, effect, parameter)) {
+            continue;
+        }
+        const Candidate plain{.effect = &effect,
+                              .parameter = p,
+                              .absent = parameter.absent,
+                              .low = parameter.low,
+                              .high = parameter.high};
+        if (effect.on_channels) {
+            for (const int channel : channels) {
+                if (can_read(effect, problem, problem.channels[static_cast<std::size_t>(channel)])) {
+                    const physics::ActiveEffect* camera = camera_of(problem, channel);
+                    if (camera != nullptr && camera->channels.front() != channel) {
+                        continue;
+                    }
+                    Candidate one = plain;
+                    one.channel = channel;
+                    one.last_channel = camera != nullptr ? camera->channels.back() : -1;
+                    add(all, one);
+                }
+            }
+        } else if (effect.on_layers) {
+            for (const int layer : layers) {
+                Candidate one = plain;
+                one.layer = layer;
+                add(all, one);
+            }
+        } else {
+            add(all, plain);
+        }
+    }
+}
+
+/// Numbers of an effect that is on, with one value everywhere that the fit does not free, where the case doubts them.
+void add_numbers(std::vector<Candidate>& all, const input::Experiment& experiment, std::size_t on,
+                 const std::vector<std::string>& chosen) {
+    const physics::ActiveEffect& active = experiment.runs.front().problem.effects[on];
+    for (std::size_t p = 0; p < active.parameters.size(); ++p) {
+        const Parameter& parameter = active.effect->parameters[p];
+        const bool is_free = std::ranges::any_of(experiment.parameters, [&](const solver::Adjustable& number) {
+            return number.kind == solver::Adjustable::Kind::effect && number.effect == on && number.parameter == p;
+        });
+        const bool is_split =
+            std::ranges::any_of(active.overrides, [&](const auto& other) { return other.parameter == p; });
+        if (!chosen.empty() && is_chosen(chosen, *active.effect, parameter) && !is_free && !is_split) {
+            const double value = active.parameters[p];
+            all.push_back({.effect = active.effect,
+                           .parameter = p,
+                           .on = static_cast<int>(on),
+                           .absent = value,
+                           .low = parameter.low,
+                           .high = parameter.high,
+                           .trial = value,
+                           .cause = all.empty() ? 0 : all.back().cause + 1});
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<Candidate> candidates_of(const input::Experiment& experiment, const std::vector<std::string>& chosen) {
+    const std::vector<int> channels = measured_channels(experiment);
+    std::vector<Candidate> all;
+    for (const Effect* effect : physics::catalogue()) {
+        if (!is_on(experiment.runs.front().problem, *effect) && can_act(experiment, *effect)) {
+            add_all(all, experiment, *effect, channels, chosen);
+        }
+    }
+    const std::vector<physics::ActiveEffect>& active = experiment.runs.front().problem.effects;
+    for (std::size_t on = 0; on < active.size(); ++on) {
+        if (active[on].name.empty()) {  // the user's own may be anything
+            add_numbers(all, experiment, on, chosen);
+        }
+    }
+    return all;
+}
+
+std::string sensor_of(const solver::Problem& problem, int channel) {
+    const physics::ActiveEffect* camera = camera_of(problem, channel);
+    return camera != nullptr ? camera->name : problem.channels[static_cast<std::size_t>(channel)].name;
+}
+
+std::string name_of(const Candidate& candidate, const input::Experiment& experiment) {
+    const solver::Problem& problem = experiment.runs.front().problem;
+    std::string name(candidate.effect->id);
+    const auto numbers = std::ranges::count_if(candidate.effect->parameters, [&](const Parameter& parameter) {
+        const Shape* shape = shape_of(*candidate.effect, parameter);
+        return !std::isnan(parameter.absent) && !(shape != nullptr && shape->left_out);
+    });
+    if (numbers > 1 || candidate.on >= 0) {
+        name += fmt::format(".{}", candidate.number().key);
+    }
+    if (candidate.channel >= 0) {
+        name += " of " + sensor_of(problem, candidate.channel);
+    }
+    if (candidate.layer >= 0 && problem.mesh.kind != "two_node" && problem.mesh.layers.size() > 1) {
+        name += " of " + problem.mesh.layers[static_cast<std::size_t>(candidate.layer)];
+    }
+    return name;
+}
+
+}  // namespace tiretherm::diagnosis

@@ -1,0 +1,190 @@
+#include "diagnosis/detect/dictionary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "solver/in_parallel.hpp"
+#include "physics/own_place.hpp"
+#include "solver/sensitivity/tape.hpp"
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+/// Integral of a course, straight between its points and held beyond them, from its first point on.
+class Integral {
+public:
+    Integral(const std::vector<double>& time, const std::vector<double>& value) : time_(time), value_(value) {
+        sum_.push_back(0.0);
+        for (std::size_t i = 1; i < time.size(); ++i) {
+            sum_.push_back(sum_.back() + 0.5 * (value[i] + value[i - 1]) * (time[i] - time[i - 1]));
+        }
+    }
+    [[nodiscard]] double mean(double from, double to) const { return (up_to(to) - up_to(from)) / (to - from); }
+
+private:
+    [[nodiscard]] double up_to(double t) const {
+        if (t <= time_.front()) {
+            return (t - time_.front()) * value_.front();
+        }
+        if (t >= time_.back()) {
+            return sum_.back() + (t - time_.back()) * value_.back();
+        }
+        const auto i = static_cast<std::size_t>(std::ranges::upper_bound(time_, t) - time_.begin());
+        const double share = (t - time_[i - 1]) / (time_[i] - time_[i - 1]);
+        const double here = value_[i - 1] + share * (value_[i] - value_[i - 1]);
+        return sum_[i - 1] + 0.5 * (value_[i - 1] + here) * (t - time_[i - 1]);
+    }
+    const std::vector<double>& time_;
+    const std::vector<double>& value_;
+    std::vector<double> sum_;
+};
+
+double value_at(const Course& course, std::size_t run, double t) {
+    const std::vector<double>& time = course.time[run];
+    const std::vector<double>& value = course.value[run];
+    const auto after = static_cast<std::size_t>(std::ranges::upper_bound(time, t) - time.begin());
+    if (after == 0 || after == time.size()) {
+        return after == 0 ? value.front() : value.back();
+    }
+    const double share = (t - time[after - 1]) / (time[after] - time[after - 1]);
+    return value[after - 1] + share * (value[after] - value[after - 1]);
+}
+
+/// The part of a step that lies within a window.
+double overlap(double from, double to, double begin, double end) {
+    return std::max(0.0, std::min(to, end) - std::max(from, begin)) / (to - from);
+}
+
+void name_terms(const input::Experiment& experiment, const Observations& observations, int windows,
+                Dictionary& dictionary) {
+    for (std::size_t c = 0; c < dictionary.courses.size(); ++c) {
+        for (std::size_t p = 0; p < dictionary.places.size(); ++p) {
+            dictionary.terms.push_back({.place = p, .course = c});
+        }
+        for (const std::size_t channel : observations.channels) {
+            if (dictionary.courses[c].follows != "1") {  // an offset is in the catalogue
+                dictionary.terms.push_back({.place = channel, .course = c, .sensor = true});
+            }
+        }
+    }
+    dictionary.n_followers = static_cast<Eigen::Index>(dictionary.terms.size());
+    for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+        const solver::Settings& settings = experiment.runs[r].problem.settings;
+        const double length = (settings.end - settings.start) / std::max(1, windows);
+        for (int i = 0; i < windows && !experiment.runs[r].time.empty(); ++i) {
+            for (std::size_t p = 0; p < dictionary.places.size(); ++p) {
+                dictionary.terms.push_back({.place = p,
+                                            .event = true,
+                                            .run = r,
+                                            .from = settings.start + i * length,
+                                            .to = settings.start + (i + 1) * length});
+            }
+        }
+    }
+}
+
+/// Fills the rows of one run.
+void fill_run(std::size_t r, const Observations& observations, const solver::Problem& problem,
+              const std::vector<double>& ends, Dictionary& dictionary) {
+    const std::size_t n_channels = problem.channels.size();
+    std::vector<Eigen::Index> rows;
+    for (std::size_t row = 0; row < observations.rows.size(); ++row) {
+        if (observations.rows[row].run == r) {
+            rows.push_back(static_cast<Eigen::Index>(row));
+        }
+    }
+    solver::Tape tape(problem, observations.times[r], ends);
+    if (!tape.status().ok()) {
+        return;
+    }
+    std::vector<std::size_t> heats;  // the terms that this run sees as heat
+    std::vector<Integral> integrals;
+    for (const Course& course : dictionary.courses) {
+        integrals.emplace_back(course.time[r], course.value[r]);
+    }
+    for (std::size_t k = 0; k < dictionary.terms.size(); ++k) {
+        const UnknownTerm& term = dictionary.terms[k];
+        if (!term.sensor && (!term.event || term.run == r)) {
+            heats.push_back(k);
+        }
+        if (!term.sensor) {
+            continue;
+        }
+        const Course& course = dictionary.courses[term.course];
+        for (const Eigen::Index row : rows) {
+            const Observations::Row& what = observations.rows[static_cast<std::size_t>(row)];
+            if (what.channel == term.place) {
+                dictionary.columns(row, static_cast<Eigen::Index>(k)) =
+                    value_at(course, r, observations.times[r][what.time]) / course.largest;
+            }
+        }
+    }
+    const auto heat_of_step = [&](std::size_t s, std::span<double> heat) {
+        const double begin = s == 0 ? problem.settings.start : tape.end(s - 1);
+        const double end = tape.end(s);
+        for (std::size_t h = 0; h < heats.size(); ++h) {
+            const UnknownTerm& term = dictionary.terms[heats[h]];
+            const double watts =
+                term.event ? overlap(begin, end, term.from, term.to)
+                           : integrals[term.course].mean(begin, end) / dictionary.courses[term.course].largest;
+            const mesh::Functional& nodes = dictionary.places[term.place].nodes;
+            for (std::size_t i = 0; i < nodes.nodes.size(); ++i) {
+                heat[h * tape.n_nodes() + static_cast<std::size_t>(nodes.nodes[i])] = watts * nodes.weights[i];
+            }
+        }
+    };
+    // A millionth of what a source does is seen by no score.
+    const std::vector<double> read = tape.forward(heats.size(), heat_of_step, 1e-6);
+    if (!tape.status().ok()) {
+        return;
+    }
+    const std::size_t n_readings = observations.times[r].size() * n_channels;
+    for (std::size_t h = 0; h < heats.size(); ++h) {
+        auto column = dictionary.columns.col(static_cast<Eigen::Index>(heats[h]));
+        for (const Eigen::Index row : rows) {
+            const Observations::Row& what = observations.rows[static_cast<std::size_t>(row)];
+            column[row] = read[h * n_readings + what.time * n_channels + what.channel];
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<HeatPlace> heat_places(const solver::Problem& problem, bool all) {
+    std::vector<HeatPlace> places;
+    const mesh::Mesh& mesh = problem.mesh;
+    for (const std::string& name : physics::names_of_places(mesh)) {
+        const bool is_part = mesh.zones.empty() ? mesh.find_layer(name) >= 0 : mesh.find_zone(name) >= 0;
+        if (!all && !is_part && mesh.find_region(name) < 0 && mesh.find_patch(name) < 0) {
+            continue;
+        }
+        const std::vector<int> nodes = physics::nodes_of_place(mesh, name);
+        const std::vector<double> shares = physics::shares_of_nodes(mesh, problem.materials, nodes);
+        const bool known = std::ranges::any_of(
+            places, [&](const HeatPlace& other) { return std::ranges::is_permutation(other.nodes.nodes, nodes); });
+        if (!shares.empty() && !known) {
+            places.push_back({.name = name, .nodes = {.nodes = nodes, .weights = shares}});
+            places.back().nodes.normalise();
+        }
+    }
+    return places;
+}
+
+Dictionary dictionary_of(const input::Experiment& experiment, const Observations& observations,
+                         const std::vector<solver::Problem>& problems, const std::vector<std::vector<double>>& steps,
+                         int windows) {
+    constexpr int small = 50;
+    const bool is_small = problems.front().mesh.n_nodes <= small;
+    Dictionary dictionary;
+    dictionary.places = heat_places(problems.front(), is_small);
+    dictionary.courses = courses_of(experiment, is_small);
+    name_terms(experiment, observations, is_small ? windows : 0, dictionary);
+    dictionary.columns = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(observations.rows.size()),
+                                               static_cast<Eigen::Index>(dictionary.terms.size()));
+    solver::in_parallel(problems.size(), [&](std::size_t r) { fill_run(r, observations, problems[r], steps[r], dictionary); });
+    return dictionary;
+}
+
+}  // namespace tiretherm::diagnosis

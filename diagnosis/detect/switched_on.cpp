@@ -1,0 +1,75 @@
+// Candidates in a model: what is switched on, or moved, when one of them is taken as true.
+#include <algorithm>
+#include <cmath>
+
+#include "diagnosis/detect/candidates.hpp"
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+/// Gas and rim start with the air around them, or as the rest where there is no air, as in a case that says nothing. K
+double start_of_own_nodes(const solver::Problem& problem) {
+    const physics::Inputs first = problem.drive.at(problem.settings.start, solver::Limit::after);
+    return problem.drive.gives(*physics::find_signal("air_temperature")) ? first.air_temperature
+                                                                         : problem.initial.front();
+}
+
+}  // namespace
+
+physics::ActiveEffect active_at(const Candidate& candidate, const mesh::Mesh& mesh, double value) {
+    physics::ActiveEffect active = physics::activate(*candidate.effect, mesh);
+    for (std::size_t p = 0; p < active.parameters.size(); ++p) {
+        if (const double absent = candidate.effect->parameters[p].absent; !std::isnan(absent)) {
+            active.parameters[p] = absent;
+        }
+    }
+    for (const Candidate::Held& held : candidate.held) {
+        active.parameters[held.parameter] = held.value;
+    }
+    active.parameters[candidate.parameter] = value;
+    for (const solver::Adjustable::Companion& companion : candidate.companions) {
+        active.parameters[companion.parameter] = companion.factor * value;
+    }
+    if (candidate.channel >= 0) {
+        active.channels = {candidate.channel};
+        for (int channel = candidate.channel + 1; channel <= candidate.last_channel; ++channel) {
+            active.channels.push_back(channel);
+        }
+    }
+    if (candidate.layer >= 0) {
+        active.layers = {candidate.layer};
+    }
+    return active;
+}
+
+input::Experiment with(input::Experiment experiment, const std::vector<Candidate>& candidates,
+                       const std::vector<double>& values) {
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+        const Candidate& candidate = candidates[k];
+        solver::Adjustable number{.name = name_of(candidate, experiment),
+                                  .unit = std::string(candidate.number().unit),
+                                  .kind = solver::Adjustable::Kind::effect,
+                                  .parameter = candidate.parameter,
+                                  .companions = candidate.companions,
+                                  .layers = {},
+                                  .knots = {},
+                                  .nodes = {},
+                                  .prior = candidate.absent,
+                                  .low = candidate.low,
+                                  .high = candidate.high};
+        for (input::MeasuredRun& run : experiment.runs) {
+            if (candidate.on >= 0) {
+                number.effect = static_cast<std::size_t>(candidate.on);
+                run.problem.effects[number.effect].parameters[candidate.parameter] = values[k];
+                continue;
+            }
+            const physics::ActiveEffect active = active_at(candidate, run.problem.mesh, values[k]);
+            number.effect = solver::switch_on(run.problem, active, start_of_own_nodes(run.problem));
+        }
+        experiment.parameters.push_back(std::move(number));
+    }
+    return experiment;
+}
+
+}  // namespace tiretherm::diagnosis

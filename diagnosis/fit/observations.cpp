@@ -1,0 +1,286 @@
+#include "diagnosis/fit/observations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "solver/in_parallel.hpp"
+#include "solver/sensitivity/prediction.hpp"
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+std::vector<double> times_of(const input::MeasuredRun& run) {
+    std::vector<double> times = run.time;
+    for (const input::MeasuredNumber& number : run.numbers) {
+        times.push_back(number.time);
+    }
+    for (const input::MeasuredFrames& frames : run.frames) {
+        times.insert(times.end(), frames.time.begin(), frames.time.end());
+    }
+    std::ranges::sort(times);
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    return times;
+}
+
+std::size_t index_of(const std::vector<double>& times, double time) {
+    return static_cast<std::size_t>(std::ranges::lower_bound(times, time) - times.begin());
+}
+
+bool are_finite(const Eigen::MatrixXd& matrix, const std::vector<Eigen::Index>& rows) {
+    return std::ranges::all_of(rows, [&](Eigen::Index row) { return matrix.row(row).allFinite(); });
+}
+
+/// The frames of a camera, taken apart by size.
+void add_images(const input::Experiment& experiment, std::size_t run, std::size_t which, Observations& all,
+                std::vector<double>& values) {
+    const input::MeasuredFrames& frames = experiment.runs[run].frames[which];
+    ImageRows image{
+        .run = run, .frames = which, .first = values.size(), .time = {}, .bands = bands_of(frames)};
+    for (const double t : frames.time) {
+        image.time.push_back(index_of(all.times[run], t));
+    }
+    // Runs whose images are as large share their noise, band by band.
+    std::vector<int> noises;
+    for (int band = 0; band < image.bands.bands(); ++band) {
+        const std::string name = fmt::format("{}, {}", frames.camera, image.bands.name(band));
+        const auto known = std::ranges::find(all.names, name) - all.names.begin();
+        if (known == std::ssize(all.names)) {
+            all.channels.push_back(frames.first_channel);
+            all.names.push_back(name);
+            all.stated.push_back(frames.standard_deviation.value_or(0.0));
+        }
+        noises.push_back(static_cast<int>(known));
+    }
+    const std::size_t n_pixels = frames.pixels.size();
+    values.resize(values.size() + n_pixels * image.time.size());
+    for (std::size_t f = 0; f < image.time.size(); ++f) {
+        std::vector<double> pixels(frames.value.begin() + static_cast<std::ptrdiff_t>(f * n_pixels),
+                                   frames.value.begin() + static_cast<std::ptrdiff_t>((f + 1) * n_pixels));
+        image.bands.apply(pixels);
+        for (std::size_t entry = 0; entry < n_pixels; ++entry) {
+            values[image.row(entry, f)] = pixels[entry];
+        }
+    }
+    for (std::size_t entry = 0; entry < n_pixels; ++entry) {
+        all.blocks.push_back(series_block(noises[static_cast<std::size_t>(image.bands.band(entry))],
+                                          static_cast<Eigen::Index>(image.row(entry, 0)), frames.time,
+                                          std::span(values).subspan(image.row(entry, 0), image.time.size())));
+        for (const std::size_t time : image.time) {
+            all.rows.push_back({.run = run,
+                                .channel = frames.first_channel,
+                                .time = time,
+                                .image = static_cast<int>(all.images.size())});
+        }
+    }
+    all.images.push_back(std::move(image));
+}
+
+}  // namespace
+
+Observations observe(const input::Experiment& experiment) {
+    Observations all;
+    std::vector<double> values;
+    for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+        const input::MeasuredRun& run = experiment.runs[r];
+        all.times.push_back(times_of(run));
+        for (const input::MeasuredSeries& series : run.series) {
+            const auto known = std::ranges::find(all.channels, series.channel);
+            const auto noise = static_cast<int>(known - all.channels.begin());
+            if (known == all.channels.end()) {
+                all.channels.push_back(series.channel);
+                const solver::Channel& channel = run.problem.channels[series.channel];
+                all.names.push_back(channel.name);
+                all.stated.push_back(channel.standard_deviation.value_or(0.0));
+            }
+            all.blocks.push_back(series_block(noise, static_cast<Eigen::Index>(values.size()), run.time, series.value));
+            for (std::size_t i = 0; i < run.time.size(); ++i) {
+                if (!std::isnan(series.value[i])) {
+                    all.rows.push_back({r, series.channel, index_of(all.times[r], run.time[i])});
+                    values.push_back(series.value[i]);
+                }
+            }
+        }
+        for (std::size_t i = 0; i < run.frames.size(); ++i) {
+            add_images(experiment, r, i, all, values);
+        }
+    }
+    std::vector<double> deviations;
+    const auto first = static_cast<Eigen::Index>(values.size());
+    for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+        for (const input::MeasuredNumber& number : experiment.runs[r].numbers) {
+            all.rows.push_back({r, number.channel, index_of(all.times[r], number.time)});
+            values.push_back(number.value);
+            deviations.push_back(number.standard_deviation);
+        }
+    }
+    if (!deviations.empty()) {
+        all.blocks.push_back(numbers_block(first, std::move(deviations)));
+    }
+    all.measured = Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+    return all;
+}
+
+Simulator::Simulator(const input::Experiment& experiment, const Observations& observations)
+    : experiment_(&experiment),
+      observations_(&observations),
+      start_(static_cast<Eigen::Index>(experiment.parameters.size())),
+      step_ends_(experiment.runs.size()),
+      parameters_(experiment.runs.size()),
+      rows_(experiment.runs.size()) {
+    for (std::size_t j = 0; j < experiment.parameters.size(); ++j) {
+        const solver::Adjustable& parameter = experiment.parameters[j];
+        const auto own = static_cast<std::size_t>(std::max(0, parameter.run));
+        start_[static_cast<Eigen::Index>(j)] = solver::value_of(experiment.runs[own].problem, parameter);
+        for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+            if (parameter.run < 0 || own == r) {
+                parameters_[r].push_back(j);
+            }
+        }
+    }
+    for (std::size_t row = 0; row < observations.rows.size(); ++row) {
+        if (observations.rows[row].image < 0) {
+            rows_[observations.rows[row].run].push_back(static_cast<Eigen::Index>(row));
+        }
+    }
+}
+
+solver::Problem Simulator::problem(std::size_t run, const Eigen::VectorXd& values) const {
+    solver::Problem problem = experiment_->runs[run].problem;
+    for (const std::size_t j : parameters_[run]) {
+        const auto i = static_cast<Eigen::Index>(j);
+        solver::move(problem, experiment_->parameters[j], start_[i], values[i]);
+    }
+    return problem;
+}
+
+const Forecast& Simulator::at(const Eigen::VectorXd& values) {
+    // Values that went through units and back may differ in their last digits; each is judged by its own size.
+    const bool same = last_values_.size() == values.size() && values.size() > 0 &&
+                      ((last_values_ - values).array().abs() <= 1e-14 * values.array().abs()).all();
+    if (!same) {
+        last_values_ = values;
+        last_ = forecast(values);
+    }
+    return last_;
+}
+
+void Simulator::read_images(const ImageRows& image, const solver::Prediction& prediction, const solver::Problem& now,
+                            Forecast& into) const {
+    const input::MeasuredFrames& frames = experiment_->runs[image.run].frames[image.frames];
+    const std::vector<std::size_t>& numbers = parameters_[image.run];
+    const ImageView view(frames, now);
+    std::vector<std::optional<ImageView>> turned(numbers.size());  // of numbers of the pose
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+        const solver::Adjustable& number = experiment_->parameters[numbers[k]];
+        if (number.kind == solver::Adjustable::Kind::effect && number.effect == frames.pose) {
+            turned[k] = ImageView::slope(frames, now, number.parameter);
+        }
+    }
+    std::vector<double> pixels(frames.pixels.size());
+    std::vector<double> moved(pixels.size());
+    for (std::size_t f = 0; f < image.time.size(); ++f) {
+        const auto at = [&](const std::vector<double>& all, std::size_t first) {
+            return std::span(all).subspan((first + image.time[f]) * prediction.n_channels, prediction.n_channels);
+        };
+        const auto put = [&](auto&& column, std::span<double> values) {
+            image.bands.apply(values);
+            for (std::size_t entry = 0; entry < values.size(); ++entry) {
+                column[static_cast<Eigen::Index>(image.row(entry, f))] = values[entry];
+            }
+        };
+        const std::span<const double> channels = at(prediction.value, 0);
+        view.read(channels, pixels);
+        for (std::size_t k = 0; k < numbers.size(); ++k) {
+            if (turned[k]) {
+                turned[k]->turn(channels, pixels, moved);
+            } else {
+                view.follow(channels, at(prediction.slope, k * prediction.n_times), pixels, moved);
+            }
+            put(into.slope.col(static_cast<Eigen::Index>(numbers[k])), moved);
+        }
+        put(into.simulated, pixels);
+    }
+}
+
+Forecast Simulator::forecast(const Eigen::VectorXd& values) {
+    const std::size_t n_runs = experiment_->runs.size();
+    std::vector<solver::Prediction> predictions(n_runs);
+    solver::in_parallel(n_runs, [&](std::size_t r) {
+        const solver::Problem moved = problem(r, values);
+        std::vector<solver::Adjustable> asked;
+        std::vector<double> now;
+        for (const std::size_t j : parameters_[r]) {
+            asked.push_back(experiment_->parameters[j]);
+            now.push_back(values[static_cast<Eigen::Index>(j)]);
+        }
+        predictions[r] = solver::predict(moved, {.times = observations_->times[r],
+                                                 .parameters = asked,
+                                                 .values = now,
+                                                 .step_ends = step_ends_[r],
+                                                 .tolerance = 1e-4});
+    });
+    simulations_ += static_cast<long>(n_runs);
+    if (progress_) {
+        progress_(simulations_);
+    }
+
+    Forecast forecast;
+    const auto n_rows = static_cast<Eigen::Index>(observations_->rows.size());
+    forecast.simulated.resize(n_rows);
+    forecast.slope.setZero(n_rows, start_.size());
+    for (std::size_t r = 0; r < n_runs; ++r) {
+        solver::Prediction& prediction = predictions[r];
+        if (!prediction.status.ok()) {
+            prediction.status.message = fmt::format("run {}: {}", experiment_->runs[r].name, prediction.status.message);
+            forecast.status = prediction.status;
+            return forecast;
+        }
+        step_ends_[r] = std::move(prediction.step_ends);
+        for (const Eigen::Index row : rows_[r]) {
+            const Observations::Row& what = observations_->rows[static_cast<std::size_t>(row)];
+            forecast.simulated[row] = prediction.at(what.time, what.channel);
+            if (!std::isfinite(forecast.simulated[row])) {
+                forecast.status = {solver::Outcome::not_finite,
+                                   fmt::format("run {}: {} is not a number at t = {:.6g} s", experiment_->runs[r].name,
+                                               experiment_->runs[r].problem.channels[what.channel].name,
+                                               observations_->times[r][what.time])};
+                return forecast;
+            }
+            for (std::size_t k = 0; k < parameters_[r].size(); ++k) {
+                forecast.slope(row, static_cast<Eigen::Index>(parameters_[r][k])) =
+                    prediction.slope_at(k, what.time, what.channel);
+            }
+        }
+        if (!are_finite(forecast.slope, rows_[r])) {
+            forecast.status = {solver::Outcome::not_finite,
+                               fmt::format("run {}: a sensitivity is not a number", experiment_->runs[r].name)};
+            return forecast;
+        }
+        for (const std::string& kink : prediction.kinks) {
+            if (std::ranges::find(forecast.kinks, kink) == forecast.kinks.end()) {
+                forecast.kinks.push_back(kink);
+            }
+        }
+    }
+    solver::in_parallel(observations_->images.size(), [&](std::size_t i) {
+        const ImageRows& image = observations_->images[i];
+        read_images(image, predictions[image.run], problem(image.run, values), forecast);
+    });
+    for (const ImageRows& image : observations_->images) {
+        const auto first = static_cast<Eigen::Index>(image.first);
+        if (!forecast.simulated.segment(first, image.rows()).allFinite() ||
+            !forecast.slope.middleRows(first, image.rows()).allFinite()) {
+            forecast.status = {solver::Outcome::not_finite,
+                               fmt::format("run {}: a pixel of {} is not a number", experiment_->runs[image.run].name,
+                                           experiment_->runs[image.run].frames[image.frames].camera)};
+            return forecast;
+        }
+    }
+    return forecast;
+}
+
+}  // namespace tiretherm::diagnosis

@@ -1,0 +1,112 @@
+#include "diagnosis/fit/profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+constexpr double rise = 3.841459;  // 95 % of chi-square with one degree of freedom
+constexpr int most_trials = 12;
+/// How nearly the end of an interval is found, in standard deviations.
+constexpr double near = 0.01;
+
+/// One side of one number's profile.
+class Side {
+public:
+    Side(const LeastSquares& question, Eigen::Index number, double least, double step)
+        : question_(question), number_(number), least_(least), step_(step) {}
+
+    /// @returns the end; `open` when the bound or the last trial is reached first
+    double find(bool& open) {
+        const double bound = step_ > 0.0 ? question_.high[number_] : question_.low[number_];
+        const double fitted = question_.start[number_];
+        double inside = 0.0;  // in steps; the root of the rise is nearly a straight line through 0
+        double root_inside = 0.0;
+        double outside = 0.0;
+        double root_outside = 0.0;
+        const double wanted = std::sqrt(rise);
+        double at = wanted;
+        for (int trial = 0; trial < most_trials; ++trial) {
+            const double limit = (bound - fitted) / step_;
+            const bool cut = at >= limit;
+            at = std::min(at, limit);
+            const double root = root_of_rise(fitted + at * step_);
+            if (root >= wanted) {
+                outside = at;
+                root_outside = root;
+            } else {
+                inside = at;
+                root_inside = root;
+                if (cut) {
+                    open = true;
+                    return bound;
+                }
+            }
+            if (outside > 0.0 && outside - inside <= near) {
+                break;
+            }
+            if (outside == 0.0) {
+                at = root > 0.0 ? at * std::min(2.0, 1.05 * wanted / root) : 2.0 * at;
+                continue;
+            }
+            const double share = (wanted - root_inside) / (root_outside - root_inside);
+            const double next = inside + std::clamp(share, 0.1, 0.9) * (outside - inside);
+            if (std::abs(next - at) <= near && trial > 1) {
+                at = next;
+                break;
+            }
+            at = next;
+        }
+        open = outside == 0.0;
+        return fitted + at * step_;
+    }
+
+private:
+    double root_of_rise(double value) {
+        LeastSquares question = question_;
+        question.start[number_] = value;
+        question.held = number_;
+        if (last_.size() > 0) {  // the others go on from where they were
+            question.start = last_;
+            question.start[number_] = value;
+        }
+        const LeastSquaresResult result = minimise(question);
+        if (!std::isfinite(result.sum_of_squares)) {
+            return 1e3;
+        }
+        last_ = result.values;
+        return std::sqrt(std::max(0.0, result.sum_of_squares - least_));
+    }
+
+    const LeastSquares& question_;
+    Eigen::Index number_;
+    double least_;
+    double step_;  ///< one standard deviation to the side that is looked at
+    Eigen::VectorXd last_;
+};
+
+}  // namespace
+
+void profile_intervals(const LeastSquares& question, Identification& result) {
+    const std::optional<Residuals> at_fit = question.residuals(question.start);
+    if (!at_fit) {
+        return;
+    }
+    const double least = at_fit->value.squaredNorm();
+    for (std::size_t j = 0; j < result.fitted.size(); ++j) {
+        Fitted& one = result.fitted[j];
+        const auto number = static_cast<Eigen::Index>(j);
+        const double step = std::isfinite(one.standard_deviation) ? one.standard_deviation : question.scale[number];
+        one.high_is_open = one.low_is_open = false;
+        one.high = Side(question, number, least, step).find(one.high_is_open);
+        one.low = Side(question, number, least, -step).find(one.low_is_open);
+        one.profiled = true;
+        if (one.sight == Sight::not_determined && !one.low_is_open && !one.high_is_open) {
+            one.sight = Sight::determined;  // the straight line of the first order saw no end, the profile does
+        }
+    }
+}
+
+}  // namespace tiretherm::diagnosis

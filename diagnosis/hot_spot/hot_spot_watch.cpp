@@ -1,0 +1,216 @@
+#include "diagnosis/hot_spot/hot_spot_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "solver/time_integration/run_to_end.hpp"
+#include "solver/stop_signal.hpp"
+#include "input/model/continued_schedule.hpp"
+#include "solver/in_parallel.hpp"
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+HotSpotWatch::HotSpotWatch(const std::filesystem::path& case_file, const solver::Problem& problem)
+    : problem_(problem), case_(input::HotSpotCase::read(case_file)) {
+    if (case_) {
+        for (const solver::Critical& critical : case_->critical) {
+            courses_.emplace_back(problem.mesh, critical);
+        }
+    }
+}
+
+void HotSpotWatch::take(const solver::Snapshot& snapshot) {
+    for (solver::HotSpotCourse& course : courses_) {
+        course.take(snapshot);
+    }
+}
+
+TestMoment HotSpotWatch::moment(const solver::Problem& problem, const std::vector<solver::ScheduleStep>& steps,
+                                      const solver::HotSpotCourse& course, double t) const {
+    const physics::Inputs inputs = problem.drive.at(t, solver::Limit::before);
+    TestMoment moment{
+        .time = t, .steady = problem.settings.steady, .speed = inputs.speed, .load = inputs.vertical_load};
+    if (const solver::ScheduleStep* step = solver::step_at(steps, t)) {
+        moment.step = *step;
+    }
+    moment.surface = solver::value_at(course.time(), course.surface(), t);
+    return moment;
+}
+
+std::optional<HotSpots> HotSpotWatch::report() const {
+    if (courses_.empty() || courses_.front().rows() == 0) {
+        return std::nullopt;
+    }
+    HotSpots found;
+    const solver::Settings& settings = problem_.settings;
+    if (!settings.steady) {
+        found.steps = solver::schedule_steps(problem_.drive, settings.start, settings.end);
+    }
+    for (const solver::HotSpotCourse& course : courses_) {
+        const double at_hottest = course.time()[course.hottest_row()];
+        HotSpot spot{.course = course,
+                           .hottest = moment(problem_, found.steps, course, at_hottest),
+                           .passing = std::nullopt,
+                           .surface_threshold = unknown,
+                           .surface_time = unknown};
+        const double passed = solver::passing_time(course.time(), course.temperature(), course.critical().temperature);
+        if (!std::isnan(passed) && !settings.steady) {
+            spot.passing = moment(problem_, found.steps, course, passed);
+        }
+        found.spots.push_back(std::move(spot));
+    }
+    const bool whole = settings.steady || courses_.front().time().back() >= settings.end;
+    if (!whole) {
+        found.notes.emplace_back(
+            "The run ended early: nothing is said of steady states, of further steps and of what "
+            "drives the hot spots.");
+        return found;
+    }
+    add_steps(found);
+    add_spread(found);
+    go_on(found);
+    return found;
+}
+
+void HotSpotWatch::add_steps(HotSpots& into) const {
+    const auto steady = solver::steady_spots(problem_, case_->critical, into.steps);
+    for (std::size_t i = 0; i < into.spots.size(); ++i) {
+        HotSpot& spot = into.spots[i];
+        const solver::HotSpotCourse& course = spot.course;
+        for (const solver::ScheduleStep& step : into.steps) {
+            spot.at_end.push_back({.hottest = solver::value_at(course.time(), course.temperature(), step.to),
+                                   .surface = solver::value_at(course.time(), course.surface(), step.to)});
+        }
+        spot.steady = steady[i];
+        spot.surface_threshold = solver::surface_threshold(spot.steady, course.critical().temperature);
+        if (!std::isnan(spot.surface_threshold)) {
+            spot.surface_time = solver::passing_time(course.time(), course.surface(), spot.surface_threshold);
+        }
+    }
+}
+
+/// One run with further steps serves all hot spots that the test itself did not bring to their critical temperatures.
+void HotSpotWatch::go_on(HotSpots& into) const {
+    const auto missing = [](const HotSpot& spot) { return !spot.passing; };
+    if (problem_.settings.steady || into.steps.empty() || std::ranges::none_of(into.spots, missing)) {
+        return;
+    }
+    const input::ContinuedSchedule further = input::continue_schedule(*case_, problem_.settings, into.steps);
+    std::vector<solver::HotSpotCourse> courses;
+    std::vector<solver::ScheduleStep> steps;
+    solver::Ending ending;
+    if (further.problem) {
+        for (const solver::Critical& critical : case_->critical) {
+            courses.emplace_back(further.problem->mesh, critical);
+        }
+        steps = solver::schedule_steps(further.problem->drive, further.problem->settings.start,
+                                       further.problem->settings.end);
+        ending = solver::run_to_end(*further.problem, [&](const solver::Snapshot& snapshot) {
+            for (solver::HotSpotCourse& course : courses) {
+                course.take(snapshot);
+            }
+        });
+    }
+    for (std::size_t i = 0; i < into.spots.size(); ++i) {
+        HotSpot& spot = into.spots[i];
+        if (spot.passing) {
+            continue;
+        }
+        spot.further = {.refusal = further.refusal, .rise = further.rise, .duration = further.duration};
+        if (!further.problem) {
+            continue;
+        }
+        const solver::HotSpotCourse& course = courses[i];
+        const double critical = course.critical().temperature;
+        const double t = solver::passing_time(course.time(), course.temperature(), critical);
+        spot.further->hottest = course.temperature()[course.hottest_row()];
+        spot.further->last_speed = steps.back().speed;
+        if (std::isnan(t)) {
+            spot.further->refusal = ending.failure;
+            continue;
+        }
+        spot.further->passing = moment(*further.problem, steps, course, t);
+        if (const solver::ScheduleStep* step = solver::step_at(steps, t)) {
+            const auto at = [&](double when) { return solver::value_at(course.time(), course.temperature(), when); };
+            spot.further->kelvin_per_step = at(step->to) - at(step->from);
+        }
+    }
+}
+
+void HotSpotWatch::add_spread(HotSpots& into) const {
+    if (case_->known.empty() && case_->uncertain.empty()) {
+        return;
+    }
+    std::vector<solver::HotPlace> places;
+    for (const HotSpot& spot : into.spots) {
+        places.push_back({.where = spot.course.hottest_place(), .time = spot.hottest.time});
+    }
+    const solver::PlaceSlopes base = solver::place_slopes(problem_, places, case_->known);
+    if (!base.status.ok()) {
+        into.notes.push_back("What drives the hot spots is not known: " + base.status.message + ".");
+        return;
+    }
+    for (const std::string& name : base.kinks) {
+        into.notes.push_back(fmt::format("{} stands at a switch: its slope is that of one side.", name));
+    }
+    // Two runs for each key, one standard deviation to either side.
+    const std::size_t n = case_->uncertain.size();
+    std::vector<solver::PlaceSlopes> sides(2 * n);
+    solver::in_parallel(2 * n, [&](std::size_t i) {
+        const auto problem = case_->moved(case_->uncertain[i / 2], i % 2 == 0 ? -1.0 : 1.0);
+        sides[i].status.outcome = solver::Outcome::stopped;
+        // Places are nodes of the case's own mesh.
+        if (problem && problem->mesh.n_nodes == problem_.mesh.n_nodes && !solver::stop_requested()) {
+            sides[i] = solver::place_slopes(*problem, places, {}, base.step_ends);
+        }
+    });
+    for (std::size_t p = 0; p < places.size(); ++p) {
+        std::vector<solver::Driver> drivers;
+        double mean = into.spots[p].course.temperature()[into.spots[p].course.hottest_row()];
+        for (std::size_t j = 0; j < case_->known.size(); ++j) {
+            const solver::Adjustable& number = case_->known[j];
+            const double slope = base.slope[j * places.size() + p];
+            const double value = solver::value_of(problem_, number);
+            const double expected = number.kind == solver::Adjustable::Kind::initial ? 0.0 : number.prior;
+            mean += slope * (expected - value);
+            drivers.push_back({.name = number.name,
+                               .unit = number.unit,
+                               .value = expected,
+                               .standard_deviation = number.standard_deviation,
+                               .kelvin = slope * number.standard_deviation,
+                               .bend = unknown});
+        }
+        for (std::size_t i = 0; i < n; ++i) {
+            const input::UncertainKey& key = case_->uncertain[i];
+            const solver::PlaceSlopes& below = sides[2 * i];
+            const solver::PlaceSlopes& above = sides[2 * i + 1];
+            if (!below.status.ok() || !above.status.ok()) {
+                if (p == 0) {
+                    into.notes.push_back(
+                        fmt::format("{} is left out: the case does not run on the same mesh "
+                                    "with one standard deviation more or less of it.",
+                                    key.key.text));
+                }
+                continue;
+            }
+            drivers.push_back({.name = key.key.text,
+                               .unit = key.unit,
+                               .value = key.number,
+                               .standard_deviation = key.standard_deviation,
+                               .kelvin = 0.5 * (above.temperature[p] - below.temperature[p]),
+                               .bend = 0.5 * (above.temperature[p] + below.temperature[p]) - base.temperature[p]});
+        }
+        into.spots[p].spread = solver::spread_of(std::move(drivers), mean);
+    }
+}
+
+}  // namespace tiretherm::diagnosis

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "input/parameters/hot_spots.hpp"
+#include "diagnosis/hot_spot/hot_spots.hpp"
+#include "solver/time_integration/march.hpp"
+
+namespace tiretherm::diagnosis {
+
+/// Follows the hot spots of a run that a case asks for, and then finds out what becomes of them: step by step, held for
+/// ever, in further steps, and how sure all that is.
+class HotSpotWatch {
+public:
+    /// Sees to nothing where the case has no [[critical]].
+    HotSpotWatch(const std::filesystem::path& case_file, const solver::Problem& problem);
+
+    void take(const solver::Snapshot& snapshot);
+    /// After the run. Runs the case again for what the run itself does not tell; the user may end that early.
+    /// @returns nothing where the case asks for nothing, or the run has no row
+    [[nodiscard]] std::optional<HotSpots> report() const;
+
+private:
+    void add_steps(HotSpots& into) const;
+    void go_on(HotSpots& into) const;
+    void add_spread(HotSpots& into) const;
+    [[nodiscard]] TestMoment moment(const solver::Problem& problem,
+                                          const std::vector<solver::ScheduleStep>& steps,
+                                          const solver::HotSpotCourse& course, double t) const;
+
+    const solver::Problem& problem_;
+    std::optional<input::HotSpotCase> case_;
+    std::vector<solver::HotSpotCourse> courses_;
+};
+
+}  // namespace tiretherm::diagnosis

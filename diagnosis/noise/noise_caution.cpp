@@ -1,0 +1,70 @@
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "diagnosis/noise/noise_estimate.hpp"
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+constexpr double far_above = 3.0;  ///< data sheets
+constexpr double alike = 2.0;      ///< ratio of two times that are as good as the same
+
+/// 12 s, 3.4 min, 1.2 h
+std::string duration(double seconds) {
+    if (seconds < 120.0) {
+        return fmt::format("{:.2g} s", seconds);
+    }
+    return seconds < 7200.0 ? fmt::format("{:.2g} min", seconds / 60.0) : fmt::format("{:.2g} h", seconds / 3600.0);
+}
+
+}  // namespace
+
+std::vector<std::string> cautions(const std::string& channel, const std::string& unit, const Noise& noise,
+                                  const ChannelNoise& found, double data_sheet,
+                                  const std::vector<double>& thermal_times) {
+    std::vector<std::string> said;
+    if (found.source == NoiseSource::data_sheet) {
+        said.push_back(
+            fmt::format("{}: its {} samples leave nothing to estimate noise from, the data sheet's {:.3g} {} is taken",
+                        channel, found.samples, noise.sigma, unit));
+        return said;
+    }
+    if (found.source == NoiseSource::assumed) {
+        said.push_back(
+            fmt::format("{}: its {} samples leave nothing to estimate noise from and no standard deviation is stated, "
+                        "{:.3g} {} is assumed; state it with the sensor",
+                        channel, found.samples, noise.sigma, unit));
+        return said;
+    }
+    if (data_sheet > 0.0 && noise.sigma > far_above * data_sheet) {
+        said.push_back(
+            fmt::format("{}: the noise of {:.3g} {} is {:.1f} times what the data sheet says ({:.3g} {}): either the "
+                        "sensor is worse than that, or an error of the model is taken for noise",
+                        channel, noise.sigma, unit, noise.sigma / data_sheet, data_sheet, unit));
+    }
+    if (noise.correlation_time <= 0.0) {
+        return said;
+    }
+    for (const double time : thermal_times) {
+        if (std::abs(std::log(noise.correlation_time / time)) < std::log(alike)) {
+            said.push_back(
+                fmt::format("{}: the noise forgets itself in {}, as fast as the tire does ({}): an error of the model "
+                            "may be taken for noise",
+                            channel, duration(noise.correlation_time), duration(time)));
+            break;
+        }
+    }
+    if (noise.correlation_time > 0.99 * found.longest_correlation) {
+        said.push_back(
+            fmt::format("{}: the noise is as slow as is allowed, {} or a tenth of the longest run: a drift of the "
+                        "sensor or an error of the model is taken for noise",
+                        channel, duration(found.longest_correlation)));
+    }
+    return said;
+}
+
+}  // namespace tiretherm::diagnosis

@@ -1,0 +1,48 @@
+#include "diagnosis/study/study_record.hpp"
+
+#include <fmt/format.h>
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+/// Whether two runs came to the same, to the last digit.
+bool same(const StudyOutcome& a, const StudyOutcome& b) {
+    return a.hottest == b.hottest && a.channel_final == b.channel_final && a.channel_max == b.channel_max;
+}
+
+}  // namespace
+
+std::string StudyColumn::heading() const {
+    return !is_number ? key : fmt::format("{} [{}]", key, unit.empty() ? "-" : unit);
+}
+
+std::vector<std::size_t> StudyRecord::failed() const {
+    std::vector<std::size_t> found;
+    for (std::size_t r = 0; r < outcomes.size(); ++r) {
+        if (!outcomes[r].ok()) {
+            found.push_back(r);
+        }
+    }
+    return found;
+}
+
+std::vector<std::string> StudyRecord::without_effect() const {
+    std::vector<std::string> idle;
+    // A step along a side of the grid is so many runs long.
+    std::size_t step = outcomes.size();
+    for (std::size_t side = 0; side < sides.size(); ++side) {
+        const std::size_t round = step;
+        step /= sides[side];
+        bool differs = sides[side] < 2;
+        for (std::size_t r = 0; r + step < outcomes.size() && !differs; ++r) {
+            differs = r % round + step < round && !same(outcomes[r], outcomes[r + step]);
+        }
+        if (!differs) {
+            idle.push_back(columns[side].key);
+        }
+    }
+    return idle;
+}
+
+}  // namespace tiretherm::diagnosis

@@ -1,0 +1,137 @@
+#include "diagnosis/study/study_runs.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <mutex>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "solver/time_integration/run_to_end.hpp"
+#include "solver/stop_signal.hpp"
+#include "solver/in_parallel.hpp"
+#include "mesh/place.hpp"
+#include "solver/hot_spot/hot_spot.hpp"
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// The hottest temperature of a run: at the rows between the cells too, at every step that of a node.
+class Hottest {
+public:
+    explicit Hottest(const solver::Problem& problem) : finder_(problem.mesh, all_nodes(problem.mesh)) {}
+
+    void take(const solver::Snapshot& snapshot) {
+        const solver::HotSpotFinder::Found found = finder_.find(snapshot.temperature);
+        if (found.temperature > peak_.temperature) {
+            peak_ = {.temperature = found.temperature, .time = snapshot.time, .node = found.node};
+        }
+    }
+    [[nodiscard]] solver::Report::Extreme of(const solver::Report& report) const {
+        return peak_.temperature > report.hottest.temperature ? peak_ : report.hottest;
+    }
+
+private:
+    static std::vector<int> all_nodes(const mesh::Mesh& mesh) {
+        std::vector<int> nodes(static_cast<std::size_t>(mesh.n_nodes));
+        std::iota(nodes.begin(), nodes.end(), 0);
+        return nodes;
+    }
+    solver::HotSpotFinder finder_;
+    solver::Report::Extreme peak_;
+};
+
+diagnosis::StudyOutcome outcome_of(const solver::Problem& problem, const solver::Ending& ending, const Hottest& seen) {
+    const solver::Report& report = ending.report;
+    if (!ending.failure.empty()) {
+        return {.failure = ending.failure};
+    }
+    const solver::Report::Extreme hottest = seen.of(report);
+    const mesh::Place place = mesh::place_of(problem.mesh, hottest.node);
+    return {.failure = {},
+            .hottest = hottest.temperature,
+            .hottest_time = hottest.time,
+            .hottest_layer = place.layer,
+            .hottest_zone = place.zone,
+            .channel_final = report.channel_final,
+            .channel_min = report.channel_min,
+            .channel_max = report.channel_max,
+            .energy_closure = report.energy_closure,
+            .steps = report.steps};
+}
+
+}  // namespace
+
+diagnosis::RunIdentity identity(const input::Study& study, std::size_t run) {
+    diagnosis::RunIdentity identity{.fingerprint = study.runs[run].fingerprint, .values = {}};
+    for (std::size_t i = 0; i < study.inputs.size(); ++i) {
+        identity.values.push_back(fmt::format("{} = {}", study.inputs[i].key.text, study.value(run, i).text));
+    }
+    return identity;
+}
+
+StudyResults run_study(const input::Study& study, CompletedRuns& journal, unsigned threads,
+                       const std::function<void(std::size_t done)>& progress) {
+    StudyResults results{.outcomes = std::vector<diagnosis::StudyOutcome>(study.runs.size()), .warnings = {}, .error = {}};
+    std::vector<std::size_t> open;
+    for (std::size_t run = 0; run < study.runs.size(); ++run) {
+        if (const diagnosis::StudyOutcome* known = journal.find(identity(study, run))) {
+            results.outcomes[run] = *known;
+            ++results.kept;
+        } else {
+            open.push_back(run);
+        }
+    }
+    results.done = results.kept;
+    std::mutex talk;
+    std::atomic<bool> broken{false};
+    const auto work = [&](std::size_t i) {
+        if (broken || solver::stop_requested()) {
+            return;
+        }
+        const std::size_t run = open[i];
+        const Clock::time_point begin = Clock::now();
+        solver::Ending ending;
+        diagnosis::StudyOutcome outcome;
+        try {
+            const solver::Problem problem = study.problem(run);
+            Hottest hottest(problem);
+            ending = solver::run_to_end(problem, [&](const solver::Snapshot& snapshot) { hottest.take(snapshot); });
+            outcome = outcome_of(problem, ending, hottest);
+        } catch (const std::exception& error) {
+            ending.failure = error.what();
+        }
+        const std::lock_guard lock(talk);
+        if (ending.stopped || broken) {
+            return;
+        }
+        try {
+            // What is no fault of the solver's, such as memory, may be well another time: it is not kept.
+            if (!ending.failure.empty() && !ending.is_numerical) {
+                throw std::runtime_error(fmt::format("run {}: {}", run + 1, ending.failure));
+            }
+            journal.add(identity(study, run), outcome);
+        } catch (const std::exception& error) {
+            broken = true;
+            results.error = error.what();
+            return;
+        }
+        results.outcomes[run] = outcome;
+        results.run_seconds += std::chrono::duration<double>(Clock::now() - begin).count();
+        for (const std::string& warning : ending.report.warnings) {
+            if (std::find(results.warnings.begin(), results.warnings.end(), warning) == results.warnings.end()) {
+                results.warnings.push_back(warning);
+            }
+        }
+        progress(++results.done);
+    };
+    solver::in_parallel(open.size(), work, threads);
+    return results;
+}
+
+}  // namespace tiretherm::diagnosis

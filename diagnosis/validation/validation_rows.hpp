@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "diagnosis/validation/validation_runs.hpp"
+#include "input/validation/validation.hpp"
+#include "diagnosis/validation/validation_table.hpp"
+
+namespace tiretherm::diagnosis {
+
+/// The numbers of a table beside what the runs say, in the units that users see.
+[[nodiscard]] std::vector<ValidationRow> validation_rows(const input::Validation& table,
+                                                               const RunResults& results);
+
+}  // namespace tiretherm::diagnosis

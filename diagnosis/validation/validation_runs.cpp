@@ -1,0 +1,61 @@
+#include "diagnosis/validation/validation_runs.hpp"
+
+#include <algorithm>
+#include <mutex>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "solver/time_integration/run_to_end.hpp"
+#include "solver/in_parallel.hpp"
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+/// The order in which runs are begun: the large ones first, so that no thread is left alone with one at the end.
+std::vector<std::size_t> largest_first(const std::vector<input::ValidationRun>& runs) {
+    std::vector<std::size_t> order(runs.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return runs[a].problem.mesh.n_cells > runs[b].problem.mesh.n_cells;
+    });
+    return order;
+}
+
+}  // namespace
+
+RunResults run_all(const std::vector<input::ValidationRun>& runs, unsigned threads,
+                   const std::function<void(std::size_t done)>& progress) {
+    RunResults results{.traces = std::vector<input::Trace>(runs.size()),
+                       .failures = std::vector<std::string>(runs.size()),
+                       .warnings = {}};
+    std::vector<std::vector<std::string>> warnings(runs.size());
+    const std::vector<std::size_t> order = largest_first(runs);
+    std::mutex talk;
+    std::size_t done = 0;
+    const auto work = [&](std::size_t i) {
+        const std::size_t run = order[i];
+        const solver::Problem& problem = runs[run].problem;
+        const solver::Ending ending =
+            solver::run_to_end(problem, [&](const solver::Snapshot& snapshot) { results.traces[run].take(snapshot); });
+        if (!ending.failure.empty()) {
+            results.failures[run] = fmt::format("{}: {}", problem.name, ending.failure);
+        }
+        const std::lock_guard lock(talk);
+        if (ending.failure.empty()) {
+            for (const std::string& warning : ending.report.warnings) {
+                warnings[run].push_back(fmt::format("{}: {}", problem.name, warning));
+            }
+            results.energy_closure = std::max(results.energy_closure, ending.report.energy_closure);
+        }
+        progress(++done);
+    };
+    solver::in_parallel(order.size(), work, threads);
+    for (const std::vector<std::string>& of_run : warnings) {
+        results.warnings.insert(results.warnings.end(), of_run.begin(), of_run.end());
+    }
+    return results;
+}
+
+}  // namespace tiretherm::diagnosis

@@ -1,0 +1,191 @@
+#include "input/cameras/camera.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "input/model/draft.hpp"
+#include "input/text/wanted.hpp"
+#include "input/text/words.hpp"
+#include "physics/camera.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+constexpr Wanted share{.unit = "1", .low = 0.0, .high = 1.0, .above = true, .usual_low = 0.5};
+constexpr Wanted angle{.unit = "rad", .low = -3.2, .high = 3.2};
+constexpr Wanted offset{.unit = "m", .low = -0.1, .high = 0.1};
+constexpr Wanted smear{.unit = "m", .low = 0.0, .high = 0.1};
+constexpr Wanted pixel{.unit = "m", .low = 0.0, .high = 0.1, .above = true, .usual_low = 1e-6, .usual_high = 0.01};
+constexpr int most_pixels = 100000;
+
+/// One size, or one along a row and one along a column.
+std::optional<std::array<double, 2>> read_size(Section& camera) {
+    const std::vector<Word> words = camera.texts("pixel_size");
+    std::vector<double> sizes;
+    for (const Word& word : words) {
+        const Judged judged = quantity(word.text, pixel, "pixel_size");
+        if (judged.fault) {
+            camera.mistakes().add(word.place, *judged.fault);
+            return std::nullopt;
+        }
+        sizes.push_back(judged.value);
+    }
+    if (sizes.size() > 2) {
+        camera.mistake("pixel_size", fmt::format("pixel_size has {} values", sizes.size()),
+                       "give one, or two: along a row and along a column of the image");
+        return std::nullopt;
+    }
+    return sizes.empty() ? std::nullopt : std::optional(std::array{sizes.front(), sizes.back()});
+}
+
+/// First and last of the rows or columns that count, from 0 on, both counted.
+std::optional<std::array<int, 2>> read_stretch(Section& camera, std::string_view key) {
+    const Node* list = camera.value(key);
+    if (list == nullptr) {
+        return std::nullopt;
+    }
+    const auto sound = [](const Node& node) {
+        return node.kind == Node::Kind::integer && node.number >= 0.0 && node.number < most_pixels;
+    };
+    if (list->kind != Node::Kind::array || list->items.size() != 2 || !sound(list->items[0]) ||
+        !sound(list->items[1]) || list->items[0].number > list->items[1].number) {
+        camera.mistake(key, fmt::format("{} is no stretch of the image", key),
+                       fmt::format("write {} = [8, 55], the first and the last that count, from 0 on", key));
+        return std::nullopt;
+    }
+    return std::array{static_cast<int>(list->items[0].number), static_cast<int>(list->items[1].number)};
+}
+
+int read_patch(Section& camera, const mesh::Mesh& mesh) {
+    std::vector<std::string_view> names;
+    std::vector<int> patches;
+    for (std::size_t i = 0; i < mesh.patches.size(); ++i) {
+        if (physics::can_be_seen(mesh, static_cast<int>(i))) {
+            names.emplace_back(mesh.patches[i].name);
+            patches.push_back(static_cast<int>(i));
+        }
+    }
+    if (names.empty()) {
+        camera.mistakes().add(camera.place(), fmt::format("a camera cannot look at a mesh of kind {}", mesh.kind),
+                              "use one of kind axisymmetric or block, or strips of a section");
+        camera.know({"surface"});
+        return -1;
+    }
+    const std::optional<std::size_t> found = camera.choice("surface", names);
+    const bool wrong = camera.has("surface") && !found;
+    return wrong ? -1 : patches[found.value_or(0)];
+}
+
+/// The nodes of the surface as channels.
+void add_channels(Camera& camera, Draft& draft) {
+    const physics::SeenSurface surface(draft.problem.mesh, camera.patch);
+    camera.first_channel = draft.problem.channels.size();
+    camera.n_channels = surface.nodes().size();
+    for (std::size_t i = 0; i < surface.nodes().size(); ++i) {
+        solver::Channel channel;
+        channel.name = fmt::format("{} {}", camera.name, i);
+        channel.meaning = fmt::format("what {} sees at a node of the surface", camera.name);
+        channel.where = {.nodes = {surface.nodes()[i]}, .weights = {1.0}};
+        draft.problem.channels.push_back(std::move(channel));
+    }
+}
+
+physics::ActiveEffect behind(const Camera& camera, const physics::Effect& effect, const mesh::Mesh& mesh) {
+    physics::ActiveEffect active = physics::activate(effect, mesh);
+    active.name = camera.name;
+    for (std::size_t i = 0; i < camera.n_channels; ++i) {
+        active.channels.push_back(static_cast<int>(camera.first_channel + i));
+    }
+    return active;
+}
+
+/// The grey surface, where the case says that it is one.
+void add_emissivity(Section& section, const Camera& camera, Draft& draft) {
+    const auto emissivity = section.quantity("emissivity", share);
+    const auto mirrored = section.quantity("reflected_temperature", wanted::temperature);
+    if (mirrored && !section.has("emissivity")) {
+        section.mistake("reflected_temperature", "a black surface, of emissivity 1, mirrors nothing",
+                        "add emissivity = 0.95");
+    }
+    const bool knows_inputs = !draft.run || !draft.run->unreadable;
+    if (emissivity && !mirrored && knows_inputs && !draft.given.contains("air_temperature")) {
+        section.mistake("emissivity", "the surface mirrors the air, whose temperature [drive] lacks",
+                        "add reflected_temperature = \"23 degC\", or air_temperature to [drive]");
+    }
+    if (!emissivity || camera.patch < 0) {
+        return;
+    }
+    physics::ActiveEffect grey = behind(camera, *physics::find_effect("camera_emissivity"), draft.problem.mesh);
+    grey.parameters[0] = *emissivity;
+    if (mirrored) {
+        grey.choices[0] = 1;
+        grey.parameters[1] = *mirrored;
+    }
+    draft.problem.effects.push_back(std::move(grey));
+}
+
+bool is_taken(const std::string& name, const Draft& draft) {
+    const auto same = [&](const auto& other) { return other.name == name; };
+    return std::ranges::any_of(draft.problem.channels, same) || std::ranges::any_of(draft.cameras, same);
+}
+
+}  // namespace
+
+void read_cameras(Section& root, Draft& draft) {
+    root.each("camera", [&](Section& section) {
+        Camera camera;
+        camera.name = section.name("name", Need::required).value_or("");
+        camera.place = section.place();
+        if (!camera.name.empty() && is_taken(camera.name, draft)) {
+            section.mistake("name", fmt::format("a second sensor is called \"{}\"", camera.name), "rename one");
+        }
+        section.know({"surface"});
+        camera.patch = draft.has_mesh ? read_patch(section, draft.problem.mesh) : -1;
+        camera.pixel_size = read_size(section);
+        camera.rows = read_stretch(section, "rows");
+        camera.columns = read_stretch(section, "columns");
+        camera.bin = section.count("bin", 1, 1000).value_or(1);
+        camera.standard_deviation = section.quantity("standard_deviation", wanted::tolerance);
+        const physics::CameraPose pose{.x = section.quantity("x", offset).value_or(0.0),
+                                       .y = section.quantity("y", offset).value_or(0.0),
+                                       .rotation = section.quantity("rotation", angle).value_or(0.0),
+                                       .blur = section.quantity("blur", smear).value_or(0.0)};
+        if (camera.patch >= 0) {
+            add_channels(camera, draft);
+            physics::ActiveEffect active = behind(camera, physics::camera_pose(), draft.problem.mesh);
+            active.parameters = {pose.x, pose.y, pose.rotation, pose.blur};
+            camera.pose = draft.problem.effects.size();
+            draft.problem.effects.push_back(std::move(active));
+        }
+        add_emissivity(section, camera, draft);
+        draft.cameras.push_back(std::move(camera));
+    });
+}
+
+void take_away_cameras(solver::Problem& problem) {
+    std::size_t first = problem.channels.size();
+    for (const physics::ActiveEffect& active : problem.effects) {
+        if (active.effect == &physics::camera_pose() && !active.channels.empty()) {
+            first = std::min(first, static_cast<std::size_t>(active.channels.front()));
+        }
+    }
+    if (first == problem.channels.size()) {
+        return;
+    }
+    problem.channels.resize(first);
+    const auto is_gone = [&](int channel) { return static_cast<std::size_t>(channel) >= first; };
+    for (physics::ActiveEffect& active : problem.effects) {
+        std::erase_if(active.overrides, [&](const physics::ActiveEffect::Override& other) {
+            return other.scope == physics::Scope::channel && is_gone(other.index);
+        });
+    }
+    std::erase_if(problem.effects, [&](physics::ActiveEffect& active) {
+        const bool had_some = !active.channels.empty();
+        std::erase_if(active.channels, is_gone);
+        return had_some && active.channels.empty();
+    });
+}
+
+}  // namespace tiretherm::input

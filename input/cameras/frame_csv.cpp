@@ -1,0 +1,138 @@
+// Frames of a camera as a CSV: a row for each of them, a column for each pixel.
+#include <algorithm>
+#include <charconv>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "input/tables/data_file.hpp"
+#include "input/cameras/frame_file.hpp"
+#include "input/text/wanted.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+/// Row and column of the pixel that a heading names: "r3c17".
+std::optional<std::array<int, 2>> pixel_of(std::string_view name) {
+    std::array<int, 2> place{};
+    const char* at = name.data();
+    const char* end = name.data() + name.size();
+    for (const auto& [letter, number] : {std::pair{'r', &place[0]}, {'c', &place[1]}}) {
+        if (at == end || *at != letter) {
+            return std::nullopt;
+        }
+        const auto [after, error] = std::from_chars(at + 1, end, *number);
+        if (error != std::errc() || *number < 0) {
+            return std::nullopt;
+        }
+        at = after;
+    }
+    return at == end ? std::optional(place) : std::nullopt;
+}
+
+/// The columns of a file of frames.
+struct Columns {
+    int time = -1;
+    std::vector<std::array<int, 2>> place;
+    std::vector<int> column;
+    int rows = 0;
+    int columns = 0;
+};
+
+Columns tell_apart(const DataFile& file, Mistakes& mistakes) {
+    Columns found;
+    for (std::size_t i = 0; i < file.heads().size(); ++i) {
+        const Head& head = file.heads()[i];
+        if (head.heading.name == "time") {
+            found.time = static_cast<int>(i);
+        } else if (const auto place = pixel_of(head.heading.name)) {
+            found.place.push_back(*place);
+            found.column.push_back(static_cast<int>(i));
+            found.rows = std::max(found.rows, (*place)[0] + 1);
+            found.columns = std::max(found.columns, (*place)[1] + 1);
+        } else {
+            mistakes.add(head.place, fmt::format("the column {} is neither time nor a pixel", head.heading.name),
+                         "call pixels by row and column, r0c0 [degC], r0c1 [degC] ..., and the clock time [s]");
+            return found;
+        }
+    }
+    return found;
+}
+
+/// Every pixel once. @returns whether that is so
+bool check_shape(const Columns& found, const DataFile& file, Mistakes& mistakes) {
+    const std::string remedy = "give every pixel of the image one column";
+    std::vector<int> seen(static_cast<std::size_t>(found.rows) * static_cast<std::size_t>(found.columns), 0);
+    for (std::size_t k = 0; k < found.place.size(); ++k) {
+        const auto [row, column] = found.place[k];
+        if (++seen[static_cast<std::size_t>(row * found.columns + column)] == 2) {
+            mistakes.add(file.heads()[static_cast<std::size_t>(found.column[k])].place,
+                         fmt::format("the pixel r{}c{} has two columns", row, column), remedy);
+            return false;
+        }
+    }
+    const auto missing = std::ranges::find(seen, 0) - seen.begin();
+    if (missing < std::ssize(seen)) {
+        mistakes.add({.file = file.number()},
+                     fmt::format("{} x {} pixels need {} columns, and there are {}: r{}c{} is missing", found.rows,
+                                 found.columns, seen.size(), found.place.size(), missing / found.columns,
+                                 missing % found.columns),
+                     remedy);
+        return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+std::optional<FrameFile> open_csv_frames(const std::filesystem::path& path, const Place& mentioned,
+                                         Mistakes& mistakes) {
+    const std::size_t before = mistakes.count();
+    const std::optional<DataFile> file = DataFile::open(path, mentioned, mistakes);
+    if (!file) {
+        return std::nullopt;
+    }
+    const Columns found = tell_apart(*file, mistakes);
+    if (mistakes.count() > before) {
+        return std::nullopt;
+    }
+    if (found.time < 0 || found.place.empty()) {
+        mistakes.add({.file = file->number()},
+                     found.time < 0 ? "the file has no column time" : "the file has no column of a pixel",
+                     "write a column time [s] and one for each pixel, r0c0 [degC], r0c1 [degC] ...");
+        return std::nullopt;
+    }
+    if (!check_shape(found, *file, mistakes)) {
+        return std::nullopt;
+    }
+    std::vector<ColumnRequest> requests{
+        {.column = found.time, .name = "time", .wanted = wanted::moment, .purpose = Purpose::clock}};
+    for (std::size_t k = 0; k < found.place.size(); ++k) {
+        requests.push_back({.column = found.column[k],
+                            .name = file->heads()[static_cast<std::size_t>(found.column[k])].heading.name,
+                            .wanted = wanted::temperature,
+                            .purpose = Purpose::measured});
+    }
+    auto values = std::make_shared<std::vector<std::vector<double>>>(file->read(requests, mistakes));
+    if (mistakes.count() > before || values->empty()) {
+        return std::nullopt;
+    }
+    FrameFile frames{.number = file->number(),
+                     .shown = path.generic_string(),
+                     .rows = found.rows,
+                     .columns = found.columns,
+                     .time = values->front(),
+                     .read = {}};
+    frames.read = [values, places = found.place, columns = found.columns](std::size_t frame,
+                                                                          std::vector<double>& kelvin) {
+        kelvin.resize(places.size());
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            kelvin[static_cast<std::size_t>(places[k][0] * columns + places[k][1])] = (*values)[k + 1][frame];
+        }
+        return true;
+    };
+    return frames;
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,276 @@
+#include "input/effects/active.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "input/model/law.hpp"
+#include "input/text/wanted.hpp"
+#include "input/text/words.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+using physics::ActiveEffect;
+using physics::Effect;
+using physics::Parameter;
+
+/// An option by its word; true and false stand for "on" and "off" where an effect has these.
+void read_choice(Section& section, const physics::Choice& choice, int& chosen) {
+    const Node* value = section.value(choice.key);
+    if (value != nullptr && value->kind == Node::Kind::boolean) {
+        const std::string_view word = value->truth ? "on" : "off";
+        const auto found = std::find(choice.options.begin(), choice.options.end(), word);
+        if (found != choice.options.end()) {
+            chosen = static_cast<int>(found - choice.options.begin());
+            return;
+        }
+    }
+    if (const auto index = section.choice(choice.key, choice.options)) {
+        chosen = static_cast<int>(*index);
+    }
+}
+
+/// A list of parts of the mesh: `patches` or `layers`.
+/// @param plural what messages call them; the key itself
+template <typename Find>
+void read_parts(Section& section, std::string_view plural, const std::vector<std::string>& known, const Find& find,
+                std::vector<int>& parts) {
+    const std::vector<Word> words = section.texts(plural);
+    if (!section.has(plural)) {
+        return;
+    }
+    const std::string one(plural.substr(0, plural == "patches" ? 5 : plural.size() - 1));
+    if (words.empty()) {
+        section.mistake(plural, fmt::format("{} is an empty list", plural),
+                        fmt::format("name one, or switch the effect off: on = false"));
+    }
+    parts.clear();
+    for (const Word& word : words) {
+        const int part = find(word.text);
+        if (part < 0) {
+            section.mistakes().add(word.place, fmt::format("the mesh has no {} \"{}\"", one, word.text),
+                                   suggest(word.text, known, plural));
+        } else if (std::find(parts.begin(), parts.end(), part) != parts.end()) {
+            section.mistakes().add(word.place, fmt::format("the {} \"{}\" is named twice", one, word.text),
+                                   "remove one");
+        } else {
+            parts.push_back(part);
+        }
+    }
+}
+
+/// Names that a table of overrides may use, and the key's ending.
+struct Overridable {
+    physics::Scope scope;
+    std::string_view ending;
+    std::vector<std::string> names;
+};
+
+std::vector<Overridable> overridable(const Effect& effect, const mesh::Mesh& mesh, const ActiveEffect& active) {
+    std::vector<Overridable> found;
+    if (!effect.patches.empty()) {
+        std::vector<std::string> names;
+        for (const int patch : active.patches) {
+            names.push_back(mesh.patches[static_cast<std::size_t>(patch)].name);
+        }
+        found.push_back({physics::Scope::patch, "_by_patch", std::move(names)});
+    }
+    for (const physics::Scope scope : effect.scopes) {
+        if (scope == physics::Scope::layer) {
+            found.push_back({scope, "_by_layer", mesh.layers});
+        } else if (scope == physics::Scope::zone && !mesh.zones.empty()) {
+            found.push_back({scope, "_by_zone", mesh.zones});
+        }
+    }
+    return found;
+}
+
+int find_part(const mesh::Mesh& mesh, physics::Scope scope, std::string_view name) {
+    switch (scope) {
+        case physics::Scope::patch:
+            return mesh.find_patch(name);
+        case physics::Scope::layer:
+            return mesh.find_layer(name);
+        case physics::Scope::zone:
+            return mesh.find_zone(name);
+        case physics::Scope::channel:
+            break;
+    }
+    return -1;
+}
+
+/// The table `<parameter>_by_patch`, `_by_layer` or `_by_zone`: other values at some places.
+void read_overrides(Section& section, const Parameter& parameter, std::size_t index, const Overridable& where,
+                    const Draft& draft, ActiveEffect& active) {
+    Section table = section.section(std::string(parameter.key) + std::string(where.ending));
+    if (!table.exists()) {
+        return;
+    }
+    if (!draft.has_mesh) {
+        table.forgive();
+        return;
+    }
+    for (const std::string& name : where.names) {
+        if (const auto value = table.quantity(name, wanted::of(parameter))) {
+            active.overrides.push_back({.scope = where.scope,
+                                        .index = find_part(draft.problem.mesh, where.scope, name),
+                                        .parameter = index,
+                                        .value = *value});
+        }
+    }
+}
+
+}  // namespace
+
+ActiveEffect read_active(Section& section, const Effect& effect, const Draft& draft) {
+    ActiveEffect active = physics::activate(effect, draft.problem.mesh);
+    for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
+        const Parameter& parameter = effect.parameters[i];
+        active.parameters[i] = section.quantity(parameter.key, wanted::of(parameter)).value_or(parameter.standard);
+    }
+    for (std::size_t i = 0; i < effect.choices.size(); ++i) {
+        read_choice(section, effect.choices[i], active.choices[i]);
+    }
+    const mesh::Mesh& mesh = draft.problem.mesh;
+    for (std::size_t i = 0; i < effect.tables.size(); ++i) {
+        const physics::Table& table = effect.tables[i];
+        active.tables[i] = read_curve(section, table.key, {.unit = table.variable_unit, .low = -1e6, .high = 1e6},
+                                      {.unit = table.value_unit, .low = 0.0, .high = 1e9});
+    }
+    if (!effect.patches.empty()) {
+        if (draft.has_mesh) {
+            read_parts(
+                section, "patches", names_of(mesh.patches),
+                [&](std::string_view name) { return mesh.find_patch(name); }, active.patches);
+        } else {
+            section.texts("patches");
+        }
+    }
+    if (effect.on_layers) {
+        if (draft.has_mesh) {
+            read_parts(
+                section, "layers", mesh.layers, [&](std::string_view name) { return mesh.find_layer(name); },
+                active.layers);
+        } else {
+            section.texts("layers");
+        }
+    }
+    for (const Overridable& where : overridable(effect, mesh, active)) {
+        for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
+            read_overrides(section, effect.parameters[i], i, where, draft, active);
+        }
+    }
+    if (effect.field != physics::FieldOf::nothing) {  // read when the run's times are known
+        section.know({"field"});
+        if (effect.field != physics::FieldOf::pressure) {
+            section.know({"use"});
+        }
+        if (effect.field == physics::FieldOf::loss) {
+            section.know({"total", "coastdown"});
+        }
+    }
+    if (effect.on_channels) {  // read when the sensors are known
+        section.know({"channels"});
+        for (const Parameter& parameter : effect.parameters) {
+            section.know({std::string(parameter.key) + "_by_channel"});
+        }
+    }
+    return active;
+}
+
+namespace {
+
+/// Whether a reading effect can stand behind a channel.
+void check_channel(Section& section, const Word& word, const Effect& effect, const solver::Channel& channel) {
+    const bool is_temperature = channel.quantity == solver::Quantity::temperature;
+    const auto refuse = [&](std::string_view wanted) {
+        section.mistakes().add(word.place, fmt::format("{} is not {}, which {} reads", channel.name, wanted, effect.id),
+                               "name other sensors");
+    };
+    switch (effect.reads_what) {
+        case physics::Reads::anything:
+            return;
+        case physics::Reads::temperature:
+            return is_temperature ? void() : refuse("a temperature");
+        case physics::Reads::place:
+            return is_temperature && channel.point ? void() : refuse("a temperature at one point");
+        case physics::Reads::pressure:
+            return channel.quantity == solver::Quantity::gas_pressure ? void() : refuse("a pressure");
+    }
+}
+
+/// Puts a reading effect behind all that a camera sees.
+void bind_camera(Section& section, const Word& word, const Camera& camera, const Draft& draft, ActiveEffect& active) {
+    const bool has_own = std::ranges::any_of(draft.problem.effects, [&](const ActiveEffect& other) {
+        return other.name == camera.name && other.effect == active.effect;
+    });
+    if (has_own) {
+        section.mistakes().add(word.place, fmt::format("the [[camera]] {} has an emissivity of its own", camera.name),
+                               "state it once");
+        return;
+    }
+    if (camera.n_channels > 0) {
+        check_channel(section, word, *active.effect, draft.problem.channels[camera.first_channel]);
+    }
+    for (std::size_t i = 0; i < camera.n_channels; ++i) {
+        active.channels.push_back(static_cast<int>(camera.first_channel + i));
+    }
+}
+
+}  // namespace
+
+void bind_channels(Section& section, const Draft& draft, ActiveEffect& active) {
+    // A camera's channels go by the camera's name.
+    std::vector<std::string> known = names_of(draft.problem.channels);
+    known.resize(draft.cameras.empty() ? known.size() : draft.cameras.front().first_channel);
+    const auto find = [&](std::string_view name) {
+        const auto found = std::find(known.begin(), known.end(), name);
+        return found == known.end() ? -1 : static_cast<int>(found - known.begin());
+    };
+    const std::string example = fmt::format("write channels = [\"{}\"]", known.empty() ? "..." : known.front());
+    if (!section.has("channels")) {
+        section.mistake("channels", fmt::format("{} lacks channels: which sensors read so", section.title()), example);
+    }
+    for (const Word& word : section.texts("channels")) {
+        if (const int channel = find(word.text); channel >= 0) {
+            active.channels.push_back(channel);
+            check_channel(section, word, *active.effect, draft.problem.channels[static_cast<std::size_t>(channel)]);
+        } else if (const auto camera = std::ranges::find(draft.cameras, word.text, &Camera::name);
+                   camera != draft.cameras.end()) {
+            bind_camera(section, word, *camera, draft, active);
+        } else {
+            section.mistakes().add(word.place, fmt::format("there is no sensor \"{}\"", word.text),
+                                   suggest(word.text, known, "sensors"));
+        }
+    }
+    for (std::size_t i = 0; i < active.effect->parameters.size(); ++i) {
+        const Parameter& parameter = active.effect->parameters[i];
+        Section table = section.section(std::string(parameter.key) + "_by_channel");
+        for (const Camera& camera : draft.cameras) {
+            if (const auto value =
+                    table.exists() ? table.quantity(camera.name, wanted::of(parameter)) : std::nullopt) {
+                for (const int channel : active.channels) {
+                    if (camera.has(channel)) {
+                        active.overrides.push_back(
+                            {.scope = physics::Scope::channel, .index = channel, .parameter = i, .value = *value});
+                    }
+                }
+            }
+        }
+        for (const int channel : active.channels) {
+            if (static_cast<std::size_t>(channel) >= known.size()) {
+                continue;
+            }
+            const std::string& name = known[static_cast<std::size_t>(channel)];
+            if (const auto value = table.exists() ? table.quantity(name, wanted::of(parameter)) : std::nullopt) {
+                active.overrides.push_back(
+                    {.scope = physics::Scope::channel, .index = channel, .parameter = i, .value = *value});
+            }
+        }
+    }
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "input/model/draft.hpp"
+#include "physics/effect.hpp"
+
+namespace tiretherm::input {
+
+/// An effect with the numbers, words and patches of its table, standard where the table says nothing:
+///     [effects.still_air]
+///     h = "10 W/m2K"
+///     patches = ["top", "bottom"]
+///     h_by_patch = { top = "60 W/m2K" }
+[[nodiscard]] physics::ActiveEffect read_active(Section& section, const physics::Effect& effect, const Draft& draft);
+
+/// The channels of a reading effect, when the sensors are known:
+///     [effects.sensor_lag]
+///     channels = ["bulk_temperature"]
+///     tau_by_channel = { bulk_temperature = "12 s" }
+void bind_channels(Section& section, const Draft& draft, physics::ActiveEffect& active);
+
+}  // namespace tiretherm::input

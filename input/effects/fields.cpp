@@ -1,0 +1,262 @@
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <iterator>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "input/text/complaints.hpp"
+#include "input/model/draft.hpp"
+#include "input/tables/field_file.hpp"
+#include "input/effects/measured_loss.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+namespace fs = std::filesystem;
+using physics::ActiveEffect;
+using physics::Field;
+using physics::FieldOf;
+
+constexpr std::array<std::string_view, 2> uses{"shape", "watts"};
+
+/// All points must lie on the tire; those that do not are complained about with their number and place.
+bool are_on(const mesh::Mesh& mesh, std::span<const int> patches, const FieldFile& file, const std::string& shown,
+            Mistakes& mistakes) {
+    const std::size_t before = mistakes.count();
+    Complaints complaints(mistakes);
+    for (const FieldFrame& frame : file.frames) {
+        for (const physics::Stray& stray : physics::strays(mesh, patches, frame.points)) {
+            const ColumnReader::Spot spot = file.file->spot(frame.first_row + stray.point);
+            complaints.add(spot.place, {stray.what + spot.aside,
+                                        "leave the point out, or correct the origin or the sign of its coordinates"});
+        }
+    }
+    complaints.close(shown);
+    return mistakes.count() == before;
+}
+
+/// What the nodes have of every frame. W, or what is proportional to it
+std::vector<std::vector<double>> transferred(const mesh::Mesh& mesh, std::span<const int> patches,
+                                             const FieldFile& file, std::vector<int>& nodes) {
+    std::vector<std::vector<double>> found;
+    physics::FieldTransfer transfer;
+    const FieldFrame* last = nullptr;
+    for (const FieldFrame& frame : file.frames) {
+        if (last == nullptr || frame.points != last->points) {
+            transfer = patches.empty() ? physics::onto_cells(mesh, frame.points)
+                                       : physics::onto_faces(mesh, patches, frame.points);
+        }
+        last = &frame;
+        found.push_back(transfer.watts(frame.density));
+    }
+    nodes = transfer.nodes;
+    return found;
+}
+
+/// The mean over a revolution takes the place of the frames.
+void average(const FieldFile& file, std::vector<std::vector<double>>& frames) {
+    const std::vector<double> shares = file.shares_of_revolution();
+    std::vector<double> mean(frames.front().size());
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+        for (std::size_t i = 0; i < mean.size(); ++i) {
+            mean[i] += shares[k] * frames[k][i];
+        }
+    }
+    frames = {std::move(mean)};
+}
+
+/// Frames as shares and totals. @returns the first frame that is zero everywhere, frames.size() when none is
+std::size_t normalise(const std::vector<std::vector<double>>& frames, Field& field) {
+    std::size_t empty = frames.size();
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+        const double total = std::accumulate(frames[k].begin(), frames[k].end(), 0.0);
+        std::vector<double> weights = frames[k];
+        for (double& weight : weights) {
+            weight = total > 0.0 ? weight / total : 1.0 / static_cast<double>(weights.size());
+        }
+        empty = total > 0.0 ? empty : std::min(empty, k);
+        field.weights.push_back(std::move(weights));
+        field.watts.push_back(total);
+    }
+    return empty;
+}
+
+/// More points on an input's straight lines: steps then see the frames between their ends and integrate them exactly. A
+/// constant input carries them, or else a series with its own points.
+void add_samples(solver::Drive& drive, const std::vector<double>& times) {
+    const auto series = drive.series();
+    const auto is_constant = [&](const physics::Signal& signal) {
+        return drive.gives(signal) && std::ranges::find(series, &signal, &solver::Series::signal) == series.end();
+    };
+    const auto constant = std::ranges::find_if(physics::signals(), is_constant);
+    solver::Series carrier{.signal = nullptr, .time = times, .value = {}, .logged = true};
+    if (constant != physics::signals().end()) {
+        carrier.signal = &*constant;
+    } else {
+        carrier.signal = series.front().signal;
+        carrier.logged = series.front().logged;
+        carrier.time.clear();
+        std::ranges::set_union(series.front().time, times, std::back_inserter(carrier.time));
+    }
+    for (std::size_t i = 0; i < carrier.time.size(); ++i) {
+        const bool after = i > 0 && carrier.time[i] == carrier.time[i - 1];
+        const solver::Limit limit = after ? solver::Limit::after : solver::Limit::before;
+        carrier.value.push_back(drive.at(carrier.time[i], limit).*(carrier.signal->member));
+    }
+    drive.add(std::move(carrier));
+}
+
+/// What a field stands in for, and what cannot stand beside it.
+void check_rivals(Section& section, const ActiveEffect& active) {
+    const std::string_view id = active.effect->id;
+    if (std::ranges::any_of(active.tables, [](const auto& table) { return table.has_value(); })) {
+        section.mistake("field", fmt::format("{} has a profile and a field, which both place its heat", id),
+                        "remove one of them");
+    }
+    const auto number = [&](std::string_view key) {
+        const int index = physics::find_parameter(*active.effect, key);
+        return index < 0 ? 0.0 : active[static_cast<std::size_t>(index)];
+    };
+    if (active.effect->field == FieldOf::loss && (!active.overrides.empty() || number("belt_edge_gain") != 0.0)) {
+        section.mistake("field", "the field replaces the weights of layers, zones and belt edges",
+                        "remove belt_edge_gain and the tables _by_layer and _by_zone, or the field");
+    }
+}
+
+/// Watts of a file are taken as they are: what else the effect knows about its heat has no say, but for the share of
+/// friction that the tire takes.
+void warn_of_idle_keys(const Section& section, const ActiveEffect& active) {
+    const auto warn = [&](std::string_view key) {
+        if (section.has(key)) {
+            section.mistakes().warn(section.place(key),
+                                    fmt::format("{} has no say where the field gives the watts: use = \"shape\" would "
+                                                "let it scale them",
+                                                key));
+        }
+    };
+    for (const physics::Parameter& parameter : active.effect->parameters) {
+        if (parameter.key != "partition") {
+            warn(parameter.key);
+        }
+    }
+    for (const physics::Choice& choice : active.effect->choices) {
+        warn(choice.key);
+    }
+}
+
+class FieldBinder {
+public:
+    FieldBinder(Section& section, Draft& draft, ActiveEffect& active)
+        : section_(section), draft_(draft), active_(active), mistakes_(section.mistakes()) {}
+
+    void bind() {
+        const std::optional<std::string> name = section_.text("field");
+        const bool by_watts = active_.effect->field != FieldOf::pressure && section_.choice("use", uses) == 1U;
+        if (!section_.has("field") && section_.has("use")) {
+            section_.mistake("use", "use speaks of a field, and there is none", "add field = \"....h5\"");
+        }
+        if (!name || !draft_.has_mesh) {
+            return;
+        }
+        const std::size_t before = mistakes_.count();
+        if (by_watts) {
+            warn_of_idle_keys(section_, active_);
+        }
+        check_rivals(section_, active_);
+        const mesh::Mesh& mesh = draft_.problem.mesh;
+        if (active_.effect->field == FieldOf::loss && mesh.kind == "two_node") {
+            section_.mistake("field", "a field of the loss needs cells, and this mesh has two lumps",
+                             "take layers or section");
+            return;
+        }
+        if (mesh.sectors > 1) {
+            section_.mistake("field", "a field goes onto a section, not onto a ring", "remove sectors from [mesh]");
+            return;
+        }
+        const Place mentioned = section_.place("field");
+        const fs::path beside = fs::path(mistakes_.file(mentioned.file)).parent_path();
+        const std::optional<FieldFile> file =
+            read_field_file((beside / *name).lexically_normal(), mentioned, active_.effect->field, by_watts,
+                            !mesh.columns.empty(), mistakes_);
+        if (file && fits(*file, *name) && mistakes_.count() == before) {
+            take(*file, by_watts, *name);
+        }
+    }
+
+private:
+    /// The faces of the effect's patches, none for the cells.
+    [[nodiscard]] std::span<const int> patches() const {
+        return active_.effect->field == FieldOf::loss ? std::span<const int>() : active_.patches;
+    }
+
+    bool fits(const FieldFile& file, const std::string& name) {
+        if (file.against == FieldFile::Against::time && active_.effect->frame_intensities == 0) {
+            section_.mistake("field", fmt::format("{} cannot follow a field against time", active_.effect->id),
+                             "give it against wheel_angle, or as one frame without time");
+        }
+        if (file.against == FieldFile::Against::time && file.frames.size() > physics::most_frames) {
+            section_.mistake(
+                "field",
+                fmt::format("{} has {} frames; {} is the most", name, file.frames.size(), physics::most_frames),
+                "leave out frames: between two of them the field is taken along a straight line");
+        }
+        return are_on(draft_.problem.mesh, patches(), file, name, mistakes_);
+    }
+
+    void take(const FieldFile& file, bool by_watts, const std::string& name) {
+        auto field = std::make_shared<Field>();
+        std::vector<std::vector<double>> frames = transferred(draft_.problem.mesh, patches(), file, field->nodes);
+        if (file.against == FieldFile::Against::wheel_angle) {
+            average(file, frames);
+        }
+        const std::size_t empty = normalise(frames, *field);
+        if (empty < frames.size() && !by_watts) {
+            const ColumnReader::Spot spot = file.file->spot(file.frames[empty].first_row);
+            mistakes_.add(frames.size() == 1 ? section_.place("field") : spot.place,
+                          fmt::format("{} is zero everywhere{}: it gives no shape", name,
+                                      frames.size() == 1 ? "" : " in this frame" + spot.aside),
+                          "leave the frame out, or take use = \"watts\"");
+            return;
+        }
+        if (!by_watts) {
+            field->watts.clear();
+        }
+        if (frames.size() > 1) {
+            std::vector<double> times;
+            std::ranges::transform(file.frames, std::back_inserter(times), &FieldFrame::at);
+            add_samples(draft_.problem.drive, times);
+            const double start = draft_.problem.settings.start;
+            std::ranges::transform(times, std::back_inserter(field->time), [&](double t) { return t - start; });
+            active_.effect = &physics::in_frames(*active_.effect);
+        }
+        active_.field = std::move(field);
+    }
+
+    Section& section_;
+    Draft& draft_;
+    ActiveEffect& active_;
+    Mistakes& mistakes_;
+};
+
+}  // namespace
+
+void read_fields(Section& root, Draft& draft) {
+    const Node* effects = root.table().find("effects");
+    for (ActiveEffect& active : draft.problem.effects) {
+        const Node* table = effects != nullptr ? effects->find(active.effect->id) : nullptr;
+        if (active.effect->field == FieldOf::nothing || table == nullptr || table->kind != Node::Kind::table) {
+            continue;
+        }
+        Section section(*table, fmt::format("[effects.{}]", active.effect->id), root.mistakes());
+        section.forgive();  // its other keys have been read
+        FieldBinder(section, draft, active).bind();
+        if (active.effect->field == FieldOf::loss) {
+            read_measured_loss(section, draft, active);
+        }
+    }
+}
+
+}  // namespace tiretherm::input

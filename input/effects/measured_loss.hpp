@@ -1,0 +1,15 @@
+#pragma once
+
+#include "input/model/draft.hpp"
+
+/// The total of the strain-energy loss as a machine measured it:
+///     [effects.strain_energy_loss]
+///     total = "drum.csv"             # columns speed, vertical_load, inflation_pressure, air_temperature or
+///                                    # bulk_temperature, and force or power: a row for each point of the full grid
+///     coastdown = { alpha = -0.4, beta = 0.9, a = 0.1, b = 2e-5, c = 3e-7 }     # SAE J2452 in kPa, N, km/h
+namespace tiretherm::input {
+
+/// Reads one of them into the effect, where it is given.
+void read_measured_loss(Section& section, Draft& draft, physics::ActiveEffect& active);
+
+}  // namespace tiretherm::input

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "input/model/draft.hpp"
+
+namespace tiretherm::input {
+
+/// Whether an effect has what it needs: a tire, patches, cells. @param place of what switched it on
+/// @param chosen whether the case names its patches
+void check_needs(Section& root, const physics::ActiveEffect& active, const Place& place, bool chosen,
+                 const Draft& draft);
+
+/// Weights that are all zero leave nowhere for an effect to act.
+void check_weights(Section& root, const Draft& draft);
+
+/// A warning about effects that are on beside the one that they stand for.
+void warn_of_doubles(Section& root, const Draft& draft);
+
+/// Signals that the active effects need and [drive] lacks.
+void check_signals(Section& root, const Draft& draft);
+
+/// A warning about signals that neither an effect nor a channel uses.
+void warn_of_unread_signals(Section& root, const Draft& draft);
+
+/// Signals from which a quantity follows.
+[[nodiscard]] std::vector<std::string_view> signals_of(solver::Quantity quantity);
+
+}  // namespace tiretherm::input

@@ -1,0 +1,115 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "input/model/draft.hpp"
+#include "physics/contact/travelling.hpp"
+#include "solver/wheel_angle.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+/// Some fifteen hours of a column at 100 km/h, half an hour of a ring of 60 sectors, and days of steps.
+constexpr std::size_t most_points = 3'000'000;
+
+/// Where the case switches a travelling effect on.
+struct Mention {
+    std::string_view id;
+    std::string_view key;  ///< of the choice; empty where the effect has none
+    Place place;
+};
+
+/// How much of the rubber that passes the contact as the mesh has it is touched at the end of the run: 1 where the strip
+/// is as wide as S_cont / l.
+double coverage(const solver::Problem& problem, physics::ActiveEffect contact) {
+    const physics::Inputs inputs = problem.drive.at(problem.settings.end, solver::Limit::before);
+    const physics::TravellingContact where(problem.tire, inputs);
+    if (!where.touches()) {
+        return 1.0;
+    }
+    const physics::Stock stock{.materials = problem.materials, .link_laws = problem.link_laws, .tire = problem.tire};
+    contact.effect->place({.mesh = problem.mesh, .stock = stock, .effects = problem.effects}, contact);
+    std::size_t i = 0;
+    double densest = 0.0;  // weight per area, 1/m2
+    for (const int patch : contact.patches) {
+        for (const mesh::PatchFace& face : problem.mesh.patches[static_cast<std::size_t>(patch)].faces) {
+            densest = std::max(densest, contact.weights[i++] / face.area);
+        }
+    }
+    return densest * problem.tire.contact_area(inputs.vertical_load) * 2.0 * std::numbers::pi / where.length();
+}
+
+void warn_of_width(const solver::Problem& problem, const physics::ActiveEffect& contact, const Mention& mention,
+                   Mistakes& mistakes) {
+    const double touched = coverage(problem, contact);
+    if (std::abs(touched - 1.0) > 0.15) {
+        mistakes.warn(
+            mention.place,
+            fmt::format("the strip of tread that passes the contact is {:.3g} times as wide as the contact "
+                        "area over its length: its cells exchange with {:.3g} of the interface's conductance; "
+                        "give {} a profile of the contact's width, or layers its area",
+                        1.0 / touched, touched, mention.id));
+    }
+}
+
+}  // namespace
+
+void read_travelling(Section& root, Draft& draft) {
+    Mistakes& mistakes = root.mistakes();
+    solver::Problem& problem = draft.problem;
+    std::optional<Mention> mention;
+    const Node* effects = root.table().find("effects");
+    for (physics::ActiveEffect& active : problem.effects) {
+        if (!physics::travels(active)) {
+            continue;
+        }
+        const std::string_view id = active.effect->id;
+        const Node* table = effects != nullptr ? effects->find(id) : nullptr;
+        const Node* key = table != nullptr ? table->find(physics::around_key) : nullptr;
+        mention = {.id = id,
+                   .key = key != nullptr ? physics::around_key : std::string_view(),
+                   .place = key != nullptr     ? key->place
+                            : table != nullptr ? table->place
+                                               : root.place()};
+        if (draft.has_mesh && problem.mesh.kind == "two_node" && key != nullptr) {
+            mistakes.add(mention->place, "two lumps do not see a contact go round", "take layers or section");
+        }
+        if (active.field) {
+            mistakes.add(mention->place, fmt::format("{} has a field, which does not go round the tire", id),
+                         "remove the field, or spread the heat evenly");
+        }
+        if (problem.mesh.sectors > 1) {
+            active.effect = &physics::in_frames(*active.effect);
+        }
+    }
+    if (!mention) {
+        return;
+    }
+    if (problem.settings.steady) {
+        mistakes.add(mention->place, fmt::format("a tire in which {} goes round has no steady state", mention->id),
+                     "let it run with end, or take resolved_contact, whose revolutions are averaged");
+        return;
+    }
+    if (!draft.has_tire || !draft.has_mesh || problem.settings.end <= problem.settings.start) {
+        return;
+    }
+    std::optional<solver::Series> angle = solver::wheel_angle(problem, most_points);
+    if (!angle) {
+        mistakes.add(mention->place,
+                     fmt::format("in {:.6g} s the contact passes more than {} million places of the tire",
+                                 problem.settings.end - problem.settings.start, most_points / 1'000'000),
+                     "shorten the run or take fewer sectors; resolved_contact averages the revolutions of long ones");
+        return;
+    }
+    problem.drive.add(std::move(*angle));
+    for (const physics::ActiveEffect& active : problem.effects) {
+        if (active.effect->travels && mistakes.count() == 0) {
+            warn_of_width(problem, active, *mention, mistakes);
+        }
+    }
+}
+
+}  // namespace tiretherm::input

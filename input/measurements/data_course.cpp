@@ -1,0 +1,135 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "input/measurements/data_findings.hpp"
+
+/// Suspicions that the course of a signal raises, whatever its unit.
+namespace tiretherm::input {
+
+namespace {
+
+constexpr double long_interval = 10.0;   ///< times the median one: the logger was paused
+constexpr double long_recording = 2e5;   ///< s; no test of a tire lasts two days at this many samples
+constexpr double outlying = 8.0;         ///< robust standard deviations
+constexpr double least_scale = 0.0025;   ///< of a sensor's range: what is small beside it is no outlier
+constexpr double least_of_input = 0.01;  ///< of an input's range, which may have corners
+constexpr double steep = 0.75;           ///< of its height that a spike rises and falls at once; a cusp does not
+constexpr double eventful = 0.1;         ///< of an input's range; where it changes by that, a sensor may jump
+constexpr std::size_t half_window = 5;   ///< samples on either side of a running median
+constexpr std::size_t widest_spike = 3;  ///< samples; what lasts longer is an event. Of an input a single one
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// How far each sample lies from the median of those about it.
+std::vector<double> off_median(const std::vector<double>& value) {
+    std::vector<double> off(value.size());
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        const std::size_t first = i < half_window ? 0 : i - half_window;
+        const std::size_t last = std::min(value.size(), i + half_window + 1);
+        const auto begin = value.begin();
+        off[i] =
+            value[i] - median({begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last)});
+    }
+    return off;
+}
+
+/// A robust standard deviation of the differences, not below what the logger resolves and what would matter.
+double scale_of(const Watched& column, const std::vector<double>& off) {
+    std::vector<double> magnitudes(off.size());
+    std::transform(off.begin(), off.end(), magnitudes.begin(), [](double v) { return std::abs(v); });
+    const double least = column.is_input ? least_of_input : least_scale;
+    return std::max(
+        {1.4826 * median(std::move(magnitudes)), least * (column.high() - column.low()), column.resolution()});
+}
+
+/// Whether an input changes so much between two times that a sensor's jump may be real.
+bool is_eventful(const Recording& recording, double from, double to) {
+    return std::ranges::any_of(recording.columns, [&](const Watched& column) {
+        const auto first = std::lower_bound(column.time.begin(), column.time.end(), from);
+        const auto last = std::upper_bound(first, column.time.end(), to);
+        if (!column.is_input || first == last) {
+            return false;
+        }
+        const auto begin = column.value.begin() + (first - column.time.begin());
+        const auto [low, high] = std::minmax_element(begin, begin + (last - first));
+        const auto [lowest, highest] = std::minmax_element(column.value.begin(), column.value.end());
+        return *high - *low > eventful * (*highest - *lowest);
+    });
+}
+
+}  // namespace
+
+std::string find_time_jumps(const Recording& recording) {
+    const std::vector<double>& time = recording.time;
+    if (time.size() < 3) {
+        return {};
+    }
+    const double length = time.back() - time.front();
+    if (recording.time_unit == "s" && length > long_recording && time.size() >= 50) {
+        return fmt::format("goes on for {} h, and {} ms would be {} s: is the column in ms?",
+                           three_digits(length / 3600.0), three_digits(length), three_digits(length / 1000.0));
+    }
+    std::vector<double> intervals;
+    for (std::size_t i = 1; i < time.size(); ++i) {
+        intervals.push_back(time[i] - time[i - 1]);
+    }
+    const double usual = median(intervals);
+    const auto longest = std::max_element(intervals.begin(), intervals.end());
+    const auto jumps = std::count_if(intervals.begin(), intervals.end(),
+                                     [&](double interval) { return interval > long_interval * usual; });
+    if (jumps == 0) {
+        return {};
+    }
+    const std::string from = fmt::format("{:.6g} s", time[static_cast<std::size_t>(longest - intervals.begin())]);
+    const std::string how = jumps == 1
+                                ? fmt::format("jumps by {:.6g} s after {}", *longest, from)
+                                : fmt::format("jumps {} times, at most by {:.6g} s after {}", jumps, *longest, from);
+    return fmt::format("{}, where a sample mostly comes every {:.6g} s: was the logger paused?", how, usual);
+}
+
+std::string find_outliers(const Recording& recording, const Watched& column) {
+    const std::vector<double>& value = column.value;
+    if (value.size() < 2 * half_window + 1) {
+        return {};
+    }
+    const std::vector<double> off = off_median(value);
+    const double limit = outlying * scale_of(column, off);
+    const std::size_t widest = column.is_input ? 1 : widest_spike;
+    std::size_t outliers = 0;
+    std::size_t first = 0;
+    for (std::size_t i = 1; i + 1 < value.size(); ++i) {
+        if (std::abs(off[i]) <= limit) {
+            continue;
+        }
+        std::size_t end = i;
+        while (end < value.size() && std::abs(off[end]) > limit) {
+            ++end;
+        }
+        // A spike leaves at once and comes back to where it left.
+        const double height = std::abs(off[i]);
+        const bool back = end < value.size() && std::abs(value[end] - value[i - 1]) < 0.5 * height &&
+                          std::abs(value[i] - value[i - 1]) > steep * height &&
+                          std::abs(value[end] - value[end - 1]) > steep * height;
+        const bool real = !column.is_input && back && is_eventful(recording, column.time[i - 1], column.time[end]);
+        if (back && !real && end - i <= widest) {
+            first = outliers == 0 ? i : first;
+            outliers += end - i;
+        }
+        i = end;
+    }
+    if (outliers == 0) {
+        return {};
+    }
+    const std::string where = fmt::format("at {:.6g} s, {} off the samples about it", column.time[first],
+                                          column.show_difference(std::abs(off[first])));
+    return outliers == 1 ? fmt::format("has an outlier {}", where)
+                         : fmt::format("has {} outliers, the first {}", outliers, where);
+}
+
+}  // namespace tiretherm::input

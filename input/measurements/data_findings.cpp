@@ -1,0 +1,95 @@
+#include "input/measurements/data_findings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+namespace tiretherm::input {
+
+namespace {
+
+/// What is looked for in each column, in this order. Where the unit is doubted, that an input is unusual follows.
+struct Rule {
+    std::string (*look)(const Recording& recording, const Watched& column);
+    bool ends = false;  ///< rules after it are not asked when it has found something
+};
+constexpr std::array rules{Rule{find_stuck}, Rule{find_outliers}, Rule{find_unit_slip, true}, Rule{find_unusual}};
+
+double quantile(std::vector<double> values, double share) {
+    const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
+    std::nth_element(values.begin(), values.begin() + at, values.end());
+    return values[static_cast<std::size_t>(at)];
+}
+
+}  // namespace
+
+std::string three_digits(double value) {
+    return fmt::format("{}", std::strtod(fmt::format("{:.3g}", value).c_str(), nullptr));
+}
+
+double Watched::low(double share) const { return quantile(value, share); }
+
+double Watched::high(double share) const { return quantile(value, share); }
+
+double Watched::largest() const {
+    double found = 0.0;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        const double before = i > 0 ? std::abs(value[i - 1]) : 0.0;
+        const double after = i + 1 < value.size() ? std::abs(value[i + 1]) : 0.0;
+        found = std::max(found, std::min(std::abs(value[i]), 2.0 * std::max(before, after)));
+    }
+    return found;
+}
+
+double Watched::resolution() const {
+    double smallest = 0.0;
+    for (std::size_t i = 1; i < value.size(); ++i) {
+        const double step = std::abs(value[i] - value[i - 1]);
+        smallest = step > 0.0 && (smallest == 0.0 || step < smallest) ? step : smallest;
+    }
+    return smallest;
+}
+
+std::string Watched::show(double si_amount) const {
+    const bool bare = unit.empty() || unit == "-" || unit == "1";
+    const std::string number = three_digits(conversion.from_si(si_amount));
+    return bare ? number : fmt::format("{} {}", number, unit);
+}
+
+std::string Watched::show_difference(double si_amount) const {
+    if (is_temperature()) {
+        return fmt::format("{} K", three_digits(si_amount));
+    }
+    return show(si_amount + conversion.offset);
+}
+
+const Watched* Recording::find(std::string_view name) const {
+    const auto found =
+        std::find_if(columns.begin(), columns.end(), [&](const Watched& column) { return column.name == name; });
+    return found == columns.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> find_suspicious(const Recording& recording) {
+    std::vector<std::string> sentences;
+    if (const std::string jumps = find_time_jumps(recording); !jumps.empty()) {
+        sentences.push_back(fmt::format("{}: time {}", recording.file, jumps));
+    }
+    for (const Watched& column : recording.columns) {
+        const std::string aside = column.heading == column.name ? "" : fmt::format(" (column {})", column.heading);
+        for (const Rule& rule : rules) {
+            const std::string sentence = column.value.empty() ? "" : rule.look(recording, column);
+            if (!sentence.empty()) {
+                sentences.push_back(fmt::format("{}: {}{} {}", recording.file, column.name, aside, sentence));
+                if (rule.ends) {
+                    break;
+                }
+            }
+        }
+    }
+    return sentences;
+}
+
+}  // namespace tiretherm::input

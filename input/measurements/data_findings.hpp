@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "input/text/units.hpp"
+#include "physics/signals.hpp"
+
+namespace tiretherm::input {
+
+/// A column of a run's file that the model uses, without its missing samples.
+struct Watched {
+    std::string name;          ///< what the model calls it
+    std::string heading;       ///< what the file calls it
+    std::string unit;          ///< as written
+    std::string_view si;       ///< the unit of `value`
+    Conversion conversion;     ///< from `unit` to `si`
+    bool is_input = false;     ///< otherwise what a sensor read
+    std::vector<double> time;  ///< s
+    std::vector<double> value;
+
+    [[nodiscard]] bool is_temperature() const { return si == "K"; }
+    [[nodiscard]] double low(double share = 0.01) const;   ///< below which this share of the values lies
+    [[nodiscard]] double high(double share = 0.99) const;  ///< below which this share of the values lies
+    [[nodiscard]] double largest() const;     ///< magnitude; a spike of one sample counts as twice its neighbours
+    [[nodiscard]] double resolution() const;  ///< smallest step between two samples, 0 without any
+    /// A value as the file would write it, to three digits: "27.8 km/h".
+    [[nodiscard]] std::string show(double si_amount) const;
+    /// A difference of two values: "41 K".
+    [[nodiscard]] std::string show_difference(double si_amount) const;
+};
+
+/// What was recorded in a run.
+struct Recording {
+    std::string file;
+    std::vector<double> time;  ///< s, of all samples
+    std::string time_unit;     ///< as written
+    std::vector<Watched> columns;
+
+    [[nodiscard]] const Watched* find(std::string_view name) const;  ///< null when the file does not have it
+};
+
+/// What is suspicious about a recording, a sentence each: jumps of time, stuck sensors, outliers, columns whose unit is
+/// probably another one, unusual inputs. None of them is sure; a fit should not begin before somebody has looked.
+[[nodiscard]] std::vector<std::string> find_suspicious(const Recording& recording);
+
+/// Parts of it. Each sentence lacks the file's and the column's name; empty: nothing to say.
+[[nodiscard]] std::string find_time_jumps(const Recording& recording);
+[[nodiscard]] std::string find_stuck(const Recording& recording, const Watched& column);
+[[nodiscard]] std::string find_outliers(const Recording& recording, const Watched& column);
+[[nodiscard]] std::string find_unit_slip(const Recording& recording, const Watched& column);
+[[nodiscard]] std::string find_unusual(const Recording& recording, const Watched& column);
+
+/// To three digits, without an exponent where it can be helped: 4320, 27.8, 0.0421.
+[[nodiscard]] std::string three_digits(double value);
+
+}  // namespace tiretherm::input

@@ -1,0 +1,198 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "input/measurements/data_findings.hpp"
+
+/// Suspicions that the size of a signal raises: its unit is another one.
+namespace tiretherm::input {
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::infinity();
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr double celsius = 273.15;
+constexpr double km_h = 1.0 / 3.6;
+constexpr double bar = 1e5;
+
+/// The largest magnitude of an input, 0 where the file does not have it.
+double largest(const Recording& recording, std::string_view name) {
+    const Watched* column = recording.find(name);
+    return column == nullptr || column->value.empty() ? 0.0 : column->largest();
+}
+
+/// How far the hottest sensor gets above its start and above air and road, K.
+double rise(const Recording& recording) {
+    double surroundings = 0.0;
+    for (const Watched& column : recording.columns) {
+        if (column.is_input && column.is_temperature() && !column.value.empty()) {
+            surroundings = std::max(surroundings, column.high());
+        }
+    }
+    double highest = 0.0;
+    for (const Watched& column : recording.columns) {
+        if (!column.is_input && column.is_temperature() && !column.value.empty()) {
+            highest = std::max(highest, column.high() - std::max(surroundings, column.value.front()));
+        }
+    }
+    return highest;
+}
+
+/// Free rolling heats a tire by some 10 K at 25 km/h, and in proportion; what gets hotter rolled faster or slid.
+bool is_heated(const Recording& recording) {
+    const double speed = largest(recording, "speed");
+    return largest(recording, "vertical_load") > 0.0 && rise(recording) > 10.0 * std::max(1.0, speed / (25.0 * km_h));
+}
+
+bool rolls(const Recording& recording) { return largest(recording, "speed") > 5.0; }
+
+/// A lateral force of a fifth of the load takes more than 0.3 degrees of slip on any tire.
+bool corners(const Recording& recording) {
+    return largest(recording, "lateral_force") > 0.2 * largest(recording, "vertical_load") &&
+           largest(recording, "vertical_load") > 0.0;
+}
+
+bool slips(const Recording& recording) {
+    return largest(recording, "slip_angle") > 1.0 * degree && largest(recording, "vertical_load") > 500.0;
+}
+
+bool always(const Recording&) { return true; }
+
+/// What the largest magnitude of a signal is expected to be, and the units in which loggers write it.
+struct Size {
+    std::string_view name;
+    double low = 0.0;  ///< smaller is suspicious where `matters`
+    double high = none;
+    bool (*matters)(const Recording& recording) = always;
+    std::array<std::string_view, 4> units{};
+};
+constexpr std::array sizes{
+    Size{"speed", 45.0 * km_h, 70.0, is_heated, {"m/s", "km/h"}},
+    Size{"vertical_load", 200.0, 4e4, rolls, {"kN", "N", "kgf"}},
+    Size{"lateral_force", 30.0, 4e4, slips, {"kN", "N", "kgf"}},
+    Size{"slip_angle", 0.3 * degree, 0.4, corners, {"rad", "deg"}},
+    Size{"camber", 0.0, 20.0 * degree, always, {"deg"}},
+    Size{"slip_ratio", 0.0, 2.0, always, {"%"}},
+    Size{"inflation_pressure", 0.5 * bar, 7.0 * bar, always, {"bar", "kPa", "psi", "Pa"}},
+    Size{"laser_power", 0.0, 50.0, always, {"mW"}},
+};
+
+/// Between which temperatures nearly all samples lie.
+struct Span {
+    std::string_view name;  ///< of an input; empty: of any sensor
+    double low;
+    double high;
+};
+constexpr std::array spans{Span{"air_temperature", celsius - 40.0, celsius + 55.0},
+                           Span{"road_temperature", celsius - 40.0, celsius + 75.0},
+                           Span{"", celsius - 50.0, celsius + 200.0}};
+/// What may be meant, the likeliest first: numbers of 300 are rather kelvin than degrees Fahrenheit.
+constexpr std::array<std::string_view, 3> temperature_units{"K", "degC", "degF"};
+constexpr double agreeing = 3.0;      ///< K: a tire that starts with the air
+constexpr double disagreeing = 20.0;  ///< K
+
+/// How the numbers of a column would be read in another unit; nothing when that is the same.
+std::optional<Conversion> in_unit(const Watched& column, std::string_view unit) {
+    const auto read = unit.empty() ? std::variant<Conversion, UnitFault>(UnitFault::unknown)
+                                   : conversion(unit, column.si, Scale::absolute);
+    const auto* found = std::get_if<Conversion>(&read);
+    const bool other = found != nullptr && (std::abs(found->factor / column.conversion.factor - 1.0) > 1e-6 ||
+                                            std::abs(found->offset - column.conversion.offset) > 1e-3);
+    return other ? std::optional(*found) : std::nullopt;
+}
+
+/// @param is what is seen: "reaches 100 m/s"
+std::string doubt(const Watched& column, double si_amount, std::string_view is, const Conversion& as,
+                  std::string_view unit) {
+    const double written = column.conversion.from_si(si_amount);
+    return fmt::format("{}, and {} {} would be {}: is the column in {}?", is, three_digits(written), unit,
+                       column.show(as.to_si(written)), unit);
+}
+
+std::string doubt_size(const Recording& recording, const Watched& column, const Size& size) {
+    const double now = column.largest();
+    const bool small = now < size.low && now > 0.0 && size.matters(recording);
+    if (!small && now <= size.high) {
+        return {};
+    }
+    for (const std::string_view unit : size.units) {
+        const std::optional<Conversion> as = in_unit(column, unit);
+        if (!as) {
+            continue;
+        }
+        const double other = as->to_si(column.conversion.from_si(now));
+        if (other > size.low && other <= size.high) {
+            const std::string is = small ? fmt::format("is at most {} over the whole run", column.show(now))
+                                         : fmt::format("reaches {}", column.show(now));
+            return doubt(column, now, is, *as, unit);
+        }
+    }
+    return {};
+}
+
+std::string doubt_span(const Watched& column, const Span& span) {
+    const double low = column.low();
+    const double high = column.high();
+    if (low >= span.low && high <= span.high) {
+        return {};
+    }
+    for (const std::string_view unit : temperature_units) {
+        const std::optional<Conversion> as = in_unit(column, unit);
+        const auto read = [&](double si) { return as->to_si(column.conversion.from_si(si)); };
+        if (as && read(low) >= span.low && read(high) <= span.high) {
+            const bool above = high > span.high;
+            const double extreme = above ? high : low;
+            const std::string is = fmt::format("{} {}", above ? "reaches" : "falls to", column.show(extreme));
+            return doubt(column, extreme, is, *as, unit);
+        }
+    }
+    return {};
+}
+
+/// A sensor that starts far from the air, but with it if its numbers were in another unit.
+std::string doubt_start(const Recording& recording, const Watched& column) {
+    const Watched* air = recording.find("air_temperature");
+    if (column.is_input || air == nullptr || air->value.empty()) {
+        return {};
+    }
+    const double start = column.value.front();
+    if (std::abs(start - air->value.front()) < disagreeing) {
+        return {};
+    }
+    for (const std::string_view unit : temperature_units) {
+        const std::optional<Conversion> as = in_unit(column, unit);
+        if (as && std::abs(as->to_si(column.conversion.from_si(start)) - air->value.front()) < agreeing) {
+            const std::string is =
+                fmt::format("starts at {} in air of {}", column.show(start), column.show(air->value.front()));
+            return doubt(column, start, is, *as, unit);
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string find_unit_slip(const Recording& recording, const Watched& column) {
+    for (const Size& size : sizes) {
+        if (column.is_input && column.name == size.name) {
+            return doubt_size(recording, column, size);
+        }
+    }
+    if (!column.is_temperature()) {
+        return {};
+    }
+    for (const Span& span : spans) {
+        if (column.is_input ? column.name == span.name : span.name.empty()) {
+            const std::string sentence = doubt_span(column, span);
+            return sentence.empty() ? doubt_start(recording, column) : sentence;
+        }
+    }
+    return {};
+}
+
+}  // namespace tiretherm::input

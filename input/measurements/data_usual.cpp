@@ -1,0 +1,58 @@
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "input/measurements/data_findings.hpp"
+
+/// Inputs that are possible and yet seldom seen.
+namespace tiretherm::input {
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::infinity();
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr double celsius = 273.15;
+constexpr double km_h = 1.0 / 3.6;
+constexpr double bar = 1e5;
+
+/// What is usual of an input.
+struct Usual {
+    std::string_view name;
+    double low;
+    double high;
+};
+constexpr std::array usual{Usual{"speed", -none, 300.0 * km_h},
+                           Usual{"vertical_load", 0.0, 1.5e4},
+                           Usual{"slip_angle", -15.0 * degree, 15.0 * degree},
+                           Usual{"slip_ratio", -1.0, 1.0},
+                           Usual{"lateral_force", -2e4, 2e4},
+                           Usual{"longitudinal_force", -2e4, 2e4},
+                           Usual{"camber", -10.0 * degree, 10.0 * degree},
+                           Usual{"inflation_pressure", 1.0 * bar, 5.0 * bar},
+                           Usual{"air_temperature", celsius - 30.0, celsius + 50.0},
+                           Usual{"road_temperature", celsius - 30.0, celsius + 70.0},
+                           Usual{"laser_power", 0.0, 10.0}};
+
+}  // namespace
+
+std::string find_unusual(const Recording&, const Watched& column) {
+    const auto range = std::find_if(usual.begin(), usual.end(), [&](const Usual& u) { return u.name == column.name; });
+    if (!column.is_input || range == usual.end()) {
+        return {};
+    }
+    const auto [low, high] = std::minmax_element(column.value.begin(), column.value.end());
+    if (*high > range->high) {
+        return fmt::format("reaches {}, which is unusual: it is mostly at most {}", column.show(*high),
+                           column.show(range->high));
+    }
+    if (*low < range->low) {
+        return fmt::format("falls to {}, which is unusual: it is mostly at least {}", column.show(*low),
+                           column.show(range->low));
+    }
+    return {};
+}
+
+}  // namespace tiretherm::input

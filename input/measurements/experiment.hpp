@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "input/text/mistake.hpp"
+#include "physics/camera.hpp"
+#include "solver/sensitivity/adjustable.hpp"
+
+namespace tiretherm::input {
+
+/// What one sensor gave.
+struct MeasuredSeries {
+    std::size_t channel = 0;    ///< index into Problem::channels
+    std::vector<double> value;  ///< [n_times] SI; NaN where it is missing
+};
+
+/// One number of a source, with its standard uncertainty.
+struct MeasuredNumber {
+    std::size_t channel = 0;          ///< index into Problem::channels
+    double time = 0.0;                ///< s; the run's end in a steady case
+    double value = 0.0;               ///< SI
+    double standard_deviation = 0.0;  ///< > 0
+    std::string source;
+};
+
+/// A column of the file that the model does not use.
+struct UnusedSignal {
+    std::string name;
+    std::string unit;           ///< as the file writes it
+    std::vector<double> value;  ///< [n_times] in that unit; NaN where it is missing
+};
+
+/// What a camera gave: images of a surface, whose pixels are means over nodes of it.
+struct MeasuredFrames {
+    std::string camera;
+    std::string file;
+    int patch = -1;                 ///< that it looks at, index into the mesh's patches
+    std::size_t pose = 0;           ///< index into Problem::effects: where the image lies (physics::camera_pose)
+    std::size_t first_channel = 0;  ///< of the surface's nodes, index into Problem::channels
+    std::size_t n_channels = 0;
+    physics::Detectors detectors;
+    int bin = 1;  ///< so many by so many of them make a pixel
+    int rows = 0;  ///< of the binned image, all pixels
+    int columns = 0;
+    std::vector<physics::BinnedPixel> pixels{};  ///< [n_pixels] that are of use
+    std::vector<double> time{};                  ///< [n_frames] s, ascending
+    std::vector<double> value{};                 ///< [n_frames][n_pixels] K
+    std::optional<double> standard_deviation{};  ///< K, of a binned pixel, as the data sheet says
+    int dead = 0;                                ///< detectors without a value in some frame
+    int beside = 0;                              ///< detectors that do not see the specimen alone
+};
+
+/// A run as it was measured: the case under this run's inputs, from its first time to its last, with its own initial
+/// state, and what was read.
+struct MeasuredRun {
+    std::string name;
+    std::string file;
+    solver::Problem problem;
+    std::vector<double> time;  ///< [n_times] s, ascending
+    std::vector<MeasuredSeries> series;
+    std::vector<MeasuredNumber> numbers;
+    std::vector<UnusedSignal> unused;
+    std::vector<MeasuredFrames> frames;
+};
+
+/// A case with its measured runs and the numbers of it that may be fitted.
+struct Experiment {
+    std::vector<MeasuredRun> runs;
+    std::vector<solver::Adjustable> parameters;  ///< those of one run say which; indices hold for every run's problem
+    std::string noise = "correlated";            ///< model of the noise: "correlated" (AR(1) + white) or "white"
+    bool robust = false;                         ///< outliers count less (Huber)
+    std::vector<std::string> candidates{};       ///< effects (or "effect.key") that a diagnosis may name; empty: all
+};
+
+/// An experiment that has been read. There is one exactly when there is no mistake.
+struct ExperimentReading {
+    std::optional<Experiment> experiment;
+    std::vector<Mistake> mistakes;
+    std::vector<std::string> warnings;
+    std::vector<std::string> findings;  ///< what is suspicious about the data, a sentence each
+};
+
+/// What an experiment is read for.
+enum class Occasion : std::uint8_t {
+    measured,  ///< something must have been measured
+    planned    ///< runs without measured values say what is going to be done
+};
+
+/// Reads a case with its [[run]] tables and [[parameter]] tables, all files that they mention included.
+/// @param data files of runs that take the place of the case's own; their columns have standard names
+/// @param finer every row of cells has this many times as many, to see what the grid's error is
+[[nodiscard]] ExperimentReading read_experiment(const std::filesystem::path& file,
+                                                const std::vector<std::filesystem::path>& data = {},
+                                                Occasion occasion = Occasion::measured, int finer = 1);
+
+}  // namespace tiretherm::input

@@ -1,0 +1,94 @@
+#include "input/measurements/run_columns.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "input/text/words.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+void apply_unit(Head& head, const Word& unit, Mistakes& mistakes) {
+    if (head.heading.unit && *head.heading.unit != unit.text) {
+        mistakes.warn(unit.place, fmt::format("the column {} is in [{}] by its heading; {} is taken instead",
+                                              head.heading.name, *head.heading.unit, unit.text));
+    }
+    head.heading.unit = unit.text;
+    head.unit_place = unit.place;
+}
+
+/// What a column may be called.
+std::vector<std::string> known_names(const std::vector<std::string>& sensors,
+                                     const std::vector<std::string>& followed) {
+    std::vector<std::string> names = names_of(physics::signals());
+    const auto is_formula = [](const std::string& text) {
+        return text.find_first_of(" +-*/^()<>?") != std::string::npos;
+    };
+    for (const std::vector<std::string>* more : {&sensors, &followed}) {
+        std::copy_if(more->begin(), more->end(), std::back_inserter(names), [&](const std::string& name) {
+            return name != "time" && (more == &sensors || !is_formula(name)) &&
+                   std::find(names.begin(), names.end(), name) == names.end();
+        });
+    }
+    names.emplace_back("time");
+    return names;
+}
+
+}  // namespace
+
+RunColumns tell_apart(DataFile& file, ColumnKeys& keys, const std::vector<std::string>& sensors,
+                      const std::vector<std::string>& followed, Mistakes& mistakes) {
+    RunColumns found;
+    std::map<std::string, std::string> taken;  // heading of each name
+    for (std::size_t i = 0; i < file.heads().size(); ++i) {
+        Head& head = file.heads()[i];
+        const std::string& heading = head.heading.name;
+        const bool ignored = keys.ignores(heading);
+        const Word name = keys.name_of(heading, head.place);
+        if (const Word* unit = keys.unit_of(heading)) {
+            apply_unit(head, *unit, mistakes);
+        }
+        if (ignored || heading.empty()) {
+            continue;
+        }
+        const auto column = static_cast<int>(i);
+        const physics::Signal* input = physics::find_signal(name.text);
+        const bool is_sensor = std::find(sensors.begin(), sensors.end(), name.text) != sensors.end();
+        const bool is_followed = name.text != "time" && input == nullptr &&
+                                 std::find(followed.begin(), followed.end(), name.text) != followed.end();
+        if (name.text != "time" && input == nullptr && !is_sensor) {
+            if (name.text == heading || is_followed) {
+                found.unused.push_back(column);
+            } else {
+                found.misnamed = true;
+                mistakes.add(name.place, fmt::format("\"{}\" is neither an input nor a sensor", name.text),
+                             suggest(name.text, known_names(sensors, followed), "names"));
+            }
+            if (!is_followed) {
+                continue;
+            }
+        }
+        const auto [first, is_new] = taken.try_emplace(name.text, heading);
+        if (!is_new) {
+            const std::string twins = first->second == heading ? fmt::format("two columns {}", heading)
+                                                               : fmt::format("{} and {}", first->second, heading);
+            mistakes.add(head.place, fmt::format("{} are both {}", twins, name.text),
+                         fmt::format("leave one of them out: ignore = [\"{}\"]", heading));
+            continue;
+        }
+        if (is_followed) {
+            found.followed.push_back({.column = column, .name = name.text});
+        }
+        if (name.text == "time") {
+            found.time = column;
+        } else if (input != nullptr || is_sensor) {
+            found.used.push_back({.column = column, .name = name.text, .input = input, .is_sensor = is_sensor});
+        }
+    }
+    return found;
+}
+
+}  // namespace tiretherm::input

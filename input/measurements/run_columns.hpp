@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "input/tables/data_file.hpp"
+#include "input/measurements/run_table.hpp"
+#include "physics/signals.hpp"
+
+namespace tiretherm::input {
+
+/// A column of a measured run's file that the model uses, as an input, as what a sensor read, or as both: the lateral
+/// force drives the friction and may be held against the Magic Formula's.
+struct UsedColumn {
+    int column = 0;
+    std::string name;
+    const physics::Signal* input = nullptr;  ///< null: not an input
+    bool is_sensor = false;
+};
+
+/// A column that effects of the user's own follow.
+struct FollowedColumn {
+    int column = 0;
+    std::string name;
+};
+
+/// What the columns of a measured run's file are.
+struct RunColumns {
+    int time = -1;
+    std::vector<UsedColumn> used;
+    std::vector<FollowedColumn> followed{};  ///< no inputs; may be sensors or unused otherwise
+    std::vector<int> unused;
+    bool misnamed = false;  ///< a column is mapped to a name that nothing has: it may be anything
+};
+
+/// Tells the columns apart by their names, after `columns`, `units` and `ignore` of the case have been applied to the
+/// headings.
+/// @param sensors names of the case's sensors  @param followed names that effects of the user's own speak of
+[[nodiscard]] RunColumns tell_apart(DataFile& file, ColumnKeys& keys, const std::vector<std::string>& sensors,
+                                    const std::vector<std::string>& followed, Mistakes& mistakes);
+
+}  // namespace tiretherm::input

@@ -1,0 +1,227 @@
+#include "input/measurements/run_inputs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "input/text/wanted.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+// Beyond these an input is no longer known: a share of the samples; a gap both longer than a tire's surface takes to
+// forget (s) and a share of the run.
+constexpr double most_missing = 0.1;
+constexpr double longest_gap = 60.0;
+constexpr double longest_share = 0.05;
+
+/// Stretches of missing samples.
+struct Missing {
+    std::size_t samples = 0;
+    double longest = 0.0;  ///< s, from the last value before to the first value after
+    double from = 0.0;     ///< s, where the longest begins
+};
+
+Missing find_missing(const std::vector<double>& time, const std::vector<double>& value) {
+    Missing missing;
+    double known = time.front();
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        const bool here = !std::isnan(value[i]);
+        missing.samples += here ? 0 : 1;
+        if (here || i + 1 == time.size()) {
+            const bool gap = i > 0 && (std::isnan(value[i - 1]) || !here);
+            if (gap && time[i] - known > missing.longest) {
+                missing.longest = time[i] - known;
+                missing.from = known;
+            }
+            known = time[i];
+        }
+    }
+    return missing;
+}
+
+/// Complains about gaps in a signal, or warns of them. @returns whether it is known well enough
+/// @param elsewhere what to do about a signal that cannot be had from the column
+bool judge_gaps(const std::string& name, const std::vector<double>& time, const std::vector<double>& value,
+                const Place& place, const std::string& elsewhere, Mistakes& mistakes) {
+    const Missing missing = find_missing(time, value);
+    const double length = time.back() - time.front();
+    if (missing.samples == time.size()) {
+        mistakes.add(place, fmt::format("{} has no value in the run", name), elsewhere);
+        return false;
+    }
+    if (missing.longest > longest_gap && missing.longest > longest_share * length) {
+        mistakes.add(
+            place,
+            fmt::format("{} is missing for {:.6g} s from {:.6g} s on, {:.0f} % of the run", name, missing.longest,
+                        missing.from, 100.0 * missing.longest / length),
+            fmt::format("split the run there: a [[run]] up to the gap and one from its end, with from and to; or {}",
+                        elsewhere));
+        return false;
+    }
+    if (static_cast<double>(missing.samples) > most_missing * static_cast<double>(time.size())) {
+        mistakes.add(place, fmt::format("{} is missing in {} of {} samples", name, missing.samples, time.size()),
+                     fmt::format("leave out the part where it is missing, with from and to; or {}", elsewhere));
+        return false;
+    }
+    if (missing.samples > 0) {
+        mistakes.warn(place, fmt::format("{} is missing in {} of {} samples, for at most {:.6g} s from {:.6g} s on: it "
+                                         "is taken as straight between its neighbours",
+                                         name, missing.samples, time.size(), missing.longest, missing.from));
+    }
+    return true;
+}
+
+/// The samples of a run that have a value.
+solver::Course known_samples(const std::vector<double>& time, const std::vector<double>& value) {
+    solver::Course known;
+    for (std::size_t k = 0; k < time.size(); ++k) {
+        if (!std::isnan(value[k])) {
+            known.time.push_back(time[k]);
+            known.value.push_back(value[k]);
+        }
+    }
+    return known;
+}
+
+bool find_samples(const RunTable& run, RunFile& file, Mistakes& mistakes) {
+    const std::vector<double>& time = file.time;
+    const auto first = run.from ? std::lower_bound(time.begin(), time.end(), *run.from) : time.begin();
+    const auto last = run.to ? std::upper_bound(time.begin(), time.end(), *run.to) : time.end();
+    const Place place = run.place.file >= 0 ? run.place : Place{.file = file.file.number()};
+    if (last - first < 2) {
+        const std::string span = fmt::format("the file goes from {:.6g} s to {:.6g} s", time.front(), time.back());
+        mistakes.add(place,
+                     run.from || run.to ? fmt::format("fewer than two samples lie between from and to: {}", span)
+                                        : "the file has a single sample: a run goes from one time to another",
+                     run.from || run.to ? "choose from and to within the file" : "");
+        return false;
+    }
+    file.first = static_cast<std::size_t>(first - time.begin());
+    file.last = static_cast<std::size_t>(last - time.begin());
+    return true;
+}
+
+}  // namespace
+
+std::optional<RunFile> open_run_file(const RunTable& run, const std::vector<std::string>& sensors,
+                                     const std::vector<std::string>& followed, Mistakes& mistakes) {
+    std::optional<DataFile> file = DataFile::open(*run.file, run.place, mistakes);
+    if (!file) {
+        return std::nullopt;
+    }
+    RunColumns columns = tell_apart(*file, *run.keys, sensors, followed, mistakes);
+    RunFile opened{.file = std::move(*file), .columns = std::move(columns)};
+    if (opened.columns.time < 0) {
+        mistakes.add(opened.file.heads().front().place, "the file has no column time [s]",
+                     "rename one: columns = { t = \"time\" }");
+        return opened;
+    }
+    const Head& head = opened.file.heads()[static_cast<std::size_t>(opened.columns.time)];
+    const std::string unit_remedy = opened.file.unit_remedy(head, wanted::moment);
+    std::vector<std::vector<double>> read = opened.file.read({{.column = opened.columns.time,
+                                                               .name = "time",
+                                                               .wanted = wanted::moment,
+                                                               .purpose = Purpose::clock,
+                                                               .unit_remedy = unit_remedy}},
+                                                             mistakes);
+    if (!read.empty()) {
+        opened.time = std::move(read.front());
+        if (!find_samples(run, opened, mistakes)) {
+            opened.time.clear();
+        }
+    }
+    return opened;
+}
+
+namespace {
+
+/// The columns that effects of the user's own follow, in base units whatever their unit is.
+void read_followed(const RunFile& file, RunInputs& into, Mistakes& mistakes) {
+    const std::vector<FollowedColumn>& followed = file.columns.followed;
+    std::vector<ColumnRequest> requests;
+    std::vector<std::string> remedies;
+    remedies.reserve(followed.size());
+    into.columns.reserve(followed.size());  // requests look into it
+    for (const FollowedColumn& column : followed) {
+        const Head& head = file.file.heads()[static_cast<std::size_t>(column.column)];
+        into.columns.push_back({.name = column.name, .unit = base_unit(head.heading.unit), .course = {}});
+        const Wanted wanted{.unit = into.columns.back().unit};
+        remedies.push_back(file.file.unit_remedy(head, wanted));
+        requests.push_back({.column = column.column,
+                            .name = column.name,
+                            .wanted = wanted,
+                            .purpose = Purpose::measured,
+                            .unit_remedy = remedies.back()});
+    }
+    const std::vector<std::vector<double>> read = file.file.read(requests, mistakes);
+    for (std::size_t i = 0; !file.time.empty() && i < read.size(); ++i) {
+        const auto first = static_cast<std::ptrdiff_t>(file.first);
+        const auto last = static_cast<std::ptrdiff_t>(file.last);
+        const std::vector<double> time(file.time.begin() + first, file.time.begin() + last);
+        const std::vector<double> value(read[i].begin() + first, read[i].begin() + last);
+        const Place& place = file.file.heads()[static_cast<std::size_t>(followed[i].column)].place;
+        if (judge_gaps(followed[i].name, time, value, place, "let the effect follow another signal", mistakes)) {
+            into.columns[i].course = known_samples(time, value);
+        }
+    }
+}
+
+}  // namespace
+
+RunInputs read_run_inputs(const RunTable& run, const RunFile* file, Mistakes& mistakes) {
+    RunInputs into{.table = run.table, .name = run.name, .place = run.place};
+    into.has_file = run.file.has_value();
+    if (file == nullptr) {
+        into.unreadable = into.has_file;
+        return into;
+    }
+    if (into.place.file < 0) {
+        into.place = {.file = file->file.number()};
+    }
+    into.unreadable = file->columns.misnamed;
+    for (const Head& head : file->file.heads()) {
+        into.headings.push_back(head.heading.name);
+    }
+    read_followed(*file, into, mistakes);
+    std::vector<ColumnRequest> requests;
+    std::vector<std::string> remedies;
+    remedies.reserve(file->columns.used.size());
+    for (const UsedColumn& column : file->columns.used) {
+        if (column.input != nullptr) {
+            const Head& head = file->file.heads()[static_cast<std::size_t>(column.column)];
+            remedies.push_back(file->file.unit_remedy(head, wanted::of(*column.input)));
+            requests.push_back({.column = column.column,
+                                .name = column.name,
+                                .wanted = wanted::of(*column.input),
+                                .purpose = Purpose::measured,
+                                .unit_remedy = remedies.back()});
+            into.inputs.push_back({.signal = column.input, .place = head.place, .time = {}, .value = {}});
+        }
+    }
+    const std::vector<std::vector<double>> read = file->file.read(requests, mistakes);
+    if (file->time.empty()) {
+        return into;
+    }
+    const auto first = static_cast<std::ptrdiff_t>(file->first);
+    const auto last = static_cast<std::ptrdiff_t>(file->last);
+    const std::vector<double> time(file->time.begin() + first, file->time.begin() + last);
+    into.first = time.front();
+    into.last = time.back();
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        MeasuredInput& input = into.inputs[i];
+        const std::vector<double> value(read[i].begin() + first, read[i].begin() + last);
+        const std::string elsewhere = fmt::format("ignore the column and give {} in [drive]", requests[i].name);
+        if (!judge_gaps(requests[i].name, time, value, input.place, elsewhere, mistakes)) {
+            continue;
+        }
+        solver::Course known = known_samples(time, value);
+        input.time = std::move(known.time);
+        input.value = std::move(known.value);
+    }
+    return into;
+}
+
+}  // namespace tiretherm::input

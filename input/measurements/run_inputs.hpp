@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+
+#include "input/model/draft.hpp"
+#include "input/measurements/run_columns.hpp"
+
+namespace tiretherm::input {
+
+/// The file of a measured run: what its columns are, and which of its samples belong to the run.
+struct RunFile {
+    DataFile file;
+    RunColumns columns;
+    std::vector<double> time{};  ///< s, ascending, all samples; empty after a mistake
+    std::size_t first = 0;       ///< sample within `from` and `to` of the run
+    std::size_t last = 0;        ///< one past the last of them
+};
+
+/// Opens the run's file and finds its samples; nothing after a mistake.
+/// @param sensors names of the case's sensors  @param followed names that effects of the user's own speak of
+[[nodiscard]] std::optional<RunFile> open_run_file(const RunTable& run, const std::vector<std::string>& sensors,
+                                                   const std::vector<std::string>& followed, Mistakes& mistakes);
+
+/// The inputs that the file gives. A missing sample is left out, so that the input goes straight between its neighbours;
+/// where too much is missing that would be an invention, and is a mistake.
+[[nodiscard]] RunInputs read_run_inputs(const RunTable& run, const RunFile* file, Mistakes& mistakes);
+
+}  // namespace tiretherm::input

@@ -1,0 +1,155 @@
+#include "input/measurements/run_readings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "input/model/channel_value.hpp"
+#include "input/text/words.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+int find_channel(const solver::Problem& problem, std::string_view name) {
+    const auto found = std::find_if(problem.channels.begin(), problem.channels.end(),
+                                    [&](const solver::Channel& channel) { return channel.name == name; });
+    return found == problem.channels.end() ? -1 : static_cast<int>(found - problem.channels.begin());
+}
+
+/// Samples of the file that lie within the run.
+struct Samples {
+    std::size_t first = 0;
+    std::size_t last = 0;
+
+    [[nodiscard]] std::vector<double> of(const std::vector<double>& all) const {
+        return {all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(last)};
+    }
+};
+
+Samples samples_within(const RunFile& file, const solver::Settings& settings) {
+    const auto begin = file.time.begin() + static_cast<std::ptrdiff_t>(file.first);
+    const auto end = file.time.begin() + static_cast<std::ptrdiff_t>(file.last);
+    return {.first = static_cast<std::size_t>(std::lower_bound(begin, end, settings.start) - file.time.begin()),
+            .last = static_cast<std::size_t>(std::upper_bound(begin, end, settings.end) - file.time.begin())};
+}
+
+}  // namespace
+
+void read_series(const RunFile& file, const Draft& draft, Mistakes& mistakes, MeasuredRun& run) {
+    std::vector<ColumnRequest> requests;
+    std::vector<std::size_t> channels;
+    std::vector<std::string> remedies;
+    remedies.reserve(file.columns.used.size());
+    for (const UsedColumn& column : file.columns.used) {
+        const int channel = column.is_sensor ? find_channel(draft.problem, column.name) : -1;
+        if (channel < 0) {
+            continue;
+        }
+        const auto index = static_cast<std::size_t>(channel);
+        const Wanted wanted = wanted_value(draft.problem.channels[index].quantity);
+        remedies.push_back(file.file.unit_remedy(file.file.heads()[static_cast<std::size_t>(column.column)], wanted));
+        requests.push_back({.column = column.column,
+                            .name = column.name,
+                            .wanted = wanted,
+                            .purpose = Purpose::measured,
+                            .unit_remedy = remedies.back()});
+        channels.push_back(index);
+    }
+    const std::vector<std::vector<double>> read = file.file.read(requests, mistakes);
+    if (file.time.empty()) {
+        return;
+    }
+    const Samples samples = samples_within(file, draft.problem.settings);
+    run.time = samples.of(file.time);
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        MeasuredSeries series{.channel = channels[i], .value = samples.of(read[i])};
+        if (std::all_of(series.value.begin(), series.value.end(), [](double v) { return std::isnan(v); })) {
+            const Head& head = file.file.heads()[static_cast<std::size_t>(requests[i].column)];
+            mistakes.add(head.place, fmt::format("{} has no value in the run", requests[i].name),
+                         fmt::format("leave the column out: ignore = [\"{}\"]", head.heading.name));
+        } else {
+            run.series.push_back(std::move(series));
+        }
+    }
+}
+
+void read_unused(const RunFile& file, const solver::Settings& settings, Mistakes& mistakes, MeasuredRun& run) {
+    std::vector<ColumnRequest> requests;
+    for (const int column : file.columns.unused) {
+        requests.push_back({.column = column,
+                            .name = file.file.heads()[static_cast<std::size_t>(column)].heading.name,
+                            .wanted = {.unit = "1"},
+                            .purpose = Purpose::unused});
+    }
+    std::vector<std::vector<double>> read = file.file.read(requests, mistakes);
+    if (file.time.empty()) {
+        return;
+    }
+    const Samples samples = samples_within(file, settings);
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        std::vector<double> value = samples.of(read[i]);
+        if (std::any_of(value.begin(), value.end(), [](double v) { return std::isfinite(v); })) {
+            const Heading& heading = file.file.heads()[static_cast<std::size_t>(requests[i].column)].heading;
+            run.unused.push_back({.name = heading.name, .unit = heading.unit.value_or(""), .value = std::move(value)});
+        }
+    }
+}
+
+void read_numbers(const Draft& draft, const Node& document, const RunTable& table, Mistakes& mistakes,
+                  MeasuredRun& run) {
+    const Node* list = document.find("measured");
+    const bool own = table.table != nullptr && table.table->find("measured") != nullptr;
+    const std::vector<solver::Measured>& numbers = draft.problem.measured;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const solver::Measured& number = numbers[i];
+        const int channel = find_channel(draft.problem, number.channel);
+        if (channel < 0) {
+            continue;
+        }
+        const auto index = static_cast<std::size_t>(channel);
+        const std::optional<double> sd =
+            number.uncertainty ? number.uncertainty : draft.problem.channels[index].standard_deviation;
+        if (sd) {
+            run.numbers.push_back({.channel = index,
+                                   .time = number.time,
+                                   .value = 0.5 * (number.low + number.high),
+                                   .standard_deviation = *sd,
+                                   .source = number.source});
+        } else if (own) {
+            const Place place = list != nullptr && i < list->items.size() ? list->items[i].place : table.place;
+            mistakes.add(place, fmt::format("the number of {} has no uncertainty", number.channel),
+                         fmt::format("add uncertainty = {}, its standard uncertainty",
+                                     spell_example(wanted_deviation(draft.problem.channels[index].quantity))));
+        }
+    }
+}
+
+void require_readings(const MeasuredRun& run, const RunTable& table, const RunFile* file,
+                      const std::vector<std::string>& sensors, Mistakes& mistakes) {
+    const bool has_column = file != nullptr && std::any_of(file->columns.used.begin(), file->columns.used.end(),
+                                                           [](const UsedColumn& column) { return column.is_sensor; });
+    if (has_column || !run.numbers.empty() || !table.frames.empty() || (table.file && file == nullptr)) {
+        return;
+    }
+    const std::string known =
+        sensors.empty() ? "the case has no [[sensor]]; add one" : fmt::format("the sensors are {}", listed(sensors));
+    if (file == nullptr) {
+        mistakes.add(table.place, fmt::format("the run {} measures nothing", table.name),
+                     fmt::format("give it a file, or measured = [{{ channel = \"{}\", value = \"...\", uncertainty = "
+                                 "\"...\" }}]",
+                                 sensors.empty() ? "..." : sensors.front()));
+        return;
+    }
+    const Place place = table.place.file >= 0 ? table.place : Place{.file = file->file.number()};
+    mistakes.add(
+        place, fmt::format("no column of the file is a sensor of the case: the run {} measures nothing", table.name),
+        fmt::format("map one: columns = {{ {} = \"{}\" }}; {}",
+                    file->columns.unused.empty()
+                        ? "T"
+                        : file->file.heads()[static_cast<std::size_t>(file->columns.unused.front())].heading.name,
+                    sensors.empty() ? "..." : sensors.front(), known));
+}
+
+}  // namespace tiretherm::input

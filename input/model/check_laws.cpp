@@ -1,0 +1,116 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "input/model/draft.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+using physics::Curve;
+
+/// The lowest and the highest temperature that the case gives: initial state and surroundings.
+struct Span {
+    double low = 0.0;
+    double high = 0.0;
+
+    void take(double T) {
+        low = std::min(low, T);
+        high = std::max(high, T);
+    }
+};
+
+Span given_temperatures(const Draft& draft) {
+    // A start that could not be read (the air of a file that is not there) is no temperature.
+    constexpr double room = 293.15;
+    const auto known = std::ranges::find_if(draft.problem.initial, [](double T) { return T > 0.0; });
+    const double first = known == draft.problem.initial.end() ? room : *known;
+    Span span{first, first};
+    for (const double T : draft.problem.initial) {
+        if (T > 0.0) {
+            span.take(T);
+        }
+    }
+    const solver::Drive& drive = draft.problem.drive;
+    for (const physics::Signal& signal : physics::signals()) {
+        if (signal.unit == "K" && drive.gives(signal)) {
+            if (const double T = drive.constants().*signal.member; T > 0.0) {
+                span.take(T);
+            }
+        }
+    }
+    for (const solver::Series& series : drive.series()) {
+        if (series.signal->unit == "K") {
+            for (const double T : series.value) {
+                span.take(T);
+            }
+        }
+    }
+    return span;
+}
+
+constexpr double celsius_zero = 273.15;
+constexpr double usual_limit = celsius_zero + 150.0;
+
+/// Where a law is smallest, to a thousandth of the span.
+double lowest_place(const Curve& law, const Span& span) {
+    double lowest = span.low;
+    for (int i = 1; i <= 1000; ++i) {
+        const double T = span.low + (span.high - span.low) * i / 1000.0;
+        lowest = law.value(T) < law.value(lowest) ? T : lowest;
+    }
+    return lowest;
+}
+
+/// @param unit as users write it
+void check_law(Mistakes& mistakes, const Curve& law, const std::string& what, std::string_view unit, const Place& place,
+               const Span& sure) {
+    if (!(law.minimum(sure.low, sure.high) > 0.0)) {
+        const double T = lowest_place(law, sure);
+        mistakes.add(place,
+                     fmt::format("{} is {:.3g} {} at {:.1f} degC, a temperature of this case", what, law.value(T), unit,
+                                 T - celsius_zero),
+                     "correct the law: conductivity and heat capacity must be positive");
+    } else if (!(law.minimum(sure.low, std::max(sure.high, usual_limit)) > 0.0)) {
+        mistakes.warn(place, fmt::format("{} is not positive everywhere between {:.1f} and 150 degC", what,
+                                         sure.low - celsius_zero));
+    }
+}
+
+}  // namespace
+
+void check_laws(Section& root, const Draft& draft) {
+    if (draft.problem.initial.empty()) {
+        return;
+    }
+    const Span sure = given_temperatures(draft);
+    for (const Stock& stock : draft.stock) {
+        const physics::Material& material = stock.material;
+        if (!stock.used) {
+            root.mistakes().warn(stock.table->place,
+                                 fmt::format("no layer is made of the material \"{}\"", material.name));
+            continue;
+        }
+        const auto check = [&](const Curve& law, std::string_view key, std::string_view what) {
+            const Node* value = stock.table->find(key);
+            if (value != nullptr) {
+                const std::string_view unit = key == "heat_capacity" ? "J/kgK" : "W/mK";
+                check_law(root.mistakes(), law, fmt::format("the {} of {}", what, material.name), unit, value->place,
+                          sure);
+            }
+        };
+        check(material.heat_capacity, "heat_capacity", "heat capacity");
+        check(material.along(mesh::Axis::through), "conductivity", "conductivity");
+        check(material.along(mesh::Axis::meridian), "conductivity_meridian", "conductivity along the meridian");
+        check(material.along(mesh::Axis::circumference), "conductivity_circumference",
+              "conductivity along the circumference");
+    }
+    const Node* link = root.table().find("mesh")->find("link_conductivity");
+    if (link != nullptr && !draft.problem.link_laws.empty()) {
+        check_law(root.mistakes(), draft.problem.link_laws.front(), "the conductivity of the link", "W/mK", link->place,
+                  sure);
+    }
+}
+
+}  // namespace tiretherm::input

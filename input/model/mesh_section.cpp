@@ -1,0 +1,210 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "input/model/draft.hpp"
+#include "input/text/wanted.hpp"
+#include "input/text/words.hpp"
+#include "mesh/ring.hpp"
+#include "physics/contact/travelling.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+constexpr int most_columns = 10'000;
+constexpr Wanted ratio{.unit = "1", .low = 1e-3, .high = 1e3};
+/// How far the profile has turned from the axis where the shoulder ends and where the bead begins. These two angles shape
+/// the picture and, through the local radius, the area of shoulders and sidewalls by a few per cent; assumed.
+constexpr double turn_at_sidewall = 45.0 / 180.0 * std::numbers::pi;
+constexpr double turn_at_bead = 120.0 / 180.0 * std::numbers::pi;
+
+/// One of the three kinds of zone, on both sides of the centre plane but for the crown.
+struct Stretch {
+    std::string_view word;  ///< in a layer's list of zones
+    double length = 0.0;    ///< m
+    int cells = 0;          ///< none: the tire has no such zone
+    double ratio = 1.0;     ///< bead end's cell over the crown end's
+    std::vector<int> stack{};
+};
+
+enum : std::size_t { crown, shoulders, sidewalls };
+
+/// Which layers reach into which zones.
+bool fill_stacks(Section& mesh, const std::vector<std::vector<Word>>& zones, std::array<Stretch, 3>& stretches) {
+    const std::size_t before = mesh.mistakes().count();
+    const std::vector<std::string> known{"crown", "shoulders", "sidewalls"};
+    for (std::size_t layer = 0; layer < zones.size(); ++layer) {
+        for (const Word& word : zones[layer]) {
+            if (std::find(known.begin(), known.end(), word.text) == known.end()) {
+                mesh.mistakes().add(word.place, fmt::format("there is no zone \"{}\"", word.text),
+                                    suggest(word.text, known, "zones"));
+            }
+        }
+        for (Stretch& stretch : stretches) {
+            const auto named = [&](const Word& word) { return word.text == stretch.word; };
+            if (zones[layer].empty() || std::any_of(zones[layer].begin(), zones[layer].end(), named)) {
+                stretch.stack.push_back(static_cast<int>(layer));
+            }
+        }
+    }
+    for (const Stretch& stretch : stretches) {
+        if (stretch.cells > 0 && stretch.stack.empty() && mesh.mistakes().count() == before) {
+            mesh.mistakes().add(mesh.place(), fmt::format("no layer reaches into the {}", stretch.word),
+                                fmt::format("name the zone in a layer, or leave it out: {}_cells = 0",
+                                            stretch.word.substr(0, stretch.word.size() - 1)));
+        }
+    }
+    return mesh.mistakes().count() == before;
+}
+
+/// The outer profile; gives the sidewalls a length with which it ends at the bead, unless they have one.
+mesh::Meridian profile(const physics::Tire& tire, double crown_radius, std::array<Stretch, 3>& stretches) {
+    std::vector<mesh::Meridian::Arc> arcs{{.length = 0.5 * stretches[crown].length, .curvature = 1.0 / crown_radius}};
+    double turn = arcs.front().length / crown_radius;
+    if (const Stretch& shoulder = stretches[shoulders]; shoulder.cells > 0) {
+        arcs.push_back({.length = shoulder.length, .curvature = (turn_at_sidewall - turn) / shoulder.length});
+        turn = turn_at_sidewall;
+    }
+    const double tread_end = arcs.front().length + (arcs.size() > 1 ? arcs.back().length : 0.0);
+    if (Stretch& wall = stretches[sidewalls]; wall.cells > 0) {
+        const double from = mesh::Meridian(tire.unloaded_radius, arcs).at(tread_end).radius;
+        const double to = tire.unloaded_radius - tire.section_height;
+        const double turned = turn_at_bead - turn;
+        if (wall.length <= 0.0) {
+            // A profile that turns evenly from angle a to b descends by length (cos a - cos b)/(b - a).
+            wall.length = (from - to) * turned / (std::cos(turn) - std::cos(turn_at_bead));
+        }
+        arcs.push_back({.length = wall.length, .curvature = turned / wall.length});
+    }
+    return {tire.unloaded_radius, std::move(arcs)};
+}
+
+double thickness_of(const mesh::Section& section, const Stretch& stretch) {
+    double sum = 0.0;
+    for (const int layer : stretch.stack) {
+        sum += section.layers[static_cast<std::size_t>(layer)].thickness;
+    }
+    return sum;
+}
+
+/// Whether the profile and what lies inside of it stay clear of the tire's axis.
+bool is_sound(Section& mesh, const mesh::Section& section, const std::array<Stretch, 3>& stretches) {
+    double reach = 0.5 * stretches[crown].length;
+    double thickest = thickness_of(section, stretches[crown]);
+    for (const std::size_t zone : {shoulders, sidewalls}) {
+        if (stretches[zone].cells > 0) {
+            reach += stretches[zone].length;
+            thickest = std::max(thickest, thickness_of(section, stretches[zone]));
+        }
+    }
+    double lowest = section.meridian.at(0.0).radius;
+    for (int i = 0; i <= 100; ++i) {
+        const double s = reach * i / 100.0;
+        lowest = std::min({lowest, section.meridian.at(s).radius, section.meridian.inside(s, thickest).radius});
+    }
+    if (lowest < 0.02) {
+        mesh.mistake(
+            mesh.has("sidewall_length") ? "sidewall_length" : "kind",
+            fmt::format("the profile, {:.4g} mm from the centre to the bead, would come within {:.4g} mm of the "
+                        "tire's axis",
+                        reach * 1e3, lowest * 1e3),
+            "shorten the sidewalls or the tread, or flatten the crown");
+        return false;
+    }
+    return true;
+}
+
+/// The loss follows the tire's thicknesses (66)(67), the mesh its layers': they should be one tire's.
+void warn_of_other_sizes(Section& mesh, const mesh::Section& section, const std::array<Stretch, 3>& stretches,
+                         const physics::Tire& tire) {
+    const auto warn = [&](std::string_view what, double layers, double stated) {
+        if (std::abs(layers / stated - 1.0) > 0.1) {
+            mesh.mistakes().warn(mesh.place(), fmt::format("the layers of the {} are {:.4g} mm thick, but [tire] says "
+                                                           "{:.4g} mm, from which the strain-energy loss follows",
+                                                           what, layers * 1e3, stated * 1e3));
+        }
+    };
+    warn("crown", thickness_of(section, stretches[crown]), tire.tread_thickness);
+    if (stretches[sidewalls].cells > 0) {
+        warn("sidewalls", thickness_of(section, stretches[sidewalls]), tire.sidewall_thickness);
+    }
+    const double tread =
+        stretches[crown].length + (stretches[shoulders].cells > 0 ? 2.0 * stretches[shoulders].length : 0.0);
+    if (tread > 1.1 * tire.width) {
+        mesh.mistakes().warn(
+            mesh.place("tread_width"),
+            fmt::format("the tread is {:.4g} mm wide on a tire of {:.4g} mm", tread * 1e3, tire.width * 1e3));
+    }
+}
+
+std::vector<mesh::Zone> zones_of(const std::array<Stretch, 3>& stretches) {
+    std::vector<mesh::Zone> zones;
+    const auto add = [&](std::string_view name, const Stretch& s, bool outboard, bool tread) {
+        if (s.cells > 0) {
+            zones.push_back({.name = std::string(name),
+                             .length = s.length,
+                             .cells = s.cells,
+                             .ratio = outboard ? 1.0 / s.ratio : s.ratio,
+                             .stack = s.stack,
+                             .tread = tread});
+        }
+    };
+    add("outside_sidewall", stretches[sidewalls], true, false);
+    add("outside_shoulder", stretches[shoulders], true, true);
+    add("crown", stretches[crown], false, true);
+    add("inside_shoulder", stretches[shoulders], false, true);
+    add("inside_sidewall", stretches[sidewalls], false, false);
+    return zones;
+}
+
+}  // namespace
+
+bool read_section(Section& mesh, Draft& draft) {
+    const physics::Tire& tire = draft.problem.tire;
+    if (!draft.has_tire) {
+        mesh.mistake("kind", "a section is that of a tire, and there is no tire",
+                     "add [tire] with size = \"225/50 R17\"");
+    }
+    const double tread = mesh.quantity("tread_width", wanted::length).value_or(tire.width);
+    const double shoulder = mesh.quantity("shoulder_width", wanted::length).value_or(0.2 * tread);
+    const double crown_radius = mesh.quantity("crown_radius", wanted::length).value_or(1.0);
+    std::array<Stretch, 3> stretches{Stretch{.word = "crown"}, Stretch{.word = "shoulders"},
+                                     Stretch{.word = "sidewalls"}};
+    stretches[crown].cells = mesh.count("crown_cells", 1, most_columns, Need::required).value_or(1);
+    stretches[shoulders].cells = mesh.count("shoulder_cells", 0, most_columns, Need::required).value_or(0);
+    stretches[sidewalls].cells = mesh.count("sidewall_cells", 0, most_columns, Need::required).value_or(0);
+    stretches[shoulders].ratio = mesh.quantity("shoulder_ratio", ratio).value_or(1.0);
+    stretches[sidewalls].ratio = mesh.quantity("sidewall_ratio", ratio).value_or(1.0);
+    stretches[shoulders].length = shoulder;
+    stretches[crown].length = tread - (stretches[shoulders].cells > 0 ? 2.0 * shoulder : 0.0);
+    stretches[sidewalls].length = mesh.quantity("sidewall_length", wanted::length).value_or(0.0);
+    const int sectors = mesh.count("sectors", 1, physics::most_sectors).value_or(1);
+    std::vector<std::vector<Word>> zones;
+    mesh::Section section;
+    section.layers = read_stack(mesh, draft, &zones);
+    if (stretches[crown].length <= 0.0) {
+        mesh.mistake("shoulder_width", fmt::format("two shoulders of {:.6g} mm leave no crown of a tread of {:.6g} mm",
+                                                   shoulder * 1e3, tread * 1e3));
+    }
+    const bool has_stacks = fill_stacks(mesh, zones, stretches);
+    if (stretches[crown].length <= 0.0 || section.layers.empty() || !draft.has_tire || !has_stacks) {
+        return false;
+    }
+    section.meridian = profile(tire, crown_radius, stretches);
+    if (!is_sound(mesh, section, stretches)) {
+        return false;
+    }
+    warn_of_other_sizes(mesh, section, stretches, tire);
+    section.zones = zones_of(stretches);
+    draft.problem.mesh = build(section);
+    if (sectors > 1) {
+        draft.problem.mesh = mesh::ring(draft.problem.mesh, sectors);
+    }
+    return true;
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "input/text/mistake.hpp"
+#include "solver/problem.hpp"
+
+/// What a user writes: case files in TOML with units, logs in CSV, and what is wrong with them.
+namespace tiretherm::input {
+
+/// A case that has been read. There is a problem exactly when there is no mistake.
+struct Reading {
+    std::optional<solver::Problem> problem;
+    std::vector<Mistake> mistakes;      ///< all of the case and of its files, in the order of their places
+    std::vector<std::string> warnings;  ///< unusual but possible: "case.toml:12: ..."
+};
+
+/// Reads a case file with all that it includes and mentions. Never throws on account of what a user wrote.
+/// @errors std::runtime_error when the units' data base is not installed
+[[nodiscard]] Reading read_case(const std::filesystem::path& file);
+
+/// All mistakes and warnings of a reading as a compiler shows them, empty when there is none.
+[[nodiscard]] std::string render(const Reading& reading);
+
+}  // namespace tiretherm::input

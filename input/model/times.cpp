@@ -1,0 +1,62 @@
+#include <array>
+
+#include <fmt/format.h>
+
+#include "input/model/draft.hpp"
+#include "input/text/wanted.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+constexpr std::array<std::string_view, 2> methods{"tr_bdf2", "backward_euler"};
+constexpr std::array<std::string_view, 3> linear_solvers{"automatic", "cholesky", "conjugate_gradient"};
+constexpr double many_steps = 1e7;
+
+}  // namespace
+
+void read_times(Section& root, Draft& draft) {
+    solver::Settings& into = draft.problem.settings;
+    // A measured run lasts as long as its file, unless its own table says otherwise.
+    const bool of_file = draft.run && draft.run->last;
+    const bool own_start = of_file && draft.run->says("time", "start");
+    const bool own_end = of_file && draft.run->says("time", "end");
+    const bool implied = draft.logged_to || (draft.run && draft.run->has_file);
+    Section time = root.section("time", implied ? Need::optional : Need::required);
+    into.steady = time.flag("steady").value_or(false);
+    into.start = time.quantity("start", wanted::moment).value_or(draft.logged_from.value_or(0.0));
+    const auto end = time.quantity("end", wanted::moment, implied || into.steady ? Need::optional : Need::required);
+    into.end = end.value_or(draft.logged_to.value_or(into.start));
+    if (of_file) {
+        into.start = own_start ? into.start : *draft.run->first;
+        into.end = own_end ? into.end : *draft.run->last;
+    }
+    draft.problem.drive.start_at(into.start);
+    into.fixed_step = time.quantity("step", wanted::duration);
+    into.tolerance = time.quantity("tolerance", wanted::tolerance).value_or(into.tolerance);
+    into.output_interval = time.quantity("output", wanted::interval).value_or(into.output_interval);
+    into.field_interval = time.quantity("fields", wanted::interval).value_or(into.field_interval);
+    into.method = static_cast<solver::Method>(time.choice("method", methods).value_or(0));
+    into.linear_solver = static_cast<solver::LinearSolver>(time.choice("linear_solver", linear_solvers).value_or(0));
+
+    const double length = into.end - into.start;
+    if ((end || own_start) && !into.steady && !(length > 0.0)) {
+        time.mistake(of_file && !own_end ? "start" : "end",
+                     fmt::format("the run ends at {:.6g} s and starts at {:.6g} s", into.end, into.start),
+                     "let end be later than start");
+        return;
+    }
+    for (const auto& [key, interval] :
+         {std::pair("step", into.fixed_step.value_or(0.0)), std::pair("output", into.output_interval),
+          std::pair("fields", into.field_interval)}) {
+        if (interval > 0.0 && length / interval > many_steps) {
+            time.mistakes().warn(time.place(key),
+                                 fmt::format("{} divides the run into {:.2g} pieces", key, length / interval));
+        }
+    }
+    if (into.fixed_step && time.has("tolerance")) {
+        time.mistakes().warn(time.place("tolerance"), "tolerance has no effect: the step is fixed");
+    }
+}
+
+}  // namespace tiretherm::input

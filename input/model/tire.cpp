@@ -1,0 +1,190 @@
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <regex>
+
+#include <fmt/format.h>
+
+#include "input/model/draft.hpp"
+#include "input/model/law.hpp"
+#include "input/tire_property_file/tir_file.hpp"
+#include "input/text/wanted.hpp"
+#include "input/text/words.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+using physics::Tire;
+
+struct Key {
+    std::string_view key;
+    double Tire::*member;
+    Wanted wanted;
+};
+
+constexpr Wanted radius{.unit = "m", .low = 0.01, .high = 5.0, .usual_low = 0.1, .usual_high = 2.0};
+constexpr Wanted width{.unit = "m", .low = 0.005, .high = 3.0, .usual_low = 0.05, .usual_high = 1.0};
+
+constexpr std::array keys{
+    Key{"width", &Tire::width, width},
+    Key{"section_height", &Tire::section_height, width},
+    Key{"unloaded_radius", &Tire::unloaded_radius, radius},
+    Key{"tread_thickness", &Tire::tread_thickness, wanted::thickness},
+    Key{"sidewall_thickness", &Tire::sidewall_thickness, wanted::thickness},
+    Key{"density", &Tire::density, wanted::density},
+    Key{"minimum_load", &Tire::minimum_load, wanted::load},
+    Key{"contact_length_limit", &Tire::contact_length_limit, wanted::length},
+    Key{"contact_length_slope",
+        &Tire::contact_length_slope,
+        {.unit = "kN-1", .low = 0.0, .high = 100.0, .above = true}},
+    Key{"contact_area_at_zero", &Tire::contact_area_at_zero, {.unit = "m2", .low = 0.0, .high = 1.0}},
+    Key{"contact_area_slope", &Tire::contact_area_slope, {.unit = "m2 N-1", .low = 0.0, .high = 1e-3}},
+    Key{"loaded_radius_at_zero", &Tire::loaded_radius_at_zero, radius},
+    Key{"loaded_radius_slope", &Tire::loaded_radius_slope, {.unit = "m N-1", .low = -1e-3, .high = 0.0}},
+    Key{"rolling_radius_factor", &Tire::rolling_radius_factor, radius},
+    Key{"rolling_radius_exponent", &Tire::rolling_radius_exponent, {.unit = "1", .low = -1.0, .high = 1.0}},
+};
+
+/// A law of the load: its table, and the numbers that describe it otherwise.
+struct Law {
+    std::string_view table;
+    std::optional<physics::Curve> Tire::*member;
+    Wanted value;
+    std::string_view numbers;  ///< one of the keys above
+};
+
+const std::array laws{
+    Law{"contact_length", &Tire::contact_length_table, {.unit = "m", .low = 0.0, .high = 5.0}, "contact_length_limit"},
+    Law{"contact_area", &Tire::contact_area_table, {.unit = "m2", .low = 0.0, .high = 5.0}, "contact_area_slope"},
+    Law{"loaded_radius", &Tire::loaded_radius_table, radius, "loaded_radius_slope"},
+    Law{"rolling_radius", &Tire::rolling_radius_table, radius, "rolling_radius_factor"},
+};
+
+/// "225/50 R17": width in mm, aspect ratio in %, rim in inches; with or without what sidewalls add to it.
+void read_size(Section& tire, Tire& into) {
+    const std::optional<std::string> size = tire.text("size", Need::required);
+    if (!size) {
+        return;
+    }
+    static const std::regex pattern(
+        R"(\s*(?:P|LT|T)?\s*(\d{2,3})\s*/\s*(\d{2,3})\s*-?\s*(?:ZR|R|B|D|-)\s*(\d{2}(?:\.5)?)\s*C?(?:\s+.*)?)",
+        std::regex::icase);
+    std::smatch parts;
+    if (!std::regex_match(*size, parts, pattern)) {
+        tire.mistake("size", fmt::format("size is \"{}\", not the size of a tire", *size),
+                     "write width in mm / aspect ratio in %, R, rim in inches: \"225/50 R17\"");
+        return;
+    }
+    const double width_mm = std::stod(parts[1]);
+    const double aspect = std::stod(parts[2]);
+    const double rim = std::stod(parts[3]) * 0.0254;
+    if (width_mm < 20.0 || aspect < 15.0 || aspect > 110.0 || rim < 0.2) {
+        tire.mistake("size",
+                     fmt::format("size is \"{}\": {} mm wide, aspect ratio {} %, rim {} in", *size, width_mm, aspect,
+                                 parts[3].str()),
+                     "write width in mm / aspect ratio in %, R, rim in inches: \"225/50 R17\"");
+        return;
+    }
+    into.name = *size;
+    into.width = width_mm * 1e-3;
+    into.section_height = into.width * aspect * 1e-2;
+    into.unloaded_radius = 0.5 * rim + into.section_height;
+}
+
+/// The moduli of the cornering stiffness: [tire.modulus].
+void read_modulus(Section& tire, solver::Handling& into) {
+    Section section = tire.section("modulus");
+    constexpr Wanted modulus{.unit = "Pa", .low = 0.0, .high = 1e12, .above = true};
+    physics::EquivalentModulus& m = into.modulus;
+    const auto take = [&](std::string_view key, const Wanted& wanted, double& member) {
+        member = section.quantity(key, wanted).value_or(member);
+    };
+    take("belt_maximum", modulus, m.E_max);
+    take("belt_fall", modulus, m.dE);
+    take("belt_slope", {.unit = "m-1", .low = -1e4, .high = 1e4}, m.slope);
+    take("belt_threshold", wanted::length, m.l_t);
+    take("tread_middle", modulus, m.E_mid);
+    take("tread_fall", modulus, m.dE_T);
+    take("transition_temperature", wanted::temperature, m.T_g);
+    take("transition_width", {.unit = "K", .scale = Scale::difference, .low = 0.0, .high = 1e4, .above = true}, m.dT);
+    take("lambda_CP", {.unit = "1", .low = 0.0, .high = 10.0}, into.lambda_CP);
+    if (m.dE >= m.E_max) {
+        section.mistake("belt_fall", "the belt's modulus would fall to nothing", "let it be smaller than belt_maximum");
+    }
+    if (m.dE_T >= 2.0 * m.E_mid) {
+        section.mistake("tread_fall", "the tread's modulus would fall to nothing",
+                        "let it be smaller than twice tread_middle");
+    }
+}
+
+/// The Magic Formula's coefficients: property_file, beside the file that names it.
+void read_property_file(Section& tire, solver::Handling& into) {
+    if (const std::optional<std::string> path = tire.text("property_file")) {
+        const Place mentioned = tire.place("property_file");
+        const std::filesystem::path beside = std::filesystem::path(tire.mistakes().file(mentioned.file)).parent_path();
+        if (const auto file = read_tir_file((beside / *path).lexically_normal(), mentioned, tire.mistakes())) {
+            into.magic_formula = file->law;
+        }
+    }
+}
+
+void check(const Section& tire, const Tire& read, double nominal_radius) {
+    if (read.tread_thickness >= read.section_height) {
+        tire.mistake("tread_thickness", "the tread is thicker than the section is high");
+    }
+    if (2.0 * read.sidewall_thickness >= read.width) {
+        tire.mistake("sidewall_thickness", "two sidewalls are thicker than the tire is wide");
+    }
+    if (!read.loaded_radius_table && read.loaded_radius_at_zero > read.unloaded_radius * (1.0 + 1e-9)) {
+        tire.mistake("loaded_radius_at_zero", "the loaded radius at zero load is larger than the unloaded radius");
+    }
+    if (std::abs(read.unloaded_radius / nominal_radius - 1.0) > 0.05) {
+        tire.mistakes().warn(tire.place("unloaded_radius"),
+                             fmt::format("unloaded_radius is {:.1f} mm, but a {} has about {:.1f} mm",
+                                         read.unloaded_radius * 1e3, read.name, nominal_radius * 1e3));
+    }
+}
+
+}  // namespace
+
+void read_tire(Section& root, Draft& draft) {
+    Section tire = root.section("tire");
+    draft.has_tire = tire.exists();
+    if (!tire.exists()) {
+        return;
+    }
+    draft.has_tire_density = tire.has("density");
+    Tire& into = draft.problem.tire;
+    const std::size_t before = tire.mistakes().count();
+    read_size(tire, into);
+    const double nominal_radius = into.unloaded_radius;
+    for (const Key& key : keys) {
+        into.*key.member = tire.quantity(key.key, key.wanted).value_or(into.*key.member);
+    }
+    if (!tire.has("loaded_radius_at_zero")) {
+        into.loaded_radius_at_zero = into.unloaded_radius;
+    }
+    read_modulus(tire, draft.problem.handling);
+    read_property_file(tire, draft.problem.handling);
+    std::vector<std::string> borrowed;
+    for (const Law& law : laws) {
+        into.*law.member = read_curve(tire, law.table, wanted::load, law.value);
+        if (!tire.has(law.table) && !tire.has(law.numbers)) {
+            borrowed.emplace_back(law.table);
+        }
+    }
+    if (tire.mistakes().count() > before) {
+        return;
+    }
+    check(tire, into, nominal_radius);
+    const bool thesis_size = into.name.starts_with("225/50 R17") || into.name.starts_with("225/50R17");
+    if (!thesis_size && !borrowed.empty()) {
+        tire.mistakes().warn(tire.place(),
+                             fmt::format("{} of the {} taken from the thesis's 225/50 R17: give {}", listed(borrowed),
+                                         into.name + (borrowed.size() > 1 ? " are" : " is"),
+                                         borrowed.size() > 1 ? "its own laws" : "its own law"));
+    }
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,193 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "input/parameters/hot_spots.hpp"
+#include "input/measurements/runs.hpp"
+#include "input/parameters/study_key.hpp"
+#include "input/parameters/study_value.hpp"
+#include "input/text/wanted.hpp"
+#include "input/text/words.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+constexpr double zero_celsius = 273.15;
+
+/// The names of a key, each of which the mesh must have. @returns whether a name is meant; all are where none is given
+class Chosen {
+public:
+    Chosen(Section& section, std::string_view key, std::string_view plural, const std::vector<std::string>& known,
+           bool has_mesh) {
+        if (const Node* list = section.value(key);
+            list != nullptr && list->kind == Node::Kind::array && list->items.empty()) {
+            section.mistake(key, fmt::format("{} is an empty list", key), "name one, or leave the key out for all");
+            sound_ = false;
+        }
+        for (const Word& word : section.texts(key)) {
+            names_.push_back(word.text);
+            if (has_mesh && std::ranges::find(known, word.text) == known.end()) {
+                section.mistakes().add(word.place,
+                                       fmt::format("the mesh has no {} \"{}\"", singular(plural), word.text),
+                                       known.empty() ? fmt::format("this mesh has no {}: leave the key out", plural)
+                                                     : suggest(word.text, known, plural));
+                sound_ = false;
+            }
+        }
+    }
+    [[nodiscard]] bool means(const std::string& name) const {
+        return names_.empty() || std::ranges::find(names_, name) != names_.end();
+    }
+    [[nodiscard]] bool sound() const { return sound_; }
+    [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+
+private:
+    static std::string singular(std::string_view plural) { return std::string(plural.substr(0, plural.size() - 1)); }
+
+    std::vector<std::string> names_;
+    bool sound_ = true;
+};
+
+std::string part_in_words(const Chosen& layers, const Chosen& zones, const Chosen& materials) {
+    std::string text = listed(layers.names());
+    if (!materials.names().empty()) {
+        text += (text.empty() ? "" : " of ") + listed(materials.names());
+    }
+    if (!zones.names().empty()) {
+        text += (text.empty() ? "" : " in ") + listed(zones.names());
+    }
+    return text;
+}
+
+/// The reading that is held beside the hot spot: a sensor of a temperature, or the mean of the outer surface.
+void read_surface(Section& section, const solver::Problem& problem, bool has_mesh, solver::Critical& into) {
+    const std::optional<std::string> name = section.text("surface");
+    if (!has_mesh) {
+        return;
+    }
+    if (!name) {
+        const int region = problem.mesh.find_region("surface");
+        if (region >= 0) {
+            into.surface = problem.mesh.regions[static_cast<std::size_t>(region)].mean;
+            into.surface_name = "surface";
+        }
+        return;
+    }
+    const auto found = std::ranges::find(problem.channels, *name, &solver::Channel::name);
+    if (found == problem.channels.end() || found->quantity != solver::Quantity::temperature) {
+        section.mistake("surface", fmt::format("no sensor of a temperature is called \"{}\"", *name),
+                        suggest(*name, names_of(problem.channels), "sensors"));
+        return;
+    }
+    into.surface_name = *name;
+    into.channel = static_cast<int>(found - problem.channels.begin());
+}
+
+/// The hottest that the part is before anything heats it. K
+double hottest_surroundings(const solver::Problem& problem, const std::vector<int>& nodes) {
+    double hottest = problem.drive.at(problem.settings.start, solver::Limit::after).air_temperature;
+    for (const solver::Series& series : problem.drive.series()) {
+        if (series.signal->name == "air_temperature" && !series.value.empty()) {
+            hottest = std::max(hottest, *std::ranges::max_element(series.value));
+        }
+    }
+    for (const int node : nodes) {
+        if (const auto i = static_cast<std::size_t>(node); i < problem.initial.size()) {  // not after a mistake in it
+            hottest = std::max(hottest, problem.initial[i]);
+        }
+    }
+    return hottest;
+}
+
+solver::Critical read_one(Section& section, const solver::Problem& problem, bool has_mesh) {
+    const mesh::Mesh& mesh = problem.mesh;
+    solver::Critical critical;
+    critical.name = section.name("name", Need::required).value_or("");
+    const std::optional<double> temperature = section.quantity("temperature", wanted::temperature, Need::required);
+    critical.temperature = temperature.value_or(0.0);
+    const Chosen layers(section, "layers", "layers", mesh.layers, has_mesh);
+    const Chosen zones(section, "zones", "zones", mesh.zones, has_mesh);
+    const Chosen materials(section, "materials", "materials", unique(names_of(problem.materials)), has_mesh);
+    critical.part = part_in_words(layers, zones, materials);
+    read_surface(section, problem, has_mesh, critical);
+    if (!has_mesh || !layers.sound() || !zones.sound() || !materials.sound() ||
+        problem.materials.size() != mesh.layers.size()) {
+        return critical;
+    }
+    for (int node = 0; node < mesh.n_nodes; ++node) {
+        const int layer = mesh.layer[static_cast<std::size_t>(node)];
+        const int zone = mesh.zone[static_cast<std::size_t>(node)];
+        if (layer >= 0 && layers.means(mesh.layers[static_cast<std::size_t>(layer)]) &&
+            materials.means(problem.materials[static_cast<std::size_t>(layer)].name) &&
+            (zones.names().empty() || (zone >= 0 && zones.means(mesh.zones[static_cast<std::size_t>(zone)])))) {
+            critical.nodes.push_back(node);
+        }
+    }
+    if (critical.nodes.empty()) {
+        section.mistake("", fmt::format("the mesh has nothing that is {}", critical.part),
+                        "name layers, materials and zones that meet");
+        return critical;
+    }
+    const double surroundings = hottest_surroundings(problem, critical.nodes);
+    if (temperature && *temperature <= surroundings) {
+        section.mistake("temperature",
+                        fmt::format("{:.6g} degC is passed before anything heats the tire: its start or its air is at "
+                                    "{:.6g} degC",
+                                    *temperature - zero_celsius, surroundings - zero_celsius),
+                        "give the temperature that the part can bear");
+    }
+    return critical;
+}
+
+}  // namespace
+
+std::vector<solver::Critical> read_critical(Section& root, const solver::Problem& problem, bool has_mesh) {
+    std::vector<solver::Critical> found;
+    root.each("critical", [&](Section& section) {
+        solver::Critical critical = read_one(section, problem, has_mesh);
+        if (std::ranges::find(found, critical.name, &solver::Critical::name) != found.end() && !critical.name.empty()) {
+            section.mistake("name", fmt::format("a second critical temperature is called \"{}\"", critical.name),
+                            "rename one");
+        }
+        found.push_back(std::move(critical));
+    });
+    return found;
+}
+
+std::vector<UncertainKey> read_uncertain(Section& root) {
+    std::vector<UncertainKey> found;
+    root.each("uncertain", [&](Section& section) {
+        const std::optional<std::string> key = section.text("key", Need::required);
+        const std::optional<Measure> deviation = read_measure(section, "standard_deviation", Need::required);
+        const Node* value = key ? find_at(root.table(), {*key, section.place("key")}) : nullptr;
+        const StudyValue shown_value = value != nullptr ? study_value(*value) : StudyValue{};
+        if (key && (value == nullptr || !std::isfinite(shown_value.number))) {
+            section.mistake("key",
+                            value == nullptr ? fmt::format("the case says nothing at \"{}\"", *key)
+                                             : fmt::format("\"{}\" is {}, not a number", *key, shown(*value)),
+                            "name a value that the case gives, such as \"drive.air_temperature\"");
+            return;
+        }
+        if (!key || !deviation) {
+            return;
+        }
+        UncertainKey uncertain{.key = {*key, section.place("key")},
+                               .value = *value,
+                               .number = shown_value.number,
+                               .unit = unit_of(*value)};
+        const auto in = in_unit(*deviation, uncertain.unit, true, "standard_deviation", section.mistakes());
+        uncertain.standard_deviation = in.value_or(1.0);
+        if (!(uncertain.standard_deviation > 0.0)) {
+            section.mistake("standard_deviation", "a standard deviation is positive", "give one above 0");
+        }
+        if (std::ranges::any_of(found, [&](const UncertainKey& other) { return other.key.text == *key; })) {
+            section.mistake("key", fmt::format("\"{}\" is uncertain twice", *key), "remove one");
+        }
+        found.push_back(std::move(uncertain));
+    });
+    return found;
+}
+
+}  // namespace tiretherm::input

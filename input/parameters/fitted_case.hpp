@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "solver/sensitivity/adjustable.hpp"
+#include "solver/own_effect.hpp"
+
+namespace tiretherm::input {
+
+/// A measured run that a case was fitted to.
+struct FittedRun {
+    std::string name;
+    const solver::Problem* problem = nullptr;  ///< with the fitted values
+    std::filesystem::path file{};              ///< of its measured values, where it was given beside the case
+};
+
+/// A case and what a fit has made of it.
+struct FittedCase {
+    std::filesystem::path original;                  ///< the case's file
+    const solver::Problem* before = nullptr;         ///< the case as it is
+    const solver::Problem* fitted = nullptr;         ///< with the fitted values, and with effects that were switched on
+    std::span<const solver::Adjustable> parameters;  ///< that were fitted
+    std::vector<FittedRun> runs;         ///< in the order of Adjustable::run; may be empty for the case's own
+    std::vector<std::string> remarks{};  ///< lines to stand at the top
+    /// Effects of the user's own that `fitted` has and `before` lacks: what they follow stands nowhere else.
+    std::vector<solver::OwnEffect> own{};
+};
+
+/// The case with its fitted values as a TOML text: it includes the original and lays over it what has changed, each
+/// number with all its digits, so that reading it gives the fitted problem again.
+/// @param folder where the text will stand: paths in it are relative to there
+[[nodiscard]] std::string fitted_case(const FittedCase& fitted, const std::filesystem::path& folder);
+
+/// Writes it to a file.
+/// @errors std::system_error with the path and the reason
+void write_fitted_case(const FittedCase& fitted, const std::filesystem::path& file);
+
+}  // namespace tiretherm::input

@@ -1,0 +1,75 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "input/parameters/parameter_kinds.hpp"
+#include "input/text/words.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+/// A shift of temperatures; bounds are for the user to give.
+constexpr Wanted shift{.unit = "K", .scale = Scale::difference, .low = -1000.0, .high = 1000.0};
+
+/// Nodes that a word names: all of them, those of a layer with its surfaces, or one such as the gas.
+std::vector<int> nodes_of(const mesh::Mesh& mesh, const std::string& word) {
+    std::vector<int> nodes;
+    const int layer = mesh.find_layer(word);
+    const int appended = layer < 0 ? mesh.find_appended(word) : -1;
+    for (int node = 0; node < mesh.n_nodes; ++node) {
+        const bool in_layer = layer >= 0 && mesh.layer[static_cast<std::size_t>(node)] == layer;
+        if (word == "temperature" || in_layer || node == appended) {
+            nodes.push_back(node);
+        }
+    }
+    return nodes;
+}
+
+}  // namespace
+
+std::optional<Freed> free_initial(Section& parameter, const Draft& draft, const std::vector<std::string>& run_names) {
+    const std::size_t before = parameter.mistakes().count();
+    const std::vector<Word> words = parameter.texts("initial");
+    const mesh::Mesh& mesh = draft.problem.mesh;
+    Freed freed{.numbers = {}, .wanted = shift};
+    if (draft.problem.settings.steady) {
+        parameter.mistake("initial", "a steady state does not follow from where it starts",
+                          "remove this [[parameter]]");
+        return std::nullopt;
+    }
+    if (!draft.has_mesh) {
+        return std::nullopt;
+    }
+    std::vector<std::string> known{"temperature"};
+    known.insert(known.end(), mesh.layers.begin(), mesh.layers.end());
+    const std::vector<std::string> appended = names_of(mesh.appended);
+    known.insert(known.end(), appended.begin(), appended.end());
+    if (words.empty() && parameter.mistakes().count() == before) {
+        parameter.mistake("initial", "initial names nothing", "write initial = \"temperature\", which is all of it");
+    }
+    for (const Word& word : words) {
+        if (std::find(known.begin(), known.end(), word.text) == known.end()) {
+            parameter.mistakes().add(word.place, fmt::format("initial cannot be \"{}\"", word.text),
+                                     suggest(word.text, known, "temperatures at the start"));
+            return std::nullopt;
+        }
+        solver::Adjustable number;
+        number.name = "initial " + word.text;
+        number.unit = "K";
+        number.kind = solver::Adjustable::Kind::initial;
+        number.nodes = nodes_of(mesh, word.text);
+        for (std::size_t run = 0; run < run_names.size(); ++run) {
+            solver::Adjustable of_run = number;
+            of_run.name += ", run " + run_names[run];
+            of_run.run = static_cast<int>(run);
+            freed.numbers.push_back(std::move(of_run));
+        }
+        if (run_names.empty()) {
+            freed.numbers.push_back(std::move(number));
+        }
+    }
+    return freed.numbers.empty() ? std::nullopt : std::optional(std::move(freed));
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,283 @@
+#include "input/parameters/parameters.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "input/effects/own_effects.hpp"
+#include "input/parameters/parameter_kinds.hpp"
+#include "input/text/wanted.hpp"
+#include "input/text/words.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+using solver::Adjustable;
+
+bool is_law(const Adjustable& number) { return !number.knots.empty(); }
+
+/// Whether a value is beyond the bounds by more than rounding: a case may hold what a fit has left at one of them.
+bool is_below(double value, double low) { return value < low - 1e-9 * std::abs(value); }
+bool is_above(double value, double high) { return value > high + 1e-9 * std::abs(value); }
+
+/// Values as messages show them: "0.29 W m-1 K-1".
+std::string shown(double value, std::string_view unit) {
+    return unit == "1" ? fmt::format("{:.6g}", value) : fmt::format("{:.6g} {}", value, unit);
+}
+
+/// The key `expected`: one value, or of a law that is free at several temperatures one for each of them.
+void read_expected(Section& section, Freed& freed) {
+    std::vector<Adjustable>& numbers = freed.numbers;
+    if (!is_law(numbers.front()) || numbers.size() == 1) {
+        if (const auto value = section.quantity("expected", freed.wanted)) {
+            for (Adjustable& number : numbers) {
+                number.prior = *value;
+            }
+        }
+        return;
+    }
+    const std::vector<Word> words = section.texts("expected");
+    if (!section.has("expected")) {
+        return;
+    }
+    if (words.size() != numbers.size()) {
+        section.mistake("expected", fmt::format("expected has {} of {} values", words.size(), numbers.size()),
+                        "give one for each temperature of at, in their order");
+        return;
+    }
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const Judged judged = quantity(words[i].text, freed.wanted, "expected");
+        if (judged.fault) {
+            section.mistakes().add(words[i].place, *judged.fault);
+        } else {
+            numbers[i].prior = judged.value;
+        }
+    }
+}
+
+/// What is known of the numbers beforehand, and how far they may go.
+void read_prior(Section& section, const Draft& draft, Freed& freed) {
+    const Wanted deviation{.unit = freed.wanted.unit, .scale = Scale::difference, .low = 0.0, .above = true};
+    const auto sigma = section.quantity("standard_deviation", deviation);
+    const std::size_t before = section.mistakes().count();
+    std::vector<double> now;
+    for (Adjustable& number : freed.numbers) {
+        now.push_back(solver::value_of(draft.problem, number));
+        number.prior = now.back();
+    }
+    read_expected(section, freed);
+    const auto low = section.quantity("low", freed.wanted);
+    const auto high = section.quantity("high", freed.wanted);
+    const bool sound = section.mistakes().count() == before;
+    for (std::size_t i = 0; i < freed.numbers.size(); ++i) {
+        Adjustable& number = freed.numbers[i];
+        if (is_law(number)) {  // bounds that the user did not ask for shall not stand in the way of what he expects
+            number.low *= std::min(1.0, number.prior / now[i]);
+            number.high *= std::max(1.0, number.prior / now[i]);
+        }
+        number.standard_deviation = sigma.value_or(number.standard_deviation);
+        number.low = low.value_or(number.low);
+        number.high = high.value_or(number.high);
+        if (!sound) {
+            continue;
+        }
+        const std::string bounds =
+            fmt::format("{} to {}", shown(number.low, number.unit), shown(number.high, number.unit));
+        if (number.low >= number.high) {
+            section.mistake(high ? "high" : "low", fmt::format("the bounds are {}: they leave no room", bounds),
+                            "let low be smaller than high");
+            return;
+        }
+        const auto complain = [&](std::string_view key, std::string_view whose, double value) {
+            section.mistake(
+                key, fmt::format("{}, {}, lies outside of the bounds, {}", whose, shown(value, number.unit), bounds),
+                key == "expected" ? "widen the bounds" : "widen the bounds, or change the case's value");
+        };
+        if (is_below(number.prior, number.low) || is_above(number.prior, number.high)) {
+            const std::string_view bound = low && is_below(number.prior, number.low) ? "low" : "high";
+            const bool given = section.has("expected");
+            complain(given ? "expected" : bound, given ? "what is expected" : "the case's value", number.prior);
+            return;
+        }
+        if (is_below(now[i], number.low) || is_above(now[i], number.high)) {
+            complain(low && is_below(now[i], number.low) ? "low" : "high", "the case's value", now[i]);
+            return;
+        }
+        number.prior = std::clamp(number.prior, number.low, number.high);
+    }
+}
+
+bool meet(const std::vector<int>& a, const std::vector<int>& b) {
+    return std::any_of(a.begin(), a.end(), [&](int i) { return std::find(b.begin(), b.end(), i) != b.end(); });
+}
+
+/// Whether two entries move the same number, or numbers that lie in each other.
+bool same(const Adjustable& a, const Adjustable& b) {
+    if (a.kind != b.kind) {
+        return false;
+    }
+    switch (a.kind) {
+        case Adjustable::Kind::effect:
+            return a.effect == b.effect && a.parameter == b.parameter && a.everywhere == b.everywhere &&
+                   (a.everywhere || (a.scope == b.scope && a.place == b.place));
+        case Adjustable::Kind::conductivity:
+        case Adjustable::Kind::heat_capacity:
+            return meet(a.layers, b.layers);
+        case Adjustable::Kind::link_conductivity:
+            return true;
+        case Adjustable::Kind::initial:
+            return a.run == b.run && meet(a.nodes, b.nodes);
+    }
+    return false;
+}
+
+/// Whether a number is free everywhere and again at a place that has no value of its own.
+bool follows(const Draft& draft, const Adjustable& everywhere, const Adjustable& here) {
+    if (everywhere.kind != Adjustable::Kind::effect || here.kind != Adjustable::Kind::effect ||
+        everywhere.effect != here.effect || everywhere.parameter != here.parameter || !everywhere.everywhere ||
+        here.everywhere) {
+        return false;
+    }
+    const auto& own = draft.problem.effects[here.effect].overrides;
+    return std::none_of(own.begin(), own.end(), [&](const auto& value) {
+        return value.scope == here.scope && value.index == here.place && value.parameter == here.parameter;
+    });
+}
+
+std::string_view word_of(physics::Scope scope) {
+    constexpr std::array<std::string_view, 4> words{"patch", "layer", "zone", "channel"};
+    return words[static_cast<std::size_t>(scope)];
+}
+
+/// Adds the numbers of an entry, unless one of them is free already.
+/// @param places of the entries that freed those before
+void add(const Section& section, const Draft& draft, const Freed& freed, std::vector<Place>& places,
+         std::vector<Adjustable>& into) {
+    const std::size_t before = into.size();
+    const auto refuse = [&](std::string what, std::string remedy) {
+        section.mistakes().add(section.place(), std::move(what), std::move(remedy));
+    };
+    for (const Adjustable& number : freed.numbers) {
+        // The values of one law at its temperatures are told apart by its knots.
+        for (std::size_t i = 0; i < (is_law(number) ? before : into.size()); ++i) {
+            const Adjustable& other = into[i];
+            const std::string where =
+                i < before ? ", at " + section.mistakes().spell(places[i]) : " in this [[parameter]]";
+            if (same(number, other)) {
+                const bool alike = number.name == other.name;
+                refuse(fmt::format("{} is free already{}{}", number.name, alike ? "" : " with " + other.name, where),
+                       is_law(number) ? "name all temperatures of a law in one [[parameter]]" : "remove one");
+                return;
+            }
+            const bool general = follows(draft, number, other);
+            if (general || follows(draft, other, number)) {
+                const Adjustable& here = general ? other : number;
+                const physics::ActiveEffect& active = draft.problem.effects[here.effect];
+                refuse(
+                    fmt::format("{} follows {}: both are free{}", here.name, general ? number.name : other.name, where),
+                    fmt::format("give the place a value of its own, {}_by_{} in [effects.{}], or free one of them",
+                                active.effect->parameters[here.parameter].key, word_of(here.scope), active.title()));
+                return;
+            }
+        }
+        into.push_back(number);
+        places.push_back(section.place());
+    }
+}
+
+/// The one of these keys that says what is free, or a mistake.
+std::string_view read_subject(const Section& section) {
+    constexpr std::array<std::string_view, 7> subjects{"effect",   "source", "exchange", "material",
+                                                       "camera",   "link",   "initial"};
+    std::string_view found;
+    for (const std::string_view subject : subjects) {
+        if (!section.has(subject)) {
+            continue;
+        }
+        if (!found.empty()) {
+            section.mistake(subject, fmt::format("both {} and {} are given", found, subject),
+                            "keep one of them: a [[parameter]] for each");
+            return {};
+        }
+        found = subject;
+    }
+    if (found.empty()) {
+        section.mistakes().add(
+            section.place(), "[[parameter]] does not say what is free",
+            "add effect = \"...\", source = \"...\", material = \"...\", link = \"conductivity\" or initial = "
+            "\"temperature\"");
+    }
+    return found;
+}
+
+}  // namespace
+
+void read_parameters(Section& root, const Draft& draft, const std::vector<std::string>& run_names,
+                     std::vector<Adjustable>& into) {
+    std::vector<Place> places;
+    root.each("parameter", [&](Section& section) {
+        section.know({"expected", "standard_deviation", "low", "high"});
+        const std::string_view subject = read_subject(section);
+        std::optional<Freed> freed;
+        if (subject == "effect") {
+            freed = free_effect(section, draft, root.table());
+        } else if (subject == "source") {
+            freed = free_own(section, draft, root.table(), own_source);
+        } else if (subject == "exchange") {
+            freed = free_own(section, draft, root.table(), own_exchange);
+        } else if (subject == "camera") {
+            freed = free_camera(section, draft, root.table());
+        } else if (subject == "material") {
+            freed = free_law(section, draft);
+        } else if (subject == "link") {
+            freed = free_link(section, draft);
+        } else if (subject == "initial") {
+            freed = free_initial(section, draft, run_names);
+        } else {
+            section.forgive();
+        }
+        if (freed) {
+            read_prior(section, draft, *freed);
+            add(section, draft, *freed, places, into);
+        }
+    });
+}
+
+void read_identify(Section& root, Experiment& into) {
+    constexpr std::array<std::string_view, 2> models{"correlated", "white"};
+    Section section = root.section("identify");
+    if (const auto noise = section.choice("noise", models)) {
+        into.noise = models[*noise];
+    }
+    into.robust = section.flag("robust").value_or(into.robust);
+}
+
+void read_diagnose(Section& root, const solver::Problem& problem, Experiment& into) {
+    Section section = root.section("diagnose");
+    std::vector<std::string> known;
+    for (const physics::Effect* effect : physics::catalogue()) {
+        known.emplace_back(effect->id);
+        const bool is_on =
+            std::ranges::find(problem.effects, effect, &physics::ActiveEffect::effect) != problem.effects.end();
+        for (const physics::Parameter& parameter : effect->parameters) {
+            if (is_on || !std::isnan(parameter.absent)) {
+                known.push_back(fmt::format("{}.{}", effect->id, parameter.key));
+            }
+        }
+    }
+    for (const Word& word : section.texts("candidates")) {
+        if (std::ranges::find(known, word.text) == known.end()) {
+            root.mistakes().add(
+                word.place,
+                fmt::format("there is no effect \"{}\" that may be missing or have a wrong number", word.text),
+                suggest(word.text, known, "effects"));
+        } else {
+            into.candidates.push_back(word.text);
+        }
+    }
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "input/text/section.hpp"
+
+namespace tiretherm::input {
+
+/// A number and its unit as a study has them: what the quantity is, only the case that it goes into can tell.
+struct Measure {
+    double number = 0.0;
+    std::string unit;    ///< as written; empty for a pure number
+    bool whole = false;  ///< written as a whole number without a unit
+    Place place;
+};
+
+/// A number of a study. @returns nothing after a mistake, or where the key is absent
+[[nodiscard]] std::optional<Measure> read_measure(Section& section, std::string_view key, Need need);
+
+/// The number of `measure` in another unit. @param difference of two values: no offset of a scale
+/// @returns nothing after a mistake: another dimension
+[[nodiscard]] std::optional<double> in_unit(const Measure& measure, const std::string& unit, bool difference,
+                                            std::string_view name, Mistakes& mistakes);
+
+/// A value to be written into a case, and its number as the study shows it.
+struct StudyValue {
+    Node node;
+    std::string text;     ///< "80 km/h", "0.6", "mechanistic"
+    double number = 0.0;  ///< in the unit of its quantity; NaN for a word
+};
+
+/// A number with its unit as a case has it. Nine digits, so that the shown value is the one that is run.
+[[nodiscard]] StudyValue study_value(double number, const std::string& unit, bool whole, const Place& place);
+
+/// A value as it is written.
+[[nodiscard]] StudyValue study_value(const Node& node);
+
+/// Whether a text is a unit, or empty.
+[[nodiscard]] bool is_unit(const std::string& text);
+
+/// The unit of a value as written; empty for a pure number and for a word.
+[[nodiscard]] std::string unit_of(const Node& node);
+
+}  // namespace tiretherm::input

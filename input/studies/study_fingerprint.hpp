@@ -1,0 +1,26 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "input/text/document.hpp"
+
+namespace tiretherm::input {
+
+/// What a run is made from, in sixteen digits: two runs of equal fingerprints have equal results.
+class Fingerprints {
+public:
+    /// Over all that a case says, without its title, sources and measured numbers, and the content of the files that it
+    /// names. Comments, layout and the division into included files do not count.
+    /// @param document merged  @param mistakes knows the names of its files
+    [[nodiscard]] std::string of(const Node& document, const Mistakes& mistakes);
+
+private:
+    /// Of a file's content; empty where no file is called that.
+    const std::string& of_file(const std::string& path);
+    void spell(const Node& node, const Mistakes& mistakes, std::string& into);
+
+    std::map<std::string, std::string> files_;
+};
+
+}  // namespace tiretherm::input

@@ -1,0 +1,90 @@
+#include "input/tables/column_reader.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "input/text/words.hpp"
+
+namespace tiretherm::input {
+
+ColumnReader::ColumnReader(const Head& head, const ColumnRequest& request, Mistakes& mistakes)
+    : request_(&request), complaints_(mistakes), unit_(head.heading.unit.value_or("")) {
+    if (request.purpose == Purpose::unused) {
+        return;
+    }
+    UnitRead read = read_heading_unit(head.heading, request.wanted);
+    conversion_ = read.conversion;
+    has_unit_ = !read.fault;
+    if (read.fault) {
+        if (!request.unit_remedy.empty()) {
+            read.fault->remedy = request.unit_remedy;
+        }
+        mistakes.add(head.unit_place.file >= 0 ? head.unit_place : head.place, *read.fault);
+    }
+}
+
+bool ColumnReader::accept(std::string_view field, const std::optional<Number>& number) {
+    const bool whole = number && number->rest.empty();
+    const double value = whole ? conversion_.to_si(number->value) : std::nan("");
+    values.push_back(value);
+    switch (request_->purpose) {
+        case Purpose::unused:
+            return true;
+        case Purpose::measured:
+            if (field.empty() || (whole && std::isnan(number->value))) {
+                return true;
+            }
+            break;
+        case Purpose::clock:
+        case Purpose::frame:
+        case Purpose::point:
+        case Purpose::input:
+            break;
+    }
+    const bool inside = value >= request_->wanted.low && value <= request_->wanted.high && std::isfinite(value);
+    const bool late = (request_->purpose != Purpose::clock || value > last_) &&
+                      (request_->purpose != Purpose::frame || value >= last_);
+    return whole && (!has_unit_ || (inside && late));
+}
+
+void ColumnReader::remember() { last_ = std::isfinite(values.back()) ? values.back() : last_; }
+
+Fault ColumnReader::fault(std::string_view field, const std::optional<Number>& number) const {
+    const std::string& name = request_->name;
+    const bool clock = request_->purpose == Purpose::clock;
+    const bool may_miss = request_->purpose == Purpose::measured;
+    if (field.empty() || (number && number->rest.empty() && std::isnan(number->value))) {
+        if (request_->purpose == Purpose::point || request_->purpose == Purpose::frame) {
+            return {fmt::format("{} is missing", name), "give every point of every frame a value, 0 where nothing is"};
+        }
+        return {fmt::format("{} is missing", name),
+                clock ? "remove the line" : "remove the line: between samples an input is interpolated"};
+    }
+    if (number && number->rest.starts_with(',')) {
+        return {fmt::format("{} is {}, with a decimal comma", name, field), "export the file with decimal points"};
+    }
+    const std::string empty_it = may_miss ? "leave the field empty where nothing was measured" : "";
+    if (!number || !number->rest.empty()) {
+        return {fmt::format("{} is \"{}\"; a number is wanted", name, field), empty_it};
+    }
+    const std::string shown = unit_.empty() || unit_ == "-" ? std::string(field) : fmt::format("{} {}", field, unit_);
+    if (Judged judged = judge(number->value, conversion_, unit_, request_->wanted, name, shown); judged.fault) {
+        if (may_miss && (judged.fault->remedy.empty() || !std::isfinite(number->value))) {
+            const double turned = conversion_.to_si(-number->value);
+            const bool other_sign = turned >= request_->wanted.low && turned <= request_->wanted.high;
+            judged.fault->remedy = other_sign && request_->wanted.low == 0.0 && request_->wanted.unit != "K"
+                                       ? "turn the sign of the column, or " + empty_it
+                                       : empty_it;
+        }
+        return *judged.fault;
+    }
+    return conversion_.to_si(number->value) == last_ && clock
+               ? Fault{fmt::format("{} stands still at {}", name, shown), "remove one of the lines"}
+               : Fault{fmt::format("{} goes backwards to {}", name, shown),
+                       request_->purpose == Purpose::frame
+                           ? "write the frames in ascending order, each with all its points"
+                           : "sort the lines, or split the file where its clock was set"};
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "input/tables/columns.hpp"
+#include "input/text/complaints.hpp"
+
+namespace tiretherm::input {
+
+/// The head of a column of a file, and where it stands.
+struct Head {
+    Heading heading;
+    Place place;
+    Place unit_place{};  ///< of the unit, where it stands on its own; file -1: within `place`
+};
+
+/// What a column of a file is read for.
+enum class Purpose : std::uint8_t {
+    clock,     ///< ascending
+    frame,     ///< not descending: alike for all points of a frame
+    point,     ///< every point counts, with a value of its own
+    input,     ///< every sample counts
+    measured,  ///< an empty field or nan is a missing value, NaN
+    unused     ///< as written; what is no number is NaN
+};
+
+/// Which column of a file to read, and what its values must be.
+struct ColumnRequest {
+    int column = 0;
+    std::string name;  ///< what messages call it
+    Wanted wanted;
+    Purpose purpose = Purpose::input;
+    std::string_view
+        unit_remedy{};  ///< what to do about a unit that is missing or wrong; empty: to write it into the heading
+};
+
+/// One column being read: turns its fields into SI values and complains about those that are wrong.
+class ColumnReader {
+public:
+    /// @param request must outlive the reader
+    ColumnReader(const Head& head, const ColumnRequest& request, Mistakes& mistakes);
+
+    /// Where a field stands.
+    struct Spot {
+        Place place;
+        std::string aside{};  ///< ends the sentence of a file that has no lines
+    };
+    /// Takes the next field. @param where gives its Spot; asked only for a field that is wrong
+    template <typename Where>
+    void take(std::string_view field, const Where& where) {
+        const std::optional<Number> number = leading_number(field);
+        if (!accept(field, number)) {
+            Fault wrong = fault(field, number);
+            const Spot spot = where();
+            wrong.what += spot.aside;
+            complaints_.add(spot.place, std::move(wrong));
+        }
+        remember();
+    }
+    /// Reports how many more complaints there were.
+    void close() { complaints_.close(request_->name); }
+
+    std::vector<double> values;  ///< SI
+
+private:
+    /// Appends the value. @returns false for a wrong one
+    bool accept(std::string_view field, const std::optional<Number>& number);
+    [[nodiscard]] Fault fault(std::string_view field, const std::optional<Number>& number) const;
+    void remember();
+
+    const ColumnRequest* request_;
+    Complaints complaints_;
+    std::string unit_;
+    Conversion conversion_;
+    bool has_unit_ = false;
+    double last_ = -std::numeric_limits<double>::infinity();
+};
+
+}  // namespace tiretherm::input

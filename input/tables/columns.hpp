@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "input/text/section.hpp"
+
+namespace tiretherm::input {
+
+/// The head of a column, `name [unit]`. Without brackets the unit is missing, with empty ones it is 1.
+struct Heading {
+    std::string name;
+    std::optional<std::string> unit;
+};
+[[nodiscard]] Heading read_heading(std::string_view text);
+
+/// One column of a table in a case: { columns = ["load [N]", "length [mm]"], rows = [[0, 0], [4000, 97]] }.
+struct Column {
+    Heading heading;
+    Place place;  ///< of the heading
+    std::vector<const Node*> cells;
+};
+
+/// The columns of a section's keys `columns` and `rows`; none after a mistake.
+[[nodiscard]] std::vector<Column> read_columns(Section& section);
+
+/// How a heading's numbers become values, or what is wrong with its unit.
+[[nodiscard]] UnitRead read_heading_unit(const Heading& heading, const Wanted& wanted);
+
+/// The numbers of a column; as many as cells, or none after a mistake.
+[[nodiscard]] std::vector<double> read_numbers(const Column& column, const Wanted& wanted, Mistakes& mistakes);
+
+}  // namespace tiretherm::input

@@ -1,0 +1,148 @@
+#include "input/tables/csv.hpp"
+
+#include <algorithm>
+
+#include "input/text/words.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+std::string_view unquoted(std::string_view field) {
+    field = trim(field);
+    return field.size() > 1 && field.front() == '"' && field.back() == '"' ? trim(field.substr(1, field.size() - 2))
+                                                                           : field;
+}
+
+/// Where the first field of a line ends. A quote that is not closed before a separator is a character like any other.
+std::size_t end_of_field(std::string_view line, char separator) {
+    const std::size_t first = line.find_first_not_of(" \t");
+    if (first != std::string_view::npos && line[first] == '"') {
+        const std::size_t closing = line.find('"', first + 1);
+        const std::size_t after =
+            closing == std::string_view::npos ? closing : line.find_first_not_of(' ', closing + 1);
+        if (closing != std::string_view::npos && (after == std::string_view::npos || line[after] == separator)) {
+            return std::min(after, line.size());
+        }
+    }
+    return std::min(line.find(separator), line.size());
+}
+
+int count_characters(std::string_view text) { return static_cast<int>(split_characters(text).size()); }
+
+}  // namespace
+
+char separator_of(std::string_view headings) {
+    for (const char candidate : {'\t', ';'}) {
+        if (headings.find(candidate) != std::string_view::npos) {
+            return candidate;
+        }
+    }
+    return ',';
+}
+
+std::optional<std::string_view> next_line(std::string_view& text) {
+    if (text.empty()) {
+        return std::nullopt;
+    }
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.ends_with('\r')) {
+        line.remove_suffix(1);
+    }
+    return line;
+}
+
+Csv::Line next_filled_line(std::string_view& text, int last) {
+    for (int number = last + 1; const auto line = next_line(text); ++number) {
+        if (!trim(*line).empty()) {
+            return {*line, number};
+        }
+    }
+    return {};
+}
+
+void split_fields(std::string_view line, char separator, std::vector<std::string_view>& fields) {
+    fields.clear();
+    while (true) {
+        const std::size_t end = end_of_field(line, separator);
+        fields.push_back(unquoted(line.substr(0, end)));
+        if (end == line.size()) {
+            return;
+        }
+        line.remove_prefix(end + 1);
+    }
+}
+
+Place Csv::place(const Line& line, std::string_view field) const {
+    const std::string_view before = line.text.substr(0, static_cast<std::size_t>(field.data() - line.text.data()));
+    return {.file = file_,
+            .line = line.number,
+            .column = count_characters(before) + 1,
+            .length = std::max(1, count_characters(field))};
+}
+
+void Csv::read_heads(const Line& names, const Line& units) {
+    std::vector<std::string_view> fields;
+    split_fields(names.text, separator_, fields);
+    for (const std::string_view field : fields) {
+        heads_.push_back({.heading = read_heading(field), .place = place(names, field)});
+    }
+    if (units.number == 0) {
+        return;
+    }
+    split_fields(units.text, separator_, fields);
+    for (std::size_t i = 0; i < std::min(fields.size(), heads_.size()); ++i) {
+        Head& head = heads_[i];
+        // An empty unit in a line of units is as good as none: the pure numbers of loggers are mostly unknown units.
+        if (!head.heading.unit && !fields[i].empty()) {
+            const Heading bracketed = read_heading(fields[i]);
+            head.heading.unit = bracketed.name.empty() && bracketed.unit ? *bracketed.unit : std::string(fields[i]);
+            head.unit_place = place(units, fields[i]);
+        }
+    }
+}
+
+std::optional<Csv> Csv::open(const TextFile& file, Mistakes& mistakes) {
+    Csv csv;
+    csv.file_ = file.number;
+    std::string_view text = file.text;
+    if (text.starts_with("\xEF\xBB\xBF")) {
+        text.remove_prefix(3);
+    }
+    const HeadLines lines = find_head_lines(text);
+    csv.body_ = lines.body;
+    csv.first_line_ = std::max(lines.names.number, lines.units.number) + 1;
+    csv.separator_ = separator_of(lines.names.text);
+    csv.read_heads(lines.names, lines.units);
+    if (leading_number(csv.heads_.front().heading.name)) {
+        mistakes.add(csv.heads_.front().place, "the first line holds numbers; it must name the columns",
+                     "write a first line such as time [s],speed [km/h]");
+        return std::nullopt;
+    }
+    return csv;
+}
+
+Place Csv::row(std::size_t index) const {
+    std::string_view rest = body_;
+    Line line{{}, first_line_ - 1};
+    for (std::size_t i = 0; i <= index; ++i) {
+        // Blank lines count as lines and not as rows.
+        for (auto text = next_line(rest); text; text = next_line(rest)) {
+            line = {*text, line.number + 1};
+            if (!trim(line.text).empty()) {
+                break;
+            }
+        }
+    }
+    return place(line, line.text);
+}
+
+int Csv::find(std::string_view name) const {
+    const auto found =
+        std::find_if(heads_.begin(), heads_.end(), [&](const Head& head) { return head.heading.name == name; });
+    return found == heads_.end() ? -1 : static_cast<int>(found - heads_.begin());
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "input/tables/column_reader.hpp"
+#include "input/text/document.hpp"
+
+namespace tiretherm::input {
+
+/// A logger's file: headings `name [unit]` in one line, or names in one line and units in the next, then numbers,
+/// separated by commas, semicolons or tabs. Lines about the recording may stand above the headings. A byte order mark,
+/// carriage returns, quotes round a field and blank lines are accepted; decimal commas are not.
+/// Keeps no text of its own: the file must outlive it.
+class Csv {
+public:
+    /// Reads the headings; nothing after a mistake.
+    [[nodiscard]] static std::optional<Csv> open(const TextFile& file, Mistakes& mistakes);
+
+    [[nodiscard]] const std::vector<Head>& heads() const { return heads_; }
+    [[nodiscard]] std::vector<Head>& heads() { return heads_; }
+    [[nodiscard]] int find(std::string_view name) const;  ///< index of a heading, -1 when absent
+
+    /// @returns the values of each request, all of one length; none after a mistake
+    [[nodiscard]] std::vector<std::vector<double>> read(const std::vector<ColumnRequest>& requests,
+                                                        Mistakes& mistakes) const;
+
+    /// Where a row of values stands; the first is 0.
+    [[nodiscard]] Place row(std::size_t index) const;
+
+    /// A line of the file, without its end.
+    struct Line {
+        std::string_view text;
+        int number = 0;
+    };
+    [[nodiscard]] Place place(const Line& line, std::string_view field) const;
+    [[nodiscard]] bool has_commas() const { return separator_ == ','; }
+
+private:
+    void read_heads(const Line& names, const Line& units);
+
+    std::string_view body_;  ///< the lines after the headings
+    int first_line_ = 0;
+    int file_ = -1;
+    char separator_ = ',';
+    std::vector<Head> heads_;
+};
+
+/// Takes the next line off a text; nothing at its end.
+[[nodiscard]] std::optional<std::string_view> next_line(std::string_view& text);
+/// The next line that is not blank, which is counted on from `last`; without number at the end of the text.
+[[nodiscard]] Csv::Line next_filled_line(std::string_view& text, int last);
+/// Splits a line at the separators; quotes and blanks round a field are taken off. Within quotes nothing separates.
+void split_fields(std::string_view line, char separator, std::vector<std::string_view>& fields);
+/// Which separator a line of headings uses; a comma when there is only one heading.
+[[nodiscard]] char separator_of(std::string_view headings);
+
+/// The line that names the columns, and the line of their units where there is one.
+struct HeadLines {
+    Csv::Line names;
+    Csv::Line units;        ///< without number: none
+    std::string_view body;  ///< what follows
+};
+/// Headings with a unit in brackets stand in the first line. Otherwise it is the first line of names that a line of as
+/// many numbers follows, or one of as many units and then one of numbers. Where there is none: the first line.
+[[nodiscard]] HeadLines find_head_lines(std::string_view text);
+
+}  // namespace tiretherm::input

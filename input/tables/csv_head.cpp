@@ -1,0 +1,95 @@
+#include <algorithm>
+#include <deque>
+
+#include "input/tables/csv.hpp"
+#include "input/text/words.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+constexpr int searched = 500;  // lines; no logger writes more about itself
+
+/// What the fields of a line are.
+struct Fields {
+    std::size_t all = 0;  ///< without an empty one after a last separator
+    std::size_t numbers = 0;
+    std::size_t ones = 0;  ///< numbers that are 1, which is also a unit
+    std::size_t texts = 0;
+
+    [[nodiscard]] bool are_names() const { return all >= 2 && texts >= 2 && numbers == 0; }
+    [[nodiscard]] bool are_units() const { return texts >= 1 && numbers == ones; }
+    [[nodiscard]] bool are_data() const { return numbers >= 1; }
+};
+
+Fields count(std::string_view line, char separator) {
+    std::vector<std::string_view> fields;
+    split_fields(line, separator, fields);
+    if (fields.size() > 1 && fields.back().empty()) {
+        fields.pop_back();
+    }
+    Fields counted{.all = fields.size()};
+    for (const std::string_view field : fields) {
+        const std::optional<Number> number = leading_number(field);
+        if (number && (number->rest.empty() || number->rest.starts_with(','))) {
+            ++counted.numbers;
+            counted.ones += number->value == 1.0 && number->rest.empty() ? 1 : 0;
+        } else if (!field.empty()) {
+            ++counted.texts;
+        }
+    }
+    return counted;
+}
+
+bool has_unit(std::string_view line) {
+    std::vector<std::string_view> fields;
+    split_fields(line, separator_of(line), fields);
+    return std::any_of(fields.begin(), fields.end(), [](std::string_view field) {
+        const Heading heading = read_heading(field);
+        return !heading.name.empty() && heading.unit.has_value();
+    });
+}
+
+/// A line and what follows it.
+struct Step {
+    Csv::Line line;
+    std::string_view rest;
+};
+
+}  // namespace
+
+HeadLines find_head_lines(std::string_view text) {
+    std::deque<Step> next;
+    std::string_view rest = text;
+    const auto step = [&] {
+        const int last = next.empty() ? 0 : next.back().line.number;
+        const Csv::Line line = next_filled_line(rest, last);
+        next.push_back({line, rest});
+    };
+    step();
+    const HeadLines first{.names = next.front().line, .units = {}, .body = next.front().rest};
+    if (has_unit(first.names.text)) {
+        return first;
+    }
+    step();
+    step();
+    while (next[1].line.number > 0 && next[0].line.number <= searched) {
+        const char separator = separator_of(next[0].line.text);
+        const Fields names = count(next[0].line.text, separator);
+        const Fields second = count(next[1].line.text, separator);
+        if (names.are_names() && second.all == names.all) {
+            const Fields third = count(next[2].line.text, separator);
+            if (second.are_units() && third.all == names.all && third.are_data() && !third.are_units()) {
+                return {.names = next[0].line, .units = next[1].line, .body = next[1].rest};
+            }
+            if (second.are_data() && !second.are_units()) {
+                return {.names = next[0].line, .units = {}, .body = next[0].rest};
+            }
+        }
+        next.pop_front();
+        next.back().line.number > 0 ? step() : next.push_back(next.back());
+    }
+    return first;
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <variant>
+
+#include "input/tables/csv.hpp"
+#include "input/tables/hdf5_columns.hpp"
+
+namespace tiretherm::input {
+
+/// A file of measured columns: HDF5 where its name ends in .h5 or .hdf5, otherwise CSV.
+class DataFile {
+public:
+    /// @param mentioned where the case names it; file -1 when it was given beside the case
+    /// @returns nothing after a mistake
+    [[nodiscard]] static std::optional<DataFile> open(const std::filesystem::path& path, const Place& mentioned,
+                                                      Mistakes& mistakes);
+
+    [[nodiscard]] const std::vector<Head>& heads() const;
+    [[nodiscard]] std::vector<Head>& heads();
+    [[nodiscard]] int number() const { return number_; }  ///< of the file in the mistakes
+    /// What to do about a column whose unit is missing or wrong.
+    [[nodiscard]] std::string unit_remedy(const Head& head, const Wanted& wanted) const;
+    /// Where a row of values stands; the first is 0.
+    [[nodiscard]] ColumnReader::Spot spot(std::size_t row) const;
+    [[nodiscard]] bool is_text() const { return std::holds_alternative<Csv>(columns_); }
+    /// @returns the values of each request, all of one length; none after a mistake
+    [[nodiscard]] std::vector<std::vector<double>> read(const std::vector<ColumnRequest>& requests,
+                                                        Mistakes& mistakes) const;
+
+private:
+    int number_ = -1;
+    std::unique_ptr<TextFile> text_;  ///< of a CSV, which keeps no text of its own
+    std::variant<Csv, Hdf5Columns> columns_;
+};
+
+}  // namespace tiretherm::input

@@ -1,0 +1,285 @@
+#include "input/tables/field_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "input/tables/field_columns.hpp"
+#include "input/text/words.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+using physics::FieldOf;
+
+constexpr double turn = 2.0 * std::numbers::pi;
+
+class FieldReader {
+public:
+    FieldReader(std::shared_ptr<const DataFile> file, FieldOf of, bool watts, bool along_meridian, Mistakes& mistakes)
+        : file_(std::move(file)), of_(of), watts_(watts), along_meridian_(along_meridian), mistakes_(&mistakes) {}
+
+    std::optional<FieldFile> read() {
+        const std::size_t before = mistakes_->count();
+        check_names();
+        request_places();
+        request_values();
+        if (mistakes_->count() != before) {
+            // What is in the columns that are there is looked at all the same.
+            static_cast<void>(file_->read(requests_, *mistakes_));
+            return std::nullopt;
+        }
+        values_ = file_->read(requests_, *mistakes_);
+        if (values_.empty()) {
+            return std::nullopt;
+        }
+        FieldFile field{.file = file_, .against = against_, .frames = {}};
+        split(field);
+        if (mistakes_->count() == before) {
+            check_sizes(field);
+            check_revolution(field);
+            check_cells();
+            check_areas(field);
+        }
+        return mistakes_->count() == before ? std::optional(std::move(field)) : std::nullopt;
+    }
+
+private:
+    [[nodiscard]] int find(std::string_view name) const {
+        const auto& heads = file_->heads();
+        const auto found = std::ranges::find_if(heads, [&](const Head& head) { return head.heading.name == name; });
+        return found == heads.end() ? -1 : static_cast<int>(found - heads.begin());
+    }
+    [[nodiscard]] bool has(std::string_view name) const { return find(name) >= 0; }
+    [[nodiscard]] Place top() const { return {.file = file_->number()}; }
+
+    void check_names() {
+        const std::vector<std::string> known = names_of(field_columns());
+        std::vector<std::string> seen;
+        for (const Head& head : file_->heads()) {
+            const std::string& name = head.heading.name;
+            if (std::ranges::find(known, name) == known.end()) {
+                mistakes_->add(head.place, fmt::format("a field has no column \"{}\"", name),
+                               suggest(name, known, "columns"));
+            } else if (std::ranges::find(seen, name) != seen.end()) {
+                mistakes_->add(head.place, fmt::format("a second column is called {}", name), "remove one of them");
+            }
+            seen.push_back(name);
+        }
+    }
+
+    void request(std::string_view name) {
+        const int column = find(name);
+        const FieldColumn& known = field_column(name);
+        if (column >= 0) {
+            requests_.push_back({.column = column,
+                                 .name = std::string(name),
+                                 .wanted = known.wanted,
+                                 .purpose = known.purpose,
+                                 .unit_remedy = remedies_.emplace_back(unit_remedy(known, file_->is_text()))});
+        }
+    }
+    void request_places() {
+        if (has("time") && has("wheel_angle")) {
+            mistakes_->add(file_->heads()[static_cast<std::size_t>(find("wheel_angle"))].place,
+                           "a field is given against time or against the wheel angle, not both",
+                           "remove one of the columns");
+        }
+        against_ = has("time")          ? FieldFile::Against::time
+                   : has("wheel_angle") ? FieldFile::Against::wheel_angle
+                                        : FieldFile::Against::nothing;
+        request("time");
+        request("wheel_angle");
+        const bool contact = of_ != FieldOf::loss;
+        request("cell");
+        if (!has("cell")) {
+            if (!has("y") && along_meridian_) {
+                mistakes_->add(top(), "the field says of no point where it is: it has neither y nor cell",
+                               "add y, the arc length along the meridian from the centre plane");
+            }
+            request("y");
+            if (contact) {
+                request("x");
+            } else {
+                request("depth");
+                if (has("x")) {
+                    mistakes_->add(file_->heads()[static_cast<std::size_t>(find("x"))].place,
+                                   "loss_density turns with the tire: x is no place of it",
+                                   "give it against wheel_angle, or as a mean around the tire without x");
+                }
+            }
+        }
+        request(contact ? "area" : "volume");
+    }
+
+    void request_values() {
+        switch (of_) {
+            case FieldOf::nothing:
+                return;
+            case FieldOf::pressure:
+                return require("pressure");
+            case FieldOf::loss:
+                return require("loss_density");
+            case FieldOf::friction:
+                break;
+        }
+        if (has("friction_power")) {
+            return request("friction_power");
+        }
+        const bool by_stress = has("shear_stress") && has("sliding_velocity");
+        if (!by_stress && watts_) {
+            mistakes_->add(top(), "the field gives no power of friction",
+                           "add friction_power [W/m2], or shear_stress [kPa] and sliding_velocity [m/s]; with use = "
+                           "\"shape\" pressure and sliding_velocity do");
+            return;
+        }
+        require("sliding_velocity");
+        require(by_stress ? "shear_stress" : "pressure");
+    }
+    void require(std::string_view name) {
+        if (!has(name)) {
+            mistakes_->add(top(), fmt::format("the field has no {} {}", file_->is_text() ? "column" : "dataset", name),
+                           fmt::format("add it, {}", unit_remedy(field_column(name), file_->is_text())));
+        }
+        request(name);
+    }
+
+    [[nodiscard]] const std::vector<double>* values(std::string_view name) const {
+        const auto found = std::ranges::find(requests_, name, &ColumnRequest::name);
+        return found == requests_.end() ? nullptr : &values_[static_cast<std::size_t>(found - requests_.begin())];
+    }
+
+    [[nodiscard]] double density(std::size_t row) const {
+        double product = 1.0;
+        for (const std::string_view name :
+             {"pressure", "sliding_velocity", "shear_stress", "friction_power", "loss_density"}) {
+            const std::vector<double>* factor = values(name);
+            product *= factor != nullptr ? std::abs((*factor)[row]) : 1.0;
+        }
+        return product;
+    }
+
+    void split(FieldFile& field) const {
+        const std::vector<double>* axis = values(against_ == FieldFile::Against::time ? "time" : "wheel_angle");
+        for (std::size_t row = 0; row < values_.front().size(); ++row) {
+            const double at = axis != nullptr ? (*axis)[row] : 0.0;
+            if (field.frames.empty() || at != field.frames.back().at) {
+                field.frames.push_back({.at = at, .first_row = row, .points = {}, .density = {}});
+            }
+            FieldFrame& frame = field.frames.back();
+            const auto take = [&](std::string_view name, std::vector<double>& into) {
+                if (const std::vector<double>* column = values(name)) {
+                    into.push_back((*column)[row]);
+                }
+            };
+            take("x", frame.points.along);
+            take("y", frame.points.across);
+            take("depth", frame.points.depth);
+            take("area", frame.points.measure);
+            take("volume", frame.points.measure);
+            if (const std::vector<double>* cell = values("cell")) {
+                frame.points.cell.push_back(static_cast<int>((*cell)[row]));
+            } else if (values("y") == nullptr) {
+                frame.points.across.push_back(0.0);
+            }
+            frame.density.push_back(density(row));
+        }
+    }
+
+    void check_sizes(const FieldFile& field) const {
+        for (const FieldFrame& frame : field.frames) {
+            if (frame.points.size() != field.frames.front().points.size()) {
+                const ColumnReader::Spot spot = file_->spot(frame.first_row);
+                mistakes_->add(spot.place,
+                               fmt::format("this frame has {} points, the first has {}{}", frame.points.size(),
+                                           field.frames.front().points.size(), spot.aside),
+                               "write every point in every frame; the file may be cut off");
+                return;
+            }
+        }
+    }
+
+    void check_revolution(const FieldFile& field) const {
+        if (against_ == FieldFile::Against::wheel_angle && field.shares_of_revolution().empty()) {
+            const double degree = turn / 360.0;
+            mistakes_->add(file_->heads()[static_cast<std::size_t>(find("wheel_angle"))].place,
+                           fmt::format("wheel_angle goes from {:.4g} to {:.4g} deg, which is not a whole revolution",
+                                       field.frames.front().at / degree, field.frames.back().at / degree),
+                           "give frames from 0 to 360 deg, the last one 360 or a step before it");
+        }
+    }
+
+    void check_cells() const {
+        if (const std::vector<double>* cells = values("cell")) {
+            const auto broken = std::ranges::find_if(*cells, [](double c) { return c != std::floor(c); });
+            if (broken != cells->end()) {
+                const ColumnReader::Spot spot = file_->spot(static_cast<std::size_t>(broken - cells->begin()));
+                mistakes_->add(spot.place,
+                               fmt::format("cell is {:g}{}; a whole number is wanted", *broken, spot.aside));
+            }
+        }
+    }
+
+    /// What points of the contact stand for follows from their rows along x, where they stand in rows.
+    void check_areas(const FieldFile& field) const {
+        const physics::FieldPoints& points = field.frames.front().points;
+        if (points.along.empty() || !points.measure.empty()) {
+            return;
+        }
+        const auto widths = physics::spacings(points);
+        if (widths.alone || (watts_ && widths.rows < 2)) {
+            mistakes_->add(top(),
+                           widths.alone ? "the points do not stand in rows: some y has one x only"
+                                        : "all points stand at one y: the width of the contact is unknown",
+                           "add area [mm2], what each point stands for");
+        }
+    }
+
+    std::shared_ptr<const DataFile> file_;
+    FieldOf of_;
+    bool watts_;
+    bool along_meridian_;
+    Mistakes* mistakes_;
+    FieldFile::Against against_ = FieldFile::Against::nothing;
+    std::vector<ColumnRequest> requests_;
+    std::deque<std::string> remedies_;
+    std::vector<std::vector<double>> values_;
+};
+
+}  // namespace
+
+std::vector<double> FieldFile::shares_of_revolution() const {
+    const std::size_t n = frames.size();
+    const double span = frames.back().at - frames.front().at;
+    double widest = 0.0;
+    for (std::size_t k = 1; k < n; ++k) {
+        widest = std::max(widest, frames[k].at - frames[k - 1].at);
+    }
+    const bool closed = std::abs(span - turn) <= 1e-6;
+    const double gap = closed ? 0.0 : turn - span;
+    if (n < 2 || gap < 0.0 || gap > 1.01 * widest) {
+        return {};
+    }
+    std::vector<double> shares(n);
+    for (std::size_t k = 0; k < n; ++k) {
+        const double before = k > 0 ? frames[k].at - frames[k - 1].at : gap;
+        const double after = k + 1 < n ? frames[k + 1].at - frames[k].at : gap;
+        shares[k] = 0.5 * (before + after) / (closed ? span : turn);
+    }
+    return shares;
+}
+
+std::optional<FieldFile> read_field_file(const std::filesystem::path& path, const Place& mentioned, FieldOf of,
+                                         bool watts, bool along_meridian, Mistakes& mistakes) {
+    std::optional<DataFile> file = DataFile::open(path, mentioned, mistakes);
+    if (!file) {
+        return std::nullopt;
+    }
+    return FieldReader(std::make_shared<const DataFile>(std::move(*file)), of, watts, along_meridian, mistakes).read();
+}
+
+}  // namespace tiretherm::input

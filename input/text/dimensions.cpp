@@ -1,0 +1,78 @@
+#include <array>
+
+#include <fmt/format.h>
+
+#include "input/text/units.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+struct Named {
+    std::string_view unit;  ///< any unit of the dimension
+    std::string_view name;
+    std::string_view example;
+};
+
+constexpr std::array names{
+    Named{"1", "a pure number", "0.6"},
+    Named{"m", "a length", "8 mm"},
+    Named{"m2", "an area", "1 cm2"},
+    Named{"m3", "a volume", "1 cm3"},
+    Named{"s", "a time", "60 s"},
+    Named{"kg", "a mass", "8 kg"},
+    Named{"K", "a temperature", "25 degC"},
+    Named{"A", "an electric current", ""},
+    Named{"C", "an electric charge", ""},
+    Named{"F", "an electric capacitance", ""},
+    Named{"radian", "an angle", "2 deg"},
+    Named{"m s-1", "a speed", "100 km/h"},
+    Named{"m s-2", "an acceleration", "9.81 m/s2"},
+    Named{"N", "a force", "4000 N"},
+    Named{"J", "an energy", "1 J"},
+    Named{"W", "a power", "1 W"},
+    Named{"Pa", "a pressure", "220 kPa"},
+    Named{"Hz", "a frequency", "52 Hz"},
+    Named{"rad s-1", "an angular speed", "100 rad/s"},
+    Named{"kg m-3", "a density", "1100 kg/m3"},
+    Named{"J kg-1 K-1", "a specific heat capacity", "1800 J/kgK"},
+    Named{"W m-1 K-1", "a thermal conductivity", "0.29 W/mK"},
+    Named{"W m-1 K-2", "a slope of conductivity", "0.009 W/mK/K"},
+    Named{"W m-1 K-3", "a curvature of conductivity", "1e-5 W/mK/K2"},
+    Named{"J kg-1 K-2", "a slope of heat capacity", "5 J/kgK/K"},
+    Named{"J kg-1 K-3", "a curvature of heat capacity", "0.1 J/kgK/K2"},
+    Named{"W m-2 K-1", "a heat transfer coefficient", "10 W/m2K"},
+    Named{"W m-2", "a heat flux", "1e4 W/m2"},
+    Named{"W m-3", "a power per volume", "1e5 W/m3"},
+    Named{"W K-1", "a thermal conductance", "8 W/K"},
+    Named{"J K-1", "a heat capacity", "70 J/K"},
+    Named{"m2 s-1", "a diffusivity or kinematic viscosity", "1.5e-5 m2/s"},
+    Named{"K-1", "a rate per kelvin", "0.01 1/K"},
+    Named{"m-1", "a curvature", "0.5 1/m"},
+    Named{"radian-1", "a rate per angle", "10 1/rad"},
+    Named{"J kg-1", "a specific energy", "2.45e6 J/kg"},
+    Named{"J m-3 K-1", "a heat capacity per volume", "2e6 J/m3K"},
+    Named{"s2 m-2", "a reciprocal square of a speed", "1e-5 s2/m2"},
+    Named{"N-1", "a rate per force", "0.35 1/kN"},
+    Named{"m N-1", "a length per force", "-4.2e-6 m/N"},
+    Named{"m2 N-1", "an area per force", "2.333e-6 m2/N"},
+    Named{"K s-1", "a rate of temperature", "2 K/h"},
+    Named{"s m-1", "a reciprocal speed", "0.01 s/m"},
+};
+
+}  // namespace
+
+Dimension dimension(std::string_view unit, Scale scale) {
+    const std::string wanted = signature(unit);
+    if (wanted == "K" && scale == Scale::difference) {
+        return {"a difference of temperatures", "0.5 K"};
+    }
+    for (const Named& named : names) {
+        if (signature(named.unit) == wanted) {
+            return {std::string(named.name), std::string(named.example)};
+        }
+    }
+    return {fmt::format("a quantity in {}", wanted), ""};
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,179 @@
+#include "input/text/document.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace tiretherm::input {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string* text_of(const Node& node, std::string_view key) {
+    const Node* text = node.kind == Node::Kind::table ? node.find(key) : nullptr;
+    return text != nullptr && text->kind == Node::Kind::text ? &text->text : nullptr;
+}
+
+bool all_named(const Node& array) {
+    return array.kind == Node::Kind::array && std::all_of(array.items.begin(), array.items.end(), [](const Node& item) {
+               return text_of(item, "name") != nullptr;
+           });
+}
+
+/// The name of a table that is in a list, by its own word or, as a run may leave it, by its file's.
+std::string name_of(const Node& node) {
+    const std::string* name = text_of(node, "name");
+    const std::string* file = text_of(node, "file");
+    return name != nullptr ? *name : file != nullptr ? fs::path(*file).stem().string() : std::string();
+}
+
+bool all_can_be_named(const Node& array) {
+    return array.kind == Node::Kind::array &&
+           std::all_of(array.items.begin(), array.items.end(), [](const Node& item) { return !name_of(item).empty(); });
+}
+
+void merge(Node& into, Node&& over, int depth);
+
+/// Tables of the same name become one, in the place of the first; the others follow.
+void merge_by_name(Node& into, Node&& over) {
+    for (Node& item : over.items) {
+        const auto same = std::find_if(into.items.begin(), into.items.end(),
+                                       [&](const Node& known) { return name_of(known) == name_of(item); });
+        // A name that the same file uses twice is left for the reader to complain about.
+        const bool mine = same != into.items.end() && same->place.file == item.place.file;
+        if (same == into.items.end() || mine) {
+            into.items.push_back(std::move(item));
+        } else {
+            merge(*same, std::move(item), 1);
+        }
+    }
+    into.place = over.place;
+}
+
+/// Puts the values of `over` over those of `into`.
+void merge(Node& into, Node&& over, int depth) {
+    if (into.kind != Node::Kind::table || over.kind != Node::Kind::table || over.in_braces) {
+        into = std::move(over);
+        return;
+    }
+    const Node* old_kind = into.find("kind");
+    const Node* new_kind = over.find("kind");
+    if (old_kind != nullptr && new_kind != nullptr && old_kind->text != new_kind->text) {
+        into = std::move(over);  // another kind has other keys
+        return;
+    }
+    into.place = over.place;
+    for (Entry& entry : over.entries) {
+        const auto same = std::find_if(into.entries.begin(), into.entries.end(),
+                                       [&](const Entry& known) { return known.key == entry.key; });
+        if (same == into.entries.end()) {
+            into.entries.push_back(std::move(entry));
+        } else if (depth == 0 && all_can_be_named(same->value) && all_named(entry.value)) {
+            merge_by_name(same->value, std::move(entry.value));
+        } else {
+            same->place = entry.place;
+            merge(same->value, std::move(entry.value), depth + 1);
+        }
+    }
+}
+
+/// Reads a file under the files that are open above it.
+std::optional<Node> read(const fs::path& path, const Place& mentioned, std::vector<fs::path>& open,
+                         Mistakes& mistakes) {
+    std::error_code error;
+    const fs::path real = fs::weakly_canonical(path, error);
+    if (std::find(open.begin(), open.end(), real) != open.end()) {
+        mistakes.add(mentioned, fmt::format("{} includes itself", path.generic_string()), "remove one of the includes");
+        return std::nullopt;
+    }
+    const std::optional<TextFile> file = read_text(path, mentioned, mistakes);
+    std::optional<Node> own = file ? parse_toml(*file, mistakes) : std::nullopt;
+    if (!own) {
+        return std::nullopt;
+    }
+    const Node* include = own->find("include");
+    if (include == nullptr) {
+        return own;
+    }
+    const bool one = include->kind == Node::Kind::text;
+    const std::vector<Node> list = one ? std::vector<Node>{*include} : include->items;
+    if (!one && include->kind != Node::Kind::array) {
+        mistakes.add(include->place, fmt::format("include is {}; a list of files is wanted", shown(*include)),
+                     "write include = [\"../tires/some_tire.toml\"]");
+        return std::nullopt;
+    }
+    std::erase_if(own->entries, [](const Entry& entry) { return entry.key == "include"; });
+    open.push_back(real);
+    Node merged;
+    merged.kind = Node::Kind::table;
+    bool complete = true;
+    for (const Node& item : list) {
+        if (item.kind != Node::Kind::text) {
+            mistakes.add(item.place, fmt::format("include has {}; the path of a file is wanted", shown(item)));
+            complete = false;
+            continue;
+        }
+        std::optional<Node> included =
+            read((path.parent_path() / item.text).lexically_normal(), item.place, open, mistakes);
+        if (included) {
+            merge(merged, std::move(*included), 0);
+        } else {
+            complete = false;
+        }
+    }
+    open.pop_back();
+    merge(merged, std::move(*own), 0);
+    return complete ? std::optional(std::move(merged)) : std::nullopt;
+}
+
+}  // namespace
+
+const Node* Node::find(std::string_view key) const {
+    const auto found =
+        std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.key == key; });
+    return found == entries.end() ? nullptr : &found->value;
+}
+
+std::string shown(const Node& node) {
+    switch (node.kind) {
+        case Node::Kind::nothing:
+            return "nothing";
+        case Node::Kind::text:
+            return fmt::format("\"{}\"", node.text);
+        case Node::Kind::integer:
+            return fmt::format("{:.0f}", node.number);
+        case Node::Kind::real:
+            return fmt::format("{}", node.number);
+        case Node::Kind::boolean:
+            return node.truth ? "true" : "false";
+        case Node::Kind::date:
+            return "a date";
+        case Node::Kind::array:
+            return "a list";
+        case Node::Kind::table:
+            return "a table";
+    }
+    return {};
+}
+
+void lay_over(Node& document, const Node& over, std::span<const std::string_view> names) {
+    Node tables;
+    tables.kind = Node::Kind::table;
+    tables.place = document.place;
+    for (const Entry& entry : over.entries) {
+        if (std::find(names.begin(), names.end(), entry.key) != names.end()) {
+            tables.entries.push_back(entry);
+            tables.entries.back().value.in_braces = false;
+        }
+    }
+    merge(document, std::move(tables), 0);
+}
+
+std::optional<Node> read_document(const std::filesystem::path& path, Mistakes& mistakes) {
+    std::vector<fs::path> open;
+    return read(path, {}, open, mistakes);
+}
+
+}  // namespace tiretherm::input

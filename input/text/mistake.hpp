@@ -1,0 +1,71 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tiretherm::input {
+
+/// Something that the user must change, and where. Lines and columns count from 1; a column is a character, not a byte.
+struct Mistake {
+    std::string file;  ///< as the user would type it
+    int line = 0;      ///< 0: the file as a whole
+    int column = 0;
+    int length = 0;  ///< characters to underline
+    std::string what;
+    std::string remedy;  ///< what to do; empty where `what` says it already
+    std::string source;  ///< the line of the file
+};
+
+/// The mistake as a compiler shows it: `file:line:column: what`, the line, a caret under the place, the remedy.
+/// @returns lines, each ended by a newline
+[[nodiscard]] std::string render(const Mistake& mistake);
+
+/// What is wrong with a piece of text, and what to do.
+struct Fault {
+    std::string what;
+    std::string remedy;
+};
+
+/// A piece of a file. `file` counts the files in the order they were read.
+struct Place {
+    int file = -1;
+    int line = 0;
+    int column = 0;
+    int length = 0;
+};
+
+/// Collects everything that is wrong with a case and its files, so that the user sees it all at once.
+class Mistakes {
+public:
+    /// @param shown path as the user would type it  @returns the file's number
+    int add_file(std::string shown, std::string text);
+    void add(const Place& place, std::string what, std::string remedy = {});
+    void add(const Place& place, Fault fault) { add(place, std::move(fault.what), std::move(fault.remedy)); }
+    /// Something unusual that a run can still be made of.
+    void warn(const Place& place, const std::string& what);
+
+    [[nodiscard]] std::size_t count() const { return found_.size(); }
+    [[nodiscard]] const std::string& file(int number) const { return files_[static_cast<std::size_t>(number)].shown; }
+    /// "case.toml:12", for a sentence about another place.
+    [[nodiscard]] std::string spell(const Place& place) const;
+    /// All mistakes in the order of the files and of their places in them, none twice.
+    [[nodiscard]] std::vector<Mistake> in_order() const;
+    [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+
+private:
+    struct File {
+        std::string shown;
+        std::string text;
+    };
+    struct Found {
+        Place place;
+        Fault fault;
+    };
+    [[nodiscard]] std::string line_of(const Place& place) const;
+
+    std::vector<File> files_;
+    std::vector<Found> found_;
+    std::vector<std::string> warnings_;
+};
+
+}  // namespace tiretherm::input

@@ -1,0 +1,83 @@
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "input/text/document.hpp"
+#include "input/text/words.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+/// What keeps bytes from being a text, with the remedy; empty for a text.
+Fault defect(const std::string& bytes) {
+    if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) {
+        return {"is written in UTF-16", "save it as UTF-8"};
+    }
+    if (bytes.find('\0') != std::string::npos) {
+        return {"is not a text file", "give a text file"};
+    }
+    if (bytes.find_first_not_of(" \t\r\n") == std::string::npos || bytes == "\xEF\xBB\xBF") {
+        return {"is empty", ""};
+    }
+    return {};
+}
+
+/// A file of a similar name beside one that does not exist.
+std::string neighbour(const std::filesystem::path& path) {
+    std::vector<std::string> names;
+    std::error_code error;
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+        if (entry.is_regular_file(error)) {
+            names.push_back(entry.path().filename().string());
+        }
+    }
+    const std::string near = nearest(path.filename().string(), names);
+    return near.empty() ? "" : fmt::format("did you mean `{}`?", near);
+}
+
+}  // namespace
+
+std::optional<TextFile> read_text(const std::filesystem::path& path, const Place& mentioned, Mistakes& mistakes) {
+    const std::string shown = path.generic_string();
+    const auto refuse = [&](std::string_view what, std::string remedy) {
+        // The user's own argument has no place in a file but itself.
+        Place place = mentioned;
+        if (place.file < 0) {
+            place = {.file = mistakes.add_file(shown, "")};
+            mistakes.add(place, fmt::format("the file {}", what), std::move(remedy));
+        } else {
+            mistakes.add(place, fmt::format("the file {} {}", shown, what), std::move(remedy));
+        }
+        return std::nullopt;
+    };
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) {
+        return refuse("is a directory", "give a file");
+    }
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+    if (!file) {
+        const int reason = errno;
+        return refuse(fmt::format("cannot be read: {}", std::system_category().message(reason)),
+                      reason == ENOENT ? neighbour(path) : "");
+    }
+    std::string bytes;
+    std::string block(std::size_t{1} << 16U, '\0');
+    for (std::size_t n = 0; (n = std::fread(block.data(), 1, block.size(), file.get())) > 0;) {
+        bytes.append(block, 0, n);
+    }
+    if (std::ferror(file.get()) != 0) {
+        return refuse(fmt::format("cannot be read: {}", std::system_category().message(errno)), "");
+    }
+    if (const Fault fault = defect(bytes); !fault.what.empty()) {
+        return refuse(fault.what, fault.remedy);
+    }
+    const int number = mistakes.add_file(shown, bytes);
+    return TextFile{number, std::move(bytes)};
+}
+
+}  // namespace tiretherm::input

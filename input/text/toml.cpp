@@ -1,0 +1,101 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include "input/text/document.hpp"
+#include "input/text/words.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+Place place_of(const toml::source_region& region, int file) {
+    const auto line = static_cast<int>(region.begin.line);
+    const auto column = static_cast<int>(region.begin.column);
+    const bool one_line = region.end.line == region.begin.line;
+    return {.file = file,
+            .line = line,
+            .column = column,
+            .length = one_line ? std::max(1, static_cast<int>(region.end.column) - column) : 1};
+}
+
+bool follows(const Place& later, const Place& earlier) {
+    return std::pair(later.line, later.column) > std::pair(earlier.line, earlier.column);
+}
+
+Node convert(const toml::node& from, int file) {
+    Node to;
+    to.place = place_of(from.source(), file);
+    from.visit([&](const auto& value) {
+        using Kind = Node::Kind;
+        using Value = std::remove_cvref_t<decltype(value)>;
+        if constexpr (std::is_same_v<Value, toml::table>) {
+            to.kind = Kind::table;
+            for (const auto& [key, item] : value) {
+                Entry entry{std::string(key.str()), place_of(key.source(), file), convert(item, file)};
+                // A table in braces follows its key; a heading [a.b] begins before it, the a of `a.b = 1` with it.
+                entry.value.in_braces = entry.value.kind == Kind::table && follows(entry.value.place, entry.place);
+                to.entries.push_back(std::move(entry));
+            }
+            // The parser sorts by name; a case is read, and its mistakes are listed, in the order it was written.
+            std::stable_sort(to.entries.begin(), to.entries.end(),
+                             [](const Entry& a, const Entry& b) { return follows(b.place, a.place); });
+        } else if constexpr (std::is_same_v<Value, toml::array>) {
+            to.kind = Kind::array;
+            for (const toml::node& item : value) {
+                to.items.push_back(convert(item, file));
+            }
+        } else if constexpr (std::is_same_v<Value, toml::value<std::string>>) {
+            to.kind = Kind::text;
+            to.text = value.get();
+        } else if constexpr (std::is_same_v<Value, toml::value<std::int64_t>>) {
+            to.kind = Kind::integer;
+            to.number = static_cast<double>(value.get());
+        } else if constexpr (std::is_same_v<Value, toml::value<double>>) {
+            to.kind = Kind::real;
+            to.number = value.get();
+        } else if constexpr (std::is_same_v<Value, toml::value<bool>>) {
+            to.kind = Kind::boolean;
+            to.truth = value.get();
+        } else {
+            to.kind = Kind::date;
+        }
+    });
+    return to;
+}
+
+/// The commonest slip is a quantity without quotes.
+std::string remedy_for(const toml::parse_error& error, std::string_view text) {
+    for (toml::source_index line = 1; line < error.source().begin.line; ++line) {
+        text.remove_prefix(std::min(text.find('\n') + 1, text.size()));
+    }
+    const std::string_view line = text.substr(0, text.find('\n'));
+    const std::size_t equals = line.find('=');
+    if (equals == std::string_view::npos) {
+        return {};
+    }
+    const std::string_view value = trim(line.substr(equals + 1, line.find('#') - equals - 1));
+    if (value.empty() || std::string_view("+-.0123456789").find(value.front()) == std::string_view::npos) {
+        return {};
+    }
+    return fmt::format("put quantities in quotes: {} = \"{}\"", trim(line.substr(0, equals)), value);
+}
+
+}  // namespace
+
+std::optional<Node> parse_toml(const TextFile& file, Mistakes& mistakes) {
+    try {
+        Node root = convert(toml::parse(std::string_view(file.text)), file.number);
+        root.place = {.file = file.number};  // what a file lacks stands in no line of it
+        return root;
+    } catch (const toml::parse_error& error) {
+        std::string what(error.description());
+        what.erase(0, what.starts_with("Error while parsing ") ? 20 : 0);
+        mistakes.add(place_of(error.source(), file.number), fmt::format("not valid TOML: {}", what),
+                     remedy_for(error, file.text));
+        return std::nullopt;
+    }
+}
+
+}  // namespace tiretherm::input

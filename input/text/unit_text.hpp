@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace tiretherm::input {
+
+/// The text of a unit as UDUNITS should see it: aliases replaced, the products that engineers write behind a slash
+/// spelt out. `W/mK` is watts per metre and kelvin here; UDUNITS takes it for watts per millikelvin.
+[[nodiscard]] std::string spelt_out(std::string_view written);
+
+/// Whether a unit holds a number that is neither an exponent nor a 1 that is divided. UDUNITS would read "mm 3" as
+/// three millimetres and "K @ 5" as a shifted kelvin.
+[[nodiscard]] bool has_number(std::string_view unit);
+
+}  // namespace tiretherm::input

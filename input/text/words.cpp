@@ -1,0 +1,92 @@
+#include "input/text/words.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include <fmt/format.h>
+
+namespace tiretherm::input {
+
+namespace {
+
+char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+
+}  // namespace
+
+std::size_t distance(std::string_view a, std::string_view b) {
+    std::vector<std::vector<std::size_t>> edits(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+    for (std::size_t i = 0; i <= a.size(); ++i) {
+        for (std::size_t j = 0; j <= b.size(); ++j) {
+            if (i == 0 || j == 0) {
+                edits[i][j] = std::max(i, j);
+                continue;
+            }
+            const bool same = lower(a[i - 1]) == lower(b[j - 1]);
+            edits[i][j] = std::min({edits[i - 1][j] + 1, edits[i][j - 1] + 1, edits[i - 1][j - 1] + (same ? 0 : 1)});
+            if (i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1])) {
+                edits[i][j] = std::min(edits[i][j], edits[i - 2][j - 2] + 1);
+            }
+        }
+    }
+    return edits[a.size()][b.size()];
+}
+
+std::string nearest(std::string_view word, const std::vector<std::string>& known) {
+    std::string best;
+    std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
+    for (const std::string& candidate : known) {
+        if (candidate.size() > word.size() + least || word.size() > candidate.size() + least) {
+            continue;
+        }
+        if (const std::size_t edits = distance(word, candidate); edits < least) {
+            least = edits;
+            best = candidate;
+        }
+    }
+    return best;
+}
+
+std::string listed(const std::vector<std::string>& words) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        text += i == 0 ? "" : (i + 1 == words.size() ? " and " : ", ");
+        text += words[i];
+    }
+    return text;
+}
+
+std::string suggest(std::string_view word, const std::vector<std::string>& known, std::string_view kind) {
+    if (const std::string near = nearest(word, known); !near.empty()) {
+        return fmt::format("did you mean `{}`?", near);
+    }
+    if (known.size() < 2) {
+        return known.empty() ? fmt::format("there are no {}", kind) : fmt::format("there is only `{}`", known.front());
+    }
+    return fmt::format("the {} are {}", kind, listed(known));
+}
+
+std::vector<std::string> split_characters(std::string_view text) {
+    std::vector<std::string> characters;
+    for (const char byte : text) {
+        const bool continues = (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
+        if (continues && !characters.empty() && (static_cast<unsigned char>(characters.back()[0]) & 0x80U) != 0U) {
+            characters.back() += byte;
+        } else {
+            characters.emplace_back(1, byte);
+        }
+    }
+    return characters;
+}
+
+std::string_view trim(std::string_view text) {
+    const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
+    while (!text.empty() && blank(text.front())) {
+        text.remove_prefix(1);
+    }
+    while (!text.empty() && blank(text.back())) {
+        text.remove_suffix(1);
+    }
+    return text;
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tiretherm::input {
+
+/// Edits (insert, delete, replace, swap neighbours) that turn one word into another; capitals do not count.
+[[nodiscard]] std::size_t distance(std::string_view a, std::string_view b);
+
+/// The known word that was probably meant, or an empty one when none is near.
+[[nodiscard]] std::string nearest(std::string_view word, const std::vector<std::string>& known);
+
+/// "a, b and c".
+[[nodiscard]] std::string listed(const std::vector<std::string>& words);
+
+template <typename Items>
+[[nodiscard]] std::vector<std::string> names_of(const Items& items) {
+    std::vector<std::string> names;
+    names.reserve(items.size());
+    for (const auto& item : items) {
+        names.emplace_back(item.name);
+    }
+    return names;
+}
+
+/// What to do about an unknown word: the nearest known one, or else all of them.
+/// @param kind what the words are, in the plural: "keys"
+[[nodiscard]] std::string suggest(std::string_view word, const std::vector<std::string>& known, std::string_view kind);
+
+/// The characters of a UTF-8 text, one string each; a stray byte counts as a character.
+[[nodiscard]] std::vector<std::string> split_characters(std::string_view text);
+
+[[nodiscard]] std::string_view trim(std::string_view text);
+
+}  // namespace tiretherm::input

@@ -1,0 +1,130 @@
+#include "input/tire_property_file/tir_coefficients.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "input/tire_property_file/tir_keys.hpp"
+#include "input/text/words.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+using tir::Coefficient;
+using tir::coefficients;
+using tir::Law;
+using tir::other_scaling_factors;
+using tir::scaling_factors;
+using tir::ScalingFactor;
+using tir::Use;
+
+bool used(Use use, const Law& law) {
+    return use == Use::both || (use == Use::only_61) == (law.version == physics::MagicFormulaVersion::mf61);
+}
+
+/// P or R, a letter of `families`, X or Y, a digit: PKY3 is of the families CDEKHV of pure slip.
+bool is_of(std::string_view key, char first, std::string_view families) {
+    return key.size() > 3 && key[0] == first && families.find(key[1]) != std::string_view::npos &&
+           (key[2] == 'X' || key[2] == 'Y') && std::isdigit(static_cast<unsigned char>(key[3])) != 0;
+}
+
+/// A key that might have been meant for pure slip: of its families, or in its sections and of no other part.
+bool concerns_pure_slip(const TirLines::Entry& entry) {
+    if (entry.section == "SCALING_COEFFICIENTS") {
+        return std::find(other_scaling_factors.begin(), other_scaling_factors.end(), entry.key) ==
+               other_scaling_factors.end();
+    }
+    const bool in_section = entry.section == "LONGITUDINAL_COEFFICIENTS" || entry.section == "LATERAL_COEFFICIENTS";
+    const bool other = is_of(entry.key, 'R', "BCEHV") || is_of(entry.key, 'P', "PT");
+    return is_of(entry.key, 'P', "CDEKHV") || (in_section && !other);
+}
+
+/// Use of a known key; nothing for an unknown one.
+std::optional<Use> use_of(std::string_view key) {
+    const auto same = [&](const auto& item) { return item.key == key; };
+    if (const auto* found = std::find_if(coefficients.begin(), coefficients.end(), same); found != coefficients.end()) {
+        return found->use;
+    }
+    const auto* found = std::find_if(scaling_factors.begin(), scaling_factors.end(), same);
+    return found == scaling_factors.end() ? std::nullopt : std::optional(found->use);
+}
+
+std::vector<std::string> known_keys() {
+    std::vector<std::string> keys;
+    for (const Coefficient& coefficient : coefficients) {
+        keys.emplace_back(coefficient.key);
+    }
+    for (const ScalingFactor& factor : scaling_factors) {
+        keys.emplace_back(factor.key);
+    }
+    return keys;
+}
+
+void check_key(const TirLines& lines, const TirLines::Entry& entry, const Law& law, Mistakes& mistakes) {
+    const std::optional<Use> use = use_of(entry.key);
+    if (!use) {
+        if (concerns_pure_slip(entry)) {
+            const std::string near = nearest(entry.key, known_keys());
+            mistakes.warn(entry.key_place, fmt::format("{} is unknown and not used{}", entry.key,
+                                                       near.empty() ? "" : fmt::format("; did you mean {}?", near)));
+        }
+    } else if (const TirLines::Entry* first = lines.find(entry.key); first != &entry) {
+        mistakes.add(entry.key_place,
+                     fmt::format("{} stands in two sections, first at {}", entry.key, mistakes.spell(first->place)),
+                     "remove one of the lines");
+    } else if (!used(*use, law)) {
+        mistakes.warn(entry.key_place, fmt::format("{} is not used by MF {}, the version of the file", entry.key,
+                                                   *use == Use::only_52 ? "6.1" : "5.2"));
+    }
+}
+
+}  // namespace
+
+void require_tir_key(const TirLines& lines, const Place& whole, std::string_view key, std::string_view section,
+                     Mistakes& mistakes) {
+    if (lines.find(key) == nullptr) {
+        mistakes.add(whole, fmt::format("{} is missing", key),
+                     fmt::format("write {} = a number in [{}]", key, section));
+    }
+}
+
+void read_tir_coefficients(const TirLines& lines, const Place& whole, physics::MagicFormula& law, Mistakes& mistakes) {
+    for (const auto& [key, member, use] : coefficients) {
+        if (const std::optional<double> value = lines.number(key, mistakes); value && used(use, law)) {
+            law.*member = *value;
+        }
+    }
+    for (const auto& [key, member, use] : scaling_factors) {
+        if (const std::optional<double> value = lines.number(key, mistakes); value && used(use, law)) {
+            law.lambda.*member = *value;
+        }
+    }
+    bool longitudinal = false;
+    for (const TirLines::Entry& entry : lines.entries()) {
+        if (entry.section == "UNITS" || entry.value.empty()) {
+            continue;
+        }
+        check_key(lines, entry, law, mistakes);
+        longitudinal = longitudinal || (is_of(entry.key, 'P', "CDEKHV") && entry.key[2] == 'X');
+    }
+    if (longitudinal) {
+        for (const std::string_view key : {"PCX1", "PDX1", "PKX1"}) {
+            require_tir_key(lines, whole, key, "LONGITUDINAL_COEFFICIENTS", mistakes);
+        }
+    } else {
+        mistakes.warn(whole, "there are no longitudinal coefficients: the longitudinal force is 0");
+    }
+    for (const std::string_view key : {"PCY1", "PDY1", "PKY1", "PKY2"}) {
+        require_tir_key(lines, whole, key, "LATERAL_COEFFICIENTS", mistakes);
+    }
+    if (lines.find("PKY2") != nullptr && law.pKy2 == 0.0) {
+        mistakes.add(lines.find("PKY2")->place, "PKY2 is 0; the cornering stiffness is a law of the load over it");
+    }
+}
+
+}  // namespace tiretherm::input

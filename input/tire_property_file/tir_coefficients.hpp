@@ -1,0 +1,17 @@
+#pragma once
+
+#include "input/tire_property_file/tir_lines.hpp"
+#include "physics/tire_laws/magic_formula.hpp"
+
+namespace tiretherm::input {
+
+/// Reads the coefficients and scaling factors of pure slip into `law`, whose version is set. Mistakes are a missing
+/// coefficient without which there is no force, and one that stands in two sections; one that is unknown, or that the
+/// version does not use, is warned of.
+void read_tir_coefficients(const TirLines& lines, const Place& whole, physics::MagicFormula& law, Mistakes& mistakes);
+
+/// Reports that a key is missing. @param section where it belongs
+void require_tir_key(const TirLines& lines, const Place& whole, std::string_view key, std::string_view section,
+                     Mistakes& mistakes);
+
+}  // namespace tiretherm::input

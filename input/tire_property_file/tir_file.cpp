@@ -1,0 +1,154 @@
+#include "input/tire_property_file/tir_file.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "input/text/quantity.hpp"
+#include "input/tire_property_file/tir_coefficients.hpp"
+#include "input/tire_property_file/tir_lines.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+using Version = physics::MagicFormulaVersion;
+
+/// Reads one file; every function reports what is wrong with its part.
+class TirReader {
+public:
+    TirReader(const TextFile& file, Mistakes& mistakes)
+        : lines_(file, mistakes), whole_{.file = file.number}, mistakes_(&mistakes) {}
+
+    [[nodiscard]] TirFile read() {
+        read_units();
+        read_version();
+        read_tir_coefficients(lines_, whole_, tire_.law, *mistakes_);
+        read_dimensions();
+        check_pressure();
+        return tire_;
+    }
+
+private:
+    using Entry = TirLines::Entry;
+
+    /// Factor to SI of a unit of [UNITS]; 1 where the file names none. @param usual word for the remedy
+    double factor(std::string_view key, std::string_view si, std::string_view usual) {
+        const Entry* entry = lines_.find(key, "UNITS");
+        if (entry == nullptr) {
+            return 1.0;
+        }
+        // Files write 'Newton' and 'NEWTON'; the units' data base knows newton, and N.
+        std::string word = entry->value;
+        std::transform(word.begin(), word.end(), word.begin(),
+                       [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+        const Wanted wanted{.unit = si};
+        const std::string subject = fmt::format("{} is '{}'", key, entry->value);
+        UnitRead read = read_unit(word, wanted, subject);
+        if (read.fault && word != entry->value) {
+            read = read_unit(entry->value, wanted, subject);
+        }
+        if (read.fault) {
+            mistakes_->add(entry->place, read.fault->what, fmt::format("write a unit, such as '{}'", usual));
+        }
+        return read.conversion.factor;
+    }
+
+    void read_units() {
+        length_ = factor("LENGTH", "m", "meter");
+        force_ = factor("FORCE", "N", "newton");
+        time_ = factor("TIME", "s", "second");
+        (void)factor("MASS", "kg", "kg");  // no mass is read, but a wrong word is a mistake all the same
+        if (factor("ANGLE", "rad", "radian") != 1.0) {
+            mistakes_->warn(lines_.find("ANGLE", "UNITS")->place,
+                            "the coefficients of the Magic Formula are taken per radian nevertheless");
+        }
+    }
+
+    void read_version() {
+        static constexpr std::string_view supported = "supported are 5, 6 and 21 (MF 5.2), 61 and 62 (MF 6.1)";
+        const Entry* entry = lines_.find("FITTYP");
+        if (entry == nullptr) {
+            const Entry* format = lines_.find("PROPERTY_FILE_FORMAT");
+            if (format == nullptr || format->value != "PAC2002") {
+                mistakes_->add(whole_, "FITTYP is missing", fmt::format("write FITTYP in [MODEL]; {}", supported));
+            }
+            return;
+        }
+        const std::optional<Number> number = leading_number(entry->value);
+        const double value = number && number->rest.empty() ? number->value : std::nan("");
+        if (value == 61.0 || value == 62.0) {
+            tire_.law.version = Version::mf61;
+        } else if (value != 5.0 && value != 6.0 && value != 21.0) {
+            mistakes_->add(entry->place, fmt::format("FITTYP {} is not supported", entry->value),
+                           std::string(supported));
+        }
+    }
+
+    /// A size that must be above 0, in SI units.
+    void positive(std::string_view key, double to_si, double& target) {
+        const std::optional<double> value = lines_.number(key, *mistakes_);
+        if (value && *value <= 0.0) {
+            mistakes_->add(lines_.find(key)->place,
+                           fmt::format("{} is {}; it must be above 0", key, lines_.find(key)->value));
+        }
+        target = value ? *value * to_si : target;
+    }
+
+    void read_dimensions() {
+        require_tir_key(lines_, whole_, "UNLOADED_RADIUS", "DIMENSION", *mistakes_);
+        require_tir_key(lines_, whole_, "WIDTH", "DIMENSION", *mistakes_);
+        require_tir_key(lines_, whole_, "FNOMIN", "VERTICAL", *mistakes_);
+        positive("UNLOADED_RADIUS", length_, tire_.unloaded_radius);
+        positive("WIDTH", length_, tire_.width);
+        positive("FNOMIN", force_, tire_.law.nominal_load);
+        positive("LONGVL", length_ / time_, tire_.law.reference_speed);
+        positive("LFZO", 1.0, tire_.law.lambda.Fz0);
+        const std::optional<double> low = lines_.number("FZMIN", *mistakes_);
+        const std::optional<double> high = lines_.number("FZMAX", *mistakes_);
+        if (low && high && *low >= *high) {
+            mistakes_->add(lines_.find("FZMAX")->place,
+                           fmt::format("FZMAX is {}, not above FZMIN = {}", lines_.find("FZMAX")->value,
+                                       lines_.find("FZMIN")->value));
+        }
+        if (low && high) {
+            tire_.vertical_range = {*low * force_, *high * force_};
+        }
+    }
+
+    /// MF 6.1 knows the inflation pressure; here it is evaluated at the nominal one.
+    void check_pressure() {
+        const std::optional<double> own = lines_.number("INFLPRES", *mistakes_);
+        const std::optional<double> nominal = lines_.number("NOMPRES", *mistakes_);
+        if (tire_.law.version == Version::mf61 && own && nominal && *own != *nominal) {
+            mistakes_->warn(lines_.find("INFLPRES")->place,
+                            fmt::format("INFLPRES is not used: the forces are those at NOMPRES = {}",
+                                        lines_.find("NOMPRES")->value));
+        }
+    }
+
+    TirLines lines_;
+    Place whole_;
+    Mistakes* mistakes_;
+    TirFile tire_;
+    double length_ = 1.0;
+    double force_ = 1.0;
+    double time_ = 1.0;
+};
+
+}  // namespace
+
+std::optional<TirFile> read_tir_file(const std::filesystem::path& path, const Place& mentioned, Mistakes& mistakes) {
+    const std::size_t before = mistakes.count();
+    const std::optional<TextFile> text = read_text(path, mentioned, mistakes);
+    if (!text) {
+        return std::nullopt;
+    }
+    const TirFile tire = TirReader(*text, mistakes).read();
+    return mistakes.count() == before ? std::optional(tire) : std::nullopt;
+}
+
+}  // namespace tiretherm::input

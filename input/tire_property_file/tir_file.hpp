@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "input/text/document.hpp"
+#include "physics/tire_laws/magic_formula.hpp"
+
+namespace tiretherm::input {
+
+/// A tire of a TYDEX/ADAMS property file (`.tir`), in SI units.
+struct TirFile {
+    physics::MagicFormula law;
+    double unloaded_radius = 0.0;  ///< m
+    double width = 0.0;            ///< m
+
+    struct LoadRange {
+        double low = 0.0;   ///< N, FZMIN
+        double high = 0.0;  ///< N, FZMAX
+    };
+    std::optional<LoadRange> vertical_range;  ///< where the coefficients were fitted
+};
+
+/// Reads the coefficients of pure slip and the dimensions. FITTYP 5, 6 and 21, and PROPERTY_FILE_FORMAT = 'PAC2002'
+/// without one, are MF 5.2; 61 and 62 are MF 6.1 at the nominal inflation pressure, where both agree in pure slip.
+/// [UNITS] holds for dimensions, loads and speeds; the coefficients are pure or per radian whatever it says. Warned of:
+/// coefficients of pure slip that are unknown or that the version does not use. Those of combined slip, moments and
+/// pressure are passed over. Without longitudinal coefficients F_x is 0, with a warning.
+/// @param mentioned where the path was written; its file is -1 for one that the user named
+/// @returns nothing after a mistake; all mistakes of the file are reported
+[[nodiscard]] std::optional<TirFile> read_tir_file(const std::filesystem::path& path, const Place& mentioned,
+                                                   Mistakes& mistakes);
+
+}  // namespace tiretherm::input

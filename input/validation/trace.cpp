@@ -1,0 +1,68 @@
+#include "input/validation/trace.hpp"
+
+#include <algorithm>
+
+namespace tiretherm::input {
+
+void Trace::take(const solver::Snapshot& snapshot) {
+    width_ = snapshot.channels.size();
+    time_.push_back(snapshot.time);
+    value_.insert(value_.end(), snapshot.channels.begin(), snapshot.channels.end());
+}
+
+double Trace::at(std::size_t channel, double t) const {
+    const auto above = static_cast<std::size_t>(std::upper_bound(time_.begin(), time_.end(), t) - time_.begin());
+    const auto value = [&](std::size_t row) { return value_[row * width_ + channel]; };
+    if (above == 0 || above == rows()) {
+        return value(above == 0 ? 0 : rows() - 1);
+    }
+    const double w = (t - time_[above - 1]) / (time_[above] - time_[above - 1]);
+    return (1.0 - w) * value(above - 1) + w * value(above);
+}
+
+std::vector<double> Trace::corners(double from, double to) const {
+    std::vector<double> times{from};
+    std::copy_if(time_.begin(), time_.end(), std::back_inserter(times), [&](double t) { return t > from && t < to; });
+    times.push_back(to);
+    return times;
+}
+
+double Trace::read(std::size_t channel, const Window& window) const {
+    const double first = at(channel, window.from);
+    const double last = at(channel, window.to);
+    if (window.take == Window::Take::at || window.to <= window.from) {
+        return window.take == Window::Take::time_to ? 0.0 : last;
+    }
+    const double aim = first + window.share * (last - first);
+    double area = 0.0;
+    double high = first;
+    double low = first;
+    double t_before = window.from;
+    double before = first;
+    for (const double t : corners(window.from, window.to)) {
+        const double now = at(channel, t);
+        if (window.take == Window::Take::time_to && (last - first) * (now - aim) >= 0.0) {
+            const double part = now == before ? 0.0 : (aim - before) / (now - before);
+            return t_before + part * (t - t_before) - window.from;
+        }
+        area += 0.5 * (before + now) * (t - t_before);
+        high = std::max(high, now);
+        low = std::min(low, now);
+        t_before = t;
+        before = now;
+    }
+    switch (window.take) {
+        case Window::Take::mean:
+            return area / (window.to - window.from);
+        case Window::Take::max:
+            return high;
+        case Window::Take::min:
+            return low;
+        case Window::Take::at:
+        case Window::Take::time_to:
+            break;
+    }
+    return window.take == Window::Take::time_to ? window.to - window.from : last;
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,118 @@
+#include "input/validation/validation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "input/validation/validation_reader.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+double read(const Readout& readout, const std::vector<Trace>& traces) {
+    return traces[readout.run].read(readout.channel, readout.window);
+}
+
+double read(const Difference& difference, const std::vector<Trace>& traces) {
+    return read(difference.of, traces) - (difference.minus ? read(*difference.minus, traces) : 0.0);
+}
+
+/// Every readout of an expression, for its run to be asked or changed.
+template <typename OneExpression, typename Visit>
+void visit_readouts(OneExpression& expression, const Visit& visit) {
+    const auto both = [&](auto& difference) {
+        visit(difference.of);
+        if (difference.minus) {
+            visit(*difference.minus);
+        }
+    };
+    both(expression.of);
+    if (expression.over) {
+        both(*expression.over);
+    }
+}
+
+bool has(const std::vector<std::string>& words, const std::string& word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+}  // namespace
+
+double Expression::value(const std::vector<Trace>& traces) const {
+    return read(of, traces) / (over ? read(*over, traces) : 1.0);
+}
+
+std::vector<std::size_t> Expression::runs() const {
+    std::vector<std::size_t> found;
+    visit_readouts(*this, [&](const Readout& readout) { found.push_back(readout.run); });
+    return found;
+}
+
+double ValidationNumber::total_uncertainty() const {
+    double squares = 0.0;
+    for (const auto& [name, part] : uncertainty) {
+        squares += part * part;
+    }
+    return std::sqrt(squares);
+}
+
+std::vector<std::string> Validation::ids() const {
+    std::vector<std::string> found;
+    for (const ValidationNumber& number : numbers) {
+        if (!has(found, number.id)) {
+            found.push_back(number.id);
+        }
+    }
+    return found;
+}
+
+std::vector<std::string> Validation::keep(const std::vector<std::string>& wanted) {
+    const std::vector<std::string> known = ids();
+    std::vector<std::string> unknown;
+    std::copy_if(wanted.begin(), wanted.end(), std::back_inserter(unknown),
+                 [&](const std::string& id) { return !has(known, id); });
+    std::erase_if(numbers, [&](const ValidationNumber& number) { return !has(wanted, number.id); });
+
+    constexpr std::size_t unused = static_cast<std::size_t>(-1);
+    std::vector<std::size_t> renumbered(runs.size(), unused);
+    std::vector<ValidationRun> kept;
+    for (ValidationNumber& number : numbers) {
+        for (std::optional<Expression>& expression : number.models) {
+            if (!expression) {
+                continue;
+            }
+            visit_readouts(*expression, [&](Readout& readout) {
+                std::size_t& place = renumbered[readout.run];
+                if (place == unused) {
+                    place = kept.size();
+                    kept.push_back(std::move(runs[readout.run]));
+                }
+                readout.run = place;
+            });
+        }
+    }
+    runs = std::move(kept);
+    return unknown;
+}
+
+ValidationReading read_validation(const std::filesystem::path& file) {
+    Mistakes mistakes;
+    CaseShelf shelf(file.parent_path());
+    Validation table;
+    if (const std::optional<Node> document = read_document(file, mistakes)) {
+        Section root(*document, "the table", mistakes);
+        root.know({"include"});
+        table.title = root.text("title").value_or("Validation");
+        root.each(
+            "number", [&](Section& section) { table.numbers.push_back(read_number(section, shelf)); }, Need::required);
+    }
+    ValidationReading reading{.table = std::nullopt, .mistakes = mistakes.in_order(), .warnings = mistakes.warnings()};
+    shelf.append_complaints(reading);
+    if (reading.mistakes.empty()) {
+        table.runs = shelf.take_runs();
+        reading.table = std::move(table);
+    }
+    return reading;
+}
+
+}  // namespace tiretherm::input

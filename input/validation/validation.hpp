@@ -1,0 +1,97 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "input/text/mistake.hpp"
+#include "input/validation/trace.hpp"
+#include "solver/problem.hpp"
+
+/// The table of numbers that were measured, each with the way it is read from a simulation.
+namespace tiretherm::input {
+
+/// What a number is read from: the thesis's two lumps, or cells through the thickness and along the meridian.
+inline constexpr std::array<std::string_view, 2> model_names{"two_node", "section"};
+inline constexpr std::size_t n_models = model_names.size();
+
+/// A readout of one run.
+struct Readout {
+    std::size_t run = 0;      ///< index into Validation::runs
+    std::size_t channel = 0;  ///< index into the channels of that run
+    Window window;
+};
+
+/// A readout, less another one.
+struct Difference {
+    Readout of;
+    std::optional<Readout> minus;
+};
+
+/// A difference, over another one.
+struct Expression {
+    Difference of;
+    std::optional<Difference> over;
+
+    /// @param traces [runs], of which those that this reads have rows
+    [[nodiscard]] double value(const std::vector<Trace>& traces) const;
+    /// Indices of the runs that it reads.
+    [[nodiscard]] std::vector<std::size_t> runs() const;
+};
+
+/// What kind of number it is: its unit and its scale follow.
+enum class Meaning : std::uint8_t { value, difference, ratio, time };
+
+/// One number that was measured.
+struct ValidationNumber {
+    std::string id;      ///< of the experiment: "M4"
+    std::string what;    ///< "bulk, end of the second load"
+    std::string source;  ///< where the measured number is from
+    Meaning meaning = Meaning::value;
+    solver::Quantity quantity = solver::Quantity::temperature;  ///< of the channel
+    bool is_measured = false;                                   ///< false: only shown
+    double low = -std::numeric_limits<double>::infinity();      ///< SI, measured; equal to high for a single number
+    double high = std::numeric_limits<double>::infinity();      ///< an open end is infinite
+    std::vector<std::pair<std::string, double>> uncertainty;    ///< SI, standard, independent parts by name
+    std::array<std::optional<Expression>, n_models> models;  ///< how it is read; empty where a model has no such thing
+
+    /// Root of the sum of squares of the parts; 0 where there is none.
+    [[nodiscard]] double total_uncertainty() const;
+};
+
+/// A case that numbers are read from.
+struct ValidationRun {
+    std::filesystem::path file;
+    solver::Problem problem;
+};
+
+struct Validation {
+    std::string title;
+    std::vector<ValidationNumber> numbers;
+    std::vector<ValidationRun> runs;  ///< each case once
+
+    /// Leaves the numbers of some experiments and the runs that they need.
+    /// @returns the ids that no number has
+    std::vector<std::string> keep(const std::vector<std::string>& ids);
+    /// Ids of the experiments, in the order of the table, each once.
+    [[nodiscard]] std::vector<std::string> ids() const;
+};
+
+/// A table that has been read, with all of its cases. There is a table exactly when there is no mistake.
+struct ValidationReading {
+    std::optional<Validation> table;
+    std::vector<Mistake> mistakes;  ///< of the table, then of the cases
+    std::vector<std::string> warnings;
+};
+
+/// Reads a table file and every case that it names. Never throws on account of what a user wrote.
+/// @errors std::runtime_error when the units' data base is not installed
+[[nodiscard]] ValidationReading read_validation(const std::filesystem::path& file);
+
+}  // namespace tiretherm::input

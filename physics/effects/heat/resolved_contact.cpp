@@ -1,0 +1,75 @@
+#include <array>
+#include <cmath>
+
+#include "physics/contact/contact_in_revolutions.hpp"
+#include "physics/contact/rolling_contact.hpp"
+#include "physics/spread.hpp"
+
+namespace tiretherm::physics {
+namespace effects {
+
+namespace {
+
+using rolling_contact::scale;
+enum : std::size_t { profile };
+
+constexpr std::array tables{contact_profile};
+constexpr std::array<std::string_view, 1> patches{"outside"};
+
+void place(const Setting& setting, ActiveEffect& active) {
+    spread_over_patches(setting, active, active.tables[profile]);
+}
+
+void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
+    const Inputs& in = driving.inputs;
+    const std::optional<ContactInRevolutions> contact = contact_in_revolutions(active, driving.tire, in);
+    out[0] = contact ? active[scale] * contact->mean_conductance() * driving.tire.contact_area(in.vertical_load) : 0.0;
+    out[1] = out[0] * in.road_temperature;
+}
+
+}  // namespace
+}  // namespace effects
+
+std::optional<ContactInRevolutions> contact_in_revolutions(const ActiveEffect& active, const Tire& tire,
+                                                           const Inputs& in) {
+    if (!tire.touches(in.vertical_load) || in.speed == 0.0) {
+        return std::nullopt;
+    }
+    const double speed = std::abs(in.speed);
+    return ContactInRevolutions(rolling_contact::half_spaces(active), tire.contact_length(in.vertical_load) / speed,
+                                1.0 / tire.revolutions(speed, in.vertical_load));
+}
+
+namespace effects {
+
+extern const Effect resolved_contact;
+const Effect resolved_contact{
+    .id = "resolved_contact",
+    .kind = Kind::loss,
+    .equation =
+        "q = scale h_mean(l/V, revolution) S_cont (T_road - T_surf), h_mean of two half-spaces joined by "
+        "interface_h, of which the tread's comes back once a revolution",
+    .source =
+        "Carslaw & Jaeger 1959, sec. 2.8 and 2.9, summed over the revolutions (DLMF 25.11); interface: Miller, NASA TN "
+        "D-8161, 1976 (quoted by others, a lower limit); "
+        "asphalt concrete 1.2 W/mK, 2300 kg/m3, 900 J/kgK (quoted)",
+    .meaning =
+        "Heat to the road as a rolling tread gives it: each place meets fresh road for l/V in every revolution, of "
+        "which T_surf is the mean. 76 W/K at 4 kN and 100 km/h, where the lumped Hc gives 5; nothing at rest. Sensors "
+        "of the kinds surface_at_entry and surface_at_exit read the flash. A case that switches it on switches "
+        "road_contact off.",
+    .parameters = rolling_contact::parameters,
+    .tables = tables,
+    .reads = rolling_contact::reads,
+    .instead_of = "road_contact",
+    .needs_tire = true,
+    .patches = patches,
+    .n_intensities = 2,
+    .field = FieldOf::pressure,
+    .place = place,
+    .drive = drive,
+    .speak = exchange_by_weights,
+};
+
+}  // namespace effects
+}  // namespace tiretherm::physics

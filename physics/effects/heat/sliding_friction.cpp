@@ -1,0 +1,126 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "physics/spread.hpp"
+#include "physics/contact/travelling.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { partition, lambda_x, lambda_y };
+enum : std::size_t { longitudinal, lateral, around };
+enum : std::size_t { profile };
+
+constexpr std::array parameters{
+    Parameter{"partition", "1", 0.6, 0.0, 1.0, "share of the friction power that enters the tire"},
+    Parameter{"lambda_x", "1", 1.0, 0.0, 10.0, "scale of the longitudinal friction power"},
+    Parameter{"lambda_y", "1", 1.0, 0.0, 10.0, "scale of the lateral friction power"},
+};
+constexpr std::array<std::string_view, 2> on_off{"on", "off"};
+constexpr std::array<std::string_view, 2> ways_around{"evenly", "in_contact"};
+constexpr std::array choices{
+    Choice{"longitudinal", on_off, "whether longitudinal sliding makes heat (a switch of the thesis)"},
+    Choice{"lateral", on_off, "whether lateral sliding makes heat (a switch of the thesis)"},
+    Choice{around_key, ways_around, "evenly around the tire, or in the contact as it goes round (travelling_contact)"},
+};
+constexpr std::array tables{contact_profile};
+constexpr std::array<std::string_view, 1> reads{"speed"};
+constexpr std::array<std::string_view, 6> may_read{"vertical_load", "slip_angle",         "slip_ratio",
+                                                   "lateral_force", "longitudinal_force", "wheel_angle"};
+constexpr std::array<std::string_view, 1> patches{"outside"};
+
+void place(const Setting& setting, ActiveEffect& active) {
+    spread_over_patches(setting, active, active.tables[profile]);
+    active.groups = active.choices[around] == in_contact ? sectors_of(setting.mesh, active.nodes) : std::vector<int>{};
+}
+
+/// Power of sliding in the contact by the thesis's law. W
+double sliding_power(const ActiveEffect& active, const Driving& driving) {
+    const Inputs& in = driving.inputs;
+    if (!driving.tire.touches(in.vertical_load)) {
+        return 0.0;
+    }
+    // Sliding speeds of the contact: v_sx = V - R_R Omega = -V slip_ratio, v_sy = V tan(alpha).
+    const double along = std::abs(in.longitudinal_force * in.speed * in.slip_ratio);
+    const double across = std::abs(in.lateral_force * in.speed) * std::tan(std::abs(in.slip_angle));
+    return (active.choices[longitudinal] == 0 ? active[lambda_x] * along : 0.0) +
+           (active.choices[lateral] == 0 ? active[lambda_y] * across : 0.0);
+}
+
+/// The heat; of a field that follows time that of each frame, of one that goes round that of each sector.
+void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
+    // A law may take the share beyond 1, where it says that a term is missing; it never turns heat into cold.
+    double factor = active[partition] * std::max(0.0, driving.laws.partition);
+    out[0] = 1.0;
+    if (active.field && !active.field->watts.empty()) {
+        active.field->watts_at(driving.inputs.time, out);
+    } else {
+        factor *= sliding_power(active, driving);
+        if (active.field) {
+            active.field->shares_at(driving.inputs.time, out);
+        }
+    }
+    if (!active.groups.empty()) {
+        const TravellingContact contact(driving.tire, driving.inputs);
+        const int sectors = active.groups.back() + 1;
+        for (int s = 0; s < sectors; ++s) {
+            out[static_cast<std::size_t>(s)] = concentration(contact, s, sectors);
+        }
+    }
+    for (double& watts : out) {
+        watts *= factor;
+    }
+}
+
+void speak(const Moment& m, Terms& terms) {
+    if (!m.active.groups.empty()) {
+        for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
+            if (const double watts = m.intensities[static_cast<std::size_t>(m.active.groups[i])]; watts != 0.0) {
+                terms.heat(m.active.nodes[i], watts * m.active.weights[i]);
+            }
+        }
+        return;
+    }
+    for (std::size_t k = 0; k < m.intensities.size(); ++k) {
+        const std::vector<double>& weights = m.active.field ? m.active.field->weights[k] : m.active.weights;
+        for (std::size_t i = 0; i < m.active.nodes.size() && m.intensities[k] != 0.0; ++i) {
+            terms.heat(m.active.nodes[i], m.intensities[k] * weights[i]);
+        }
+        if (!m.active.field || k + 1 == m.active.field->frames()) {
+            return;
+        }
+    }
+}
+
+}  // namespace
+
+extern const Effect sliding_friction;
+const Effect sliding_friction{
+    .id = "sliding_friction",
+    .kind = Kind::source,
+    .on = true,
+    .equation = "q = partition (lambda_x |Fx v_sx| + lambda_y |Fy| |V| tan|alpha|) >= 0, v_sx = V - R_R Omega",
+    .source = "thesis (31)",
+    .meaning =
+        "Heat of sliding in the contact, into the outer surface. Either sign convention of Fy and the slip "
+        "angle gives the same heat; signals that are not given count as zero. "
+        "A field of a structural code places it by friction power, or gives its watts; around = \"in_contact\" lets it "
+        "go round with travelling_contact.",
+    .parameters = parameters,
+    .choices = choices,
+    .tables = tables,
+    .reads = reads,
+    .may_read = may_read,
+    .needs_tire = true,
+    .patches = patches,
+    .n_intensities = 1,
+    .field = FieldOf::friction,
+    .frame_intensities = most_frames,
+    .place = place,
+    .drive = drive,
+    .speak = speak,
+};
+
+}  // namespace tiretherm::physics::effects

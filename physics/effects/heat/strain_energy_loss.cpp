@@ -1,0 +1,268 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "physics/tire_laws/measured_loss.hpp"
+#include "physics/spread.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t {
+    lambda_srf,
+    lambda_blk,
+    tan_delta_a,
+    tan_delta_b,
+    tan_delta_c,
+    f0,
+    C1,
+    C2,
+    strain_energy_share,
+    loss_tangent_share,
+    belt_edge_gain,
+    belt_edge_place,
+    belt_edge_width
+};
+enum : std::size_t { temperature };
+enum : std::size_t { profile };
+
+constexpr std::array parameters{
+    Parameter{"lambda_srf", "1", 1.0, 0.0, 10.0, "scale of the loss in the surface layer, lambda_SELsrf"},
+    Parameter{"lambda_blk", "1", 1.0, 0.0, 10.0, "scale of the loss in all layers below, lambda_SELblk"},
+    Parameter{"tan_delta_a", "1", 2.14e15, 0.0, 1e30, "a of the Gaussian loss tangent (49)"},
+    Parameter{"tan_delta_b", "K", -4989.0, -1e5, 1e5, "b of the Gaussian loss tangent (49), in kelvin"},
+    Parameter{"tan_delta_c", "K", 882.0, 1e-3, 1e5, "c of the Gaussian loss tangent (49)", true},
+    Parameter{"f0", "Hz", 52.0, 1e-3, 1e6, "frequency at which the compound was characterised"},
+    Parameter{"C1", "1", -8.86, -100.0, -0.1, "WLF constant C1 of (48)"},
+    Parameter{"C2", "K", 101.6, 0.1, 1000.0, "WLF constant C2 of (48)", true},
+    Parameter{"strain_energy_share", "1", 1.0, 0.0, 1e3,
+              "strain energy per mass beside that of other layers and zones; the thesis strains all alike"},
+    Parameter{"loss_tangent_share", "1", 1.0, 0.0, 1e3,
+              "loss tangent beside that of other layers and zones; the thesis knows one compound"},
+    Parameter{"belt_edge_gain", "1", 0.0, 0.0, 100.0,
+              "loss per mass at the belt's edges over that elsewhere, less 1; none in the thesis"},
+    Parameter{"belt_edge_place", "1", 0.8, 0.0, 1.0, "where the belt ends, as a share of half the tread's width"},
+    Parameter{"belt_edge_width", "m", 0.010, 1e-4, 1.0, "distance over which the excess falls to 1/e"},
+};
+constexpr std::array<std::string_view, 2> temperatures{"bulk_mean", "local"};
+constexpr std::array choices{
+    Choice{"temperature", temperatures,
+           "which temperature softens the loss tangent: the bulk's mean, as with two nodes, or that of each cell"}};
+constexpr std::array tables{
+    Table{"profile", "m", "1",
+          "weight of the loss along the meridian, such as the contact pressure, against the arc "
+          "length from the centre plane (negative outboard); without it even"}};
+constexpr std::array scopes{Scope::layer, Scope::zone};
+constexpr std::array<std::string_view, 2> reads{"speed", "vertical_load"};
+
+LossTangent loss_tangent(const ActiveEffect& active) {
+    return {.a = active[tan_delta_a],
+            .b = active[tan_delta_b],
+            .c = active[tan_delta_c],
+            .f0 = active[f0],
+            .C1 = active[C1],
+            .C2 = active[C2]};
+}
+
+/// Half the width of the tread along the meridian. m
+double half_tread(const mesh::Mesh& mesh) {
+    double reach = 0.0;
+    for (const mesh::PatchFace& face : mesh.patches[static_cast<std::size_t>(mesh.find_patch("outside"))].faces) {
+        reach = std::max({reach, std::abs(face.extent[0]), std::abs(face.extent[1])});
+    }
+    return reach;
+}
+
+/// Shares in every cell, by mass times the weights of its layer, its zone and its place along the meridian; they sum to
+/// 1 before the scales. The skew is taken about its own mean, so that moving heat sideways keeps the total.
+void place(const Setting& setting, ActiveEffect& active) {
+    const mesh::Mesh& mesh = setting.mesh;
+    active.nodes.clear();
+    active.weights.clear();
+    active.skew.clear();
+    const double edge = mesh.columns.empty() ? 0.0 : active[belt_edge_place] * half_tread(mesh);
+    for (int cell = 0; cell < mesh.n_cells; ++cell) {
+        const auto c = static_cast<std::size_t>(cell);
+        const int layer = mesh.layer[c];
+        double weight = mesh.volume[c] * setting.stock.materials[static_cast<std::size_t>(layer)].density;
+        for (const std::size_t share : {strain_energy_share, loss_tangent_share}) {
+            weight *= active.at(share, Scope::layer, layer);
+            weight *= mesh.zone[c] < 0 ? 1.0 : active.at(share, Scope::zone, mesh.zone[c]);
+        }
+        if (!mesh.columns.empty()) {
+            const double s = along_meridian(mesh, cell);
+            const double beside = (std::abs(s) - edge) / active[belt_edge_width];
+            weight *= 1.0 + active[belt_edge_gain] * std::exp(-beside * beside);
+            weight *= active.tables[profile] ? active.tables[profile]->value(s) : 1.0;
+        }
+        active.nodes.push_back(cell);
+        active.weights.push_back(weight);
+        active.skew.push_back(towards_outside(mesh, cell));
+    }
+    normalise(active);
+    if (active.field) {
+        active.weights = active.field->weights.front();
+    }
+    double mean = 0.0;
+    for (std::size_t i = 0; i < active.nodes.size(); ++i) {
+        mean += active.weights[i] * active.skew[i];
+    }
+    for (double& skew : active.skew) {
+        skew -= mean;
+    }
+}
+
+/// Intensities: the power per unit of loss tangent, or the measured or the file's power; with it the shift of the
+/// temperature and the skew, each times the power. Then, where they are, the power by frames of a field, and the
+/// measured power at the table's temperatures of the bulk.
+enum : std::size_t { whole, shifted, skewed, framed };
+constexpr std::size_t tabled = framed + most_frames;
+
+bool gives_watts(const ActiveEffect& active) { return active.field && !active.field->watts.empty(); }
+
+void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
+    const Inputs& in = driving.inputs;
+    std::ranges::fill(out, 0.0);
+    if (gives_watts(active)) {
+        out[whole] = 1.0;
+        active.field->watts_at(in.time, out.size() > framed ? out.subspan(framed, most_frames) : out.first(1));
+        return;
+    }
+    double power = strain_power(driving.tire, in.speed, in.vertical_load) * driving.laws.loss;
+    if (active.total) {
+        const bool touches = driving.tire.touches(in.vertical_load);
+        const auto measured = [&](double T) { return touches ? active.total->power(in, T) * driving.laws.loss : 0.0; };
+        const std::vector<double>& at = active.total->bulk_temperatures;
+        for (std::size_t i = 0; i < at.size() && at.size() > 1; ++i) {
+            out[tabled + i] = measured(at[i]);
+        }
+        power = measured(at.empty() ? 0.0 : at.front());
+    }
+    out[whole] = power;
+    if (power > 0.0) {
+        const double frequency = driving.tire.revolutions(in.speed, in.vertical_load);
+        out[shifted] = power * (loss_tangent(active).shift(frequency) + driving.laws.loss_shift);
+        out[skewed] = power * driving.laws.loss_skew;
+    }
+    if (out.size() > framed && active.field) {
+        active.field->shares_at(in.time, out.subspan(framed, most_frames));
+        for (double& share : out.subspan(framed, most_frames)) {
+            share *= power;
+        }
+    }
+}
+
+/// A loss at a temperature, and its slope. W, W/K
+struct Loss {
+    double value = 0.0;
+    double slope = 0.0;
+};
+
+/// The measured power at the bulk's temperature over that which `whole` stands for.
+Loss relative_measured(const Moment& m, double T_bulk) {
+    const std::vector<double>& at = m.active.total->bulk_temperatures;
+    if (at.size() < 2) {
+        return {.value = 1.0};
+    }
+    const auto P = [&](std::size_t i) { return m.intensities[tabled + i] / m.intensities[whole]; };
+    const auto next = static_cast<std::size_t>(std::ranges::upper_bound(at, T_bulk) - at.begin());
+    if (next == 0 || next == at.size()) {
+        return {.value = P(next == 0 ? 0 : next - 1)};
+    }
+    const double slope = (P(next) - P(next - 1)) / (at[next] - at[next - 1]);
+    return {.value = P(next - 1) + slope * (T_bulk - at[next - 1]), .slope = slope};
+}
+
+/// Shares a power out by weights; however it is shared, the total is the law's.
+void share_out(const Moment& m, double power, const std::vector<double>& weights, Terms& terms) {
+    const auto bulk = m.mesh.find_region("bulk");
+    const LossTangent law = loss_tangent(m.active);
+    const double shift = m.intensities[shifted] / m.intensities[whole];
+    const double skew = m.intensities[skewed] / m.intensities[whole];
+    const bool local = m.active.choices[temperature] == 1 && !m.active.total;
+    double factor = power;
+    for (const Factor& f : m.loss_factors) {
+        factor *= f.value;
+    }
+    const double T_bulk = m.region_mean[static_cast<std::size_t>(bulk)];
+    const double T_mean = T_bulk + shift;
+    // A shoulder can give no more than it has; where the skew asks for that, the others give it all the same.
+    double kept = 0.0;
+    for (std::size_t i = 0; i < m.active.nodes.size() && skew != 0.0; ++i) {
+        kept += weights[i] * std::max(0.0, 1.0 + skew * m.active.skew[i]);
+    }
+    factor /= skew != 0.0 ? kept : 1.0;
+    const Loss relative = m.active.total ? relative_measured(m, T_bulk)
+                                         : Loss{law.value(T_mean), law.value(T_mean) * law.log_slope(T_mean)};
+    double loss = factor * relative.value;
+    const double slope = factor * relative.slope;
+    for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
+        const int node = m.active.nodes[i];
+        const bool at_surface = m.mesh.layer[static_cast<std::size_t>(node)] == 0 && m.mesh.layers.size() > 1;
+        const double share =
+            weights[i] * std::max(0.0, 1.0 + skew * m.active.skew[i]) * m.active[at_surface ? lambda_srf : lambda_blk];
+        if (local) {
+            const double T = m.temperature[static_cast<std::size_t>(node)] + shift;
+            loss = factor * law.value(T);
+            terms.heat(node, share * loss, share * loss * law.log_slope(T));
+        } else {
+            terms.heat(node, share * loss);
+            terms.heat_follows(node, bulk, share * slope);
+        }
+        for (const Factor& f : m.loss_factors) {
+            terms.heat_follows(node, f.region, share * loss / f.value * f.by_mean);
+        }
+    }
+}
+
+void speak(const Moment& m, Terms& terms) {
+    const bool by_frames = m.intensities.size() > framed && m.active.field;
+    const std::size_t frames = by_frames ? m.active.field->frames() : 1;
+    for (std::size_t k = 0; k < frames; ++k) {
+        const double power = m.intensities[by_frames ? framed + k : whole];
+        const std::vector<double>& weights = by_frames ? m.active.field->weights[k] : m.active.weights;
+        if (power <= 0.0) {
+            continue;
+        }
+        if (!gives_watts(m.active)) {
+            share_out(m, power, weights, terms);
+            continue;
+        }
+        for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
+            terms.heat(m.active.nodes[i], power * weights[i]);
+        }
+    }
+}
+
+}  // namespace
+
+extern const Effect strain_energy_loss;
+const Effect strain_energy_loss{
+    .id = "strain_energy_loss",
+    .kind = Kind::source,
+    .on = true,
+    .equation = "SEL = Fz eps (A_CS/A_VC) H tan delta(T_bulk, f) (2 pi R0/l) V/(2 pi R_R)",
+    .source = "thesis (36)-(49), errata E1, E2, E3, E7, E8",
+    .meaning =
+        "Heat of cyclic deformation, shared over the cells by mass and by the weights of layers, zones and the "
+        "place along the meridian; however it is shared, the total is the law's. tan delta is taken at the bulk's mean "
+        "temperature unless it is to be local; none at rest or without load. "
+        "A field of a structural code may replace the weights, or the loss itself; a drum's table (total) or SAE J2452 "
+        "coefficients (coastdown) the total, scaled by the lambdas and by laws that scale the loss.",
+    .parameters = parameters,
+    .choices = choices,
+    .tables = tables,
+    .scopes = scopes,
+    .reads = reads,
+    .needs_tire = true,
+    .by_deformation = true,
+    .n_intensities = 3,
+    .field = FieldOf::loss,
+    .frame_intensities = most_frames + most_temperatures,
+    .place = place,
+    .drive = drive,
+    .speak = speak,
+};
+
+}  // namespace tiretherm::physics::effects

@@ -1,0 +1,117 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "physics/contact/rolling_contact.hpp"
+#include "physics/spread.hpp"
+#include "physics/contact/travelling.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { profile };
+
+/// Intensities: the road's temperature [K], then what each sector exchanges, per weight [W/K].
+enum : std::size_t { road, first_sector };
+
+constexpr std::array tables{contact_profile};
+constexpr std::array<std::string_view, 1> may_read{"wheel_angle"};
+constexpr std::array<std::string_view, 1> patches{"outside"};
+
+/// Gauss and Legendre's rule of six points on (0, 1). Abramowitz & Stegun 1964, table 25.4.
+struct GaussPoint {
+    double place;
+    double weight;
+};
+constexpr std::array rule{
+    GaussPoint{0.033765242898423986, 0.085662246189585173}, GaussPoint{0.169395306766867743, 0.180380786524069304},
+    GaussPoint{0.380690406958401546, 0.233956967286345524}, GaussPoint{0.619309593041598454, 0.233956967286345524},
+    GaussPoint{0.830604693233132257, 0.180380786524069304}, GaussPoint{0.966234757101576014, 0.085662246189585173}};
+
+void place(const Setting& setting, ActiveEffect& active) {
+    spread_over_patches(setting, active, active.tables[profile]);
+    active.groups = sectors_of(setting.mesh, active.nodes);
+}
+
+/// Conductance of a part of the contact, integrated over its angle in the root of the time, in which it is smooth.
+/// @returns W/(m2 K), times rad
+double integral(const ContactOfHalfSpaces& surfaces, const TravellingContact& contact,
+                const TravellingContact::Part& part) {
+    const double from = std::sqrt(part.from);
+    const double width = std::sqrt(part.to) - from;
+    double sum = 0.0;
+    for (const GaussPoint& point : rule) {
+        const double root = from + point.place * width;
+        sum += point.weight * 2.0 * root * surfaces.conductance_at(root * root / contact.angular_speed());
+    }
+    return sum * width;
+}
+
+void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
+    const Inputs& in = driving.inputs;
+    std::ranges::fill(out, 0.0);
+    out[road] = in.road_temperature;
+    const TravellingContact contact(driving.tire, in);
+    if (!contact.touches()) {
+        return;
+    }
+    const ContactOfHalfSpaces surfaces = rolling_contact::half_spaces(active);
+    // The contact's area is that share of the tread's strip that its length is of the circumference.
+    const double strip =
+        active[rolling_contact::scale] * driving.tire.contact_area(in.vertical_load) / contact.length();
+    const int sectors = active.groups.empty() ? 1 : active.groups.back() + 1;
+    for (int s = 0; s < sectors; ++s) {
+        const TravellingContact::Part part = contact.part(s, sectors);
+        if (part.inside) {
+            out[first_sector + static_cast<std::size_t>(s)] =
+                sectors == 1
+                    ? strip * 2.0 * std::numbers::pi * surfaces.conductance_at(part.from / contact.angular_speed())
+                    : strip * sectors * integral(surfaces, contact, part);
+        }
+    }
+}
+
+void speak(const Moment& m, Terms& terms) {
+    for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
+        const double G = m.intensities[first_sector + static_cast<std::size_t>(m.active.groups[i])];
+        if (G > 0.0) {
+            terms.exchange(m.active.nodes[i], G * m.active.weights[i], m.intensities[road]);
+        }
+    }
+}
+
+}  // namespace
+
+extern const Effect travelling_contact;
+const Effect travelling_contact{
+    .id = "travelling_contact",
+    .kind = Kind::loss,
+    .equation =
+        "q = scale h(t) S (T_road - T_surf) while in contact, t since entry, h of two half-spaces joined by "
+        "interface_h "
+        "of which the cells are one",
+    .source = "Carslaw & Jaeger 1959, sec. 2.8 and 2.9; numbers as of resolved_contact",
+    .meaning =
+        "Heat to the road, revolution by revolution: every sector of a ring, or a column of layers or a section as the "
+        "rubber at one angle, meets fresh road once a turn. Needs outer cells of some hundredths of a millimetre and "
+        "steps of milliseconds; resolved_contact gives the same mean without them. A case that switches it on "
+        "switches road_contact off.",
+    .parameters = rolling_contact::parameters,
+    .tables = tables,
+    .reads = rolling_contact::reads,
+    .may_read = may_read,
+    .instead_of = "road_contact",
+    .needs_tire = true,
+    .needs_grid = true,
+    .patches = patches,
+    .travels = true,
+    .n_intensities = 2,
+    .frame_intensities = most_sectors - 1,
+    .place = place,
+    .drive = drive,
+    .speak = speak,
+};
+
+}  // namespace tiretherm::physics::effects

@@ -1,0 +1,123 @@
+#include "post/comparison/comparison_words.hpp"
+
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace tiretherm::post {
+
+using namespace diagnosis;  // whose results are rendered here
+
+namespace {
+
+constexpr double plain = 2.0;  ///< standard deviations: 95 %
+
+std::string bias_sentence(const ComparedChannel& channel) {
+    const Figures& f = channel.figures;
+    const std::string unit = difference_unit(channel);
+    if (f.samples == 1) {
+        return fmt::format("a single sample, {} {} off", shown_signed(channel, f.bias), unit);
+    }
+    const std::string deviation = shown(channel, f.bias_deviation);
+    if (std::abs(f.bias) < plain * f.bias_deviation) {
+        return fmt::format("no bias that shows: {} +- {} {}, from what is worth {:.0f} independent samples",
+                           shown_signed(channel, f.bias), deviation, unit, f.independent);
+    }
+    return fmt::format("{} +- {} {} too {} on the whole, from what is worth {:.0f} independent samples",
+                       shown(channel, std::abs(f.bias)), deviation, unit, too(channel.unit, f.bias > 0.0),
+                       f.independent);
+}
+
+std::string sensor_text(const ComparedChannel& channel) {
+    return fmt::format("{} {} ({})", shown(channel, channel.sensor), difference_unit(channel),
+                       channel.sensor_is_stated ? "stated" : "no standard deviation is stated: sample to sample");
+}
+
+std::string scatter_sentence(const ComparedChannel& channel) {
+    const std::string unit = difference_unit(channel);
+    if (channel.model.below_sensor) {
+        return fmt::format(
+            "the differences scatter by {} {}, less than the sensor may by itself, {}: nothing but the "
+            "bias is left to the model",
+            shown(channel, channel.figures.scatter), unit, sensor_text(channel));
+    }
+    return fmt::format("once the sensor's {} is removed, the model scatters by {} {}, and its rms is {} {}",
+                       sensor_text(channel), shown(channel, channel.model.scatter), unit,
+                       shown(channel, channel.model.removable), unit);
+}
+
+std::string factor_sentence(const ComparedChannel& channel) {
+    const bool is_temperature = std::string_view(channel.unit.name) == "degC";
+    const std::string spread = channel.model.relative == 0.0 ? "and scatters no more than the sensor"
+                                                             : fmt::format("with a standard deviation of {:.2g} %",
+                                                                           100.0 * channel.model.relative);
+    return fmt::format("{} is {:.3f} times the measured one, {} ({} of {} samples)",
+                       is_temperature ? "the simulated rise over the air" : "the simulated value", channel.model.factor,
+                       spread, channel.model.compared, channel.figures.samples);
+}
+
+std::string regressor_sentence(const ComparedChannel& channel) {
+    const RegressorFigures& closest = channel.regressors.front();
+    const Association& a = closest.association;
+    const std::string strength =
+        fmt::format("correlation {:+.2f}, worth {:.0f} independent samples", a.correlation, a.independent);
+    if (a.chance > channel.significant) {
+        return fmt::format("the differences follow none of {} signals beyond chance; the closest is {} ({})",
+                           channel.regressors.size(), closest.name, strength);
+    }
+    const Bin& low = closest.bins.front();
+    const Bin& high = closest.bins.back();
+    return fmt::format(
+        "of {} signals the differences follow {} closest ({}, {:.1f} standard deviations): {} {} up to {:.4g} {}, {} "
+        "{} "
+        "from {:.4g} {} on",
+        channel.regressors.size(), closest.name, strength, std::abs(a.sigmas), shown_signed(channel, low.mean),
+        difference_unit(channel), low.high, closest.unit, shown_signed(channel, high.mean), difference_unit(channel),
+        high.low, closest.unit);
+}
+
+}  // namespace
+
+std::string difference_unit(const ComparedChannel& channel) {
+    const std::string_view name = channel.unit.name;
+    return std::string(name == "degC" ? "K" : name);
+}
+
+std::string too(const solver::ShownUnit& unit, bool large) {
+    if (std::string_view(unit.name) == "degC") {
+        return large ? "hot" : "cold";
+    }
+    return large ? "large" : "small";
+}
+
+std::string shown(const ComparedChannel& channel, double difference) {
+    const double value = channel.unit.difference(difference);
+    if (!std::isfinite(value)) {
+        return "-";
+    }
+    return value == 0.0 || std::abs(value) >= 0.1 ? fmt::format("{:.2f}", value) : fmt::format("{:.2g}", value);
+}
+
+std::string shown_signed(const ComparedChannel& channel, double difference) {
+    return (difference >= 0.0 ? "+" : "") + shown(channel, difference);
+}
+
+std::string chance_text(double chance) { return chance < 1e-9 ? "< 1e-9" : fmt::format("{:.1g}", chance); }
+
+std::vector<std::string> sentences(const ComparedChannel& channel) {
+    std::vector<std::string> said{bias_sentence(channel)};
+    if (channel.figures.samples > 2) {
+        said.push_back(scatter_sentence(channel));
+    }
+    if (channel.model.compared > 0) {
+        said.push_back(factor_sentence(channel));
+    }
+    if (!channel.regressors.empty()) {
+        said.push_back(regressor_sentence(channel));
+    }
+    return said;
+}
+
+}  // namespace tiretherm::post

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "diagnosis/compare/comparison.hpp"
+
+namespace tiretherm::post {
+
+/// Unit of a difference of two values of a channel: K for temperatures in degC.
+[[nodiscard]] std::string difference_unit(const diagnosis::ComparedChannel& channel);
+/// What a value is that is simulated too large, and one too small: "hot" and "cold".
+[[nodiscard]] std::string too(const solver::ShownUnit& unit, bool large);
+/// A difference in SI as it is shown, with two decimals where these mean something.
+[[nodiscard]] std::string shown(const diagnosis::ComparedChannel& channel, double difference);
+[[nodiscard]] std::string shown_signed(const diagnosis::ComparedChannel& channel, double difference);
+/// "4e-06", "0.03", "0.5": a chance to one figure.
+[[nodiscard]] std::string chance_text(double chance);
+
+}  // namespace tiretherm::post

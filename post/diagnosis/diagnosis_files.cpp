@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "input/parameters/fitted_case.hpp"
+#include "input/model/reader.hpp"
+#include "post/diagnosis/diagnosis_report.hpp"
+#include "post/diagnosis/diagnosis_words.hpp"
+#include "solver/channel_unit.hpp"
+#include "post/report/file.hpp"
+#include "post/report/table.hpp"
+
+namespace tiretherm::post {
+
+using namespace diagnosis;  // whose results are rendered here
+
+namespace {
+
+/// Simulated less measured, in standard deviations of independent noise.
+Eigen::VectorXd whitened(const DiagnosisRecord& record, const Eigen::VectorXd& simulated) {
+    Eigen::MatrixXd rest = simulated - record.observations.measured;
+    whiten(record.observations.blocks, {.channels = record.result.noise, .weight = {}}, rest);
+    return rest.col(0);
+}
+
+std::string samples_csv(const DiagnosisRecord& record) {
+    std::string text = "time [s],run,channel,unit,measured,base,extended,whitened_base [1],whitened_extended [1]\n";
+    const std::vector<solver::Channel>& channels = record.experiment.runs.front().problem.channels;
+    const Eigen::VectorXd base = whitened(record, record.result.base);
+    const Eigen::VectorXd extended = whitened(record, record.result.extended);
+    for (std::size_t i = 0; i < record.observations.rows.size(); ++i) {
+        const Observations::Row& row = record.observations.rows[i];
+        const auto k = static_cast<Eigen::Index>(i);
+        const solver::ShownUnit unit = solver::shown_unit(channels[row.channel].quantity);
+        fmt::format_to(std::back_inserter(text), "{:.10g},{},{},{},{:.8g},{:.8g},{:.8g},{:.5g},{:.5g}\n",
+                       record.observations.times[row.run][row.time], record.experiment.runs[row.run].name,
+                       channels[row.channel].name, unit.name, unit.value(record.observations.measured[k]),
+                       unit.value(record.result.base[k]), unit.value(record.result.extended[k]), base[k], extended[k]);
+    }
+    return text;
+}
+
+std::string asked_csv(const DiagnosisRecord& record) {
+    std::string text = "run,place,from [s],to [s],watts [W],sigma [1]\n";
+    for (const AskedHeat& asked : record.result.asked) {
+        fmt::format_to(std::back_inserter(text), "{},{},{:.10g},{:.10g},{:.6g},{:.5g}\n",
+                       record.experiment.runs[asked.run].name, asked.place, asked.from, asked.to, asked.watts,
+                       asked.sigma);
+    }
+    return text;
+}
+
+/// A sentence as comment lines.
+std::vector<std::string> lines_of(const std::string& sentence) {
+    std::vector<std::string> lines;
+    const std::string text = wrap(sentence, 0);
+    for (std::size_t from = 0; from < text.size();) {
+        const std::size_t to = text.find('\n', from);
+        lines.push_back(text.substr(from, to - from));
+        from = to + 1;
+    }
+    return lines;
+}
+
+std::string extended_toml(const DiagnosisRecord& record, const std::filesystem::path& directory) {
+    const input::Experiment& model = *record.result.extended_model;
+    const Simulator simulator(model, record.observations);
+    std::vector<solver::Problem> problems;
+    std::vector<input::FittedRun> runs;
+    problems.reserve(model.runs.size());
+    for (std::size_t r = 0; r < model.runs.size(); ++r) {
+        problems.push_back(simulator.problem(r, record.result.extended_values));
+        // The diagnosis sharpens the steps for itself; the case goes on with its own.
+        problems.back().settings = record.experiment.runs[r].problem.settings;
+        runs.push_back({.name = model.runs[r].name,
+                        .problem = &problems.back(),
+                        .file = record.data.empty() ? std::filesystem::path() : record.data[r]});
+    }
+    std::vector<std::string> remarks{"tiretherm diagnose"};
+    for (std::string& line : lines_of(reason_of(record))) {
+        remarks.push_back(std::move(line));
+    }
+    return input::fitted_case({.original = record.case_file,
+                               .before = &record.experiment.runs.front().problem,
+                               .fitted = &problems.front(),
+                               .parameters = model.parameters,
+                               .runs = std::move(runs),
+                               .remarks = std::move(remarks),
+                               .own = record.result.extended_own},
+                              directory);
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> write_diagnosis(DiagnosisRecord& record, const std::filesystem::path& directory) {
+    std::error_code error;
+    std::filesystem::create_directories(directory, error);
+    if (error) {
+        throw FileError("create", directory, error.message());
+    }
+    std::vector<std::filesystem::path> files{directory / "diagnosis.json"};
+    const std::filesystem::path extended = directory / "extended.toml";
+    if (record.result.extended_model) {
+        files.push_back(extended);
+        replace_file(extended, extended_toml(record, directory));
+        if (const input::Reading reading = input::read_case(extended); !reading.problem) {
+            record.warnings.push_back("the extended case cannot be run as it is: " + reading.mistakes.front().what);
+        }
+    } else {
+        std::filesystem::remove(extended, error);  // of an earlier diagnosis: it would pass for this one's
+    }
+    files.push_back(directory / "residuals.csv");
+    replace_file(files.back(), samples_csv(record));
+    if (!record.result.asked.empty()) {
+        files.push_back(directory / "what_is_asked.csv");
+        replace_file(files.back(), asked_csv(record));
+        files.push_back(directory / "what_is_asked.png");
+        draw_asked(files.back(), record);
+    }
+    const auto is_series = [](const Block& block) { return block.channel >= 0; };
+    if (std::ranges::any_of(record.observations.blocks, is_series)) {
+        files.push_back(directory / "residuals.png");
+        draw_residuals(files.back(), record);
+    }
+    replace_file(files.front(), diagnosis_json(record, files));
+    return files;
+}
+
+}  // namespace tiretherm::post

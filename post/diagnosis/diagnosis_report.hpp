@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "diagnosis/assess/diagnosis.hpp"
+
+namespace tiretherm::post {
+
+/// What was asked, of which data, and what came of it: all that a report tells.
+struct DiagnosisRecord {
+    const input::Experiment& experiment;
+    const diagnosis::Observations& observations;
+    const diagnosis::Diagnosis& result;
+    std::filesystem::path case_file;
+    std::vector<std::filesystem::path> data;  ///< runs that were given beside the case
+    std::vector<std::string> warnings;
+    std::vector<std::string> findings;
+};
+
+/// A page for a thermal engineer.
+[[nodiscard]] std::string diagnosis_text(const DiagnosisRecord& record, bool bold);
+/// @param files that were written
+[[nodiscard]] std::string diagnosis_json(const DiagnosisRecord& record,
+                                         const std::vector<std::filesystem::path>& files);
+/// extended.toml, where there is something to add: the case with the cause switched on at its fitted value.
+/// residuals.csv: a row for each sample. residuals.png: the same as lines,
+/// where there are series. what_is_asked.csv: the heat that the data ask for, a row for each window and place.
+/// diagnosis.json: all figures.
+/// A sentence is added to the record's warnings where the extended case cannot be run.
+/// @errors FileError  @returns their paths
+[[nodiscard]] std::vector<std::filesystem::path> write_diagnosis(DiagnosisRecord& record,
+                                                                 const std::filesystem::path& directory);
+
+/// Simulated less measured along time, a panel for each channel and run, with the fitted base model and with the
+/// extended one.
+/// @errors FileError
+void draw_residuals(const std::filesystem::path& path, const DiagnosisRecord& record);
+
+/// The heat that the data ask for, in standard deviations: places below each other, windows along time, a panel for each
+/// run. @errors FileError
+void draw_asked(const std::filesystem::path& path, const DiagnosisRecord& record);
+
+}  // namespace tiretherm::post

@@ -1,0 +1,167 @@
+#include "post/diagnosis/diagnosis_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "post/report/number_text.hpp"
+
+namespace tiretherm::post {
+
+using namespace diagnosis;  // whose results are rendered here
+
+namespace {
+
+/// Standard deviations of its own numerical error from which on a model is too coarse to judge data by.
+constexpr double coarse = 3.0;
+
+std::string digits(const CauseNumber& number, double value) {
+    return to_its_digits(value, 0.5 * (number.high - number.low));
+}
+
+bool has_interval(const CauseNumber& number) { return number.high > number.low; }
+
+std::string full(const Cause& cause) {
+    const std::string from = cause.instead_of ? fmt::format("the case's {:.4g}", *cause.instead_of) : "absent";
+    return fmt::format("{}, {}, {:.1f} standard deviations from {}", name_of(cause), size_of(cause), cause.sigma, from);
+}
+
+std::string named(const Diagnosis& diagnosis) {
+    const std::vector<std::size_t>& one = diagnosis.explanations.front();
+    if (one.size() == 1) {
+        return fmt::format("One cause explains what the model gets wrong: {}.", full(diagnosis.causes[one.front()]));
+    }
+    std::string text;
+    for (const std::size_t cause : one) {
+        text += (text.empty() ? "" : "; and ") + full(diagnosis.causes[cause]);
+    }
+    return fmt::format("{} causes together explain what the model gets wrong, none of them alone: {}.",
+                       one.size() == 2 ? "Two" : fmt::format("{}", one.size()), text);
+}
+
+std::string confounded(const Diagnosis& diagnosis, const input::Experiment& experiment) {
+    std::string text;
+    for (const std::vector<std::size_t>& one : diagnosis.explanations) {
+        std::string both;
+        for (const std::size_t cause : one) {
+            const Cause& one_of = diagnosis.causes[cause];
+            both += fmt::format("{}{}, {}{}", both.empty() ? "" : " with ", name_of(one_of), size_of(one_of),
+                                one_of.instead_of ? fmt::format(" instead of {:.4g}", *one_of.instead_of) : "");
+        }
+        text += (text.empty() ? "" : "; or ") + both;
+    }
+    if (diagnosis.unknown) {
+        text += fmt::format("; or, what no effect of the catalogue is, {}", text_of(*diagnosis.unknown, experiment));
+    }
+    return fmt::format("Something is missing, and these data cannot tell apart: {}.{}", text,
+                       diagnosis.next.empty() ? "" : " To tell them apart: " + text_of(diagnosis.next.front()) + ".");
+}
+
+std::string unknown(const Diagnosis& diagnosis, const input::Experiment& experiment) {
+    if (!diagnosis.unknown) {
+        return "Something is missing that no effect of the catalogue explains.";
+    }
+    const UnknownSource& source = *diagnosis.unknown;
+    return fmt::format("Something is missing that no effect of the catalogue is: {}; {:.1f} standard deviations.{}",
+                       text_of(source, experiment), source.sigma,
+                       source.alike.empty()
+                           ? ""
+                           : fmt::format(" These data would have it as well: {}.", fmt::join(source.alike, "; ")));
+}
+
+std::string cannot_tell(const Diagnosis& diagnosis) {
+    if (!diagnosis.reason.empty()) {
+        return fmt::format("These data do not allow a diagnosis: {}", diagnosis.reason);
+    }
+    if (diagnosis.numerical_error_sigma > coarse) {
+        return fmt::format(
+            "The model is too coarse to judge these data: its own error of steps and grid is {:.1f} standard "
+            "deviations, and {:g} are allowed. It falls with the square of the spacing: {:.2g} times as many cells in "
+            "every "
+            "direction would do.",
+            diagnosis.numerical_error_sigma, coarse, std::sqrt(diagnosis.numerical_error_sigma / coarse));
+    }
+    return "These data do not allow a diagnosis: too little is left beside the free numbers. Longer runs, runs under "
+           "other conditions or more sensors would help.";
+}
+
+}  // namespace
+
+std::string name_of(const Cause& cause) {
+    const std::string& where = cause.channel.empty() ? cause.place : cause.channel;
+    return where.empty() ? cause.id : fmt::format("{} of {}", cause.id, where);
+}
+
+std::string size_of(const CauseNumber& number) {
+    const std::string unit = number.unit == "1" || number.unit.empty() ? "" : " " + slashed_unit(number.unit);
+    if (!has_interval(number)) {
+        return fmt::format("{} {:.4g}{}", number.key, number.value, unit);
+    }
+    return fmt::format("{} {}{} ({} to {})", number.key, digits(number, number.value), unit, digits(number, number.low),
+                       digits(number, number.high));
+}
+
+std::string size_of(const Cause& cause) {
+    std::string text;
+    for (const CauseNumber& number : cause.numbers) {
+        text += (text.empty() ? "" : ", ") + size_of(number);
+    }
+    return text;
+}
+
+std::string meaning_of(const Cause& cause) {
+    const physics::Effect* effect = physics::find_effect(cause.id);
+    return effect == nullptr ? "" : std::string(effect->meaning);
+}
+
+solver::ShownUnit unit_of(const UnknownSource& unknown, const input::Experiment& experiment) {
+    const std::vector<solver::Channel>& channels = experiment.runs.front().problem.channels;
+    const auto channel = std::ranges::find(channels, unknown.place, &solver::Channel::name);
+    if (!unknown.sensor || channel == channels.end()) {
+        return {.name = "W"};
+    }
+    const solver::ShownUnit unit = solver::shown_unit(channel->quantity);
+    return {.name = channel->quantity == solver::Quantity::temperature ? "K" : unit.name, .factor = unit.factor};
+}
+
+std::string text_of(const UnknownSource& unknown, const input::Experiment& experiment) {
+    const solver::ShownUnit unit = unit_of(unknown, experiment);
+    const double half = unit.difference(0.5 * (unknown.high - unknown.low));
+    const auto shown = [&](double si) { return to_its_digits(unit.difference(si), half); };
+    const bool event = unknown.follows == "time window";
+    const bool constant = unknown.follows == "1";
+    const std::string course =
+        event ? fmt::format("from {:.4g} s to {:.4g} s of {}", unknown.from, unknown.to, unknown.run)
+              : (constant ? "that never changes" : fmt::format("that follows {}", unknown.follows));
+    const std::string size =
+        fmt::format("{} {}{} ({} to {})", shown(unknown.watts), unit.name,
+                    event || constant ? "" : " where that is largest", shown(unknown.low), shown(unknown.high));
+    return unknown.sensor
+               ? fmt::format("an error in the reading of {} {}, not by heat: {}", unknown.place, course, size)
+               : fmt::format("heat at {} {}: {}", unknown.place, course, size);
+}
+
+std::string text_of(const NextExperiment& next) {
+    return fmt::format("{}: from {:.2g} to {:.2g} sigma", next.name, next.now, next.then);
+}
+
+std::string reason_of(const DiagnosisRecord& record) {
+    const Diagnosis& diagnosis = record.result;
+    switch (diagnosis.verdict) {
+        case Verdict::named:
+            return named(diagnosis);
+        case Verdict::confounded:
+            return confounded(diagnosis, record.experiment);
+        case Verdict::unknown:
+            return unknown(diagnosis, record.experiment);
+        case Verdict::consistent:
+            return "The model, its free numbers fitted, agrees with these data within their noise; whatever else acts "
+                   "is smaller than its upper limit.";
+        case Verdict::cannot_tell:
+            return cannot_tell(diagnosis);
+    }
+    return "";
+}
+
+}  // namespace tiretherm::post

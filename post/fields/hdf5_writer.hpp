@@ -1,0 +1,54 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <vector>
+
+#include "post/fields/hdf5_file.hpp"
+#include "post/report/origin.hpp"
+#include "solver/time_integration/march.hpp"
+
+namespace tiretherm::post {
+
+/// results.h5: everything a run knows, in SI and kelvin, each dataset with units, long_name and source.
+///
+///   /case      name, title, source (what to cite), tiretherm_version, file, text
+///   /mesh      centre, volume, layer [n_nodes]; layer_name; point, corners [n_cells, corners of a cell]
+///   /channels  time; one dataset a channel                                        [rows] K
+///   /ledger    effect; watts, joules [rows, n_effects]; stored [rows]: of the whole specimen
+///   /field     time; temperature [n_times, n_nodes]: the cells first, then the nodes on the surfaces
+///
+/// Rows reach the disk at least twice a second, a field at once: a run that is killed leaves them readable.
+class Hdf5Writer {
+public:
+    /// @param problem must outlive the writer   @errors FileError
+    Hdf5Writer(const std::filesystem::path& path, const solver::Problem& problem, const Origin& origin);
+
+    /// @errors FileError
+    void take(const solver::Snapshot& snapshot);
+    /// Writes what is still held back. @errors FileError
+    void finish();
+
+private:
+    /// Rows held back in memory until the next flush.
+    struct Column {
+        Hdf5File::Rows rows;
+        std::vector<double> waiting;
+    };
+
+    void write_case(const Origin& origin);
+    void write_mesh();
+    void add_columns();
+    Column column(const std::string& path, std::size_t width, const Label& label);
+    void flush();
+
+    const solver::Problem& problem_;
+    std::string source_;
+    Hdf5File file_;
+    std::vector<Column> channels_;  ///< time, then the channels
+    std::vector<Column> ledger_;    ///< watts, joules, stored
+    std::vector<Column> field_;     ///< time, temperature
+    std::chrono::steady_clock::time_point flushed_;
+};
+
+}  // namespace tiretherm::post

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "diagnosis/hot_spot/hot_spots.hpp"
+
+namespace tiretherm::post {
+
+/// "step 3 (160 km/h, 5580 N), 4.2 min into it"; "at 160 km/h and 5580 N" where there are no steps.
+[[nodiscard]] std::string moment_text(const diagnosis::TestMoment& moment);
+
+/// What is said of each: how hot, where, when passed or what is left, step by step, what drives it.
+/// @returns lines, each ended by a newline
+[[nodiscard]] std::string hot_spots_text(const diagnosis::HotSpots& hot_spots, const mesh::Mesh& mesh);
+
+/// The same as a JSON array, an object each. Temperatures in degC, speeds in km/h, times in s.
+[[nodiscard]] std::string hot_spots_json(const diagnosis::HotSpots& hot_spots, const mesh::Mesh& mesh);
+
+/// The courses, a row for each row of the run. @errors FileError
+void write_hot_spots_csv(const std::filesystem::path& path, const diagnosis::HotSpots& hot_spots, const solver::Problem& problem);
+
+/// The courses, their surfaces and their critical temperatures against time as a PNG.
+/// @pre at least one hot spot with two rows   @errors FileError
+void draw_hot_spots(const std::filesystem::path& path, const diagnosis::HotSpots& hot_spots, const solver::Problem& problem);
+
+}  // namespace tiretherm::post

@@ -1,0 +1,80 @@
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "input/parameters/fitted_case.hpp"
+#include "post/identification/identification_report.hpp"
+#include "solver/channel_unit.hpp"
+#include "post/report/file.hpp"
+
+namespace tiretherm::post {
+
+using namespace diagnosis;  // whose results are rendered here
+
+namespace {
+
+std::string samples_csv(const IdentificationRecord& record) {
+    std::string text = "time [s],run,channel,unit,measured,case,fitted\n";
+    const std::vector<solver::Channel>& channels = record.experiment.runs.front().problem.channels;
+    for (std::size_t i = 0; i < record.observations.rows.size(); ++i) {
+        const Observations::Row& row = record.observations.rows[i];
+        if (row.image >= 0) {
+            continue;  // camera frames have pictures and a table of their own
+        }
+        const auto k = static_cast<Eigen::Index>(i);
+        const solver::ShownUnit unit = solver::shown_unit(channels[row.channel].quantity);
+        fmt::format_to(std::back_inserter(text), "{:.10g},{},{},{},{:.8g},{:.8g},{:.8g}\n",
+                       record.observations.times[row.run][row.time], record.experiment.runs[row.run].name,
+                       channels[row.channel].name, unit.name, unit.value(record.observations.measured[k]),
+                       unit.value(record.result.before[k]), unit.value(record.result.after[k]));
+    }
+    return text;
+}
+
+std::string toml(const IdentificationRecord& record, const std::filesystem::path& directory) {
+    const input::Experiment& experiment = record.experiment;
+    const Simulator simulator(experiment, record.observations);
+    std::vector<solver::Problem> fitted;
+    std::vector<input::FittedRun> runs;
+    fitted.reserve(experiment.runs.size());
+    for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+        fitted.push_back(simulator.problem(r, record.result.values));
+        runs.push_back({.name = experiment.runs[r].name,
+                        .problem = &fitted.back(),
+                        .file = record.data.empty() ? std::filesystem::path() : record.data[r]});
+    }
+    std::string runs_named;
+    for (const input::MeasuredRun& run : experiment.runs) {
+        runs_named += (runs_named.empty() ? "" : ", ") + run.name;
+    }
+    return input::fitted_case({.original = record.case_file,
+                               .before = &experiment.runs.front().problem,
+                               .fitted = &fitted.front(),
+                               .parameters = experiment.parameters,
+                               .runs = std::move(runs),
+                               .remarks = {fmt::format("tiretherm identify: {}, fitted to {}",
+                                                       experiment.runs.front().problem.title, runs_named)}},
+                              directory);
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> write_identification(const IdentificationRecord& record,
+                                                        const std::filesystem::path& directory) {
+    std::error_code error;
+    std::filesystem::create_directories(directory, error);
+    if (error) {
+        throw FileError("create", directory, error.message());
+    }
+    if (record.planned) {
+        const std::filesystem::path file = directory / "plan.json";
+        replace_file(file, identification_json(record, {file}));
+        return {file};
+    }
+    const std::vector<std::filesystem::path> files{directory / "identified.toml", directory / "identify.csv"};
+    replace_file(files[0], toml(record, directory));
+    replace_file(files[1], samples_csv(record));
+    return files;
+}
+
+}  // namespace tiretherm::post

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "input/measurements/experiment.hpp"
+#include "diagnosis/fit/identification.hpp"
+
+namespace tiretherm::post {
+
+/// What was fitted, to what, and what came of it: all that a report tells.
+struct IdentificationRecord {
+    const input::Experiment& experiment;
+    const diagnosis::Observations& observations;
+    const diagnosis::Identification& result;
+    std::filesystem::path case_file;
+    std::vector<std::filesystem::path> data;  ///< runs that were given beside the case
+    std::vector<std::string> warnings;
+    std::vector<std::string> findings;
+    bool planned = false;  ///< nothing was measured: the intervals are predicted
+};
+
+/// A page for a thermal engineer.
+[[nodiscard]] std::string identification_text(const IdentificationRecord& record, bool bold);
+/// @param files that were written
+[[nodiscard]] std::string identification_json(const IdentificationRecord& record,
+                                              const std::vector<std::filesystem::path>& files);
+/// identified.toml: the case with the fitted values, which runs as it is. identify.csv: a row for each sample. Of a plan
+/// plan.json. @errors FileError  @returns their paths
+[[nodiscard]] std::vector<std::filesystem::path> write_identification(const IdentificationRecord& record,
+                                                                      const std::filesystem::path& directory);
+
+/// A direction in words: "laser.absorptivity +0.031 with K1.conductivity at 90 degC +0.02 W/(m K)", its largest parts.
+[[nodiscard]] std::string describe(const diagnosis::Direction& direction, const input::Experiment& experiment,
+                                   const Eigen::VectorXd& values);
+
+}  // namespace tiretherm::post

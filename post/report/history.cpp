@@ -1,0 +1,30 @@
+#include "post/report/history.hpp"
+
+#include <algorithm>
+
+namespace tiretherm::post {
+
+void History::take(const solver::Snapshot& snapshot) {
+    width_ = snapshot.channels.size();
+    time_.push_back(snapshot.time);
+    value_.insert(value_.end(), snapshot.channels.begin(), snapshot.channels.end());
+}
+
+std::vector<double> History::channel(std::size_t index) const {
+    std::vector<double> result;
+    for (std::size_t row = 0; row < rows(); ++row) {
+        result.push_back(value(row, index));
+    }
+    return result;
+}
+
+double History::at(std::size_t channel, double t) const {
+    const auto above = static_cast<std::size_t>(std::upper_bound(time_.begin(), time_.end(), t) - time_.begin());
+    if (above == 0 || above == rows()) {
+        return value(above == 0 ? 0 : rows() - 1, channel);
+    }
+    const double w = (t - time_[above - 1]) / (time_[above] - time_[above - 1]);
+    return (1.0 - w) * value(above - 1, channel) + w * value(above, channel);
+}
+
+}  // namespace tiretherm::post

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "solver/time_integration/march.hpp"
+
+namespace tiretherm::post {
+
+/// The channels of a run, row by row, kept for the comparison with measured values and for the picture at the end.
+class History {
+public:
+    void take(const solver::Snapshot& snapshot);
+
+    [[nodiscard]] std::size_t rows() const { return time_.size(); }
+    [[nodiscard]] const std::vector<double>& time() const { return time_; }  ///< [rows] s
+    /// A channel's values. @returns [rows] K
+    [[nodiscard]] std::vector<double> channel(std::size_t index) const;
+    /// Straight between rows and held beyond them. @param t s  @pre rows() > 0  @returns K
+    [[nodiscard]] double at(std::size_t channel, double t) const;
+
+private:
+    [[nodiscard]] double value(std::size_t row, std::size_t channel) const { return value_[row * width_ + channel]; }
+
+    std::size_t width_ = 0;
+    std::vector<double> time_;
+    std::vector<double> value_;  ///< [rows * channels] K
+};
+
+}  // namespace tiretherm::post

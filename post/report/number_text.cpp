@@ -1,0 +1,45 @@
+#include "post/report/number_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace tiretherm::post {
+
+std::string to_its_digits(double value, double half_width) {
+    if (!std::isfinite(value)) {
+        return "-";
+    }
+    const double size = std::max(std::abs(value), half_width);
+    if (size >= 1e5 || (size > 0.0 && size < 1e-3) || !(half_width > 0.0) || !std::isfinite(half_width)) {
+        return fmt::format("{:.4g}", value);
+    }
+    const int digits = std::clamp(1 - static_cast<int>(std::floor(std::log10(half_width))), 0, 8);
+    return fmt::format("{:.{}f}", value, digits);
+}
+
+std::string slashed_unit(std::string_view unit) {
+    std::vector<std::string> above;
+    std::vector<std::string> below;
+    for (std::size_t from = 0; from < unit.size();) {
+        const std::size_t to = std::min(unit.find(' ', from), unit.size());
+        const std::string_view factor = unit.substr(from, to - from);
+        const std::size_t minus = factor.find('-');
+        if (minus == std::string_view::npos || minus == 0) {  // a "-" by itself is a pure number's unit
+            above.emplace_back(factor);
+        } else {
+            const std::string_view power = factor.substr(minus + 1);
+            below.push_back(std::string(factor.substr(0, minus)) + (power == "1" ? "" : std::string(power)));
+        }
+        from = to + 1;
+    }
+    if (below.empty()) {
+        return std::string(unit);
+    }
+    return fmt::format("{}/{}{}{}", above.empty() ? "1" : fmt::format("{}", fmt::join(above, " ")),
+                       below.size() > 1 ? "(" : "", fmt::join(below, " "), below.size() > 1 ? ")" : "");
+}
+
+}  // namespace tiretherm::post

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace tiretherm::post {
+
+/// A number with so many digits behind the point that an interval of this half width shows two of its own.
+[[nodiscard]] std::string to_its_digits(double value, double half_width);
+
+/// A unit as engineers write it: "W m-2 K-1" as W/(m2 K), "N-1" as 1/N. One without negative powers stays as it is.
+[[nodiscard]] std::string slashed_unit(std::string_view unit);
+
+}  // namespace tiretherm::post

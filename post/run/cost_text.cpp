@@ -1,0 +1,43 @@
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "post/run/summary_parts.hpp"
+#include "post/report/table.hpp"
+
+namespace tiretherm::post {
+
+std::string cost_text(const RunRecord& run) {
+    const solver::Report& report = run.report;
+    const mesh::Mesh& mesh = run.problem.mesh;
+    const bool round = mesh.grid && mesh.grid->metric == mesh::Metric::axisymmetric;
+    std::string layers;
+    for (const std::string& name : mesh.layers) {
+        layers += (layers.empty() ? "" : ", ") + name;
+    }
+    Table table({true, true});
+    table.add({"mesh", fmt::format("{}{}, {} cells, layers {}", mesh.kind, round ? " about its axis" : "",
+                                   grouped(mesh.n_cells), layers)});
+    if (run.problem.settings.steady) {
+        table.add({"steps", fmt::format("steady state; {} factorisations, {} Newton iterations", report.factorisations,
+                                        report.newton_iterations)});
+    } else {
+        table.add(
+            {"steps", fmt::format("{}, {} rejected, {} factorisations", grouped(static_cast<double>(report.steps)),
+                                  report.rejected, report.factorisations)});
+    }
+    table.add({"solver", report.linear_solver});
+    std::string time = fmt::format("{:.3f} s", run.seconds);
+    if (report.simulated > 0.0 && run.seconds > 0.0) {
+        time += fmt::format(" for {:.6g} s, {} x real time", report.simulated, grouped(report.simulated / run.seconds));
+    }
+    constexpr std::array parts{"assembly", "factor", "solve", "output"};
+    for (std::size_t i = 0; i < std::min(parts.size(), report.seconds.size()); ++i) {
+        time += fmt::format("{}{} {:.3f}", i == 0 ? "; " : ", ", parts[i], report.seconds[i]);
+    }
+    table.add({"time", time});
+    return table.text(2);
+}
+
+}  // namespace tiretherm::post

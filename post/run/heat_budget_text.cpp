@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "post/run/summary_parts.hpp"
+#include "post/report/table.hpp"
+
+namespace tiretherm::post {
+
+namespace {
+
+/// Where the thesis measures its bulk, dZ. m
+constexpr double bulk_depth = 0.010;
+
+/// Five figures at the largest of the values, so that a column shows what adds up to what.
+int decimals_for(const std::vector<double>& values) {
+    double largest = 0.0;
+    for (const double value : values) {
+        largest = std::max(largest, std::abs(value));
+    }
+    const int before_point = largest >= 1.0 ? static_cast<int>(std::floor(std::log10(largest))) + 1 : 1;
+    return std::clamp(5 - before_point, 1, 4);
+}
+
+}  // namespace
+
+std::string heat_budget_text(const RunRecord& run) {
+    const solver::Report& report = run.report;
+    std::vector<double> watts;
+    std::vector<double> kilojoules;
+    std::vector<std::string> names;
+    for (std::size_t e = 0; e < run.problem.effects.size(); ++e) {
+        const physics::Effect& effect = *run.problem.effects[e].effect;
+        // Laws and readings have no heat of their own, and what conducts only moves it.
+        const bool speaks = effect.speak != nullptr && effect.kind != physics::Kind::property;
+        const bool within = !run.problem.effects[e].joints.empty() && report.watts[e] == 0.0;  // from node to node
+        if ((speaks && !within) || report.joules[e] != 0.0) {
+            names.emplace_back(run.problem.effects[e].title());
+            watts.push_back(run.problem.symmetry * report.watts[e]);
+            kilojoules.push_back(run.problem.symmetry * report.joules[e] / 1e3);
+        }
+    }
+    const int of_watts = decimals_for(watts);
+    const int of_kilojoules = decimals_for(kilojoules);
+    names.emplace_back("sum");
+    watts.push_back(std::accumulate(watts.begin(), watts.end(), 0.0));
+    kilojoules.push_back(std::accumulate(kilojoules.begin(), kilojoules.end(), 0.0));
+    const bool steady = run.problem.settings.steady;  // no time passes, so nothing is summed up or stored
+    Table table({true, false, false});
+    table.add({"heat into it", steady ? "W" : "W at the end", steady ? "" : "kJ in all"});
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        table.add({names[i], fmt::format("{:.{}f}", watts[i], of_watts),
+                   steady ? "" : fmt::format("{:.{}f}", kilojoules[i], of_kilojoules)});
+    }
+    if (!steady) {
+        table.add({"stored", "", fmt::format("{:.{}f}", run.problem.symmetry * report.stored / 1e3, of_kilojoules)});
+    }
+    std::string text = table.text(2);
+    text += fmt::format("  energy closure {:.1e}: {} over the heat turned over\n", report.energy_closure,
+                        steady ? "sum" : "stored less sum,");
+    const std::vector<physics::ActiveEffect>& effects = run.problem.effects;
+    for (std::size_t e = 0; e < effects.size(); ++e) {
+        const double share = run.problem.symmetry * report.law_watts[e];
+        if (std::abs(share) >= 0.5 * std::pow(10.0, -of_watts)) {  // neither NaN nor what is shown as nothing
+            text += fmt::format("  of this, {} makes {:+.{}f} W\n", effects[e].title(), share, of_watts);
+        }
+    }
+    const bool is_tire = std::any_of(effects.begin(), effects.end(),
+                                     [](const physics::ActiveEffect& active) { return active.effect->needs_tire; });
+    if (is_tire && report.effective_link > 0.0) {  // where heat goes the other way, no link carries it
+        const double link = run.problem.symmetry * report.effective_link;
+        text += fmt::format("  as a two-node model, its link would be {:.4g} W/K, or k = {:.3g} W/mK over 10 mm\n",
+                            link, link * bulk_depth / run.problem.tire.outer_area());
+    }
+    return text;
+}
+
+}  // namespace tiretherm::post

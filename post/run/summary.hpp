@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "post/report/history.hpp"
+#include "post/hot_spot/hot_spots.hpp"
+#include "post/report/origin.hpp"
+#include "solver/time_integration/march.hpp"
+
+namespace tiretherm::post {
+
+/// A run that is over, as the summary needs it.
+struct RunRecord {
+    const solver::Problem& problem;
+    const solver::Report& report;
+    const History& history;
+    Origin origin;
+    double seconds = 0.0;                      ///< wall time of the whole run
+    std::vector<std::string> warnings;         ///< of the reader; the report brings its own
+    std::vector<std::filesystem::path> files;  ///< written
+    const HotSpots* hot_spots = nullptr;       ///< null where the case asks for none
+};
+
+/// What a person reads at the end: temperatures beside measured values, hottest and coldest place, heat budget, cost,
+/// warnings, what to cite, files.
+/// @param bold headings in bold, for a terminal   @returns lines of ASCII, each ended by a newline
+[[nodiscard]] std::string summary_text(const RunRecord& run, bool bold);
+
+/// The same for programs: one JSON object. Temperatures in degC, heat of the whole specimen in W and J.
+/// Keys: case, cells, steps, factorisations, seconds, simulated_seconds, energy_closure, channels, budget, hottest,
+/// outputs, and more; hot_spots where the case has critical temperatures.
+[[nodiscard]] std::string summary_json(const RunRecord& run);
+
+}  // namespace tiretherm::post

@@ -1,0 +1,93 @@
+#include "post/study/study_files.hpp"
+
+#include <algorithm>
+#include <system_error>
+#include <thread>
+
+#include "input/text/unit_text.hpp"
+#include "post/report/file.hpp"
+#include "post/charts/study_picture.hpp"
+#include "post/study/study_tables.hpp"
+
+namespace tiretherm::post {
+
+namespace fs = std::filesystem;
+
+StudyFiles::StudyFiles(fs::path directory, bool pictures) : directory_(std::move(directory)), pictures_(pictures) {
+    std::error_code error;
+    fs::create_directories(directory_, error);
+    if (error) {
+        throw FileError("create the directory", directory_, error.message());
+    }
+}
+
+void StudyFiles::remove_old() const {
+    for (const char* name : {"study.csv", "study.h5", "study.png"}) {
+        std::error_code error;
+        fs::remove(directory_ / name, error);
+    }
+}
+
+std::vector<fs::path> StudyFiles::write(const diagnosis::StudyRecord& study) const {
+    std::vector<fs::path> written{directory_ / "study.csv", directory_ / "study.h5"};
+    replace_file(written[0], study_csv(study));
+    const fs::path draft = directory_ / "study.h5.part";
+    write_study_hdf5(draft, study);
+    std::error_code error;
+    fs::rename(draft, written[1], error);
+    if (error) {
+        throw FileError("rename", draft, error.message());
+    }
+    const fs::path picture = directory_ / "study.png";
+    if (pictures_ && has_study_picture(study)) {
+        draw_study(picture, study);
+        written.push_back(picture);
+    } else {
+        fs::remove(picture, error);
+    }
+    written.push_back(journal());
+    return written;
+}
+
+diagnosis::StudyRecord study_record(const input::Study& study, std::vector<diagnosis::StudyOutcome> outcomes) {
+    diagnosis::StudyRecord record{.title = study.title,
+                             .study_file = study.file.generic_string(),
+                             .study_text = read_text(study.file),
+                             .case_file = study.case_file.generic_string(),
+                             .case_name = study.case_name,
+                             .version = TIRETHERM_VERSION,
+                             .critical = study.critical,
+                             .columns = {},
+                             .sides = {},
+                             .samples = study.samples,
+                             .is_sampled = study.is_sampled(),
+                             .channels = study.channels,
+                             .outcomes = std::move(outcomes),
+                             .warnings = {}};
+    for (std::size_t i = 0; i < study.inputs.size(); ++i) {
+        const input::StudyInput& input = study.inputs[i];
+        diagnosis::StudyColumn column{.key = input.key.text,
+                                 .unit = input.unit,
+                                 .udunits = input::spelt_out(input.unit),
+                                 .is_number = input.is_number,
+                                 .is_drawn = input.is_drawn,
+                                 .texts = {},
+                                 .numbers = {}};
+        for (std::size_t run = 0; run < study.runs.size(); ++run) {
+            column.texts.push_back(study.value(run, i).text);
+            column.numbers.push_back(study.value(run, i).number);
+        }
+        record.columns.push_back(std::move(column));
+        if (!input.is_drawn) {
+            record.sides.push_back(input.values.size());
+        }
+    }
+    return record;
+}
+
+unsigned threads_used(unsigned asked, std::size_t runs) {
+    const unsigned wanted = asked > 0 ? asked : std::max(1U, std::thread::hardware_concurrency());
+    return static_cast<unsigned>(std::clamp<std::size_t>(runs, 1, wanted));
+}
+
+}  // namespace tiretherm::post

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "diagnosis/study/study_runs.hpp"
+
+namespace tiretherm::post {
+
+/// The runs of a study that are done, a line of JSON each, written when they are: whatever ends the program, they stay. A
+/// line that was cut off is dropped. Runs of another build of the program do not count: its results may differ.
+class StudyJournal final : public diagnosis::CompletedRuns {
+public:
+    /// Opens the journal of a folder and keeps others from writing there meanwhile.
+    /// @param build of the program   @param fresh forget what is done
+    /// @errors FileError; StudyJournal::Busy when another call works in this folder
+    StudyJournal(const std::filesystem::path& path, std::string build, bool fresh);
+    ~StudyJournal() override;
+    StudyJournal(const StudyJournal&) = delete;
+    StudyJournal& operator=(const StudyJournal&) = delete;
+
+    /// What a run came to, when it is done.
+    [[nodiscard]] const diagnosis::StudyOutcome* find(const diagnosis::RunIdentity& run) const override;
+    /// Notes a run. @errors FileError
+    void add(const diagnosis::RunIdentity& run, const diagnosis::StudyOutcome& outcome) override;
+    /// Runs of another build that were found and left out.
+    [[nodiscard]] std::size_t outdated() const { return outdated_; }
+
+    class Busy : public std::runtime_error {
+    public:
+        using std::runtime_error::runtime_error;
+    };
+
+private:
+    void read(const std::string& text);
+
+    std::filesystem::path path_;
+    std::string build_;
+    std::map<diagnosis::RunIdentity, diagnosis::StudyOutcome> done_;
+    std::size_t outdated_ = 0;
+    struct Lines;  ///< the open file with its lock
+    std::unique_ptr<Lines> lines_;
+};
+
+}  // namespace tiretherm::post

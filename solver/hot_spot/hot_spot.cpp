@@ -1,0 +1,276 @@
+#include "solver/hot_spot/hot_spot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace tiretherm::solver {
+
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Two mirrored shoulders are equally hot but for round-off: the first one is told, always. K
+constexpr double as_hot = 1e-7;
+
+/// What a plateau still rises by says nothing about when it was reached. K
+constexpr double creeping = 0.005;
+
+/// The highest place of the parabola through three points, between two limits, and its weights there.
+struct Peak {
+    double at = 0.0;
+    std::array<double, 3> weight{};
+};
+
+Peak peak(const std::array<double, 3>& x, const std::array<double, 3>& f, double low, double high) {
+    const double left = (f[1] - f[0]) / (x[1] - x[0]);
+    const double right = (f[2] - f[1]) / (x[2] - x[1]);
+    const double bend = (right - left) / (x[2] - x[0]);
+    const auto value = [&](double z) { return f[0] + (z - x[0]) * (left + (z - x[1]) * bend); };
+    Peak found;
+    if (bend < 0.0) {
+        found.at = std::clamp(0.5 * (x[0] + x[1] - left / bend), low, high);
+    } else {
+        found.at = value(low) > value(high) ? low : high;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3;
+        const std::size_t k = (i + 2) % 3;
+        found.weight[i] = (found.at - x[j]) * (found.at - x[k]) / ((x[i] - x[j]) * (x[i] - x[k]));
+    }
+    return found;
+}
+
+/// Three neighbours in a row about one of them, on its own side of whatever interrupts the row.
+/// @param joined whether i and i + 1 belong together  @returns the first of them; n where there are not three
+template <typename Joined>
+std::size_t three_about(std::size_t i, std::size_t n, const Joined& joined) {
+    const auto whole = [&](std::size_t first) { return first + 2 < n && joined(first) && joined(first + 1); };
+    for (const std::size_t back : {1U, 0U, 2U}) {
+        if (i >= back && whole(i - back)) {
+            return i - back;
+        }
+    }
+    return n;
+}
+
+}  // namespace
+
+HotSpotFinder::HotSpotFinder(const mesh::Mesh& mesh, std::vector<int> nodes)
+    : mesh_(&mesh), nodes_(std::move(nodes)), seats_(at(mesh.n_nodes)) {
+    for (const mesh::Column& column : mesh.columns) {
+        Line line{.node = {column.outer}, .depth = {0.0}, .edge = column.edge, .first_cell = 1};
+        for (int k = 0; k < column.cells(); ++k) {
+            line.node.push_back(column.first_cell + k);
+            line.depth.push_back(0.5 * (column.edge[at(k)] + column.edge[at(k) + 1]));
+        }
+        line.node.push_back(column.inner);
+        line.depth.push_back(column.edge.back());
+        add_line(std::move(line));
+    }
+    if (mesh.grid) {
+        const mesh::Grid& grid = *mesh.grid;
+        const auto has = [&](mesh::Side side) { return !grid.surface[static_cast<std::size_t>(side)].empty(); };
+        for (int j = 0; j < grid.size(1); ++j) {
+            for (int i = 0; i < grid.size(0); ++i) {
+                Line line{.node = {}, .depth = {}, .edge = grid.edge[2], .first_cell = 0};
+                if (has(mesh::Side::z_min)) {
+                    line.node.push_back(grid.surface_node(mesh::Side::z_min, i, j, 0));
+                    line.depth.push_back(grid.edge[2].front());
+                    line.first_cell = 1;
+                }
+                for (int k = 0; k < grid.size(2); ++k) {
+                    line.node.push_back(grid.cell(i, j, k));
+                    line.depth.push_back(grid.centre[2][at(k)]);
+                }
+                if (has(mesh::Side::z_max)) {
+                    line.node.push_back(grid.surface_node(mesh::Side::z_max, i, j, 0));
+                    line.depth.push_back(grid.edge[2].back());
+                }
+                add_line(std::move(line));
+            }
+        }
+    }
+    goes_on_.assign(lines_.size(), false);
+    for (std::size_t i = 0; i + 1 < mesh.columns.size(); ++i) {
+        const auto layer_of = [&](int node) { return mesh.layer[at(node)]; };
+        goes_on_[i] = std::ranges::equal(lines_[i].edge, lines_[i + 1].edge,
+                                         [](double a, double b) { return std::abs(a - b) < 1e-9; }) &&
+                      std::ranges::equal(lines_[i].node, lines_[i + 1].node, {}, layer_of, layer_of);
+    }
+}
+
+void HotSpotFinder::add_line(Line line) {
+    for (std::size_t i = 0; i < line.node.size(); ++i) {
+        seats_[at(line.node[i])] = {.line = static_cast<int>(lines_.size()), .index = i};
+    }
+    lines_.push_back(std::move(line));
+}
+
+int HotSpotFinder::hottest_node(std::span<const double> T) const {
+    int hottest = nodes_.front();
+    for (const int node : nodes_) {
+        hottest = T[at(node)] > T[at(hottest)] + as_hot ? node : hottest;
+    }
+    return hottest;
+}
+
+/// A surface is a place of its own: nothing lies beyond it.
+HotSpotFinder::Blend HotSpotFinder::in_depth(const Seat& seat, std::span<const double> T) const {
+    const Line& line = lines_[at(seat.line)];
+    const std::size_t n = line.node.size();
+    Blend here{.at = line.depth[seat.index], .index = {seat.index, seat.index, seat.index}};
+    const std::size_t cell = seat.index - line.first_cell;
+    if (seat.index < line.first_cell || cell + 1 >= line.edge.size()) {
+        return here;
+    }
+    const auto joined = [&](std::size_t i) {
+        return mesh_->layer[at(line.node[i])] == mesh_->layer[at(line.node[i + 1])];
+    };
+    std::size_t first = three_about(seat.index, n, joined);
+    if (first == n) {
+        first = three_about(seat.index, n, [](std::size_t) { return true; });
+    }
+    if (first == n) {
+        return here;
+    }
+    std::array<double, 3> x{};
+    std::array<double, 3> f{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        here.index[i] = first + i;
+        x[i] = line.depth[first + i];
+        f[i] = T[at(line.node[first + i])];
+    }
+    const Peak found = peak(x, f, line.edge[cell], line.edge[cell + 1]);
+    here.at = found.at;
+    here.weight = found.weight;
+    here.count = 3;
+    return here;
+}
+
+double HotSpotFinder::at_depth(std::size_t line, const Blend& depth, std::span<const double> T) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < depth.count; ++i) {
+        sum += depth.weight[i] * T[at(lines_[line].node[depth.index[i]])];
+    }
+    return sum;
+}
+
+HotSpotFinder::Blend HotSpotFinder::along(std::size_t line, const Blend& depth, std::span<const double> T) const {
+    Blend here{.index = {line, line, line}};
+    if (line >= mesh_->columns.size()) {
+        return here;
+    }
+    const mesh::Column& column = mesh_->columns[line];
+    here.at = column.middle();
+    const std::size_t n = lines_.size();
+    const std::size_t first = three_about(line, n, [&](std::size_t i) { return goes_on_[i]; });
+    if (first == n) {
+        return here;
+    }
+    std::array<double, 3> x{};
+    std::array<double, 3> f{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        here.index[i] = first + i;
+        x[i] = mesh_->columns[first + i].middle();
+        f[i] = at_depth(first + i, depth, T);
+    }
+    // Where the thickness jumps the field turns into the neighbour: the parabola is not carried on towards it.
+    const bool ends_before = line == first;
+    const bool ends_behind = line == first + 2;
+    const Peak found =
+        peak(x, f, ends_before ? column.middle() : column.from, ends_behind ? column.middle() : column.to);
+    here.at = found.at;
+    here.weight = found.weight;
+    here.count = 3;
+    return here;
+}
+
+HotSpotFinder::Found HotSpotFinder::find(std::span<const double> temperature) const {
+    Found found{.temperature = std::numeric_limits<double>::quiet_NaN()};
+    if (nodes_.empty()) {
+        return found;
+    }
+    found.node = hottest_node(temperature);
+    found.temperature = temperature[at(found.node)];
+    found.point = mesh_->centre[at(found.node)];
+    const Seat& seat = seats_[at(found.node)];
+    if (seat.line < 0) {
+        return found;
+    }
+    const Blend depth = in_depth(seat, temperature);
+    const Blend beside = along(at(seat.line), depth, temperature);
+    found.temperature = 0.0;
+    for (std::size_t i = 0; i < beside.count; ++i) {
+        found.temperature += beside.weight[i] * at_depth(beside.index[i], depth, temperature);
+    }
+    found.point[2] = depth.at;
+    if (at(seat.line) < mesh_->columns.size()) {
+        found.point[0] = beside.at;
+    }
+    return found;
+}
+
+mesh::Functional HotSpotFinder::functional(std::span<const double> temperature) const {
+    mesh::Functional place;
+    if (nodes_.empty()) {
+        return place;
+    }
+    const int node = hottest_node(temperature);
+    const Seat& seat = seats_[at(node)];
+    if (seat.line < 0) {
+        place.add(node, 1.0);
+        return place;
+    }
+    const Blend depth = in_depth(seat, temperature);
+    const Blend beside = along(at(seat.line), depth, temperature);
+    for (std::size_t i = 0; i < beside.count; ++i) {
+        for (std::size_t k = 0; k < depth.count; ++k) {
+            place.add(lines_[beside.index[i]].node[depth.index[k]], beside.weight[i] * depth.weight[k]);
+        }
+    }
+    return place;
+}
+
+HotSpotCourse::HotSpotCourse(const mesh::Mesh& mesh, Critical critical)
+    : critical_(std::move(critical)), finder_(mesh, critical_.nodes) {}
+
+void HotSpotCourse::take(const Snapshot& snapshot) {
+    const HotSpotFinder::Found found = finder_.find(snapshot.temperature);
+    time_.push_back(snapshot.time);
+    temperature_.push_back(found.temperature);
+    found_.push_back(found);
+    double surface = std::numeric_limits<double>::quiet_NaN();
+    if (critical_.channel >= 0) {
+        surface = snapshot.channels[at(critical_.channel)];
+    } else if (!critical_.surface.nodes.empty()) {
+        surface = critical_.surface(snapshot.temperature);
+    }
+    surface_.push_back(surface);
+    if (rows() == 1 || found.temperature > temperature_[hottest_row_] + creeping) {
+        hottest_row_ = rows() - 1;
+        hottest_place_ = finder_.functional(snapshot.temperature);
+    }
+}
+
+double passing_time(std::span<const double> time, std::span<const double> value, double level) {
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        if (value[i] >= level) {
+            const double before = i > 0 ? value[i - 1] : level;
+            return i == 0 ? time[0] : time[i - 1] + (time[i] - time[i - 1]) * (level - before) / (value[i] - before);
+        }
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+double value_at(std::span<const double> time, std::span<const double> value, double t) {
+    const auto above = static_cast<std::size_t>(std::ranges::upper_bound(time, t) - time.begin());
+    if (above == 0 || above == time.size()) {
+        return value[above == 0 ? 0 : time.size() - 1];
+    }
+    const double share = (t - time[above - 1]) / (time[above] - time[above - 1]);
+    return (1.0 - share) * value[above - 1] + share * value[above];
+}
+
+}  // namespace tiretherm::solver

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mesh/mesh.hpp"
+#include "solver/sensitivity/adjustable.hpp"
+#include "solver/problem.hpp"
+#include "solver/status.hpp"
+
+/// What drives a hot spot: how its highest temperature follows numbers that are uncertain, at first order.
+namespace tiretherm::solver {
+
+/// The hottest place of a run and its time. At the peak the temperature does not change with either of them, so that the
+/// peak's slope with a number is that of the temperature at this place and time.
+struct HotPlace {
+    mesh::Functional where{};
+    double time = 0.0;  ///< s
+};
+
+/// Temperatures at the hottest places, and their slopes.
+struct PlaceSlopes {
+    Status status{};
+    std::vector<double> temperature{};  ///< [places] K
+    std::vector<double> slope{};        ///< [parameters][places] K per unit of the parameter
+    std::vector<double> step_ends{};    ///< s: the steps taken
+    std::vector<std::string> kinks{};   ///< parameters at a switch or a clamp, where the slope is that of one side
+};
+
+/// The places' temperatures in a run, with their exact slopes by all parameters: the tangent of the run.
+/// @param step_ends to take, so that neighbouring problems differ smoothly; empty: as the error control chooses
+[[nodiscard]] PlaceSlopes place_slopes(const Problem& problem, std::span<const HotPlace> places,
+                                       std::span<const Adjustable> parameters = {},
+                                       std::span<const double> step_ends = {});
+
+/// An uncertain number and what one standard deviation of it does.
+struct Driver {
+    std::string name{};
+    std::string unit{};
+    double value = 0.0;               ///< in `unit`
+    double standard_deviation = 0.0;  ///< in `unit`
+    double kelvin = 0.0;              ///< K, of the hot spot for one standard deviation more
+    /// K, by how much the mean of the hot spots one standard deviation above and below lies over that in the middle: what
+    /// the straight line leaves out. NaN where the slope is a tangent and nobody looked.
+    double bend = 0.0;
+};
+
+/// Drivers of one hot spot together: independent, each normal, and the hot spot straight in them.
+struct Spread {
+    std::vector<Driver> drivers{};    ///< the strongest first
+    double mean = 0.0;                ///< K
+    double standard_deviation = 0.0;  ///< K
+
+    /// Share of the variance that a driver brings.
+    [[nodiscard]] double share(std::size_t driver) const;
+    /// Probability that the hot spot is above a temperature.
+    [[nodiscard]] double chance_above(double temperature) const;
+};
+
+/// @param mean K, of the hot spot where every number has its expected value
+[[nodiscard]] Spread spread_of(std::vector<Driver> drivers, double mean);
+
+}  // namespace tiretherm::solver

@@ -1,0 +1,50 @@
+#include "solver/hot_spot/hot_spot_steady.hpp"
+
+#include <cmath>
+
+namespace tiretherm::solver {
+
+std::vector<std::vector<SpotAndSurface>> steady_spots(const Problem& problem, std::span<const Critical> criticals,
+                                                      std::span<const ScheduleStep> steps) {
+    std::vector<std::vector<SpotAndSurface>> found(criticals.size(), std::vector<SpotAndSurface>(steps.size()));
+    Problem steady = problem;
+    steady.settings.steady = true;
+    for (std::size_t s = 0; s < steps.size(); ++s) {
+        if (steps[s].ramp) {
+            continue;
+        }
+        // Just inside of the step: at its end the drive may jump.
+        steady.settings.end = steps[s].to - 1e-6 * steps[s].duration();
+        std::vector<HotSpotCourse> courses;
+        for (const Critical& critical : criticals) {
+            courses.emplace_back(steady.mesh, critical);
+        }
+        const Report report = run(steady, [&](const Snapshot& snapshot) {
+            for (HotSpotCourse& course : courses) {
+                course.take(snapshot);
+            }
+            return true;
+        });
+        for (std::size_t c = 0; report.status.ok() && c < courses.size(); ++c) {
+            found[c][s] = {.hottest = courses[c].temperature().back(), .surface = courses[c].surface().back()};
+        }
+    }
+    return found;
+}
+
+double surface_threshold(std::span<const SpotAndSurface> steady, double critical) {
+    const SpotAndSurface* last = nullptr;
+    for (const SpotAndSurface& now : steady) {
+        if (std::isnan(now.hottest)) {
+            continue;
+        }
+        if (last != nullptr && last->hottest < critical && now.hottest >= critical) {
+            const double share = (critical - last->hottest) / (now.hottest - last->hottest);
+            return (1.0 - share) * last->surface + share * now.surface;
+        }
+        last = &now;
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace tiretherm::solver

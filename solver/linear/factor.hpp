@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "solver/linear/matrix.hpp"
+
+namespace tiretherm::solver {
+
+/// Which factor stands behind the linear systems; `automatic` looks at the fill that CHOLMOD's analysis predicts.
+enum class LinearSolver : std::uint8_t { automatic, cholesky, conjugate_gradient };
+
+/// An approximate or exact inverse of a symmetric positive definite matrix: the only thing the solver knows about
+/// linear algebra libraries. The pattern is analysed in the constructor; after `factorise`, solves allocate nothing.
+class Factor {
+public:
+    Factor() = default;
+    Factor(const Factor&) = delete;
+    Factor& operator=(const Factor&) = delete;
+    virtual ~Factor() = default;
+
+    /// @returns an empty text, or a sentence saying what is wrong with the matrix
+    [[nodiscard]] virtual std::string factorise(const Matrix& matrix) = 0;
+    /// x = M^-1 b, with M the matrix last factorised. b and x do not overlap.
+    virtual void solve(std::span<const double> b, std::span<double> x) = 0;
+    /// The same for several right-hand sides, one after the other in memory. @param B, X [n_columns][n]
+    virtual void solve_block(std::span<const double> B, std::span<double> X, std::size_t n_columns) {
+        const std::size_t n = B.size() / n_columns;
+        for (std::size_t j = 0; j < n_columns; ++j) {
+            solve(B.subspan(j * n, n), X.subspan(j * n, n));
+        }
+    }
+    /// Cost of a factorisation in units of one solve, from the analysis: decides when a new one pays.
+    [[nodiscard]] virtual double factor_cost() const = 0;
+    /// Whether `solve` is exact for the matrix that was factorised.
+    [[nodiscard]] virtual bool is_exact() const = 0;
+    [[nodiscard]] virtual std::string description() const = 0;
+};
+
+/// Sparse Cholesky factor by CHOLMOD.
+[[nodiscard]] std::unique_ptr<Factor> make_cholesky(const Pattern& pattern);
+/// Incomplete Cholesky factor by Eigen (limited memory, Lin and More 1999), to precondition conjugate gradients.
+[[nodiscard]] std::unique_ptr<Factor> make_incomplete_cholesky(const Pattern& pattern);
+/// `automatic`: CHOLMOD unless its analysis predicts a fill at which incomplete Cholesky is faster.
+[[nodiscard]] std::unique_ptr<Factor> make_factor(const Pattern& pattern, LinearSolver wanted);
+
+}  // namespace tiretherm::solver

@@ -1,0 +1,125 @@
+#include "solver/linear/matrix.hpp"
+
+#include <algorithm>
+
+namespace tiretherm::solver {
+
+namespace {
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+}  // namespace
+
+Pattern pattern_of(const mesh::Mesh& mesh) {
+    std::vector<std::vector<int>> neighbours(at(mesh.n_nodes));
+    for (int i = 0; i < mesh.n_nodes; ++i) {
+        neighbours[at(i)].push_back(i);
+    }
+    for (const mesh::Face& face : mesh.faces) {
+        neighbours[at(face.a)].push_back(face.b);
+        neighbours[at(face.b)].push_back(face.a);
+    }
+    Pattern p;
+    p.n = mesh.n_nodes;
+    p.start.push_back(0);
+    for (int i = 0; i < p.n; ++i) {
+        std::vector<int>& row = neighbours[at(i)];
+        std::sort(row.begin(), row.end());
+        row.erase(std::unique(row.begin(), row.end()), row.end());
+        const auto own = std::lower_bound(row.begin(), row.end(), i);
+        p.diagonal.push_back(p.start.back() + static_cast<int>(own - row.begin()));
+        p.column.insert(p.column.end(), row.begin(), row.end());
+        p.start.push_back(static_cast<int>(p.column.size()));
+    }
+    const auto place = [&](int row, int column) {
+        const auto first = p.column.begin() + p.start[at(row)];
+        const auto last = p.column.begin() + p.start[at(row) + 1];
+        return static_cast<int>(std::lower_bound(first, last, column) - p.column.begin());
+    };
+    for (const mesh::Face& face : mesh.faces) {
+        p.ab.push_back(place(face.a, face.b));
+        p.ba.push_back(place(face.b, face.a));
+    }
+    return p;
+}
+
+void Matrix::multiply(std::span<const double> x, std::span<double> y) const {
+    if (transposed) {
+        multiply_transposed(x, y);
+        return;
+    }
+    const Pattern& p = *pattern;
+    for (int i = 0; i < p.n; ++i) {
+        double sum = 0.0;
+        for (int e = p.start[at(i)]; e < p.start[at(i) + 1]; ++e) {
+            sum += value[at(e)] * x[at(p.column[at(e)])];
+        }
+        y[at(i)] = sum;
+    }
+    for (const Outer& term : outer) {
+        const double mean = term.scale * (*term.mean)(x);
+        for (int i = 0; i < p.n; ++i) {
+            y[at(i)] += term.row[at(i)] * mean;
+        }
+    }
+}
+
+void Matrix::multiply_transposed(std::span<const double> x, std::span<double> y) const {
+    const Pattern& p = *pattern;
+    std::fill(y.begin(), y.end(), 0.0);
+    for (int i = 0; i < p.n; ++i) {
+        for (int e = p.start[at(i)]; e < p.start[at(i) + 1]; ++e) {
+            y[at(p.column[at(e)])] += value[at(e)] * x[at(i)];
+        }
+    }
+    for (const Outer& term : outer) {
+        double sum = 0.0;
+        for (int i = 0; i < p.n; ++i) {
+            sum += term.row[at(i)] * x[at(i)];
+        }
+        for (std::size_t i = 0; i < term.mean->nodes.size(); ++i) {
+            y[at(term.mean->nodes[i])] += term.scale * sum * term.mean->weights[i];
+        }
+    }
+}
+
+void Matrix::multiply_block(std::span<const double> X, std::span<double> Y, std::size_t n_columns) const {
+    // Four columns share each entry that is fetched.
+    constexpr std::size_t at_once = 4;
+    const Pattern& p = *pattern;
+    const std::size_t n = at(p.n);
+    std::size_t done = 0;
+    for (; !transposed && done + at_once <= n_columns; done += at_once) {
+        const double* x = X.data() + done * n;
+        double* y = Y.data() + done * n;
+        for (std::size_t i = 0; i < n; ++i) {
+            double s0 = 0.0;
+            double s1 = 0.0;
+            double s2 = 0.0;
+            double s3 = 0.0;
+            for (std::size_t e = at(p.start[i]); e < at(p.start[i + 1]); ++e) {
+                const double v = value[e];
+                const std::size_t c = at(p.column[e]);
+                s0 += v * x[c];
+                s1 += v * x[c + n];
+                s2 += v * x[c + 2 * n];
+                s3 += v * x[c + 3 * n];
+            }
+            y[i] = s0;
+            y[i + n] = s1;
+            y[i + 2 * n] = s2;
+            y[i + 3 * n] = s3;
+        }
+        for (const Outer& term : outer) {
+            for (std::size_t j = 0; j < at_once; ++j) {
+                const double mean = term.scale * (*term.mean)({x + j * n, n});
+                for (std::size_t i = 0; i < n; ++i) {
+                    y[i + j * n] += term.row[i] * mean;
+                }
+            }
+        }
+    }
+    for (; done < n_columns; ++done) {
+        multiply(X.subspan(done * n, n), Y.subspan(done * n, n));
+    }
+}
+
+}  // namespace tiretherm::solver

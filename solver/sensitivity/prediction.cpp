@@ -1,0 +1,173 @@
+#include "solver/sensitivity/prediction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "solver/time_integration/march.hpp"
+#include "solver/sensitivity/tangent.hpp"
+
+namespace tiretherm::solver {
+
+namespace {
+
+/// Halvings of a step that does not converge although it did for a neighbouring problem.
+constexpr int most_halvings = 8;
+
+/// Which steps the error control takes. @returns their ends, s
+std::vector<double> steps_of(Problem problem, Status& status) {
+    problem.settings.output_interval = 0.0;
+    problem.settings.field_interval = 0.0;
+    problem.channels.clear();
+    for (physics::ActiveEffect& active : problem.effects) {
+        active.channels.clear();
+    }
+    std::vector<double> ends;
+    const Report report = run(problem, [&](const Snapshot& now) {
+        if (now.time > problem.settings.start) {
+            ends.push_back(now.time);
+        }
+        return true;
+    });
+    status = report.status;
+    return ends;
+}
+
+/// The steps are given: none of them is judged by its error.
+Problem with_given_steps(Problem problem) {
+    problem.settings.fixed_step = 1.0;
+    return problem;
+}
+
+class Prophet {
+public:
+    Prophet(const Problem& problem, const Question& question, Prediction& into)
+        : problem_(with_given_steps(problem)),
+          question_(question),
+          into_(into),
+          stepper_(problem_),
+          readings_(problem_, stepper_.system()),
+          tangent_(problem_, stepper_, question.parameters, question.values, question.tolerance),
+          slopes_(question.parameters.size() * problem.channels.size()),
+          channels_(problem.channels.size()) {}
+
+    Status steady() {
+        const double t = problem_.settings.end;
+        if (Status status = stepper_.solve_steady(t); !status.ok()) {
+            return status;
+        }
+        const physics::Inputs inputs = problem_.drive.at(t, Limit::before);
+        readings_.begin(t, stepper_.temperature(), stepper_.watts(), inputs);
+        if (Status status = tangent_.take_steady(inputs); !status.ok()) {
+            return status;
+        }
+        while (next_ < question_.times.size()) {
+            answer(t, t);
+        }
+        return {};
+    }
+
+    Status march(std::span<const double> ends) {
+        const double start = problem_.settings.start;
+        const physics::Inputs inputs = problem_.drive.at(start, Limit::after);
+        stepper_.find_watts(inputs);
+        readings_.begin(start, stepper_.temperature(), stepper_.watts(), inputs);
+        tangent_.begin(inputs);
+        while (next_ < question_.times.size() && question_.times[next_] <= start) {
+            answer(start, question_.times[next_]);
+        }
+        for (const double end : ends) {
+            if (Status status = step_to(end, 0); !status.ok()) {
+                return status;
+            }
+        }
+        while (next_ < question_.times.size()) {  // the last sample may lie a rounding error beyond the end
+            answer(stepper_.time(), question_.times[next_]);
+        }
+        return {};
+    }
+
+    void name_kinks() {
+        for (std::size_t j = 0; j < tangent_.size(); ++j) {
+            if (tangent_.variation(j).has_kink()) {
+                into_.kinks.push_back(question_.parameters[j].name);
+            }
+        }
+    }
+
+private:
+    Status step_to(double end, int halvings) {
+        Stepper::Attempt attempt = stepper_.attempt(end);
+        if (!attempt.status.ok()) {
+            if (halvings == most_halvings) {
+                return std::move(attempt.status);
+            }
+            if (Status status = step_to(0.5 * (stepper_.time() + end), halvings + 1); !status.ok()) {
+                return status;
+            }
+            return step_to(end, halvings + 1);
+        }
+        stepper_.accept();
+        inputs_.clear();
+        for (const Stage& stage : stepper_.stages()) {
+            inputs_.push_back(problem_.drive.at(stage.time, inputs_.empty() ? Limit::after : Limit::before));
+        }
+        readings_.take_step(stepper_.stages(), inputs_);
+        if (Status status = tangent_.take_step(inputs_); !status.ok()) {
+            return status;
+        }
+        while (next_ < question_.times.size() && question_.times[next_] <= end) {
+            answer(question_.times[next_], question_.times[next_]);
+        }
+        return {};
+    }
+
+    /// Reads the channels at a moment of the last step as the answer to the next time asked for.
+    void answer(double t, double asked) {
+        const physics::Inputs logged = problem_.drive.at(asked, Limit::before);
+        readings_.at(t, logged, channels_);
+        std::ranges::copy(channels_, into_.value.begin() + static_cast<std::ptrdiff_t>(next_ * into_.n_channels));
+        tangent_.read(t, logged, slopes_);
+        for (std::size_t j = 0; j < tangent_.size(); ++j) {
+            for (std::size_t c = 0; c < into_.n_channels; ++c) {
+                into_.slope[(j * into_.n_times + next_) * into_.n_channels + c] = slopes_[j * into_.n_channels + c];
+            }
+        }
+        ++next_;
+    }
+
+    const Problem problem_;
+    const Question& question_;
+    Prediction& into_;
+    Stepper stepper_;
+    Readings readings_;
+    Tangent tangent_;
+    std::vector<double> slopes_;
+    std::vector<double> channels_;
+    std::vector<physics::Inputs> inputs_;
+    std::size_t next_ = 0;
+};
+
+}  // namespace
+
+Prediction predict(const Problem& problem, const Question& question) {
+    Prediction prediction;
+    prediction.n_times = question.times.size();
+    prediction.n_channels = problem.channels.size();
+    prediction.value.assign(prediction.n_times * prediction.n_channels, std::nan(""));
+    prediction.slope.assign(question.parameters.size() * prediction.value.size(), 0.0);
+    prediction.step_ends.assign(question.step_ends.begin(), question.step_ends.end());
+    if (prediction.step_ends.empty() && !problem.settings.steady) {
+        prediction.step_ends = steps_of(problem, prediction.status);
+        if (!prediction.status.ok()) {
+            return prediction;
+        }
+    }
+    Prophet prophet(problem, question, prediction);
+    prediction.status = problem.settings.steady ? prophet.steady() : prophet.march(prediction.step_ends);
+    prophet.name_kinks();
+    return prediction;
+}
+
+}  // namespace tiretherm::solver

@@ -1,0 +1,25 @@
+#include "solver/stop_signal.hpp"
+
+#include <csignal>
+
+namespace tiretherm::solver {
+
+namespace {
+
+volatile std::sig_atomic_t requested = 0;
+
+extern "C" void request(int /*signal*/) { requested = 1; }
+
+}  // namespace
+
+void heed_stop_signals() {
+    struct sigaction action {};
+    action.sa_handler = &request;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+}
+
+bool stop_requested() { return requested != 0; }
+
+}  // namespace tiretherm::solver

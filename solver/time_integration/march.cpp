@@ -1,0 +1,269 @@
+#include "solver/time_integration/march.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "solver/time_integration/rows.hpp"
+#include "solver/time_integration/stepper.hpp"
+
+namespace tiretherm::solver {
+
+namespace {
+
+/// Chooses the size of the next step from the error of the last: an elementary controller with a dead zone, so that
+/// the step, and with it the kept factor, changes seldom.
+class StepControl {
+public:
+    StepControl(const Settings& settings, int order) : tolerance_(settings.tolerance), exponent_(1.0 / (order + 1)) {}
+
+    /// Factor on the step after an error of `error` K.
+    [[nodiscard]] double factor(double error) const {
+        const double wanted = error > 0.0 ? 0.9 * std::pow(tolerance_ / error, exponent_) : 4.0;
+        const double bounded = std::clamp(wanted, 0.2, 4.0);
+        return bounded > 0.95 && bounded < 1.25 ? 1.0 : bounded;
+    }
+    [[nodiscard]] bool accepts(double error) const { return error <= tolerance_; }
+
+private:
+    double tolerance_;
+    double exponent_;
+};
+
+/// A log that was too rough for a step stays so for a while, which no power of the step foretells.
+constexpr int rough_steps = 8;
+
+/// A run from its start to its end: chooses the steps, leaves checkpoints, fills the report.
+class Run {
+public:
+    Run(const Problem& problem, const Observer& observer, const Continuation& continuation)
+        : problem_(problem), continuation_(continuation), stepper_(problem), rows_(problem, observer, stepper_) {
+        report_.hottest.temperature = -std::numeric_limits<double>::infinity();
+        report_.coldest.temperature = std::numeric_limits<double>::infinity();
+    }
+
+    Report go() {
+        const Settings& settings = problem_.settings;
+        stepper_.find_watts(problem_.drive.at(settings.start, Limit::after));
+        if (settings.steady) {
+            report_.status = stepper_.solve_steady(settings.end);
+            if (report_.status.ok()) {
+                rows_.watch(report_);
+                report_.status = rows_.show() ? Status{} : stopped();
+            }
+        } else if (continuation_.from != nullptr) {
+            rows_.watch(report_);
+            report_.status = resume(*continuation_.from) ? march() : foreign();
+        } else {
+            rows_.watch(report_);
+            report_.status = rows_.show() ? march() : stopped();
+        }
+        finish();
+        return std::move(report_);
+    }
+
+private:
+    [[nodiscard]] Status stopped() const {
+        return {Outcome::stopped,
+                fmt::format("stopped at t = {:.6g} s of {:.6g} s", stepper_.time(), problem_.settings.end)};
+    }
+
+    [[nodiscard]] Status foreign() const {
+        return {Outcome::foreign_checkpoint,
+                "the checkpoint belongs to another case: it holds another number of values"};
+    }
+
+    /// Everything that the rest of the run depends on, in one order for writing and reading.
+    void visit(Archive& archive) {
+        stepper_.visit(archive);
+        rows_.visit(archive);
+        archive(wanted_);
+        archive.whole(fresh_);
+        archive.whole(hold_);
+        archive.whole(report_.steps);
+        archive.whole(report_.rejected);
+        for (Report::Extreme* extreme : {&report_.hottest, &report_.coldest}) {
+            archive(extreme->temperature);
+            archive(extreme->time);
+            archive.whole(extreme->node);
+        }
+        for (std::vector<double>* values : {&report_.channel_final, &report_.channel_min, &report_.channel_max}) {
+            archive(*values);
+        }
+    }
+
+    [[nodiscard]] bool resume(const Checkpoint& checkpoint) {
+        Archive archive = Archive::reading(checkpoint.numbers);
+        visit(archive);
+        return archive.complete();
+    }
+
+    void leave_checkpoint() {
+        if (continuation_.every <= 0 || report_.steps % continuation_.every != 0 || !continuation_.keep) {
+            return;
+        }
+        checkpoint_.numbers.clear();
+        Archive archive = Archive::writing(checkpoint_.numbers);
+        visit(archive);
+        continuation_.keep(checkpoint_);
+    }
+
+    Status march() {
+        const Settings& settings = problem_.settings;
+        const StepControl control(settings, tableau(settings.method).order);
+        const double smallest = 1e-10 * (settings.end - settings.start);
+        wanted_ = settings.fixed_step.value_or(wanted_);
+        while (stepper_.time() < settings.end - smallest) {
+            const double t = stepper_.time();
+            const double stop = next_stop(t);
+            if (fresh_ && !settings.fixed_step) {
+                // Ten tolerances of change, were the present rate to last.
+                const double rate = stepper_.steepest_rate();
+                const double first = rate > 0.0 ? 10.0 * settings.tolerance / rate : stop - t;
+                wanted_ = wanted_ > 0.0 ? std::min(wanted_, first) : first;
+            }
+            fresh_ = false;
+            double t1 = settings.fixed_step ? t + wanted_ : on_sample(t, t + wanted_, smallest);
+            if (t1 > stop - smallest) {
+                t1 = stop;
+            } else if (!settings.fixed_step && t1 + wanted_ > stop) {
+                t1 = 0.5 * (t + stop);  // two equal steps rather than a whole one and a sliver
+            }
+            Stepper::Attempt attempt = stepper_.attempt(t1);
+            if (!attempt.status.ok()) {
+                ++report_.rejected;
+                if (settings.fixed_step || t1 - t < 10.0 * smallest || !mendable(attempt.status.outcome)) {
+                    return std::move(attempt.status);
+                }
+                wanted_ = 0.25 * (t1 - t);
+                continue;
+            }
+            if (!settings.fixed_step) {
+                const double factor = control.factor(attempt.error);
+                if (!control.accepts(attempt.error)) {
+                    ++report_.rejected;
+                    hold_ = problem_.drive.samples().empty() ? 0 : rough_steps;
+                    wanted_ = std::min(factor, 0.8) * (t1 - t);
+                    if (wanted_ < smallest) {
+                        return stepper_.blame_error(
+                            fmt::format("the step shrank to {:.1e} s without reaching the tolerance of {} K", wanted_,
+                                        settings.tolerance));
+                    }
+                    continue;
+                }
+                // A step cut short by a stop says nothing against the size that was wanted.
+                wanted_ = std::max(factor * (t1 - t), t1 - t < wanted_ ? wanted_ : 0.0);
+                if (hold_ > 0) {
+                    --hold_;
+                    wanted_ = std::min(wanted_, t1 - t);
+                }
+            }
+            stepper_.accept();
+            rows_.take_step();
+            ++report_.steps;
+            rows_.watch(report_);
+            if (!rows_.advance()) {
+                return stopped();
+            }
+            fresh_ = jumps_at(stepper_.time());
+            leave_checkpoint();
+        }
+        return {};
+    }
+
+    /// Whether a smaller step may help.
+    [[nodiscard]] static bool mendable(Outcome outcome) {
+        switch (outcome) {
+            case Outcome::not_converged:
+            case Outcome::not_finite:
+            case Outcome::negative_conductance:
+            case Outcome::not_positive_definite:
+                return true;
+            case Outcome::done:
+            case Outcome::step_too_small:
+            case Outcome::stopped:
+            case Outcome::foreign_checkpoint:
+                return false;
+        }
+        return false;
+    }
+
+    /// The end of a step over a log: on a sample, so that no piece of a straight line is left over, and 2, 4, 8 ...
+    /// samples on, so that steps are often alike and one factor serves them.
+    [[nodiscard]] double on_sample(double t, double t1, double round_off) const {
+        const std::vector<double>& samples = problem_.drive.samples();
+        const auto first = std::upper_bound(samples.begin(), samples.end(), t + round_off);
+        const auto last = std::upper_bound(first, samples.end(), t1 + round_off);
+        const auto count = static_cast<std::size_t>(last - first);
+        return count == 0 ? t1 : *(first + static_cast<std::ptrdiff_t>(std::bit_floor(count)) - 1);
+    }
+
+    [[nodiscard]] double next_stop(double t) const {
+        const std::vector<double>& stops = problem_.drive.stops();
+        const auto next = std::upper_bound(stops.begin(), stops.end(), t);
+        return next == stops.end() ? problem_.settings.end : std::min(*next, problem_.settings.end);
+    }
+
+    [[nodiscard]] bool jumps_at(double t) const {
+        return problem_.drive.at(t, Limit::before) != problem_.drive.at(t, Limit::after);
+    }
+
+    void finish() {
+        const Counters& counters = stepper_.newton().counters();
+        report_.simulated = stepper_.time() - problem_.settings.start;
+        report_.newton_iterations = counters.newton_iterations;
+        report_.linear_iterations = counters.linear_iterations;
+        report_.factorisations = counters.factorisations;
+        report_.linear_solver = stepper_.newton().linear_solver();
+        report_.seconds = {counters.assembly_seconds, counters.factor_seconds, counters.solve_seconds, rows_.seconds()};
+        report_.watts.assign(stepper_.watts().begin(), stepper_.watts().end());
+        report_.joules.assign(stepper_.joules().begin(), stepper_.joules().end());
+        report_.stored = stepper_.stored();
+        find_law_watts();
+        report_.warnings = rows_.cautions();
+        report_.effective_link = stepper_.effective_link();
+        report_.energy_closure = problem_.settings.steady ? steady_closure() : stepper_.energy_closure();
+    }
+
+    void find_law_watts() {
+        const physics::Inputs inputs = problem_.drive.at(stepper_.time(), Limit::before);
+        for (std::size_t e = 0; e < problem_.effects.size(); ++e) {
+            const physics::Effect& effect = *problem_.effects[e].effect;
+            report_.law_watts.push_back(effect.bend != nullptr || effect.scale_loss != nullptr
+                                            ? stepper_.system().share_of_law(e, stepper_.temperature(), inputs)
+                                            : std::numeric_limits<double>::quiet_NaN());
+        }
+    }
+
+    /// In the steady state the watts themselves cancel.
+    [[nodiscard]] double steady_closure() const {
+        double booked = 0.0;
+        double turned_over = 0.0;
+        for (const double watts : report_.watts) {
+            booked += watts;
+            turned_over += std::abs(watts);
+        }
+        return turned_over > 0.0 ? std::abs(booked) / turned_over : 0.0;
+    }
+
+    const Problem& problem_;
+    const Continuation& continuation_;
+    Stepper stepper_;
+    Rows rows_;
+    Report report_;
+    Checkpoint checkpoint_;
+    double wanted_ = 0.0;  ///< s, size of the next step
+    int hold_ = 0;         ///< steps to come that do not grow
+    bool fresh_ = true;    ///< at the start and after a jump the step is chosen anew
+};
+
+}  // namespace
+
+Report run(const Problem& problem, const Observer& observer, const Continuation& continuation) {
+    return Run(problem, observer, continuation).go();
+}
+
+}  // namespace tiretherm::solver

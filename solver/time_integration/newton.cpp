@@ -1,0 +1,247 @@
+#include "solver/time_integration/newton.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
+
+namespace tiretherm::solver {
+
+namespace {
+
+constexpr int most_iterations = 25;
+/// Newton's corrections need only this relative accuracy of the linear solution: the next one mends the rest.
+constexpr double forcing = 1e-3;
+/// The share of the heat turned over in a stage that it may fail to book.
+constexpr double energy_closure = 1e-11;
+/// Corrections after which a balance that is solved but not booked to the last digit is taken as it is.
+constexpr int patience = 8;
+
+class Stopwatch {
+public:
+    explicit Stopwatch(double& total) : total_(&total), start_(std::chrono::steady_clock::now()) {}
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+    ~Stopwatch() { *total_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+private:
+    double* total_;
+    std::chrono::steady_clock::time_point start_;
+};
+
+double sum(std::span<const double> values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+
+}  // namespace
+
+Newton::Newton(System& system)
+    : system_(&system),
+      factor_(make_factor(system.pattern(), system.problem().settings.linear_solver)),
+      krylov_(system.size()) {
+    const auto n = static_cast<std::size_t>(system.size());
+    for (std::vector<double>* v : {&residual_, &correction_, &remainder_, &J_ones_, &enthalpy_}) {
+        v->resize(n);
+    }
+    ones_.assign(n, 1.0);
+    for (const physics::Material& material : system.problem().materials) {
+        has_nonlinear_capacity_ = has_nonlinear_capacity_ || !material.heat_capacity.is_constant();
+    }
+    A_.value.reserve(system.pattern().nonzeros());
+    J_.value.reserve(system.pattern().nonzeros());
+    J_.outer.reserve(system.problem().mesh.regions.size());
+}
+
+void Newton::find_residual(const Stage& stage, std::span<const double> T) {
+    const std::span<const double> q = system_->heat_flow();
+    if (stage.steady) {
+        std::fill(enthalpy_.begin(), enthalpy_.end(), 0.0);
+    } else {
+        system_->enthalpy(T, enthalpy_);
+    }
+    for (std::size_t i = 0; i < residual_.size(); ++i) {
+        residual_[i] = stage.known[i] + stage.s * q[i] - enthalpy_[i];
+    }
+}
+
+/// Largest residual over its diagonal: an estimate in kelvin that needs no solve. Also finds the worst node.
+double Newton::scaled_residual() {
+    const Pattern& p = system_->pattern();
+    double worst = 0.0;
+    for (std::size_t i = 0; i < residual_.size(); ++i) {
+        const double scaled = std::abs(residual_[i]) / A_.value[static_cast<std::size_t>(p.diagonal[i])];
+        if (scaled > worst) {
+            worst = scaled;
+            worst_node_ = static_cast<int>(i);
+        }
+    }
+    return worst;
+}
+
+/// Whether the stage books its heat: the balance of the whole mesh, beside the heat turned over and the round-off of
+/// the enthalpies that it is a difference of.
+bool Newton::is_booked(const Stage& stage) const {
+    double turnover = 0.0;
+    for (const double w : system_->terms().watts) {
+        turnover += std::abs(w);
+    }
+    return std::abs(sum(residual_)) <= energy_closure * stage.s * turnover + 4e-16 * sum(enthalpy_);
+}
+
+/// Factorises when there is no usable factor, when the step has changed too much for the old one, or when the solves
+/// that a fresh factor would have saved have cost more than it does.
+Status Newton::prepare(const Stage& stage) {
+    if (has_factor_for(stage.s) && debt_ < factor_->factor_cost()) {
+        return {};
+    }
+    const Stopwatch watch(counters_.factor_seconds);
+    ++counters_.factorisations;
+    factored_s_ = 0.0;
+    if (std::string problem = factor_->factorise(A_); !problem.empty()) {
+        return {Outcome::not_positive_definite, fmt::format("{}, at t = {:.6g} s", problem, stage.time)};
+    }
+    factored_s_ = stage.s;
+    fresh_solves_ = 0;
+    debt_ = 0.0;
+    return {};
+}
+
+void Newton::assemble(const Stage& stage) {
+    const Stopwatch watch(counters_.assembly_seconds);
+    system_->matrices(stage.s, stage.steady, A_, J_);
+}
+
+/// One correction with the matrices at hand, and the constant that closes the balance of the whole mesh. @returns the
+/// largest change, K
+double Newton::polish(std::span<double> T) {
+    const Stopwatch watch(counters_.solve_seconds);
+    last_shift_ = 0.0;
+    factor_->solve(residual_, correction_);
+    ++counters_.linear_iterations;
+    J_.multiply(correction_, remainder_);
+    const double left = sum(residual_) - sum(remainder_);
+    const double shift = weight_ != 0.0 ? left / weight_ : 0.0;
+    double largest = 0.0;
+    for (std::size_t i = 0; i < T.size(); ++i) {
+        T[i] += correction_[i] + shift;
+        largest = std::max(largest, std::abs(correction_[i] + shift));
+    }
+    return largest;
+}
+
+/// Moves every temperature by the constant that closes the balance of the whole mesh, whose slope is learnt from one
+/// such move to the next. @returns K
+double Newton::shift_all(std::span<double> T) {
+    const double joules = sum(residual_);
+    if (last_shift_ != 0.0) {
+        const double slope = (last_joules_ - joules) / last_shift_;
+        weight_ = slope > 0.5 * weight_ && slope < 2.0 * weight_ ? slope : weight_;
+    }
+    last_joules_ = joules;
+    last_shift_ = weight_ != 0.0 ? joules / weight_ : 0.0;
+    for (double& t : T) {
+        t += last_shift_;
+    }
+    return std::abs(last_shift_);
+}
+
+Status Newton::solve(const Stage& stage, std::span<double> T) {
+    double before = 0.0;      // scaled residual of the last iterate
+    double correction = 0.0;  // size of the last correction, K
+    bool solved = false;      // a linear balance needs one correction only
+    bool polished = false;
+    for (int iteration = 0; iteration <= most_iterations; ++iteration) {
+        {
+            const Stopwatch watch(counters_.assembly_seconds);
+            system_->evaluate(T, stage.intensities);
+            find_residual(stage, T);
+        }
+        if (const int bad = system_->first_not_finite(); bad >= 0) {
+            return system_->blame(Outcome::not_finite, "the heat balance is not a number", bad, stage.time, T,
+                                  stage.intensities);
+        }
+        if (const physics::Terms& said = system_->terms(); said.negative_effect >= 0) {
+            const physics::ActiveEffect& guilty =
+                system_->problem().effects[static_cast<std::size_t>(said.negative_effect)];
+            return system_->blame(
+                Outcome::negative_conductance,
+                fmt::format("effect {} gave a negative conductance (a law k(T) or h below zero?)", guilty.title()),
+                said.negative_node, stage.time, T, stage.intensities);
+        }
+        if (iteration == 0) {
+            assemble(stage);
+        }
+        const double now = scaled_residual();
+        if (iteration > 0) {
+            // The correction just made was for `before`; what is left of it shrank as the residual did.
+            const double error = before > 0.0 ? correction * now / before : 0.0;
+            const bool small = solved || error <= stage.tolerance;
+            if (small && (is_booked(stage) || iteration > patience)) {
+                return {};
+            }
+            // The field is as good as found: what is left needs no new matrix, and after that only the mean still has to
+            // book the heat to the last digit.
+            if (small && factor_->is_exact()) {
+                correction = polished ? shift_all(T) : polish(T);
+                polished = true;
+                before = now;
+                continue;
+            }
+            polished = false;
+            assemble(stage);
+        }
+        before = now;
+        if (iteration == most_iterations) {
+            break;
+        }
+        if (Status status = prepare(stage); !status.ok()) {
+            return status;
+        }
+        const Stopwatch watch(counters_.solve_seconds);
+        const bool linear = !system_->terms().nonlinear && !has_nonlinear_capacity_;
+        const Krylov::Result result = krylov_.solve(J_, *factor_, residual_, correction_, remainder_,
+                                                    0.5 * stage.tolerance, linear ? 0.0 : forcing);
+        counters_.linear_iterations += result.solves;
+        ++counters_.newton_iterations;
+        solved = linear && result.converged;
+        // The first solve with a new factor sets what a solve costs; more than that is owed to the factor's age.
+        fresh_solves_ = fresh_solves_ == 0 ? std::max(1, result.solves) : fresh_solves_;
+        debt_ += std::max(0, result.solves - fresh_solves_);
+        if (!result.converged) {
+            debt_ = 2.0 * factor_->factor_cost();  // a fresh factor next time
+        }
+        J_.multiply(ones_, J_ones_);
+        weight_ = sum(J_ones_);
+        const double shift = weight_ != 0.0 ? sum(remainder_) / weight_ : 0.0;
+        correction = 0.0;
+        for (std::size_t i = 0; i < correction_.size(); ++i) {
+            correction_[i] += shift;
+            correction = std::max(correction, std::abs(correction_[i]));
+        }
+        // A temperature below a fifth of the present one is an overshoot of the linear model.
+        double damping = 1.0;
+        for (std::size_t i = 0; i < correction_.size(); ++i) {
+            if (correction_[i] < -0.8 * T[i]) {
+                damping = std::min(damping, -0.5 * T[i] / correction_[i]);
+            }
+        }
+        for (std::size_t i = 0; i < correction_.size(); ++i) {
+            T[i] += damping * correction_[i];
+        }
+    }
+    return system_->blame(Outcome::not_converged, "the heat balance did not converge", worst_node_, stage.time, T,
+                          stage.intensities);
+}
+
+void Newton::filter(std::span<const double> b, std::span<double> x) {
+    const Stopwatch watch(counters_.solve_seconds);
+    // An error estimate is wanted to one digit only: an exact factor of a step nearby is enough.
+    if (factor_->is_exact()) {
+        factor_->solve(b, x);
+        ++counters_.linear_iterations;
+        return;
+    }
+    counters_.linear_iterations += krylov_.solve(A_, *factor_, b, x, remainder_, 0.0, 0.1).solves;
+}
+
+}  // namespace tiretherm::solver

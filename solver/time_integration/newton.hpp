@@ -1,0 +1,98 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "solver/linear/factor.hpp"
+#include "solver/linear/krylov.hpp"
+#include "solver/system.hpp"
+
+namespace tiretherm::solver {
+
+/// Work done, for the report.
+struct Counters {
+    long newton_iterations = 0;
+    long linear_iterations = 0;
+    long factorisations = 0;
+    double assembly_seconds = 0.0;
+    double factor_seconds = 0.0;
+    double solve_seconds = 0.0;
+};
+
+/// Solves one implicit stage,   H(T) - s q(T) = known,   by Newton's method. Each correction solves the unsymmetric
+/// Jacobian by iteration on the kept factor of A = C + s K; a new factor is made when it pays.
+///
+/// Every correction is shifted by the constant that makes the linearised energy balance of the whole mesh exact, so
+/// that an iteration stopped early still books all its heat (energy closes at round-off, not at Newton's tolerance).
+class Newton {
+public:
+    explicit Newton(System& system);
+
+    struct Stage {
+        double s = 0.0;                       ///< s, step times the method's diagonal coefficient
+        std::span<const double> known;        ///< [n_nodes] J
+        std::span<const double> intensities;  ///< [n_intensities]
+        double time = 0.0;                    ///< s, for messages
+        double tolerance = 1e-9;              ///< K
+        bool steady = false;                  ///< -q(T) = known, without capacity
+    };
+
+    /// @param T [n_nodes] K, in: a guess; out: the solution, at which the system has been evaluated
+    [[nodiscard]] Status solve(const Stage& stage, std::span<double> T);
+
+    /// x = A^-1 b, to one digit: filters the error estimate of a step into kelvin. @pre a factor is at hand
+    void filter(std::span<const double> b, std::span<double> x);
+
+    /// Whether the factor at hand serves a stage of this length.
+    [[nodiscard]] bool has_factor_for(double s) const {
+        return factored_s_ > 0.0 && reach_ * s > factored_s_ && s < reach_ * factored_s_;
+    }
+
+    /// The next solve makes a new factor.
+    void forget_factor() { factored_s_ = 0.0; }
+
+    /// Lets the factor serve others: sensitivities and adjoints of the same steps.
+    [[nodiscard]] Factor& factor() { return *factor_; }
+    /// A factor serves stages up to this many times longer or shorter than its own. @param ratio > 1
+    void set_reach(double ratio) { reach_ = ratio; }
+    /// Solves that others needed because the factor is old count when a new one is weighed up.
+    void owe(double solves) { debt_ += solves; }
+
+    [[nodiscard]] const Counters& counters() const { return counters_; }
+    [[nodiscard]] std::string linear_solver() const { return factor_->description(); }
+
+private:
+    [[nodiscard]] Status prepare(const Stage& stage);
+    [[nodiscard]] double scaled_residual();
+    [[nodiscard]] bool is_booked(const Stage& stage) const;
+    void assemble(const Stage& stage);
+    double polish(std::span<double> T);
+    double shift_all(std::span<double> T);
+    void find_residual(const Stage& stage, std::span<const double> T);
+
+    System* system_;
+    std::unique_ptr<Factor> factor_;
+    Krylov krylov_;
+    Matrix A_;
+    Matrix J_;
+    std::vector<double> residual_;
+    std::vector<double> correction_;
+    std::vector<double> remainder_;
+    std::vector<double> ones_;
+    std::vector<double> J_ones_;
+    std::vector<double> enthalpy_;
+    bool has_nonlinear_capacity_ = false;
+    int worst_node_ = 0;
+    double weight_ = 0.0;      ///< J/K, what the balance of the whole mesh changes by when every temperature does
+    double last_shift_ = 0.0;  ///< K, and the imbalance that it was for
+    double last_joules_ = 0.0;
+    double reach_ = 2.0;
+    double factored_s_ = 0.0;  ///< s of the factor at hand; 0: none
+    int fresh_solves_ = 0;     ///< solves of the first correction with the factor at hand
+    double debt_ = 0.0;        ///< solves beyond the least since the last factorisation
+    Counters counters_;
+};
+
+}  // namespace tiretherm::solver

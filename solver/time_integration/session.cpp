@@ -1,0 +1,70 @@
+#include "solver/time_integration/session.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "solver/time_integration/readings.hpp"
+#include "solver/time_integration/stepper.hpp"
+
+namespace tiretherm::solver {
+
+namespace {
+
+/// One step of any size, never rejected for its error; the run starts at time 0.
+Problem for_real_time(Problem problem) {
+    problem.settings.start = 0.0;
+    problem.settings.fixed_step = 1.0;
+    return problem;
+}
+
+}  // namespace
+
+Session::Session(Problem problem, const physics::Inputs& start)
+    : problem_(std::make_unique<Problem>(for_real_time(std::move(problem)))),
+      stepper_(std::make_unique<Stepper>(*problem_)),
+      readings_(std::make_unique<Readings>(*problem_, stepper_->system())),
+      inputs_(start),
+      stage_inputs_(stepper_->stages().size()),
+      channels_(problem_->channels.size()) {
+    stepper_->find_watts(start);
+    readings_->begin(0.0, stepper_->temperature(), stepper_->watts(), start);
+    readings_->at(0.0, start, channels_);
+}
+
+Session::~Session() = default;
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+
+Status Session::advance(double dt, const physics::Inputs& inputs) {
+    if (!(dt > 0.0) || !std::isfinite(dt)) {
+        return {Outcome::step_too_small, fmt::format("a step of {} s was asked for; a step must be positive", dt)};
+    }
+    physics::Inputs at_end = inputs;
+    at_end.time = stepper_->time() + dt;
+    Stepper::Attempt attempt = stepper_->attempt(at_end.time, inputs_, at_end);
+    if (attempt.status.ok()) {
+        stepper_->accept();
+        for (std::size_t i = 0; i < stage_inputs_.size(); ++i) {
+            const double t = stepper_->stages()[i].time;
+            stage_inputs_[i] = physics::between(inputs_, at_end, (t - inputs_.time) / dt);
+        }
+        readings_->take_step(stepper_->stages(), stage_inputs_);
+        readings_->at(stepper_->time(), at_end, channels_);
+        inputs_ = at_end;
+    }
+    return std::move(attempt.status);
+}
+
+double Session::time() const { return stepper_->time(); }
+
+std::span<const double> Session::temperature() const { return stepper_->temperature(); }
+
+double Session::channel(std::size_t index) const { return channels_[index]; }
+
+std::span<const double> Session::watts() const { return stepper_->watts(); }
+
+double Session::energy_closure() const { return stepper_->energy_closure(); }
+
+}  // namespace tiretherm::solver

@@ -1,0 +1,352 @@
+#include "solver/time_integration/stepper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace tiretherm::solver {
+
+namespace {
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Newton's tolerance beside the tolerance of a step: small enough that the error estimate does not see it.
+constexpr double newton_share = 0.05;
+}  // namespace
+
+Stepper::Stepper(const Problem& problem)
+    : problem_(&problem),
+      system_(problem),
+      tableau_(&tableau(problem.settings.method)),
+      window_(system_, problem.drive, *tableau_),
+      newton_(system_),
+      time_(problem.settings.start),
+      step_begin_(problem.settings.start),
+      tried_(problem.settings.start) {
+    const std::size_t n = at(system_.size());
+    const std::size_t stages = at(tableau_->stages);
+    const std::size_t effects = problem.effects.size();
+    const std::vector<double> initial = system_.initial();
+    T_.assign(stages + 1, initial);
+    last_.assign(stages, initial);
+    stages_.resize(stages);
+    q_.assign(stages, std::vector<double>(n));
+    booked_.assign(stages, std::vector<double>(effects));
+    end_q_.resize(n);
+    end_watts_.resize(effects);
+    end_intensities_.resize(system_.n_intensities());
+    for (std::vector<double>* v : {&known_, &H_, &H_start_, &error_heat_, &error_}) {
+        v->resize(n);
+    }
+    for (std::vector<double>* v : {&watts_, &joules_, &joules_before_}) {
+        v->resize(effects);
+    }
+    system_.enthalpy(initial, H_start_);
+}
+
+void Stepper::book(int stage) {
+    const std::span<const double> q = system_.heat_flow();
+    std::copy(q.begin(), q.end(), q_[at(stage)].begin());
+    booked_[at(stage)] = system_.terms().watts;
+}
+
+/// First guess of a stage: straight on from the last step's end, then along the stages found so far.
+void Stepper::predict(int stage, double dt) {
+    std::vector<double>& guess = T_[at(stage) + 1];
+    const std::vector<double>& now = T_[1];
+    if (stage == 1) {
+        guess = now;
+        const double width = time_ - step_begin_;
+        const double c = tableau_->c[at(tableau_->stages) - 2];
+        if (has_history_ && width > 0.0) {
+            const double rate = tableau_->c[1] * dt / ((1.0 - c) * width);
+            const std::vector<double>& before = last_[at(tableau_->stages) - 2];
+            const std::vector<double>& end = last_[at(tableau_->stages) - 1];
+            for (std::size_t i = 0; i < guess.size(); ++i) {
+                guess[i] += rate * (end[i] - before[i]);
+            }
+        }
+        return;
+    }
+    const double rate = tableau_->c[at(stage)] / tableau_->c[1];
+    for (std::size_t i = 0; i < guess.size(); ++i) {
+        guess[i] = now[i] + rate * (T_[2][i] - now[i]);
+    }
+}
+
+Stepper::Attempt Stepper::attempt(double t1) {
+    window_.open(time_, t1);
+    return attempt_in_window(t1);
+}
+
+Stepper::Attempt Stepper::attempt(double t1, const physics::Inputs& from, const physics::Inputs& to) {
+    window_.open(from, to);
+    return attempt_in_window(t1);
+}
+
+Stepper::Attempt Stepper::attempt_in_window(double t1) {
+    const double dt = t1 - time_;
+    tried_ = t1;
+
+    // The explicit stage. Where the drive goes on as it was, it is the last stage of the step before; otherwise the
+    // surface nodes first follow the drive, which may have jumped.
+    T_[1] = T_[0];
+    if (end_is_known_ && std::ranges::equal(window_.stage(0), end_intensities_)) {
+        q_[0] = end_q_;
+        booked_[0] = end_watts_;
+        return attempt_stages(dt);
+    }
+    system_.make_consistent(T_[1], window_.stage(0));
+    if (const int bad = system_.first_not_finite(); bad >= 0) {
+        return {.status = system_.blame(Outcome::not_finite, "the heat balance is not a number", bad, time_, T_[1],
+                                        window_.stage(0)),
+                .error = 0.0};
+    }
+    book(0);
+    return attempt_stages(dt);
+}
+
+Stepper::Attempt Stepper::attempt_stages(double dt) {
+    const bool controlled = !problem_->settings.fixed_step;
+    const bool early = controlled && newton_.has_factor_for(dt * tableau_->diagonal);
+    const double left_out = early ? estimate_left_out(dt) : 0.0;
+    if (left_out > 2.0 * problem_->settings.tolerance) {
+        return {.status = {}, .error = left_out};
+    }
+    system_.enthalpy(T_[0], H_);
+
+    for (int i = 1; i < tableau_->stages; ++i) {
+        predict(i, dt);
+        for (std::size_t n = 0; n < known_.size(); ++n) {
+            double sum = 0.0;
+            for (int j = 0; j < i; ++j) {
+                sum += tableau_->a[at(i)][at(j)] * q_[at(j)][n];
+            }
+            known_[n] = H_[n] + dt * sum;
+        }
+        Status status = newton_.solve({.s = dt * tableau_->diagonal,
+                                       .known = known_,
+                                       .intensities = window_.stage(i),
+                                       .time = time_ + tableau_->c[at(i)] * dt,
+                                       .tolerance = newton_share * problem_->settings.tolerance},
+                                      T_[at(i) + 1]);
+        if (!status.ok()) {
+            return {.status = std::move(status), .error = 0.0};
+        }
+        book(i);
+    }
+    if (!controlled) {
+        return {.status = {}, .error = 0.0};
+    }
+    return {.status = {}, .error = std::max(estimate_error(dt), early ? left_out : estimate_left_out(dt))};
+}
+
+double Stepper::largest_filtered() {
+    newton_.filter(error_heat_, error_);
+    const auto most =
+        std::max_element(error_.begin(), error_.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    worst_node_ = static_cast<int>(most - error_.begin());
+    return std::abs(*most);
+}
+
+/// What the line through a rough log leaves out. Needs no stage: where a factor is at hand, it is the cheapest reason to
+/// refuse a step.
+double Stepper::estimate_left_out(double dt) {
+    if (!window_.averaged()) {
+        return 0.0;
+    }
+    system_.evaluate(T_[1], window_.unresolved());
+    const std::span<const double> q = system_.heat_flow();
+    for (std::size_t n = 0; n < error_heat_.size(); ++n) {
+        error_heat_[n] = dt * (q[n] - q_[0][n]);
+    }
+    return largest_filtered();
+}
+
+double Stepper::estimate_error(double dt) {
+    for (std::size_t n = 0; n < error_heat_.size(); ++n) {
+        double sum = 0.0;
+        for (int i = 0; i < tableau_->stages; ++i) {
+            sum += tableau_->error[at(i)] * q_[at(i)][n];
+        }
+        error_heat_[n] = system_.has_capacity(n) ? dt * sum : 0.0;
+    }
+    return largest_filtered();
+}
+
+Status Stepper::blame_error(std::string_view why) {
+    return system_.blame(Outcome::step_too_small, why, worst_node_, time_, T_[0], window_.stage(0));
+}
+
+void Stepper::accept() {
+    const double dt = tried_ - time_;
+    joules_before_ = joules_;
+    for (int i = 0; i < tableau_->stages; ++i) {
+        for (std::size_t e = 0; e < joules_.size(); ++e) {
+            const double joules = dt * tableau_->weight(i) * booked_[at(i)][e];
+            joules_[e] += joules;
+            turnover_ += std::abs(joules);
+        }
+        last_[at(i)] = T_[at(i) + 1];
+    }
+    watts_ = booked_.back();
+    T_[0] = T_.back();
+    end_q_ = q_.back();
+    end_watts_ = booked_.back();
+    std::ranges::copy(window_.stage(tableau_->stages - 1), end_intensities_.begin());
+    end_is_known_ = true;
+    system_.enthalpy(T_[0], H_);
+    stored_ = 0.0;
+    for (std::size_t n = 0; n < H_.size(); ++n) {
+        stored_ += H_[n] - H_start_[n];
+    }
+    step_begin_ = time_;
+    time_ = tried_;
+    has_history_ = true;
+    for (int i = 0; i < tableau_->stages; ++i) {
+        const double end = i + 1 == tableau_->stages ? time_ : step_begin_ + tableau_->c[at(i)] * dt;
+        stages_[at(i)] = {.time = end, .temperature = last_[at(i)], .watts = booked_[at(i)]};
+    }
+}
+
+void Stepper::interpolate(double t, std::span<double> T) const {
+    const double x = (t - step_begin_) / (time_ - step_begin_);
+    std::fill(T.begin(), T.end(), 0.0);
+    for (int i = 0; i < tableau_->stages; ++i) {
+        double basis = 1.0;
+        for (int j = 0; j < tableau_->stages; ++j) {
+            if (j != i) {
+                basis *= (x - tableau_->c[at(j)]) / (tableau_->c[at(i)] - tableau_->c[at(j)]);
+            }
+        }
+        for (std::size_t n = 0; n < T.size(); ++n) {
+            T[n] += basis * last_[at(i)][n];
+        }
+    }
+}
+
+void Stepper::interpolate_joules(double t, std::span<double> joules) const {
+    const double dt = time_ - step_begin_;
+    const double x = (t - step_begin_) / dt;
+    std::copy(joules_before_.begin(), joules_before_.end(), joules.begin());
+    for (int i = 0; i < tableau_->stages; ++i) {
+        const double weight = dt * tableau_->weight_at(i, x);
+        for (std::size_t e = 0; e < joules.size(); ++e) {
+            joules[e] += weight * booked_[at(i)][e];
+        }
+    }
+}
+
+void Stepper::find_watts(const physics::Inputs& logged) {
+    std::vector<double> intensities(system_.n_intensities());
+    system_.drive(logged, intensities);
+    T_[1] = T_[0];
+    system_.make_consistent(T_[1], intensities);
+    watts_ = system_.terms().watts;
+}
+
+Status Stepper::solve_steady(double t) {
+    window_.open(t, t);
+    std::fill(known_.begin(), known_.end(), 0.0);
+    T_[1] = T_[0];
+    system_.make_consistent(T_[1], window_.stage(0));
+    Status status = newton_.solve({.s = 1.0,
+                                   .known = known_,
+                                   .intensities = window_.stage(0),
+                                   .time = t,
+                                   .tolerance = newton_share * problem_->settings.tolerance,
+                                   .steady = true},
+                                  T_[1]);
+    if (!status.ok()) {
+        return status;
+    }
+    book(0);
+    watts_ = booked_.front();
+    T_[0] = T_[1];
+    end_is_known_ = false;
+    for (std::vector<double>& stage : last_) {
+        stage = T_[0];
+    }
+    system_.enthalpy(T_[0], H_);
+    stored_ = 0.0;
+    for (std::size_t n = 0; n < H_.size(); ++n) {
+        stored_ += H_[n] - H_start_[n];
+    }
+    time_ = step_begin_ = t;
+    return {};
+}
+
+void Stepper::visit(Archive& archive) {
+    for (double* number : {&time_, &step_begin_, &stored_, &turnover_}) {
+        archive(*number);
+    }
+    archive.whole(has_history_);
+    archive(T_[0]);
+    for (std::vector<double>& stage : last_) {
+        archive(stage);
+    }
+    for (std::vector<double>* ledger : {&watts_, &joules_}) {
+        archive(*ledger);
+    }
+    newton_.forget_factor();
+    end_is_known_ = false;
+}
+
+double Stepper::effective_link() {
+    const mesh::Mesh& mesh = problem_->mesh;
+    const int surface = mesh.find_region("surface");
+    const int bulk = mesh.find_region("bulk");
+    if (surface < 0 || bulk < 0) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    const std::vector<double>& T = T_[0];
+    const double above = mesh.regions[at(bulk)].mean(T) - mesh.regions[at(surface)].mean(T);
+    if (std::abs(above) < 1e-3) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    // Heat counts when it leaves for another layer or for the outer surface, not for the inner one.
+    enum : char { elsewhere, inside_bulk, inner_surface };
+    std::vector<char> place(T.size(), elsewhere);
+    for (std::size_t n = at(mesh.n_cells); n < T.size(); ++n) {
+        place[n] = inner_surface;
+    }
+    for (const int node : mesh.regions[at(surface)].mean.nodes) {
+        place[at(node)] = elsewhere;
+    }
+    for (const int node : mesh.regions[at(bulk)].mean.nodes) {
+        place[at(node)] = inside_bulk;
+    }
+    system_.evaluate(T, window_.stage(tableau_->stages - 1));
+    double leaving = 0.0;
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        const mesh::Face& face = mesh.faces[f];
+        const double flux = system_.terms().face_G[f] * (T[at(face.a)] - T[at(face.b)]);
+        if (place[at(face.a)] == inside_bulk && place[at(face.b)] == elsewhere) {
+            leaving += flux;
+        } else if (place[at(face.b)] == inside_bulk && place[at(face.a)] == elsewhere) {
+            leaving -= flux;
+        }
+    }
+    return leaving / above;
+}
+
+double Stepper::energy_closure() const {
+    const double booked = std::accumulate(joules_.begin(), joules_.end(), 0.0);
+    return turnover_ > 0.0 ? std::abs(stored_ - booked) / turnover_ : 0.0;
+}
+
+double Stepper::steepest_rate() {
+    window_.open(time_, time_);
+    T_[1] = T_[0];
+    system_.make_consistent(T_[1], window_.stage(0));
+    const std::span<const double> q = system_.heat_flow();
+    double steepest = 0.0;
+    for (std::size_t n = 0; n < q.size(); ++n) {
+        if (system_.has_capacity(n)) {
+            steepest = std::max(steepest, std::abs(q[n]) / system_.capacity(n, T_[1][n]));
+        }
+    }
+    return steepest;
+}
+
+}  // namespace tiretherm::solver

@@ -1,0 +1,121 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "solver/time_integration/checkpoint.hpp"
+#include "solver/time_integration/newton.hpp"
+#include "solver/time_integration/window.hpp"
+
+namespace tiretherm::solver {
+
+/// The state at a moment inside a step.
+struct Stage {
+    double time = 0.0;                    ///< s
+    std::span<const double> temperature;  ///< [n_nodes] K
+    std::span<const double> watts;        ///< [n_effects] W
+};
+
+/// Steps a system through time. Holds the state, the ledger and every buffer; a step allocates nothing but what the
+/// linear algebra libraries need when a new factor is made.
+class Stepper {
+public:
+    explicit Stepper(const Problem& problem);
+
+    /// Where an attempted step would lead.
+    struct Attempt {
+        Status status;
+        double error = 0.0;  ///< K, estimate of the local error, the input's unresolved part included
+    };
+
+    /// Tries a step from time() to t1 over which no stop of the drive lies. The state changes only by `accept`.
+    [[nodiscard]] Attempt attempt(double t1);
+    /// The same with inputs that go straight from `from` to `to`, whatever the problem's drive says.
+    [[nodiscard]] Attempt attempt(double t1, const physics::Inputs& from, const physics::Inputs& to);
+    void accept();
+    /// A failure at the place of the largest error of the last attempt.
+    [[nodiscard]] Status blame_error(std::string_view why);
+
+    /// Finds the watts at the present state under the drive just after `time()`, which a run reports before its first
+    /// step; the surfaces that follow the drive at once are not moved for it.
+    void find_watts(const physics::Inputs& logged);
+
+    /// Solves q(T) = 0 for the drive at a time, from the present state as a guess.
+    [[nodiscard]] Status solve_steady(double t);
+
+    /// Largest rate of change at the present state under the drive just after `time()`. @returns K/s
+    [[nodiscard]] double steepest_rate();
+
+    /// Writes or reads the state. The next step starts with a new factor either way, so that both ways go on alike.
+    void visit(Archive& archive);
+
+    /// Heat that leaves the bulk by conduction over the difference of the two regions' mean temperatures: what the link
+    /// of a two-node model would have to be to carry it. NaN without these regions or without a difference. @returns W/K
+    [[nodiscard]] double effective_link();
+
+    [[nodiscard]] double time() const { return time_; }
+    [[nodiscard]] std::span<const double> temperature() const { return T_.front(); }
+    /// State inside the last accepted step, by the parabola through its stages. @param t s, within that step
+    void interpolate(double t, std::span<double> T) const;
+    /// Heat booked to each effect until a moment inside the last accepted step. @param joules out, [n_effects] J
+    void interpolate_joules(double t, std::span<double> joules) const;
+    [[nodiscard]] std::span<const double> watts() const { return watts_; }    ///< [n_effects] W at the state
+    [[nodiscard]] std::span<const double> joules() const { return joules_; }  ///< [n_effects] J since the start
+    [[nodiscard]] double stored() const { return stored_; }                   ///< J since the start
+    /// |stored - sum of joules| over the heat turned over (sum of |watts| dt) since the start; 0 before the first step.
+    [[nodiscard]] double energy_closure() const;
+    /// The stages of the last accepted step, its begin and its end among them; one after a steady solve.
+    [[nodiscard]] std::span<const Stage> stages() const { return stages_; }
+    /// Intensities of all effects at a stage of the last attempted step. @returns [n_intensities]
+    [[nodiscard]] std::span<const double> intensities(int i) const { return window_.stage(i); }
+    [[nodiscard]] const Tableau& method() const { return *tableau_; }
+    /// Length of the last accepted step. @returns s
+    [[nodiscard]] double width() const { return time_ - step_begin_; }
+    [[nodiscard]] double begin() const { return step_begin_; }  ///< s, of the last accepted step
+    [[nodiscard]] const Newton& newton() const { return newton_; }
+    [[nodiscard]] Newton& newton() { return newton_; }
+    [[nodiscard]] System& system() { return system_; }
+    [[nodiscard]] const System& system() const { return system_; }
+
+private:
+    [[nodiscard]] Attempt attempt_in_window(double t1);
+    [[nodiscard]] Attempt attempt_stages(double dt);
+    void book(int stage);
+    void predict(int stage, double dt);
+    [[nodiscard]] double largest_filtered();
+    [[nodiscard]] double estimate_left_out(double dt);
+    [[nodiscard]] double estimate_error(double dt);
+
+    const Problem* problem_;
+    System system_;
+    const Tableau* tableau_;
+    Window window_;
+    Newton newton_;
+    double time_ = 0.0;
+    double step_begin_ = 0.0;
+    double tried_ = 0.0;
+    bool has_history_ = false;
+    int worst_node_ = 0;
+    std::vector<std::vector<double>> T_;       ///< [stages + 1][n]: the state, then the stages of the attempt
+    std::vector<std::vector<double>> q_;       ///< [stages][n] W
+    std::vector<std::vector<double>> booked_;  ///< [stages][n_effects] W
+    std::vector<std::vector<double>> last_;    ///< [stages][n] stages of the last accepted step
+    std::vector<Stage> stages_;                ///< of the last accepted step
+    bool end_is_known_ = false;                ///< what was said at the end of the last accepted step:
+    std::vector<double> end_q_;                ///< [n] W
+    std::vector<double> end_watts_;            ///< [n_effects] W
+    std::vector<double> end_intensities_;      ///< under these
+    std::vector<double> known_;
+    std::vector<double> H_;
+    std::vector<double> H_start_;
+    std::vector<double> error_heat_;
+    std::vector<double> error_;
+    std::vector<double> watts_;
+    std::vector<double> joules_;
+    std::vector<double> joules_before_;
+    double stored_ = 0.0;
+    double turnover_ = 0.0;
+};
+
+}  // namespace tiretherm::solver

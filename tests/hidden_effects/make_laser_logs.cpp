@@ -1,9 +1,0 @@
-// Writes the made-up runs of the laser's specimen: make_laser_logs CASES, where CASES is the folder cases/.
-#include "shipped_truth.hpp"
-
-int main(int count, char** arguments) {
-    const std::filesystem::path cases = count > 1 ? arguments[1] : "cases";
-    for (const hidden_effects::ShippedLog& log : hidden_effects::laser_logs()) {
-        hidden_effects::write(cases / log.file, log.columns);
-    }
-}

@@ -1,0 +1,35 @@
+#include <gtest/gtest.h>
+
+#include "input/model/reader.hpp"
+#include "input/studies/study.hpp"
+#include "tests/input/model/expected.hpp"
+
+// Each study tests/bad_cases/study/NAME.toml is wrong in many ways; NAME.txt holds what the user must then read, to the
+// character.
+namespace tiretherm::input {
+
+namespace {
+
+std::filesystem::path folder() { return expected::folder() / "study"; }
+
+class BadStudy : public testing::TestWithParam<std::string> {};
+
+}  // namespace
+
+TEST_P(BadStudy, IsExplainedToTheCharacter) {
+    const StudyReading reading = read_study(folder() / (GetParam() + ".toml"));
+    EXPECT_FALSE(reading.study.has_value());
+    const std::string told = render(Reading{.problem = {}, .mistakes = reading.mistakes, .warnings = reading.warnings});
+    EXPECT_EQ(expected::relative(told), expected::text_of(folder() / (GetParam() + ".txt")));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BadStudy, testing::ValuesIn(expected::names(folder())),
+                         [](const auto& bad) { return bad.param; });
+
+TEST(BadStudyFile, ThatIsNotThere) {
+    const StudyReading reading = read_study("/no/such/study.toml");
+    ASSERT_EQ(reading.mistakes.size(), 1U);
+    EXPECT_EQ(reading.mistakes[0].what, "the file cannot be read: No such file or directory");
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,78 @@
+#include <gtest/gtest.h>
+
+#include "input/text/mistake.hpp"
+#include "input/text/words.hpp"
+
+namespace tiretherm::input {
+
+TEST(Words, DistanceCountsEdits) {
+    EXPECT_EQ(distance("speed", "speed"), 0U);
+    EXPECT_EQ(distance("Speed", "speed"), 0U);
+    EXPECT_EQ(distance("sped", "speed"), 1U);
+    EXPECT_EQ(distance("speeed", "speed"), 1U);
+    EXPECT_EQ(distance("spead", "speed"), 1U);
+    EXPECT_EQ(distance("sepeed", "speed"), 1U);
+    EXPECT_EQ(distance("pseed", "speed"), 1U);  // neighbours swapped
+    EXPECT_EQ(distance("kitten", "sitting"), 3U);
+    EXPECT_EQ(distance("", "abc"), 3U);
+}
+
+TEST(Words, OnlyNearWordsAreSuggested) {
+    const std::vector<std::string> known{"speed", "vertical_load", "on"};
+    EXPECT_EQ(suggest("vertical_laod", known, "inputs"), "did you mean `vertical_load`?");
+    EXPECT_EQ(suggest("weather", known, "inputs"), "the inputs are speed, vertical_load and on");
+    EXPECT_EQ(suggest("weather", {"speed"}, "inputs"), "there is only `speed`");
+    EXPECT_EQ(suggest("weather", {}, "inputs"), "there are no inputs");
+    EXPECT_EQ(nearest(std::string(100000, 'x'), known), "");
+}
+
+TEST(Render, ShowsPlaceLineCaretAndRemedy) {
+    const Mistake mistake{.file = "a.toml",
+                          .line = 3,
+                          .column = 7,
+                          .length = 4,
+                          .what = "no",
+                          .remedy = "yes",
+                          .source = "\tkey = 1234 # x"};
+    EXPECT_EQ(render(mistake), "a.toml:3:7: no\n    \tkey = 1234 # x\n    \t     ^~~~\n    remedy: yes\n");
+}
+
+TEST(Render, AMistakeOfAWholeFileHasNoLine) {
+    EXPECT_EQ(render({.file = "a.toml", .what = "the file is empty", .remedy = {}, .source = {}}),
+              "a.toml: the file is empty\n");
+}
+
+TEST(Render, CaretsCountCharactersNotBytes) {
+    const Mistake mistake{
+        .file = "a", .line = 1, .column = 4, .length = 2, .what = "w", .remedy = {}, .source = "\u00B5\u00B0\u03A9ab"};
+    EXPECT_EQ(render(mistake), "a:1:4: w\n    \u00B5\u00B0\u03A9ab\n       ^~\n");
+}
+
+// Places from outside of a line must not crash the one who reports them.
+TEST(Render, SurvivesPlacesBeyondTheLine) {
+    EXPECT_EQ(render({.file = "a", .line = 1, .column = 99, .length = 9, .what = "w", .remedy = {}, .source = "ab"}),
+              "a:1:99: w\n    ab\n      ^\n");
+    EXPECT_EQ(render({.file = "a", .line = 1, .column = 1, .length = 99, .what = "w", .remedy = {}, .source = ""}),
+              "a:1:1: w\n");
+}
+
+TEST(Mistakes, AreOrderedByPlaceAndNeverTwice) {
+    Mistakes mistakes;
+    const int a = mistakes.add_file("a.toml", "one\r\ntwo\n");
+    const int b = mistakes.add_file("b.csv", "three\n");
+    mistakes.add({.file = b, .line = 1, .column = 1, .length = 1}, "fourth");
+    mistakes.add({.file = a, .line = 2, .column = 1, .length = 1}, "third");
+    mistakes.add({.file = a, .line = 1, .column = 3, .length = 1}, "second");
+    mistakes.add({.file = a}, "first");
+    mistakes.add({.file = a, .line = 2, .column = 1, .length = 1}, "third");
+    const std::vector<Mistake> found = mistakes.in_order();
+    ASSERT_EQ(found.size(), 4U);
+    EXPECT_EQ(found[0].what, "first");
+    EXPECT_EQ(found[1].what, "second");
+    EXPECT_EQ(found[1].source, "one");
+    EXPECT_EQ(found[2].what, "third");
+    EXPECT_EQ(found[2].source, "two");
+    EXPECT_EQ(found[3].source, "three");
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,193 @@
+#include "input/tire_property_file/tir_file.hpp"
+
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "support/written.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+std::filesystem::path data(const std::string& name) { return source_folder() / "tests" / "cases" / "data" / name; }
+
+struct Read {
+    std::optional<TirFile> tire;
+    std::string report;  ///< all mistakes, as they are shown
+    std::vector<std::string> warnings;
+};
+
+Read read(const std::filesystem::path& path) {
+    Mistakes mistakes;
+    Read result;
+    result.tire = read_tir_file(path, {}, mistakes);
+    for (const Mistake& mistake : mistakes.in_order()) {
+        result.report += render(mistake);
+    }
+    result.warnings = mistakes.warnings();
+    return result;
+}
+
+Read read_text_as_file(std::string_view text) {
+    const Written written;
+    return read(written.add("tire.tir", text));
+}
+
+/// Necessary keys only. @param model the lines of [MODEL]
+std::string shortest(const std::string& model) {
+    return "[MODEL]\n" + model +
+           "\n[DIMENSION]\nUNLOADED_RADIUS = 0.33\nWIDTH = 0.225\n[VERTICAL]\nFNOMIN = 4000\n"
+           "[LONGITUDINAL_COEFFICIENTS]\nPCX1 = 1.6\nPDX1 = 1.1\nPKX1 = 22\n"
+           "[LATERAL_COEFFICIENTS]\nPCY1 = 1.3\nPDY1 = 1\nPKY1 = -20\nPKY2 = 2\n";
+}
+
+bool contains(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+
+/// One warning, and that part is in it.
+void expect_warning(const Read& result, std::string_view part) {
+    ASSERT_EQ(result.warnings.size(), 1U);
+    EXPECT_TRUE(contains(result.warnings[0], part)) << result.warnings[0];
+}
+
+}  // namespace
+
+TEST(TirFile, ReadsCoefficientsAndDimensionsInSi) {
+    // The file writes millimetres and seconds: 330.8 mm, 225 mm, 16700 mm/s.
+    const Read result = read(data("made_up.tir"));
+    ASSERT_TRUE(result.tire) << result.report;
+    EXPECT_TRUE(result.warnings.empty()) << result.warnings.front();
+    EXPECT_DOUBLE_EQ(result.tire->unloaded_radius, 0.3308);
+    EXPECT_DOUBLE_EQ(result.tire->width, 0.225);
+    ASSERT_TRUE(result.tire->vertical_range);
+    EXPECT_DOUBLE_EQ(result.tire->vertical_range->low, 200.0);
+    EXPECT_DOUBLE_EQ(result.tire->vertical_range->high, 9000.0);
+    const physics::MagicFormula& law = result.tire->law;
+    EXPECT_EQ(law.version, physics::MagicFormulaVersion::mf52);
+    EXPECT_DOUBLE_EQ(law.nominal_load, 4000.0);
+    EXPECT_DOUBLE_EQ(law.reference_speed, 16.7);
+    EXPECT_DOUBLE_EQ(law.pCy1, 1.3);
+    EXPECT_DOUBLE_EQ(law.pDy2, -0.2);
+    EXPECT_DOUBLE_EQ(law.pHy3, 0.03);
+    EXPECT_DOUBLE_EQ(law.pKx3, 0.2);
+    EXPECT_DOUBLE_EQ(law.lambda.muy, 0.9);
+    EXPECT_EQ(law.pEy2, 0.0);
+    // -20 * 4000 * sin(2 atan(1/2)) * (1 - 0.5 * 0.1) * 1.05 = -64000 * 0.95 * 1.05 = -63840 N/rad
+    EXPECT_NEAR(law.cornering_stiffness(4000.0, 0.1), -63840.0, 1e-8);
+}
+
+TEST(TirFile, EverythingThatIsWrongIsToldAtOnce) {
+    const Read result = read(data("wrong.tir"));
+    EXPECT_FALSE(result.tire);
+    for (const std::string_view part :
+         {"wrong.tir:4:9: FORCE is 'kilogram', a mass; a force is wanted", "remedy: write a unit, such as 'newton'",
+          "wrong.tir:7:10: FITTYP 52 is not supported", "supported are 5, 6 and 21 (MF 5.2), 61 and 62 (MF 6.1)",
+          "wrong.tir:8:1: the line is neither [SECTION] nor KEY = value nor a comment",
+          "wrong.tir:9:24: the quotes round PROPERTY_FILE_FORMAT are not closed",
+          "wrong.tir:11:19: UNLOADED_RADIUS is 0,33; a number is wanted", "remedy: write a decimal point",
+          "wrong.tir:12:9: WIDTH is -0.2; it must be above 0", "wrong.tir:14:10: FNOMIN is many; a number is wanted",
+          "wrong.tir:17:9: FZMAX is 200, not above FZMIN = 9000", "wrong.tir: PKX1 is missing",
+          "remedy: write PKX1 = a number in [LONGITUDINAL_COEFFICIENTS]",
+          "wrong.tir:22:1: the section's name does not end with ]", "wrong.tir:25:1: PDY1 stands twice in",
+          "wrong.tir:27:8: PKY2 is 0", "wrong.tir:31:1: PKY1 stands in two sections, first at"}) {
+        EXPECT_TRUE(contains(result.report, part)) << part << "\nis not in\n" << result.report;
+    }
+    // Twelve places and the missing key.
+    std::size_t count = 0;
+    std::istringstream lines(result.report);
+    for (std::string line; std::getline(lines, line);) {
+        count += contains(line, "wrong.tir:") && line[0] != ' ' ? 1U : 0U;
+    }
+    EXPECT_EQ(count, 13U) << result.report;
+    std::string warnings;
+    for (const std::string& warning : result.warnings) {
+        warnings += warning + "\n";
+    }
+    EXPECT_TRUE(contains(warnings, "wrong.tir:21: PKX11 is unknown and not used; did you mean PKX1?")) << warnings;
+    EXPECT_TRUE(contains(warnings, "wrong.tir:28: PKY5 is not used by MF 5.2")) << warnings;
+    EXPECT_TRUE(contains(warnings, "wrong.tir:30: LFZ0 is unknown and not used; did you mean LFZO?")) << warnings;
+    EXPECT_TRUE(contains(warnings, "wrong.tir:5: the coefficients of the Magic Formula are taken per radian"))
+        << warnings;
+}
+
+TEST(TirFile, ShortestFileIsEnough) {
+    for (const char* model : {"FITTYP = 5", "FITTYP = 6", "FITTYP = 21", "PROPERTY_FILE_FORMAT = 'PAC2002'"}) {
+        const Read result = read_text_as_file(shortest(model));
+        ASSERT_TRUE(result.tire) << result.report;
+        EXPECT_EQ(result.tire->law.version, physics::MagicFormulaVersion::mf52) << model;
+        EXPECT_FALSE(result.tire->vertical_range);
+        EXPECT_TRUE(result.warnings.empty());
+    }
+}
+
+TEST(TirFile, FormulaVersion61BringsItsOwnCoefficients) {
+    for (const char* model : {"FITTYP = 61", "FITTYP = 62"}) {
+        const Read result = read_text_as_file(shortest(model) + "PKY4 = 1.9\nPKY6 = -0.8\nPEY5 = 0.1\nPPY1 = 0.3\n");
+        ASSERT_TRUE(result.tire) << result.report;
+        EXPECT_EQ(result.tire->law.version, physics::MagicFormulaVersion::mf61);
+        EXPECT_DOUBLE_EQ(result.tire->law.pKy4, 1.9);
+        EXPECT_DOUBLE_EQ(result.tire->law.pKy6, -0.8);
+        EXPECT_TRUE(result.warnings.empty());
+    }
+}
+
+TEST(TirFile, CoefficientsOfTheOtherVersionAreWarnedOfAndLeft) {
+    const Read old = read_text_as_file(shortest("FITTYP = 6") + "PKY4 = 1.9\n");
+    ASSERT_TRUE(old.tire);
+    EXPECT_EQ(old.tire->law.pKy4, 2.0);
+    expect_warning(old, "PKY4 is not used by MF 5.2");
+    const Read recent = read_text_as_file(shortest("FITTYP = 61") + "PHY3 = 0.1\n");
+    ASSERT_TRUE(recent.tire);
+    EXPECT_EQ(recent.tire->law.pHy3, 0.0);
+    expect_warning(recent, "PHY3 is not used by MF 6.1");
+}
+
+TEST(TirFile, PressureOffTheNominalIsWarnedOf) {
+    const std::string pressures = "[OPERATING_CONDITIONS]\nINFLPRES = 240000\nNOMPRES = 220000\n";
+    const Read result = read_text_as_file(shortest("FITTYP = 61") + pressures);
+    ASSERT_TRUE(result.tire);
+    expect_warning(result, "INFLPRES is not used: the forces are those at NOMPRES = 220000");
+}
+
+TEST(TirFile, WithoutLongitudinalCoefficientsThereIsNoLongitudinalForce) {
+    std::string text = shortest("FITTYP = 6");
+    const std::size_t from = text.find("[LONGITUDINAL");
+    text.erase(from, text.find("[LATERAL") - from);
+    const Read result = read_text_as_file(text);
+    ASSERT_TRUE(result.tire) << result.report;
+    EXPECT_EQ(result.tire->law.longitudinal({.load = 4000.0, .slip = 0.1}).force, 0.0);
+    expect_warning(result, "the longitudinal force is 0");
+}
+
+TEST(TirFile, UnitsAreThoseThatFilesWrite) {
+    const std::string model = "FITTYP = 6\n[UNITS]\n";
+    for (const char* units : {"LENGTH = 'METER'\nFORCE = 'NEWTON'\nANGLE = 'RADIANS'\nMASS = 'KG'\nTIME = 'SECOND'",
+                              "LENGTH = 'm'\nFORCE = 'N'\nANGLE = 'rad'\nMASS = 'kg'\nTIME = 's'"}) {
+        const Read result = read_text_as_file(shortest(model + units));
+        ASSERT_TRUE(result.tire) << result.report;
+        EXPECT_DOUBLE_EQ(result.tire->unloaded_radius, 0.33);
+        EXPECT_DOUBLE_EQ(result.tire->law.nominal_load, 4000.0);
+    }
+    // 0.33 inch = 8.382 mm; 4000 pounds of force = 17792.886 N
+    const Read imperial = read_text_as_file(shortest(model + "LENGTH = 'inch'\nFORCE = 'pound_force'"));
+    ASSERT_TRUE(imperial.tire) << imperial.report;
+    EXPECT_NEAR(imperial.tire->unloaded_radius, 8.382e-3, 1e-12);
+    EXPECT_NEAR(imperial.tire->law.nominal_load, 17792.886, 1e-3);
+}
+
+TEST(TirFile, CarriageReturnsAndAByteOrderMarkAreAccepted) {
+    std::string text = "\xEF\xBB\xBF";
+    for (const char c : shortest("FITTYP = 6")) {
+        text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    }
+    const Read result = read_text_as_file(text);
+    EXPECT_TRUE(result.tire) << result.report;
+}
+
+TEST(TirFile, MissingFileIsAMistakeOfItsPlace) {
+    const Read result = read("no_such_file.tir");
+    EXPECT_FALSE(result.tire);
+    EXPECT_TRUE(contains(result.report, "no_such_file.tir: the file cannot be read")) << result.report;
+}
+
+}  // namespace tiretherm::input

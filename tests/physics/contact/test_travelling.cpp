@@ -1,0 +1,150 @@
+#include "physics/contact/travelling.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "mesh/ring.hpp"
+#include "physics/tire_laws/contact.hpp"
+#include "solver/system.hpp"
+#include "tests/support/tire_section.hpp"
+
+namespace tiretherm::physics {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Inputs rolling(double wheel_angle) {
+    Inputs in;
+    in.speed = 100.0 / 3.6;
+    in.vertical_load = 4000.0;
+    in.road_temperature = 296.15;
+    in.wheel_angle = wheel_angle;
+    return in;
+}
+
+const ContactOfHalfSpaces surfaces{
+    .interface_h = 2.5e4, .effusivity_a = std::sqrt(0.29 * 1.98e6), .effusivity_b = std::sqrt(1.2 * 2.07e6)};
+
+}  // namespace
+
+// Two half-spaces: what the conductance of a moment gives at the surface that is left, 1 - e_b/(e_a+e_b) (1 - g), is the
+// flux h g, whose mean is that of mean_conductance.
+TEST(ContactOfHalfSpaces, GivesAtEachMomentWhatItsMeanIsMadeOf) {
+    const double end = 4e-3;
+    const double share = surfaces.effusivity_b / (surfaces.effusivity_a + surfaces.effusivity_b);
+    const double rate = surfaces.interface_h * (1.0 / surfaces.effusivity_a + 1.0 / surfaces.effusivity_b);
+    double mean = 0.0;
+    const int n = 4000;
+    for (int i = 0; i < n; ++i) {  // the midpoint rule in the root of time
+        const double x = (i + 0.5) / n;
+        const double left = scaled_erfc(rate * std::sqrt(end) * x);
+        mean += 2.0 * x / n * surfaces.conductance_at(end * x * x) * (1.0 - share * (1.0 - left));
+    }
+    EXPECT_NEAR(mean, surfaces.mean_conductance(end), 1e-6 * mean);
+    EXPECT_EQ(surfaces.conductance_at(0.0), surfaces.interface_h);
+}
+
+// 4 kN: l = 0.160 - 0.320/(1 + e^1.4) = 0.0967 m on R_R = 0.3483 * 4000^-0.009 = 0.3232 m.
+TEST(TravellingContact, MeetsThePlaceAtAngleZeroHalfATurnAfterTheStart) {
+    const Tire tire;
+    const double length = tire.contact_length(4000.0) / tire.rolling_radius(4000.0);
+    const TravellingContact start(tire, rolling(0.0));
+    EXPECT_NEAR(start.length(), length, 1e-15);
+    EXPECT_NEAR(start.length(), 0.0967 / 0.3232, 2e-4);
+    EXPECT_FALSE(start.part(0, 1).inside);
+    EXPECT_FALSE(TravellingContact(tire, rolling(pi - 0.51 * length)).part(0, 1).inside);
+    EXPECT_FALSE(TravellingContact(tire, rolling(pi + 0.51 * length)).part(0, 1).inside);
+    for (const double turns : {0.0, 5.0, -3.0, 4e5}) {
+        const auto part = TravellingContact(tire, rolling(2.0 * pi * turns + pi - 0.25 * length)).part(0, 1);
+        EXPECT_TRUE(part.inside) << turns;
+        EXPECT_NEAR(part.from, 0.25 * length, 1e-9);
+    }
+    Inputs back = rolling(-pi + 0.25 * length);
+    back.speed = -back.speed;
+    EXPECT_NEAR(TravellingContact(tire, back).part(0, 1).from, 0.25 * length, 1e-12) << "from the other side";
+    Inputs rest = rolling(pi);
+    rest.speed = 0.0;
+    EXPECT_FALSE(TravellingContact(tire, rest).touches());
+    Inputs lifted = rolling(pi);
+    lifted.vertical_load = 0.0;
+    EXPECT_FALSE(TravellingContact(tire, lifted).touches());
+}
+
+TEST(TravellingContact, LiesWhollyInTheSectorsAtAnyAngle) {
+    const Tire tire;
+    for (const int sectors : {2, 7, 60}) {
+        for (const double angle : {0.0, 0.3, 1.7, pi, 5.9, 123.4}) {
+            const TravellingContact contact(tire, rolling(angle));
+            double held = 0.0;
+            double concentrated = 0.0;
+            for (int s = 0; s < sectors; ++s) {
+                const auto part = contact.part(s, sectors);
+                held += part.to - part.from;
+                concentrated += concentration(contact, s, sectors) / sectors;
+            }
+            EXPECT_NEAR(held, contact.length(), 1e-12) << sectors << " sectors, " << angle;
+            EXPECT_NEAR(concentrated, 1.0, 1e-12);
+        }
+    }
+}
+
+namespace {
+
+solver::Problem ring_with(std::initializer_list<const char*> effects, int sectors) {
+    solver::Problem problem = support::tire_problem(1);
+    problem.effects.clear();
+    problem.mesh = mesh::build(support::tire_section(problem.tire, 1));
+    problem.mesh = mesh::ring(problem.mesh, sectors);
+    for (const char* id : effects) {
+        problem.effects.push_back(activate(in_frames(*find_effect(id)), problem.mesh));
+    }
+    return problem;
+}
+
+/// Sum of an effect's exchanges and heat on a tire of 1 K above the road. W
+double watts(const solver::Problem& problem, const Inputs& in) {
+    solver::System system(problem);
+    std::vector<double> intensities(system.n_intensities());
+    system.drive(in, intensities);
+    const std::vector<double> T(static_cast<std::size_t>(problem.mesh.n_nodes), in.road_temperature + 1.0);
+    system.evaluate(T, intensities);
+    return system.terms().watts[0];
+}
+
+}  // namespace
+
+// A surface that stayed at its temperature would give S times the mean of the conductances of each moment: by the midpoint
+// rule in the root of time, as above. It does so at every angle, wherever the sectors' borders lie.
+TEST(TravellingContactOnARing, ExchangesTheSameAtEveryAngle) {
+    const solver::Problem problem = ring_with({"travelling_contact"}, 37);
+    const Inputs first = rolling(0.0);
+    const double duration = problem.tire.contact_length(4000.0) / first.speed;
+    double mean = 0.0;
+    for (int i = 0; i < 4000; ++i) {
+        const double x = (i + 0.5) / 4000.0;
+        mean += 2.0 * x / 4000.0 * surfaces.conductance_at(duration * x * x);
+    }
+    const double expected = -mean * problem.tire.contact_area(4000.0);
+    for (const double angle : {0.0, 0.01, 0.4, 2.0, 77.7}) {
+        EXPECT_NEAR(watts(problem, rolling(angle)), expected, 1e-5 * std::abs(expected)) << angle;
+    }
+}
+
+TEST(SlidingFriction, GoesRoundWithTheContactAndKeepsItsWatts) {
+    solver::Problem problem = ring_with({"sliding_friction"}, 24);
+    Inputs in = rolling(1.234);
+    in.lateral_force = 2000.0;
+    in.slip_angle = 2.0 * support::deg;
+    const double evenly = watts(problem, in);
+    problem.effects[0].choices[static_cast<std::size_t>(find_choice(*problem.effects[0].effect, around_key))] =
+        in_contact;
+    EXPECT_TRUE(travels(problem.effects[0]));
+    // 0.6 * 2000 N * 27.78 m/s * tan(2 deg) = 1164.1 W
+    EXPECT_NEAR(watts(problem, in), 1164.1, 0.1);
+    EXPECT_NEAR(watts(problem, in), evenly, 1e-9);
+}
+
+}  // namespace tiretherm::physics

@@ -1,0 +1,374 @@
+#include "post/diagnosis/diagnosis_report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "input/model/reader.hpp"
+#include "post/diagnosis/diagnosis_words.hpp"
+#include "diagnosis/detect/look_alikes.hpp"
+#include "post/report/number_text.hpp"
+#include "post/report/file.hpp"
+#include "tests/support/written.hpp"
+#include "tests/diagnosis/made_up_diagnosis.hpp"
+
+namespace tiretherm::diagnosis {
+namespace {
+
+using Json = nlohmann::json;
+using sample::MadeUp;
+
+std::string page(const MadeUp& made_up) { return diagnosis_text(made_up.record(), false); }
+Json json(const MadeUp& made_up) { return Json::parse(diagnosis_json(made_up.record(), {})); }
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// The same words, however they are broken into lines.
+std::string on_one_line(const std::string& text) {
+    std::istringstream words(text);
+    std::string line;
+    for (std::string word; words >> word;) {
+        line += (line.empty() ? "" : " ") + word;
+    }
+    return line;
+}
+
+TEST(DiagnosisReport, ANamedCauseIsSaidWithItsSizeAndWhatItIs) {
+    const MadeUp made_up = sample::named();
+    EXPECT_EQ(reason_of(made_up.record()),
+              "One cause explains what the model gets wrong: sidewall_convection, conductance 8.10 W/K (7.20 to 9.00), "
+              "17.6 standard deviations from absent.");
+    const std::string text = on_one_line(page(made_up));
+    EXPECT_TRUE(has(text, "Heat that leaves through the sidewalls")) << text;
+    // Its families: what it cannot be told from in principle, and what would tell
+    EXPECT_TRUE(has(text, "Looks like inner_gas, radiation. What separates them: a channel in the gas")) << text;
+    EXPECT_TRUE(has(text, "Looks like sensor_offset.")) << text;
+    EXPECT_FALSE(has(text, "clock_delay")) << "sensor_lag is not in the set: " << text;
+    EXPECT_TRUE(has(text, "97 % of the error that a model could remove is removed (95 %: 93 to 99 %); confirmed"))
+        << text;
+}
+
+TEST(DiagnosisReport, APairIsOneExplanationOfTwoCauses) {
+    const MadeUp made_up = sample::pair();
+    EXPECT_EQ(reason_of(made_up.record()),
+              "Two causes together explain what the model gets wrong, none of them alone: sidewall_convection, "
+              "conductance 8.10 W/K (7.20 to 9.00), 17.6 standard deviations from absent; and sensor_lag of "
+              "bulk_temperature, tau 12.0 s (9.0 to 15.0), 7.8 standard deviations from absent.");
+    EXPECT_EQ(json(made_up)["set"], Json::parse(R"([["sidewall_convection", "sensor_lag"]])"));
+}
+
+TEST(DiagnosisReport, ConfoundedListsAllWithTheirSizesAndWhatWouldTell) {
+    const MadeUp made_up = sample::confounded();
+    EXPECT_EQ(reason_of(made_up.record()),
+              "Something is missing, and these data cannot tell apart: sidewall_convection, conductance 8.10 W/K (7.20 "
+              "to 9.00); or inner_gas, liner 9.0 W/K (8.0 to 10.0), rim 4.00 W/K (3.60 to 4.40); or inner_gas, liner "
+              "9.0 W/K (8.0 to 10.0), rim 4.00 W/K (3.60 to 4.40) with sensor_lag of bulk_temperature, tau 12.0 s (9.0 "
+              "to 15.0). To tell them apart: coast-down from 150 km/h, 5 min: from 1.2 to 7 sigma.");
+    const Json said = json(made_up);
+    EXPECT_EQ(said["set"], Json::parse(R"([["sidewall_convection"], ["inner_gas"], ["inner_gas", "sensor_lag"]])"));
+    EXPECT_EQ(said["next_experiment"], "coast-down from 150 km/h, 5 min: from 1.2 to 7 sigma");
+}
+
+TEST(DiagnosisReport, AnUnknownSourceMayStandBesideACause) {
+    MadeUp made_up = sample::unknown();
+    made_up.result.verdict = Verdict::confounded;
+    made_up.result.causes = {sample::sidewalls()};
+    made_up.result.explanations = {{0}};
+    EXPECT_EQ(
+        reason_of(made_up.record()),
+        "Something is missing, and these data cannot tell apart: sidewall_convection, conductance 8.10 W/K (7.20 "
+        "to 9.00); or, what no effect of the catalogue is, heat at surface that follows throttle: 310 W where that "
+        "is largest (250 to 370).");
+    const Json said = json(made_up);
+    EXPECT_EQ(said["set"], Json::parse(R"([["sidewall_convection"]])"));
+    EXPECT_EQ(said["unknown"]["follows"], "throttle");
+}
+
+TEST(DiagnosisReport, ANumberThatIsWrongIsSaidBesideTheCases) {
+    MadeUp made_up = sample::named();
+    made_up.result.causes.front().instead_of = 4.0;
+    EXPECT_TRUE(has(reason_of(made_up.record()), "17.6 standard deviations from the case's 4."))
+        << reason_of(made_up.record());
+    EXPECT_EQ(json(made_up)["causes"][0]["instead_of"], 4.0);
+    EXPECT_TRUE(json(sample::named())["causes"][0]["instead_of"].is_null());
+}
+
+TEST(DiagnosisReport, AnUnknownSourceHasPlaceSignalAndWatts) {
+    MadeUp made_up = sample::unknown();
+    EXPECT_EQ(reason_of(made_up.record()),
+              "Something is missing that no effect of the catalogue is: heat at surface that follows throttle: 310 W "
+              "where that is largest (250 to 370); 12.0 standard deviations. These data would have it as well: bulk, "
+              "throttle.");
+    const Json said = json(made_up)["unknown"];
+    EXPECT_EQ(said["place"], "surface");
+    EXPECT_EQ(said["follows"], "throttle");
+    EXPECT_EQ(said["watts"], 310.0);
+    EXPECT_EQ(said["signal_unit"], "1");
+    EXPECT_TRUE(has(on_one_line(page(made_up)), "310 W per 1 of throttle.")) << page(made_up);
+    EXPECT_FALSE(said.contains("window"));
+
+    made_up.result.unknown->follows = "time window";
+    made_up.result.unknown->run = "run2";
+    made_up.result.unknown->from = 120.0;
+    made_up.result.unknown->to = 150.0;
+    EXPECT_TRUE(has(reason_of(made_up.record()), "heat at surface from 120 s to 150 s of run2: 310 W (250 to 370)"))
+        << reason_of(made_up.record());
+    EXPECT_EQ(json(made_up)["unknown"]["window"], Json::parse(R"({"run": "run2", "from": 120.0, "to": 150.0})"));
+}
+
+// What a sensor adds is no heat: it has no watts but the unit of its channel.
+TEST(DiagnosisReport, AnUnknownReadingHasNoWatts) {
+    MadeUp made_up = sample::unknown();
+    made_up.result.unknown->sensor = true;
+    made_up.result.unknown->place = "bulk_temperature";
+    made_up.result.unknown->watts = 1.5;
+    made_up.result.unknown->low = 1.2;
+    made_up.result.unknown->high = 1.8;
+    EXPECT_TRUE(has(reason_of(made_up.record()),
+                    "an error in the reading of bulk_temperature that follows throttle, not "
+                    "by heat: 1.50 K where that is largest (1.20 to 1.80)"))
+        << reason_of(made_up.record());
+    const Json said = json(made_up)["unknown"];
+    EXPECT_TRUE(said["watts"].is_null());
+    EXPECT_EQ(said["size"]["unit"], "K");
+    EXPECT_EQ(said["size"]["value"], 1.5);
+}
+
+TEST(DiagnosisReport, ConsistentQuotesUpperLimits) {
+    const MadeUp made_up = sample::consistent();
+    const std::string text = on_one_line(page(made_up));
+    EXPECT_TRUE(has(text, "sidewall_convection conductance W/K 0.00 0.80")) << text;
+    EXPECT_TRUE(has(text, "sensor_offset of bulk_temperature kelvin K -0.20 0.30")) << text;
+    EXPECT_FALSE(has(text, "extended")) << "nothing was added: " << text;
+    const Json said = json(made_up);
+    EXPECT_EQ(said["verdict"], "consistent");
+    EXPECT_TRUE(said["set"].empty());
+    EXPECT_TRUE(said["unknown"].is_null());
+    EXPECT_EQ(said["limits"].size(), 2u);
+}
+
+TEST(DiagnosisReport, CannotTellSaysWhyAndWhatHelps) {
+    MadeUp made_up = sample::cannot_tell();
+    EXPECT_TRUE(
+        has(reason_of(made_up.record()),
+            "its own error of steps and grid is 5.3 standard deviations, and 3 are allowed. It falls with the square "
+            "of the spacing: 1.3 times as many cells in every direction would do."))  // sqrt(5.3 / 3) = 1.33
+        << reason_of(made_up.record());
+    made_up.result.reason = "the run lasts 20 s; a run of some minutes would help.";
+    EXPECT_EQ(reason_of(made_up.record()),
+              "These data do not allow a diagnosis: the run lasts 20 s; a run of some minutes would help.");
+}
+
+// The base model is 0.5 K too cold everywhere, the extended one right; a mean of equal values has no uncertainty.
+TEST(DiagnosisReport, ThePageShowsWhereAndWhatIsLeft) {
+    const std::string text = on_one_line(page(sample::named()));
+    EXPECT_TRUE(has(text, "surface_temperature K all -0.50 0.00 0.50 +0.00 0.00 0.00")) << text;
+    EXPECT_TRUE(has(text, " standing ")) << "a phase of the bench's programme: " << text;
+}
+
+TEST(DiagnosisReport, NoLineIsWiderThanThePage) {
+    for (const MadeUp& made_up : {sample::named(), sample::pair(), sample::confounded(), sample::unknown(),
+                                  sample::consistent(), sample::cannot_tell()}) {
+        std::istringstream lines(page(made_up));
+        for (std::string line; std::getline(lines, line);) {
+            EXPECT_LE(line.size(), 100u) << line;
+        }
+    }
+}
+
+TEST(DiagnosisReport, JsonHasTheKeysThatProgramsRead) {
+    const Json said = json(sample::named());
+    for (const char* key : {"verdict", "causes", "set", "unknown", "reason", "next_experiment", "channels", "gain",
+                            "numerical_error_sigma", "noise", "simulations", "seconds"}) {
+        EXPECT_TRUE(said.contains(key)) << key;
+    }
+    EXPECT_EQ(said["verdict"], "named");
+    EXPECT_EQ(said["set"], Json::parse(R"([["sidewall_convection"]])"));
+    EXPECT_TRUE(said["unknown"].is_null());
+    EXPECT_EQ(said["next_experiment"], "");
+    const Json& cause = said["causes"][0];
+    EXPECT_EQ(cause["id"], "sidewall_convection");
+    EXPECT_TRUE(cause["channel"].is_null());
+    EXPECT_EQ(cause["parameters"]["conductance"],
+              Json::parse(R"({"value": 8.1, "unit": "W/K", "low": 7.2, "high": 9.0})"));
+    EXPECT_EQ(cause["sigma"], 17.64);
+    EXPECT_EQ(cause["in_set"], true);
+    EXPECT_EQ(cause["rank"], 1);
+    EXPECT_EQ(said["causes"][1]["channel"], "bulk_temperature");
+    EXPECT_EQ(said["causes"][1]["in_set"], false);
+    EXPECT_EQ(said["channels"][1],
+              Json::parse(R"({"name": "bulk_temperature", "unit": "K", "rmse_before": 1.9, "rmse_after": 0.31,
+                              "heldout_before": 2.0, "heldout_after": 0.33})"));
+    EXPECT_EQ(said["gain"]["removable_error_removed"], 0.97);
+    EXPECT_EQ(said["gain"]["confirmed"], true);
+    EXPECT_EQ(said["noise"][0]["channel"], "surface_temperature");
+    EXPECT_EQ(said["noise"][0]["sigma"], 0.5);
+    EXPECT_EQ(said["noise"][0]["rho_1s"], 0.0);  // white
+    EXPECT_EQ(said["simulations"], 22);
+}
+
+// Without runs to hold out there is no gain to quote: null, not 0.
+TEST(DiagnosisReport, WhatWasNotMeasuredIsNull) {
+    MadeUp made_up = sample::named();
+    made_up.result.gain = {};
+    made_up.result.channels[0].heldout_before = std::numeric_limits<double>::quiet_NaN();
+    const Json said = json(made_up);
+    EXPECT_TRUE(said["gain"]["removable_error_removed"].is_null());
+    EXPECT_EQ(said["gain"]["confirmed"], false);
+    EXPECT_TRUE(said["channels"][0]["heldout_before"].is_null());
+}
+
+// The numbers that programs compare, and their units, written out: a change of the catalogue must not change them.
+TEST(DiagnosisReport, UnitsAreThoseThatProgramsCompare) {
+    struct Compared {
+        const char* effect;
+        const char* key;
+        const char* unit;
+    };
+    constexpr std::array compared{
+        Compared{"sidewall_convection", "conductance", "W/K"},
+        Compared{"inner_gas", "liner", "W/K"},
+        Compared{"inner_gas", "rim", "W/K"},
+        Compared{"inflation_pressure_rise", "exponent", "1"},
+        Compared{"cornering_loss", "coefficient", "1/N"},
+        Compared{"convection_exponent", "exponent", "1"},
+        Compared{"partition_speed", "slope", "s/m"},
+        Compared{"loss_tangent_slope", "slope", "1/K"},
+        Compared{"load_exponent_of_loss", "exponent", "1"},
+        Compared{"standing_wave", "gain", "1/(km/h)^2"},
+        Compared{"standing_wave", "critical_speed", "km/h"},
+        Compared{"road_temperature_drift", "rate", "K/h"},
+        Compared{"air_temperature_drift", "rate", "K/h"},
+        Compared{"sensor_lag", "tau", "s"},
+        Compared{"sensor_offset", "kelvin", "K"},
+        Compared{"sensor_gain", "excess", "1"},
+        Compared{"camera_emissivity", "emissivity", "1"},
+        Compared{"layer_heat_capacity", "scale", "1"},
+        Compared{"layer_conductivity", "scale", "1"},
+        Compared{"slip_input_gain", "gain", "1"},
+    };
+    for (const Compared& one : compared) {
+        const physics::Effect* effect = physics::find_effect(one.effect);
+        ASSERT_NE(effect, nullptr) << one.effect;
+        const int key = physics::find_parameter(*effect, one.key);
+        ASSERT_GE(key, 0) << one.effect << " " << one.key;
+        EXPECT_EQ(slashed_unit(effect->parameters[static_cast<std::size_t>(key)].unit), one.unit) << one.effect;
+    }
+}
+
+TEST(DiagnosisReport, AUnitIsWrittenAsAFraction) {
+    EXPECT_EQ(slashed_unit("W m-2 K-1"), "W/(m2 K)");
+    EXPECT_EQ(slashed_unit("N-1"), "1/N");
+    EXPECT_EQ(slashed_unit("J m-3 K-1"), "J/(m3 K)");
+    EXPECT_EQ(slashed_unit("1/(km/h)^2"), "1/(km/h)^2");
+    EXPECT_EQ(slashed_unit("N m"), "N m");
+    EXPECT_EQ(slashed_unit("-"), "-");
+    EXPECT_EQ(slashed_unit(""), "");
+}
+
+TEST(DiagnosisReport, FamiliesAreOfCausesThatThereAre) {
+    for (const Family& family : families()) {
+        EXPECT_GE(family.members.size(), 2u);
+        for (const std::string_view member : family.members) {
+            const std::string_view id = member.substr(0, member.find('.'));
+            const physics::Effect* effect = physics::find_effect(id);
+            ASSERT_NE(effect, nullptr) << member;
+            if (id != member) {
+                EXPECT_GE(physics::find_parameter(*effect, member.substr(id.size() + 1)), 0) << member;
+            }
+        }
+    }
+    EXPECT_TRUE(families_of("standing_wave").empty());
+}
+
+// 3 runs of 601 samples of 2 channels. In white noise of 0.5 and 0.3 K, 0.5 K too cold are
+// -1 and -5/3 standard deviations.
+TEST(DiagnosisReport, ResidualsAreWrittenAndDrawn) {
+    const MadeUp made_up = sample::named();
+    const input::Written written;
+    DiagnosisRecord record = made_up.record();
+    const std::vector<std::filesystem::path> files = write_diagnosis(record, written.folder() / "out");
+    ASSERT_EQ(files.size(), 3u);
+    const std::string rows = post::read_text(written.folder() / "out" / "residuals.csv");
+    EXPECT_EQ(std::ranges::count(rows, '\n'), 1 + 3606);
+    std::istringstream lines(rows);
+    std::string heading;
+    std::string first;
+    std::getline(lines, heading);
+    std::getline(lines, first);
+    EXPECT_EQ(heading, "time [s],run,channel,unit,measured,base,extended,whitened_base [1],whitened_extended [1]");
+    EXPECT_TRUE(first.starts_with("0,run1,surface_temperature,degC,")) << first;
+    EXPECT_TRUE(first.ends_with(",-1,0")) << first;
+    EXPECT_TRUE(has(rows, ",-1.6667,0\n"));
+    const std::string picture = post::read_text(written.folder() / "out" / "residuals.png");
+    EXPECT_TRUE(picture.substr(1, 3) == "PNG");
+    const Json said = Json::parse(post::read_text(written.folder() / "out" / "diagnosis.json"));
+    EXPECT_EQ(said["outputs"].size(), 3u);
+    for (const std::filesystem::path& file : files) {
+        EXPECT_GT(std::filesystem::file_size(file), 100u) << file;
+    }
+}
+
+TEST(DiagnosisReport, TheExtendedCaseHoldsTheCauseAtItsFittedValue) {
+    MadeUp made_up = sample::named();
+    const std::vector<Candidate> all = candidates_of(made_up.experiment, {"sidewall_convection"});
+    ASSERT_EQ(all.size(), 1u);
+    made_up.result.extended_model = with(made_up.experiment, all, {1.0});
+    const Simulator simulator(*made_up.result.extended_model, made_up.observations);
+    made_up.result.extended_values = simulator.start();
+    made_up.result.extended_values[made_up.result.extended_values.size() - 1] = 8.1;
+    const input::Written written;
+    DiagnosisRecord record = made_up.record();
+    const std::vector<std::filesystem::path> files = write_diagnosis(record, written.folder());
+    EXPECT_TRUE(record.warnings.empty()) << record.warnings.front();
+    ASSERT_EQ(files.size(), 4u);
+    EXPECT_EQ(files[1], written.folder() / "extended.toml");
+    const input::Reading reading = input::read_case(files[1]);
+    ASSERT_TRUE(reading.problem) << input::complaints(reading);
+    const auto& effects = reading.problem->effects;
+    const auto found =
+        std::ranges::find_if(effects, [](const auto& one) { return one.effect->id == "sidewall_convection"; });
+    ASSERT_NE(found, effects.end());
+    EXPECT_DOUBLE_EQ(found->parameters.front(), 8.1);
+    EXPECT_EQ(reading.problem->settings.tolerance, made_up.experiment.runs.front().problem.settings.tolerance);
+    EXPECT_TRUE(has(post::read_text(files[1]), "# One cause explains what the model gets wrong"))
+        << post::read_text(files[1]);
+}
+
+// The loudest windows, whatever their sign, the loudest first.
+TEST(DiagnosisReport, WindowsThatAskForHeatAreToldAndWritten) {
+    MadeUp made_up = sample::unknown();
+    for (int i = 0; i < 7; ++i) {
+        made_up.result.asked.push_back(
+            {.run = 1, .place = "bulk", .from = 30.0 * i, .to = 30.0 * (i + 1), .watts = 10.0, .sigma = 0.5 * i});
+    }
+    made_up.result.asked.push_back(
+        {.run = 2, .place = "surface", .from = 600.0, .to = 630.0, .watts = -85.0, .sigma = -4.25});
+    const std::string text = on_one_line(page(made_up));
+    EXPECT_TRUE(has(text, "run place from s to s W sigma run3 surface 600 630 -85 -4.2 run2 bulk 180 210 +10 +3.0"))
+        << text;
+    EXPECT_FALSE(has(text, "run2 bulk 30 60")) << text;
+    const input::Written written;
+    DiagnosisRecord record = made_up.record();
+    EXPECT_EQ(write_diagnosis(record, written.folder()).size(), 5u);
+    EXPECT_EQ(post::read_text(written.folder() / "what_is_asked.png").substr(1, 3), "PNG");
+    EXPECT_TRUE(has(post::read_text(written.folder() / "what_is_asked.csv"), "run3,surface,600,630,-85,-4.25\n"));
+}
+
+// An extended case of an earlier diagnosis would pass for this one's.
+TEST(DiagnosisReport, WithoutACauseNoExtendedCaseIsLeft) {
+    const MadeUp made_up = sample::consistent();
+    const input::Written written;
+    const std::filesystem::path old = written.add("extended.toml", "title = \"old\"\n");
+    DiagnosisRecord record = made_up.record();
+    EXPECT_EQ(write_diagnosis(record, written.folder()).size(), 3u);
+    EXPECT_FALSE(std::filesystem::exists(old));
+}
+
+}  // namespace
+}  // namespace tiretherm::diagnosis

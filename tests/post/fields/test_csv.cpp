@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include "input/tables/csv.hpp"
+#include "solver/celsius.hpp"
+#include "post/fields/csv_writer.hpp"
+#include "tests/post/sample.hpp"
+
+namespace tiretherm::post {
+namespace {
+
+TEST(Csv, RowsStandInDegreesCelsiusWithFourDecimals) {
+    const sample::Scratch scratch;
+    const solver::Problem problem = sample::problem();
+    CsvWriter writer(scratch / "channels.csv", problem);
+    writer.take(sample::Moment(problem, 0.0, {296.15, 250.0}, true).snapshot);
+    // Read while the writer still holds the file: each row is there as soon as it is taken.
+    EXPECT_EQ(read_text(scratch / "channels.csv"),
+              "time [s],spot [degC],liner [degC]\n"
+              "0,23.0000,-23.1500\n");
+    writer.take(sample::Moment(problem, 1234567.25, {373.15006, 300.0}, true).snapshot);
+    EXPECT_EQ(read_text(scratch / "channels.csv"),
+              "time [s],spot [degC],liner [degC]\n"
+              "0,23.0000,-23.1500\n"
+              "1234567.25,100.0001,26.8500\n");
+}
+
+TEST(Csv, ReaderOfCasesTakesTheFileBackInKelvin) {
+    const sample::Scratch scratch;
+    const solver::Problem problem = sample::problem();
+    {
+        CsvWriter writer(scratch / "channels.csv", problem);
+        writer.take(sample::Moment(problem, 0.0, {296.15, 296.15}, true).snapshot);
+        writer.take(sample::Moment(problem, 30.5, {353.15, 303.123456}, true).snapshot);
+    }
+    input::Mistakes mistakes;
+    const auto file = input::read_text(scratch / "channels.csv", {}, mistakes);
+    ASSERT_TRUE(file);
+    const auto csv = input::Csv::open(*file, mistakes);
+    ASSERT_TRUE(csv);
+    const auto values =
+        csv->read({{.column = csv->find("time"),
+                    .name = "time",
+                    .wanted = {.unit = "s", .low = 0.0, .high = 1e9},
+                    .purpose = input::Purpose::clock},
+                   {.column = csv->find("liner"), .name = "liner", .wanted = {.unit = "K", .low = 0.0, .high = 1e3}}},
+                  mistakes);
+    ASSERT_EQ(mistakes.count(), 0u);
+    EXPECT_EQ(values[0], (std::vector<double>{0.0, 30.5}));
+    EXPECT_NEAR(values[1][0], 296.15, 1e-9);
+    EXPECT_NEAR(values[1][1], 303.123456, 0.5e-4);  // half of the last decimal
+}
+
+TEST(Csv, UnwritableFileIsAnErrorWithItsPath) {
+    const sample::Scratch scratch;
+    const solver::Problem problem = sample::problem();
+    EXPECT_THROW(CsvWriter(scratch / "missing/channels.csv", problem), FileError);
+}
+
+}  // namespace
+}  // namespace tiretherm::post

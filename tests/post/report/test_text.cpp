@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+
+#include "post/run/comparison.hpp"
+#include "post/report/file.hpp"
+#include "mesh/place.hpp"
+#include "post/report/table.hpp"
+#include "post/pictures/ticks.hpp"
+#include "tests/post/sample.hpp"
+
+namespace tiretherm::post {
+namespace {
+
+TEST(Table, ColumnsAreAsWideAsTheirWidestCellInCharacters) {
+    Table table({true, false, true});
+    table.add({"a", "1", "x"});
+    table.add({"°C", "22", ""});  // two characters, three bytes
+    table.add({"abc", "333", "y"});
+    EXPECT_EQ(table.lines(1), (std::vector<std::string>{" a      1  x", " °C    22", " abc  333  y"}));
+}
+
+TEST(Table, ThousandsStandInGroups) {
+    EXPECT_EQ(grouped(0.0), "0");
+    EXPECT_EQ(grouped(999.4), "999");
+    EXPECT_EQ(grouped(1000.0), "1 000");
+    EXPECT_EQ(grouped(1234567.0), "1 234 567");
+    EXPECT_EQ(grouped(-4321.0), "-4 321");
+}
+
+TEST(Table, LongTextIsBrokenAtBlanks) {
+    EXPECT_EQ(wrap("one two three", 2, 9), "  one two\n  three\n");
+    EXPECT_EQ(wrap("", 2, 9), "");
+}
+
+TEST(Ticks, AreRoundAndInsideTheAxis) {
+    EXPECT_EQ(ticks(0.0, 60.0, 10).values, (std::vector<double>{0, 10, 20, 30, 40, 50, 60}));
+    const Ticks fine = ticks(23.04, 23.36, 4);
+    ASSERT_EQ(fine.values.size(), 3u);
+    EXPECT_EQ(fine.label(fine.values[0]), "23.1");
+    EXPECT_EQ(fine.label(fine.values[2]), "23.3");
+    EXPECT_EQ(ticks(-30.0, 30.0, 12).label(0.0), "0");
+}
+
+TEST(Ticks, StepsOfTwoAndAHalfKeepTheirDecimal) {
+    const Ticks found = ticks(0.0, 10.0, 4);
+    ASSERT_EQ(found.values.size(), 5u);
+    EXPECT_EQ(found.label(found.values[1]), "2.5");
+    EXPECT_EQ(ticks(0.0, 100.0, 4).label(25.0), "25");
+}
+
+TEST(Ticks, EvenFieldHasOneTick) { EXPECT_EQ(ticks(5.0, 5.0, 4).values, (std::vector<double>{5.0})); }
+
+TEST(History, IsStraightBetweenRowsAndHeldBeyond) {
+    const solver::Problem problem = sample::problem();
+    const History history = sample::history(problem);
+    EXPECT_DOUBLE_EQ(history.at(0, 15.0), 0.5 * (296.15 + 353.15));
+    EXPECT_EQ(history.at(1, -5.0), 296.15);
+    EXPECT_EQ(history.at(1, 99.0), 313.15);
+}
+
+TEST(Comparison, DifferenceIsSimulatedLessMeasuredFromTheNearerEnd) {
+    const solver::Problem problem = sample::problem();
+    const std::vector<Comparison> found = compare(problem, sample::history(problem));
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_NEAR(found[0].difference, 12.5, 1e-9);
+    EXPECT_TRUE(found[0].at_end);
+    EXPECT_NEAR(found[1].simulated, 303.15, 1e-9);
+    EXPECT_NEAR(found[1].difference, -7.0, 1e-9);
+    EXPECT_FALSE(found[1].at_end);
+}
+
+TEST(Place, OfABlockHasThreeCoordinates) {
+    const std::vector<mesh::Segment> side{{.to = 0.02, .cells = 2}};
+    const mesh::Mesh block =
+        mesh::build(mesh::Block{.x = side, .y = side, .stack = {{.name = "tread", .thickness = 0.012, .cells = 3}}});
+    EXPECT_EQ(describe_place(block, 0), "tread, x 5.00 mm, y 5.00 mm, depth 2.00 mm");
+    EXPECT_EQ(describe_place(block, -1), "");
+}
+
+TEST(File, IsReplacedAsAWhole) {
+    const sample::Scratch scratch;
+    replace_file(scratch / "text", "a long first version");
+    replace_file(scratch / "text", "short");
+    EXPECT_EQ(read_text(scratch / "text"), "short");
+    EXPECT_FALSE(std::filesystem::exists(scratch / "text.part"));
+}
+
+TEST(File, FullDiskIsAnErrorWithTheReasonOfTheSystem) {
+    AppendFile full("/dev/full");
+    try {
+        full.append("one line\n");
+        FAIL() << "/dev/full took a line";
+    } catch (const FileError& error) {
+        EXPECT_STREQ(error.what(), "cannot write /dev/full: No space left on device");
+    }
+}
+
+}  // namespace
+}  // namespace tiretherm::post

@@ -1,0 +1,205 @@
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "post/run/summary.hpp"
+#include "tests/post/sample.hpp"
+
+namespace tiretherm::post {
+namespace {
+
+/// The summary of the sample, after changes to the problem and the report.
+struct Told {
+    solver::Problem problem = sample::problem();
+    solver::Report report = sample::report();
+
+    [[nodiscard]] RunRecord record(const History& history) const {
+        return {.problem = problem,
+                .report = report,
+                .history = history,
+                .origin = {.version = "9.9", .case_file = "", .case_text = ""},
+                .seconds = 0.02,
+                .warnings = {"spot.toml:3: 8 m is an unusual thickness"},
+                .files = {"out/results.h5", "out/channels.csv"}};
+    }
+    [[nodiscard]] std::string text() const {
+        const History history = sample::history(problem);
+        return summary_text(record(history), false);
+    }
+    [[nodiscard]] nlohmann::json json() const {
+        const History history = sample::history(problem);
+        return nlohmann::json::parse(summary_json(record(history)));
+    }
+};
+
+TEST(Summary, TextIsThisLineByLine) {
+    // spot: 97.5 - 85 = 12.5 K. liner at 30 s: 30 degC simulated, 37 to 47 measured, 7 K below the nearer end.
+    EXPECT_EQ(Told().text(),
+              "A warm spot (sample/spot)\n"
+              "\n"
+              "Readings\n"
+              "  channel  unit  final    min    max          measured  sim - meas  source\n"
+              "  spot     degC  97.50  23.00  97.50                85      +12.50  camera\n"
+              "  liner    degC  40.00  23.00  40.00  37 to 47 at 30 s       -7.00  thermocouple\n"
+              "  hottest  97.50 degC  at 60 s  tread, on top, radius 2.50 mm, depth 0.00 mm\n"
+              "  coldest  23.00 degC  at 0 s   bulk, radius 17.50 mm, depth 11.00 mm\n"
+              "\n"
+              "Heat budget\n"
+              "  heat into it  W at the end  kJ in all\n"
+              "  laser               1.0000     0.0600\n"
+              "  still_air          -0.2500    -0.0060\n"
+              "  sum                 0.7500     0.0540\n"
+              "  stored                         0.0540\n"
+              "  energy closure 1.2e-13: stored less sum, over the heat turned over\n"
+              "\n"
+              "Cost\n"
+              "  mesh    patch about its axis, 24 cells, layers tread, bulk\n"
+              "  steps   1 234, 5 rejected, 6 factorisations\n"
+              "  solver  CHOLMOD simplicial, 99 entries in the factor\n"
+              "  time    0.020 s for 60 s, 3 000 x real time; assembly 0.001, factor 0.002, solve 0.003, output 0.004\n"
+              "\n"
+              "Warnings\n"
+              "  spot.toml:3: 8 m is an unusual thickness\n"
+              "  air_convection: the surface left the range of its correlation\n"
+              "\n"
+              "Cite\n"
+              "  A thesis, chapter III\n"
+              "  A paper\n"
+              "\n"
+              "Files\n"
+              "  out/results.h5\n"
+              "  out/channels.csv\n");
+}
+
+TEST(Summary, HeatOfAQuarterIsToldOfTheWholeSpecimen) {
+    Told told;
+    told.problem.symmetry = 4.0;
+    const std::string text = told.text();
+    EXPECT_NE(text.find("Heat budget of the whole specimen, 4 times the mesh\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("  laser               4.0000     0.2400\n"), std::string::npos) << text;
+    const nlohmann::json json = told.json();
+    EXPECT_EQ(json["budget"][1]["watts_final"], 4.0);
+    EXPECT_EQ(json["budget"][1]["joules"], 240.0);
+    EXPECT_EQ(json["stored_joules"], 216.0);
+}
+
+// Effects of the user's own share an entry of the catalogue; each is told by its own name.
+TEST(Summary, EffectsOfTheUsersOwnAreToldApart) {
+    Told told;
+    told.problem.effects[1] = told.problem.effects[2] =
+        physics::activate(*physics::find_effect("own_source"), told.problem.mesh);
+    told.problem.effects[1].name = "throttle_heat";
+    told.problem.effects[2].name = "brake_heat";
+    const std::string text = told.text();
+    EXPECT_NE(text.find("  throttle_heat        1.0000     0.0600\n"
+                        "  brake_heat          -0.2500    -0.0060\n"),
+              std::string::npos)
+        << text;
+    EXPECT_EQ(told.json()["budget"][1]["effect"], "throttle_heat");
+    EXPECT_EQ(told.json()["budget"][2]["effect"], "brake_heat");
+}
+
+TEST(Summary, ValueInsideAMeasuredRangeIsWithinIt) {
+    Told told;
+    told.problem.measured = {{.channel = "liner", .time = 60.0, .low = 312.15, .high = 314.15, .source = "camera"}};
+    EXPECT_NE(told.text().find("39 to 41      within  camera\n"), std::string::npos) << told.text();
+}
+
+TEST(Summary, MeasuredValueBeyondTheEndIsLeftOut) {
+    Told told;
+    told.problem.measured[0].time = 61.0;
+    EXPECT_EQ(told.text().find("camera"), std::string::npos);
+    EXPECT_EQ(told.json()["measured"].size(), 1u);
+}
+
+TEST(Summary, SteadyStateHasNoSumsOverTime) {
+    Told told;
+    told.problem.settings.steady = true;
+    const std::string text = told.text();
+    EXPECT_EQ(text.find("kJ"), std::string::npos) << text;
+    EXPECT_EQ(text.find("stored"), std::string::npos) << text;
+    EXPECT_NE(text.find("steady state"), std::string::npos) << text;
+}
+
+TEST(Summary, EarlyEndIsToldFirst) {
+    Told told;
+    told.report.status = {.outcome = solver::Outcome::not_converged, .message = "cell 3 did not settle"};
+    EXPECT_TRUE(told.text().starts_with("A warm spot (sample/spot)\n  ended early: cell 3 did not settle\n"))
+        << told.text();
+    EXPECT_EQ(told.json()["error"], "cell 3 did not settle");
+}
+
+TEST(Summary, RunThatFailedBeforeItsFirstRowStillHasASummary) {
+    Told told;
+    told.report = {};
+    told.report.status = {.outcome = solver::Outcome::not_converged, .message = "no steady state"};
+    const History nothing;
+    EXPECT_NE(summary_text(told.record(nothing), false).find("no steady state"), std::string::npos);
+    EXPECT_EQ(nlohmann::json::parse(summary_json(told.record(nothing)))["error"], "no steady state");
+}
+
+TEST(Summary, CaseWithoutATitleIsNamedOnce) {
+    Told told;
+    told.problem.title = told.problem.name;
+    EXPECT_TRUE(told.text().starts_with("sample/spot\n\n")) << told.text();
+}
+
+TEST(Summary, HeadingsAreBoldOnATerminalOnly) {
+    const Told told;
+    const History history = sample::history(told.problem);
+    EXPECT_TRUE(summary_text(told.record(history), true)
+                    .starts_with("\033[1mA warm spot (sample/spot)\033[0m\n\n\033[1mReadings"));
+    EXPECT_EQ(told.text().find('\033'), std::string::npos);
+}
+
+TEST(Summary, JsonHasTheAgreedKeys) {
+    const nlohmann::json json = Told().json();
+    EXPECT_EQ(json["case"], "sample/spot");
+    EXPECT_EQ(json["cells"], 24);
+    EXPECT_EQ(json["steps"], 1234);
+    EXPECT_EQ(json["factorisations"], 6);
+    EXPECT_EQ(json["seconds"], 0.02);
+    EXPECT_EQ(json["simulated_seconds"], 60.0);
+    EXPECT_EQ(json["energy_closure"], 1.25e-13);
+    EXPECT_EQ(json["channels"][0]["name"], "spot");
+    EXPECT_EQ(json["channels"][0]["unit"], "degC");
+    EXPECT_DOUBLE_EQ(json["channels"][0]["final"], 97.5);
+    EXPECT_DOUBLE_EQ(json["channels"][0]["min"], 23.0);
+    EXPECT_DOUBLE_EQ(json["channels"][0]["max"], 97.5);
+    EXPECT_EQ(json["budget"][2]["effect"], "still_air");
+    EXPECT_EQ(json["budget"][2]["watts_final"], -0.25);
+    EXPECT_EQ(json["budget"][2]["joules"], -6.0);
+    EXPECT_DOUBLE_EQ(json["hottest"]["temperature"], 97.5);
+    EXPECT_EQ(json["hottest"]["unit"], "degC");
+    EXPECT_EQ(json["hottest"]["time"], 60.0);
+    EXPECT_EQ(json["hottest"]["layer"], "tread");
+    EXPECT_TRUE(json["hottest"].contains("zone"));
+    EXPECT_EQ(json["outputs"], (std::vector<std::string>{"out/results.h5", "out/channels.csv"}));
+    EXPECT_FALSE(json.contains("error"));
+}
+
+TEST(Summary, TireIsComparedWithATwoNodeModelWhereThatHasAMeaning) {
+    // k = G dZ / S_tot = 0.125 * 0.010 / (2 pi 0.3308 0.225) = 0.00267
+    Told told;
+    told.problem.effects[2] = physics::activate(*physics::find_effect("air_convection"), told.problem.mesh);
+    EXPECT_NE(told.text().find("  as a two-node model, its link would be 0.125 W/K, or k = 0.00267 W/mK over 10 mm\n"),
+              std::string::npos)
+        << told.text();
+    EXPECT_EQ(told.json()["effective_link"], 0.125);
+    told.report.effective_link = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(told.text().find("two-node"), std::string::npos);
+    EXPECT_TRUE(told.json()["effective_link"].is_null());
+}
+
+TEST(Summary, LumpHasALayerButNoPosition) {
+    Told told;
+    told.problem.mesh =
+        mesh::build(mesh::TwoNode{.area = 1.0, .surface_volume = 1e-3, .bulk_volume = 1e-2, .bulk_depth = 0.01});
+    told.report.hottest.node = 1;
+    EXPECT_NE(told.text().find("hottest  97.50 degC  at 60 s  bulk\n"), std::string::npos) << told.text();
+    EXPECT_TRUE(told.json()["hottest"]["position"].is_null());
+}
+
+}  // namespace
+}  // namespace tiretherm::post

@@ -1,0 +1,264 @@
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <hdf5.h>
+#include <nlohmann/json.hpp>
+
+#include "post/report/file.hpp"
+#include "post/charts/study_picture.hpp"
+#include "post/charts/study_plane.hpp"
+#include "diagnosis/study/study_statistics.hpp"
+#include "post/study/study_summary.hpp"
+#include "post/study/study_tables.hpp"
+#include "tests/post/scratch.hpp"
+
+// What is made of a study's runs, without running any.
+namespace tiretherm::post {
+namespace {
+
+constexpr double zero = 273.15;
+
+StudyOutcome run_at(double celsius) {
+    return {.failure = {},
+            .hottest = zero + celsius,
+            .hottest_time = 3600.0,
+            .hottest_layer = "bulk",
+            .hottest_zone = {},
+            .channel_final = {zero + celsius - 1.0},
+            .channel_min = {zero + 20.0},
+            .channel_max = {zero + celsius},
+            .energy_closure = 1e-13,
+            .steps = 30};
+}
+
+StudyColumn column(std::string key, std::string unit, std::vector<double> numbers) {
+    StudyColumn made{.key = std::move(key), .unit = unit, .udunits = unit, .texts = {}, .numbers = std::move(numbers)};
+    for (const double number : made.numbers) {
+        made.texts.push_back(fmt::format("{:g} {}", number, unit));
+    }
+    return made;
+}
+
+/// Two speeds by three loads; the hottest temperature is speed + load, the last run has failed.
+StudyRecord grid() {
+    StudyRecord study{.title = "A grid",
+                      .study_file = "grid.toml",
+                      .study_text = "title = \"A grid\"\n",
+                      .case_file = "tire.toml",
+                      .case_name = "tire",
+                      .version = "9.9",
+                      .critical = zero + 62.0,
+                      .columns = {column("drive.speed", "km/h", {50, 50, 50, 60, 60, 60}),
+                                  column("drive.vertical_load", "kN", {1, 2, 3, 1, 2, 3})},
+                      .sides = {2, 3},
+                      .channels = {{.name = "inside", .meaning = "mean of the bulk", .where = {}}},
+                      .outcomes = {},
+                      .warnings = {}};
+    for (std::size_t r = 0; r < 6; ++r) {
+        study.outcomes.push_back(run_at(study.columns[0].numbers[r] + study.columns[1].numbers[r]));
+    }
+    study.outcomes[5] = StudyOutcome{.failure = "t = 3 s: it burns, \"badly\""};
+    return study;
+}
+
+/// 20 samples from 41 to 60 degC at one point.
+StudyRecord samples() {
+    StudyRecord study = grid();
+    study.title = "Samples";
+    study.sides = {};
+    study.samples = 20;
+    study.is_sampled = true;
+    study.critical = zero + 58.0;
+    study.outcomes.clear();
+    std::vector<double> numbers;
+    for (int i = 0; i < 20; ++i) {
+        study.outcomes.push_back(run_at(41.0 + i));
+        numbers.push_back(0.1 * i);
+    }
+    study.columns = {column("effects.air_convection.lambda_h", "", numbers)};
+    study.columns[0].is_drawn = true;
+    return study;
+}
+
+std::string bytes(const StudyRecord& study) {
+    const sample::Scratch scratch;
+    draw_study(scratch / "study.png", study);
+    return read_text(scratch / "study.png");
+}
+
+const StudyCall made{.kept = 2, .seconds = 1.0, .run_seconds = 1.0, .files = {}};
+
+}  // namespace
+
+// R. G. Newcombe, Stat. Med. 17 (1998), table I: 81 of 263 gives 0.2553 to 0.3662, 15 of 148 gives 0.0624 to 0.1605, and 0
+// of 20 gives 0 to 0.1611.
+TEST(Chance, HasWilsonsInterval) {
+    EXPECT_NEAR(chance(81, 263).low, 0.2553, 5e-5);
+    EXPECT_NEAR(chance(81, 263).high, 0.3662, 5e-5);
+    EXPECT_NEAR(chance(15, 148).low, 0.0624, 5e-5);
+    EXPECT_NEAR(chance(15, 148).high, 0.1605, 5e-5);
+    EXPECT_EQ(chance(0, 20).low, 0.0);
+    EXPECT_NEAR(chance(0, 20).high, 0.1611, 5e-5);
+    EXPECT_EQ(chance(0, 0).high, 1.0);
+}
+
+// 41 to 60 in steps of 1: the median is 50.5; 59 and 60 pass 58, and 58 itself does not.
+TEST(StudyStatistics, CountWhatPassesTheCriticalTemperature) {
+    const StudyRecord study = samples();
+    EXPECT_NEAR(quantile(hottest_at(study, 0), 0.5), 50.5, 1e-12);
+    const Chance passing = passes_critical(study, 0);
+    EXPECT_EQ(passing.times, 2U);
+    EXPECT_EQ(passing.of, 20U);
+}
+
+TEST(StudyStatistics, RunThatFailedIsNeitherBelowNorAbove) {
+    StudyRecord study = samples();
+    study.outcomes[19] = StudyOutcome{.failure = "it burns"};
+    EXPECT_EQ(passes_critical(study, 0).times, 1U);
+    EXPECT_EQ(passes_critical(study, 0).of, 19U);
+}
+
+TEST(StudyRecord, KeyThatChangesNothingIsFound) {
+    StudyRecord study = grid();
+    EXPECT_TRUE(study.without_effect().empty());
+    for (std::size_t r = 0; r < 6; ++r) {
+        study.outcomes[r] = run_at(study.columns[0].numbers[r]);
+    }
+    EXPECT_EQ(study.without_effect(), std::vector<std::string>{"drive.vertical_load"});
+}
+
+TEST(StudyCsv, HasARowForEachRunAndUnitsInItsHeadings) {
+    const std::string text = study_csv(grid());
+    EXPECT_TRUE(text.starts_with(
+        "run,drive.speed [km/h],drive.vertical_load [kN],outcome,hottest [degC],hottest_time [s],hottest_layer,"
+        "hottest_zone,inside_final [degC],inside_min [degC],inside_max [degC],energy_closure [-],steps [-]\n"
+        "1,50,1,ok,51.0000,3600,bulk,,50.0000,20.0000,51.0000,1.00e-13,30\n"))
+        << text;
+    // As many cells as headings: 12 commas outside of the quotes.
+    EXPECT_TRUE(text.ends_with("\n6,60,3,\"t = 3 s: it burns, \"\"badly\"\"\",,,,,,,,,\n")) << text;
+}
+
+TEST(StudyHdf5, HasTheSameRunsInSiAndSaysWhatTheyAre) {
+    const sample::Scratch scratch;
+    write_study_hdf5(scratch / "study.h5", grid());
+    const hid_t file = H5Fopen((scratch / "study.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+    ASSERT_GE(file, 0);
+    const auto read = [&](const char* path) {
+        std::vector<double> values(6);
+        const hid_t dataset = H5Dopen2(file, path, H5P_DEFAULT);
+        EXPECT_GE(dataset, 0) << path;
+        EXPECT_GE(H5Aexists(dataset, "units"), 1) << path;
+        EXPECT_GE(H5Aexists(dataset, "long_name"), 1) << path;
+        EXPECT_GE(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0) << path;
+        H5Dclose(dataset);
+        return values;
+    };
+    EXPECT_DOUBLE_EQ(read("/hottest/temperature")[1], zero + 52.0);
+    EXPECT_TRUE(std::isnan(read("/hottest/temperature")[5]));
+    EXPECT_DOUBLE_EQ(read("/inputs/drive.vertical_load")[2], 3.0);
+    EXPECT_DOUBLE_EQ(read("/channels/inside/final")[0], zero + 50.0);
+    EXPECT_DOUBLE_EQ(read("/run")[5], 6.0);
+    H5Fclose(file);
+}
+
+TEST(StudyHdf5, EqualStudiesAreEqualFiles) {
+    const sample::Scratch scratch;
+    write_study_hdf5(scratch / "a.h5", grid());
+    write_study_hdf5(scratch / "b.h5", grid());
+    EXPECT_EQ(read_text(scratch / "a.h5"), read_text(scratch / "b.h5"));
+}
+
+TEST(StudyText, ShowsTheGridAndWhatFailed) {
+    const std::string text = study_text(grid(), made, false);
+    EXPECT_NE(text.find("  50  51.0  52.0    53.0\n  60  61.0  62.0  failed\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("0 of 5 runs pass 62 degC"), std::string::npos) << text;
+    EXPECT_NE(text.find("run 6 (drive.speed = 60 km/h, drive.vertical_load = 3 kN): t = 3 s: it burns"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("2 kept, 4 made now in 1.0 s (0.250 s a run, 1 at a time)"), std::string::npos) << text;
+}
+
+// 2 of 20: (0.1 + 1.9207/20 -+ 1.95996 sqrt(0.09/20 + 0.96036/400)) / (1 + 3.8415/20) = 0.0279 and 0.3010.
+TEST(StudyText, GivesTheChanceOfPassingWithItsInterval) {
+    const std::string text = study_text(samples(), made, false);
+    EXPECT_NE(text.find("10.0 %, 95 % interval 2.8 to 30.1 % (2 of 20)"), std::string::npos) << text;
+    const auto json = nlohmann::json::parse(study_json(samples(), made));
+    EXPECT_NEAR(json["points"][0]["passes_critical"]["low"].get<double>(), 0.0279, 5e-5);
+    EXPECT_NEAR(json["points"][0]["passes_critical"]["high"].get<double>(), 0.3010, 5e-5);
+    EXPECT_EQ(json["points"][0]["hottest"]["median"], 50.5);
+}
+
+TEST(StudyPicture, IsDrawnForEverythingThatVaries) {
+    EXPECT_TRUE(has_study_picture(grid()));
+    EXPECT_EQ(bytes(grid()).substr(1, 3), "PNG");
+    EXPECT_EQ(bytes(samples()).substr(1, 3), "PNG");
+    StudyRecord curve = grid();
+    curve.sides = {6};
+    EXPECT_EQ(bytes(curve).substr(1, 3), "PNG");
+    StudyRecord words = grid();
+    words.columns[0].is_number = false;
+    EXPECT_EQ(bytes(words).substr(1, 3), "PNG");
+}
+
+TEST(StudyPicture, ShowsTheTemperaturesAndTheCriticalOne) {
+    StudyRecord other = grid();
+    other.outcomes[0] = run_at(40.0);
+    EXPECT_NE(bytes(grid()), bytes(other));
+    StudyRecord limit = grid();
+    limit.critical = zero + 55.0;
+    EXPECT_NE(bytes(grid()), bytes(limit));
+    EXPECT_EQ(bytes(grid()), bytes(grid()));
+}
+
+// Speed + load is its own interpolation: 51 to 63 degC, and at the middle of pixel i of n the share (i + 1/2)/n of a side.
+TEST(StudyPlane, IsStraightBetweenTheRuns) {
+    StudyRecord study = grid();
+    study.outcomes[5] = run_at(63.0);
+    bool more = true;
+    const std::vector<StudyPlane> planes = study_planes(study, more);
+    ASSERT_EQ(planes.size(), 1U);
+    EXPECT_FALSE(more);
+    EXPECT_TRUE(planes[0].smooth());
+    const Raster raster = rasterise(planes[0], 20, 10, 51.0, 63.0);
+    EXPECT_NEAR(raster.at(7, 0), 50.0 + 10.0 * 7.5 / 20.0 + 3.0 - 2.0 * 0.05, 1e-9);
+    EXPECT_NEAR(raster.at(19, 8), 50.0 + 10.0 * 19.5 / 20.0 + 1.0 + 2.0 * 0.15, 1e-9);
+}
+
+TEST(StudyPlane, OtherSidesMakePanelsWhileTheyAreFew) {
+    StudyRecord study = grid();
+    study.columns.insert(study.columns.begin(), column("drive.camber", "deg", std::vector<double>(6, 0.0)));
+    study.sides = {1, 2, 3};
+    bool more = true;
+    EXPECT_EQ(study_planes(study, more).at(0).title, std::vector<std::string>{"drive.camber = 0 deg"});
+    EXPECT_FALSE(more);
+    study.sides = {2, 3, 1};
+    EXPECT_EQ(study_planes(study, more).size(), 1U);
+}
+
+// 1 and 2 would fall on one another beside 1e12; 2e15 is 2 on an axis in 1e15.
+TEST(StudyAxis, LongAndUnevenNumbersStayReadable) {
+    StudyRecord study = grid();
+    study.columns[1].numbers = {1.0, 2.0, 1e12, 1.0, 2.0, 1e12};
+    EXPECT_FALSE(study_axis(study, 1).is_number);
+    EXPECT_EQ(study_axis(study, 1).in_steps().at, (std::vector<double>{0.0, 1.0, 2.0}));
+    study.columns[1].numbers = {3e15, 1e15, 2e15, 3e15, 1e15, 2e15};
+    const StudyAxis axis = study_axis(study, 1);
+    EXPECT_EQ(axis.name, "drive.vertical_load [1e15 kN]");
+    EXPECT_NEAR(axis.at[2], 2.0, 1e-12);
+    EXPECT_EQ(axis.order(), (std::vector<std::size_t>{1, 2, 0}));
+}
+
+TEST(StudyPicture, IsNotDrawnOfNothing) {
+    StudyRecord one = grid();
+    one.sides = {1, 1};
+    one.outcomes.resize(1);
+    EXPECT_FALSE(has_study_picture(one));
+    StudyRecord failed = grid();
+    for (StudyOutcome& outcome : failed.outcomes) {
+        outcome.failure = "it burns";
+    }
+    EXPECT_FALSE(has_study_picture(failed));
+}
+
+}  // namespace tiretherm::post

@@ -1,0 +1,119 @@
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "post/report/file.hpp"
+#include "post/study/study_journal.hpp"
+#include "tests/post/scratch.hpp"
+
+// What survives the end of a study, however it ends.
+namespace tiretherm::post {
+namespace {
+
+RunIdentity run(int i) {
+    return {.fingerprint = fmt::format("{:016x}", i), .values = {fmt::format("speed = {} m/s", i)}};
+}
+
+/// Numbers that no short decimal holds.
+StudyOutcome outcome(int i) {
+    return {.failure = {},
+            .hottest = 300.0 + i / 3.0,
+            .hottest_time = i / 7.0,
+            .hottest_layer = "tread",
+            .hottest_zone = "crown",
+            .channel_final = {i / 9.0, -1e-300},
+            .channel_min = {1.0 / 3.0, 2.0},
+            .channel_max = {1e17 / 3.0, 3.0},
+            .energy_closure = 1e-13 / 3.0,
+            .steps = 12 + i};
+}
+
+/// Two runs, written and closed.
+void write_two(const std::filesystem::path& path) {
+    StudyJournal journal(path, "build 1", false);
+    journal.add(run(1), outcome(1));
+    journal.add(run(2), StudyOutcome{.failure = "t = 3 s: it burns"});
+}
+
+}  // namespace
+
+TEST(StudyJournal, GivesBackEveryDigit) {
+    const sample::Scratch scratch;
+    write_two(scratch / "runs.jsonl");
+    const StudyJournal journal(scratch / "runs.jsonl", "build 1", false);
+    ASSERT_NE(journal.find(run(1)), nullptr);
+    EXPECT_EQ(*journal.find(run(1)), outcome(1));
+    ASSERT_NE(journal.find(run(2)), nullptr);
+    EXPECT_EQ(journal.find(run(2))->failure, "t = 3 s: it burns");
+    EXPECT_EQ(journal.find(run(3)), nullptr);
+}
+
+TEST(StudyJournal, LineThatWasCutOffIsDroppedAndTheNextOneIsWhole) {
+    const sample::Scratch scratch;
+    write_two(scratch / "runs.jsonl");
+    const std::string text = read_text(scratch / "runs.jsonl");
+    for (const std::size_t cut : {std::size_t{1}, std::size_t{20}, text.size() - text.find('\n') - 2}) {
+        replace_file(scratch / "runs.jsonl", text.substr(0, text.size() - cut));
+        {
+            StudyJournal journal(scratch / "runs.jsonl", "build 1", false);
+            EXPECT_NE(journal.find(run(1)), nullptr);
+            EXPECT_EQ(journal.find(run(2)), nullptr) << cut;
+            journal.add(run(3), outcome(3));
+        }
+        const StudyJournal journal(scratch / "runs.jsonl", "build 1", false);
+        EXPECT_NE(journal.find(run(1)), nullptr);
+        ASSERT_NE(journal.find(run(3)), nullptr);
+        EXPECT_EQ(*journal.find(run(3)), outcome(3));
+    }
+}
+
+TEST(StudyJournal, DamagedLineCostsItsRunAlone) {
+    const sample::Scratch scratch;
+    write_two(scratch / "runs.jsonl");
+    replace_file(scratch / "runs.jsonl", "{\"run\": 3}\nnot a line\n\n" + read_text(scratch / "runs.jsonl"));
+    const StudyJournal journal(scratch / "runs.jsonl", "build 1", false);
+    EXPECT_NE(journal.find(run(1)), nullptr);
+    EXPECT_NE(journal.find(run(2)), nullptr);
+}
+
+TEST(StudyJournal, RunsOfAnotherBuildDoNotCount) {
+    const sample::Scratch scratch;
+    write_two(scratch / "runs.jsonl");
+    const StudyJournal journal(scratch / "runs.jsonl", "build 2", false);
+    EXPECT_EQ(journal.find(run(1)), nullptr);
+    EXPECT_EQ(journal.outdated(), 2U);
+}
+
+TEST(StudyJournal, SameFingerprintWithOtherValuesIsAnotherRun) {
+    const sample::Scratch scratch;
+    write_two(scratch / "runs.jsonl");
+    const StudyJournal journal(scratch / "runs.jsonl", "build 1", false);
+    RunIdentity other = run(1);
+    other.values[0] = "speed = 9 m/s";
+    EXPECT_EQ(journal.find(other), nullptr);
+}
+
+TEST(StudyJournal, FreshOneForgets) {
+    const sample::Scratch scratch;
+    write_two(scratch / "runs.jsonl");
+    const StudyJournal journal(scratch / "runs.jsonl", "build 1", true);
+    EXPECT_EQ(journal.find(run(1)), nullptr);
+    EXPECT_EQ(read_text(scratch / "runs.jsonl"), "");
+}
+
+TEST(StudyJournal, TwoAtATimeAreRefusedInOneFolder) {
+    const sample::Scratch scratch;
+    const StudyJournal first(scratch / "runs.jsonl", "build 1", false);
+    EXPECT_THROW(StudyJournal(scratch / "runs.jsonl", "build 1", false), StudyJournal::Busy);
+}
+
+TEST(StudyJournal, FolderThatCannotBeWrittenIsNamed) {
+    try {
+        const StudyJournal journal("/proc/runs.jsonl", "build 1", false);
+        FAIL() << "opened";
+    } catch (const FileError& error) {
+        EXPECT_EQ(error.path(), "/proc/runs.jsonl");
+    }
+}
+
+}  // namespace tiretherm::post

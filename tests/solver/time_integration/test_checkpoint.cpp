@@ -1,0 +1,80 @@
+#include "solver/time_integration/checkpoint.hpp"
+
+#include <gtest/gtest.h>
+
+#include "solver/bench.hpp"
+#include "solver/time_integration/march.hpp"
+
+namespace tiretherm::solver {
+
+namespace {
+
+struct Row {
+    double time;
+    std::vector<double> temperature;
+    std::vector<double> joules;
+    double stored;
+
+    friend bool operator==(const Row&, const Row&) = default;
+};
+
+Observer keep_rows(std::vector<Row>& rows, std::size_t most = 1000000) {
+    return [&rows, most](const Snapshot& s) {
+        rows.push_back(
+            {s.time, {s.temperature.begin(), s.temperature.end()}, {s.joules.begin(), s.joules.end()}, s.stored});
+        return rows.size() < most;
+    };
+}
+
+/// A jump of the speed, nonlinear laws, a tolerance that makes some 200 steps.
+Problem eventful() {
+    Problem problem = two_node_tire();
+    problem.drive = {};
+    problem.drive.add({.signal = physics::find_signal("speed"),
+                       .time = {0.0, 200.0, 200.0, 600.0},
+                       .value = {28.0, 28.0, 40.0, 10.0}});
+    hold(problem, "vertical_load", 4000.0);
+    hold(problem, "air_temperature", 296.15);
+    hold(problem, "road_temperature", 310.0);
+    problem.settings.tolerance = 1e-5;
+    problem.settings.output_interval = 3.0;
+    return problem;
+}
+
+}  // namespace
+
+TEST(Checkpoint, AResumedRunEndsWithTheSameDigits) {
+    const Problem problem = eventful();
+    std::vector<Row> whole;
+    std::vector<Checkpoint> kept;
+    std::vector<std::size_t> rows_then;
+    const Report report =
+        run(problem, keep_rows(whole), {.from = nullptr, .every = 20, .keep = [&](const Checkpoint& c) {
+                                            kept.push_back(c);
+                                            rows_then.push_back(whole.size());
+                                        }});
+    ASSERT_TRUE(report.status.ok());
+    ASSERT_GE(kept.size(), 3U);
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        std::vector<Row> rest;
+        const Report resumed =
+            run(problem, keep_rows(rest), {.from = &kept[i], .every = 20, .keep = [](const Checkpoint&) {}});
+        ASSERT_TRUE(resumed.status.ok()) << resumed.status.message;
+        EXPECT_EQ(resumed.steps, report.steps);
+        EXPECT_EQ(resumed.channel_max, report.channel_max);
+        EXPECT_EQ(resumed.hottest.time, report.hottest.time);
+        EXPECT_EQ(resumed.joules, report.joules);
+        const std::vector<Row> expected(whole.begin() + static_cast<std::ptrdiff_t>(rows_then[i]), whole.end());
+        EXPECT_EQ(rest, expected) << "checkpoint " << i;  // bit for bit
+    }
+}
+
+TEST(Checkpoint, OfAnotherProblemIsRefused) {
+    Checkpoint kept;
+    (void)run(eventful(), nullptr, {.from = nullptr, .every = 20, .keep = [&](const Checkpoint& c) { kept = c; }});
+    const Report report = run(heated_strip(7), nullptr, {.from = &kept, .every = 0, .keep = {}});
+    EXPECT_EQ(report.status.outcome, Outcome::foreign_checkpoint);
+    EXPECT_NE(report.status.message.find("another case"), std::string::npos);
+}
+
+}  // namespace tiretherm::solver

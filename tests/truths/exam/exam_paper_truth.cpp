@@ -1,0 +1,140 @@
+#include "exam/exam_paper_truth.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+#include "exam/exam_hiding_truth.hpp"
+#include "exam/exam_signals_truth.hpp"
+#include "exam/exam_twins_truth.hpp"
+
+namespace hidden_effects {
+
+namespace {
+
+constexpr std::size_t n_runs = 3;
+constexpr std::array<const char*, 8> words{"nothing",     "single", "pair",         "unknown",
+                                           "unknown_odd", "decoy",  "dull_nothing", "dull_single"};
+
+bool is_dull(Kind kind) { return kind == Kind::dull_nothing || kind == Kind::dull_single; }
+
+RigProgramme draw_programme_of(const Rig& rig, Kind kind, std::uint64_t seed, double interval) {
+    if (!is_dull(kind)) {
+        return rig.draw(seed, interval);
+    }
+    RigProgramme dull;
+    static_cast<Programme&>(dull) = draw_dull_programme(seed, interval);
+    return dull;
+}
+
+BenchRuns draw_runs(const Rig& rig, Kind kind, std::uint64_t seed, double interval, Random& random) {
+    BenchRuns runs{.rig = &rig};
+    for (const FreeNumber& number : rig.of_bench) {
+        runs.of_bench.push_back(number.expected + number.spread * random.normal());
+    }
+    for (std::uint64_t run = 1; run <= n_runs; ++run) {
+        // No two kinds share a programme, nor do they with the fits of test_recovery_bench.
+        const std::uint64_t of_run = 1000000007ULL * (static_cast<std::uint64_t>(kind) + 1) + 10 * seed + run;
+        runs.programmes.push_back(draw_programme_of(rig, kind, of_run, interval));
+        const double air = runs.programmes.back().air_temperature.front();
+        runs.of_run.emplace_back();
+        for (const FreeNumber& number : rig.of_run) {
+            runs.of_run.back().push_back(air + number.expected + number.spread * random.normal());
+        }
+    }
+    return runs;
+}
+
+/// What the sensors of a paper's bench give, without noise.
+Readings true_readings(const Paper& paper) {
+    const double tolerance = paper.runs.rig->tolerance;
+    if (!is_unknown(paper.kind)) {
+        return readings_of(paper.runs, paper.hidden, tolerance);
+    }
+    BenchRuns driven = paper.runs;
+    driven.programmes = driven_by(paper.source, paper.runs.programmes);
+    return readings_of(driven, {{.id = paper.source.id, .parameters = {{"watts", paper.source.watts}}}}, tolerance);
+}
+
+}  // namespace
+
+std::string word_of(Kind kind) { return words[static_cast<std::size_t>(kind)]; }
+
+Kind kind_from(const std::string& word) {
+    std::string all;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (word == words[i]) {
+            return static_cast<Kind>(i);
+        }
+        all += std::string(i > 0 ? ", " : "") + words[i];
+    }
+    throw std::invalid_argument("no kind of paper is called '" + word + "'; there are " + all);
+}
+
+bool hides_nothing(Kind kind) { return kind == Kind::nothing || kind == Kind::decoy || kind == Kind::dull_nothing; }
+
+bool is_unknown(Kind kind) { return kind == Kind::unknown || kind == Kind::unknown_odd; }
+
+Paper draw_paper(Kind kind, double sigma, std::uint64_t seed, double interval, const Rig& rig) {
+    if (!rig.every_kind && kind > Kind::unknown) {
+        throw std::invalid_argument("the bench " + rig.name +
+                                    " has papers of nothing, single, pair and unknown, none of " + word_of(kind));
+    }
+    Random random(1000003ULL * seed + static_cast<std::uint64_t>(kind));
+    Paper paper{.kind = kind,
+                .seed = seed,
+                .sigma = hides_nothing(kind) ? 0.0 : sigma,
+                .runs = draw_runs(rig, kind, seed, interval > 0.0 ? interval : rig.interval, random),
+                .hidden = {},
+                .oracle = {}};
+    Random noise(2000003ULL * seed + static_cast<std::uint64_t>(kind) + 500);
+    if (!hides_nothing(kind)) {
+        paper.oracle_of_runs = std::make_shared<Oracle>(paper.runs);
+        bool hidden = false;
+        for (int draw = 0; draw < 200 && !hidden; ++draw) {
+            hidden = is_unknown(kind) ? hide_source(paper, random) : hide_causes(paper, random);
+        }
+        if (!hidden) {
+            throw std::runtime_error("nothing can be hidden at " + std::to_string(sigma) + " standard deviations in " +
+                                     word_of(kind) + " of seed " + std::to_string(seed));
+        }
+    }
+    if (kind == Kind::pair && rig.finds_twins) {
+        paper.twin = nearest_twin(paper);
+    }
+    Readings readings = true_readings(paper);
+    for (std::size_t run = 0; run < n_runs; ++run) {
+        const RigProgramme& programme = paper.runs.programmes[run];
+        for (std::size_t c = 0; c < rig.channels.size(); ++c) {
+            std::vector<double>& values = readings[run][c];
+            const std::vector<double> drawn = draw_noise(rig.channels[c].noise, programme.time, noise);
+            std::transform(values.begin(), values.end(), drawn.begin(), values.begin(), std::plus<>());
+        }
+        paper.logs.push_back(rig.log(programme, readings[run]));
+    }
+    if (kind == Kind::decoy) {
+        add_decoys(paper.logs, paper.runs.programmes, random);
+    }
+    return paper;
+}
+
+std::string answer_of(const Paper& paper) {
+    if (is_unknown(paper.kind)) {
+        std::string follows;
+        for (const std::string& signal : paper.source.signals) {
+            follows += (follows.empty() ? "" : " x ") + signal;
+        }
+        if (follows.empty()) {
+            follows = "a time window";
+        }
+        return "heat after " + follows + " in the " + paper.source.place;
+    }
+    std::string names;
+    for (const Cause& cause : paper.hidden) {
+        names += (names.empty() ? "" : " + ") + name_of(cause);
+    }
+    return names.empty() ? "nothing" : names;
+}
+
+}  // namespace hidden_effects

@@ -1,0 +1,9 @@
+// Writes the made-up runs of the laser's bench: make_laser_bench_logs CASES, where CASES is the folder cases/.
+#include "laser/laser_logs_truth.hpp"
+
+int main(int count, char** arguments) {
+    const std::filesystem::path cases = count > 1 ? arguments[1] : "cases";
+    for (const hidden_effects::ShippedLog& log : hidden_effects::laser_bench_logs()) {
+        hidden_effects::write(cases / log.file, log.columns);
+    }
+}
