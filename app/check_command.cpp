@@ -42,7 +42,7 @@ void print_text(const solver::Problem& problem, const std::vector<std::string>& 
     table.add({"effects", fmt::format("{}", fmt::join(effect_names(problem), ", "))});
     table.add({"channels", fmt::format("{}", fmt::join(channel_names(problem), ", "))});
     table.add({"time", duration(problem.settings)});
-    fmt::print("{}: no mistakes\n", problem.name);
+    fmt::print("{}: no errors\n", problem.name);
     for (const std::string& line : table.lines(2)) {
         fmt::print("{}\n", line);
     }
@@ -70,8 +70,8 @@ void print_json(const solver::Problem& problem, const std::vector<std::string>& 
 int check(const std::string& case_file, bool json) {
     const input::Reading reading = input::read_case(case_file);
     if (!reading.problem) {
-        tell_mistakes(reading, "the case cannot be run", json);
-        return Exit::mistake;
+        report_errors(reading, "the case cannot be run", json);
+        return Exit::input_error;
     }
     json ? print_json(*reading.problem, reading.warnings) : print_text(*reading.problem, reading.warnings);
     return Exit::done;
@@ -84,12 +84,12 @@ void add_check_command(CLI::App& program, int& exit_code) {
         std::string case_file;
         bool json = false;
     };
-    CLI::App* command = program.add_subcommand("check", "Read a case without running it; all mistakes at once");
+    CLI::App* command = program.add_subcommand("check", "Read a case without running it; all errors at once");
     const auto options = std::make_shared<Options>();
     command->add_option("CASE", options->case_file, "Case file (TOML)")->required()->option_text(" ");
     command->add_flag("--json", options->json, "One JSON object");
     command->footer(
-        "Exit code: 0 the case can be run, 1 it has mistakes.\n\n"
+        "Exit code: 0 the case can be run, 1 it has errors.\n\n"
         "Example:\n"
         "  tiretherm check cases/laser/one_watt.toml");
     command->callback([options, &exit_code] { exit_code = check(options->case_file, options->json); });

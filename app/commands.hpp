@@ -8,7 +8,7 @@ class App;
 namespace tiretherm::app {
 
 /// How a call ends, for the shell.
-enum Exit : int { done = 0, mistake = 1, numerical_failure = 2, interrupted = 130 };
+enum Exit : int { done = 0, input_error = 1, numerical_failure = 2, interrupted = 130 };
 
 /// Each adds a command to the program; called by the user, it leaves its exit code in `exit_code`.
 void add_run_command(CLI::App& program, int& exit_code);

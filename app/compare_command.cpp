@@ -19,21 +19,21 @@ namespace {
 int compare(const MeasuredCall& call) {
     const std::optional<input::ExperimentReading> reading = read_measured(call, "nothing was compared");
     if (!reading) {
-        return Exit::mistake;
+        return Exit::input_error;
     }
     const std::string name = reading->experiment->runs.front().problem.name;
     diagnosis::Comparison comparison = diagnosis::compare(*reading->experiment, name);
     if (!comparison.status.ok()) {
-        tell_error(comparison.status.message, "nothing was compared", call.json);
+        report_error(comparison.status.message, "nothing was compared", call.json);
         return Exit::numerical_failure;
     }
     comparison.warnings = reading->warnings;
-    comparison.findings = reading->findings;
+    comparison.findings = reading->data_warnings;
     const auto files = write_measured(call, "out/" + name, [&](const std::filesystem::path& directory) {
         return post::write_comparison(comparison, directory);
     });
     if (!files) {
-        return Exit::mistake;
+        return Exit::input_error;
     }
     if (call.json) {
         fmt::print("{}", post::comparison_json(comparison, *files));
@@ -54,7 +54,7 @@ void add_compare_command(CLI::App& program, int& exit_code) {
         "The case is simulated as it stands: nothing is fitted. Differences are simulated - measured.\n"
         "Files: compare.csv (a row for each sample), compare_statistics.csv (a row for each figure); of cameras\n"
         "compare_pixels.csv (a row for each pixel) and a picture of each run's worst frame.\n\n"
-        "Exit code: 0 done, however far apart; 1 a mistake in the call, the case or the data; 2 the solver failed.\n\n"
+        "Exit code: 0 done, however far apart; 1 an error in the call, the case or the data; 2 the solver failed.\n\n"
         "Example:\n"
         "  tiretherm compare cases/practice/two_node_bench.toml --data run1.csv --data run2.csv --out /tmp/bench");
     command->callback([call, &exit_code] { exit_code = compare(*call); });

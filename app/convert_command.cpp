@@ -103,16 +103,16 @@ int convert(const Options& options) {
     const fs::path target = case_file(options);
     const std::string file = target.generic_string();
     const input::SheetCase made = input::convert_sheet(options.sheet);
-    if (!made.mistakes.empty()) {
-        tell_mistakes({.problem = std::nullopt, .mistakes = made.mistakes, .warnings = made.warnings},
+    if (!made.errors.empty()) {
+        report_errors({.problem = std::nullopt, .errors = made.errors, .warnings = made.warnings},
                       "no case was written", options.json);
-        return Exit::mistake;
+        return Exit::input_error;
     }
     std::error_code error;
     if (fs::exists(fs::symlink_status(target, error)) && !options.force) {
-        tell_error(fmt::format("{} exists and is left as it is", file),
-                   "replace it with --force, or write elsewhere with --out DIR", options.json);
-        return Exit::mistake;
+        report_error(fmt::format("{} exists and is left as it is", file),
+                     "replace it with --force, or write elsewhere with --out DIR", options.json);
+        return Exit::input_error;
     }
     try {
         if (!fs::create_directories(options.directory, error) && error) {
@@ -120,8 +120,8 @@ int convert(const Options& options) {
         }
         post::replace_file(target, made.text);
     } catch (const post::FileError& failure) {
-        tell_error(failure.what(), "no case was written; choose another directory with --out", options.json);
-        return Exit::mistake;
+        report_error(failure.what(), "no case was written; choose another directory with --out", options.json);
+        return Exit::input_error;
     }
     options.json ? print_json(made, file) : print_text(made, file);
     return Exit::done;
@@ -130,8 +130,8 @@ int convert(const Options& options) {
 }  // namespace
 
 void add_convert_command(CLI::App& program, int& exit_code) {
-    CLI::App* command = program.add_subcommand(
-        "convert", "Make a case of the thesis's spreadsheet of ten sheets; all mistakes at once");
+    CLI::App* command =
+        program.add_subcommand("convert", "Make a case of the thesis's spreadsheet of ten sheets; all errors at once");
     const auto options = std::make_shared<Options>();
     command->add_option("SHEET", options->sheet, "Workbook (.xls, .xlsx), or a folder with a CSV file for each sheet")
         ->required()
@@ -143,7 +143,7 @@ void add_convert_command(CLI::App& program, int& exit_code) {
     command->footer(
         "The sheets and where each of their parameters goes are described in cases/convert/README.md. What a case\n"
         "needs and the sheets do not say is assumed and listed, here and at the top of the case.\n\n"
-        "Exit code: 0 the case was written, 1 a mistake in the call or the sheets.\n\n"
+        "Exit code: 0 the case was written, 1 an error in the call or the sheets.\n\n"
         "Example:\n"
         "  tiretherm convert cases/convert/thesis_225_50_R17.xlsx --out my_cases\n"
         "  tiretherm run my_cases/thesis_225_50_R17.toml");

@@ -21,8 +21,8 @@ namespace {
 
 int diagnose(const MeasuredCall& call) {
     const std::optional<input::ExperimentReading> reading = read_measured(call, "nothing was diagnosed");
-    if (!reading || !frees_numbers(call, *reading->experiment)) {
-        return Exit::mistake;
+    if (!reading || !has_free_parameters(call, *reading->experiment)) {
+        return Exit::input_error;
     }
     std::vector<std::string> remarks;
     const input::Experiment experiment = diagnosis::in_rings(*reading->experiment, remarks);
@@ -30,7 +30,7 @@ int diagnose(const MeasuredCall& call) {
     // A grid has an error of its own, which a finer one shows; lumps are what they are.
     std::optional<input::Experiment> finer;
     if (experiment.runs.front().problem.mesh.kind != "two_node") {
-        finer = input::read_experiment(call.case_file, call.data_files(), input::Occasion::measured, 2).experiment;
+        finer = input::read_experiment(call.case_file, call.data_files(), input::ReadMode::measured, 2).experiment;
         if (finer) {
             std::vector<std::string> same;
             finer = diagnosis::in_rings(std::move(*finer), same);
@@ -41,22 +41,22 @@ int diagnose(const MeasuredCall& call) {
         diagnosis::diagnose(experiment, observations, {.finer = finer ? &*finer : nullptr, .progress = count.shown()});
     count.wipe();
     if (!result.status.ok()) {
-        tell_error(result.status.message, "nothing was diagnosed", call.json);
+        report_error(result.status.message, "nothing was diagnosed", call.json);
         return Exit::numerical_failure;
     }
     post::DiagnosisRecord record{.experiment = experiment,
-                                      .observations = observations,
-                                      .result = result,
-                                      .case_file = call.case_file,
-                                      .data = call.data_files(),
-                                      .warnings = remarks,
-                                      .findings = reading->findings};
+                                 .observations = observations,
+                                 .result = result,
+                                 .case_file = call.case_file,
+                                 .data = call.data_files(),
+                                 .warnings = remarks,
+                                 .findings = reading->data_warnings};
     std::ranges::copy(reading->warnings, std::back_inserter(record.warnings));
     const auto files = write_measured(
         call, "out/" + experiment.runs.front().problem.name,
         [&](const std::filesystem::path& directory) { return post::write_diagnosis(record, directory); });
     if (!files) {
-        return Exit::mistake;
+        return Exit::input_error;
     }
     if (call.json) {
         fmt::print("{}", post::diagnosis_json(record, *files));
@@ -84,7 +84,7 @@ void add_diagnose_command(CLI::App& program, int& exit_code) {
         "Files: diagnosis.json, extended.toml (the case with the cause switched on, where there is one),\n"
         "residuals.csv (a row for each sample), residuals.png, what_is_asked.csv and .png (heat that windows of the "
         "runs lack).\n\n"
-        "Exit code: 0 done, whatever the answer; 1 a mistake in the call, the case or the data; 2 the solver "
+        "Exit code: 0 done, whatever the answer; 1 an error in the call, the case or the data; 2 the solver "
         "failed.\n\n"
         "Example:\n"
         "  tiretherm diagnose cases/practice/two_node_bench.toml --data run1.csv --data run2.csv --out /tmp/bench");

@@ -7,7 +7,7 @@
 
 #include "app/commands.hpp"
 #include "app/messages.hpp"
-#include "input/text/words.hpp"
+#include "input/text/suggestions.hpp"
 #include "physics/effect.hpp"
 #include "post/report/table.hpp"
 
@@ -159,8 +159,8 @@ int show(const std::string& name, bool json) {
         for (const physics::Effect* one : physics::catalogue()) {
             known.emplace_back(one->id);
         }
-        tell_error(fmt::format("there is no effect \"{}\"", name), input::suggest(name, known, "effects"), json);
-        return Exit::mistake;
+        report_error(fmt::format("there is no effect \"{}\"", name), input::suggest(name, known, "effects"), json);
+        return Exit::input_error;
     }
     if (json) {
         fmt::print("{}\n", as_json(*effect).dump(2));

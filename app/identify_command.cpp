@@ -32,32 +32,32 @@ int plan(const Options& options, input::ExperimentReading& reading) {
     const input::Experiment experiment = diagnosis::planned(std::move(*reading.experiment));
     const diagnosis::Observations observations = diagnosis::observe(experiment);
     if (observations.rows.empty()) {
-        tell_error(fmt::format("{}: no sensor says how well it measures", options.case_file),
-                   "state standard_deviation with each [[sensor]] that will be there", options.json);
-        return Exit::mistake;
+        report_error(fmt::format("{}: no sensor says how well it measures", options.case_file),
+                     "state standard_deviation with each [[sensor]] that will be there", options.json);
+        return Exit::input_error;
     }
     const diagnosis::Identification result =
         diagnosis::plan(experiment, observations,
                         diagnosis::stated_noise(experiment, observations, options.correlation_time, white_share));
     if (!result.status.ok()) {
-        tell_error(result.status.message, "nothing was planned", options.json);
+        report_error(result.status.message, "nothing was planned", options.json);
         return Exit::numerical_failure;
     }
     const post::IdentificationRecord record{.experiment = experiment,
-                                                 .observations = observations,
-                                                 .result = result,
-                                                 .case_file = options.case_file,
-                                                 .data = options.data_files(),
-                                                 .warnings = reading.warnings,
-                                                 .findings = {},
-                                                 .planned = true};
+                                            .observations = observations,
+                                            .result = result,
+                                            .case_file = options.case_file,
+                                            .data = options.data_files(),
+                                            .warnings = reading.warnings,
+                                            .findings = {},
+                                            .planned = true};
     std::vector<std::filesystem::path> files;
     if (!options.directory.empty()) {
         const auto written = write_measured(options, {}, [&](const std::filesystem::path& directory) {
             return post::write_identification(record, directory);
         });
         if (!written) {
-            return Exit::mistake;
+            return Exit::input_error;
         }
         files = *written;
     }
@@ -75,18 +75,18 @@ int plan(const Options& options, input::ExperimentReading& reading) {
 
 int identify(const Options& options) {
     if (!(options.correlation_time >= 0.0)) {
-        tell_error(fmt::format("the correlation time is {} s", options.correlation_time), "give 0 s or more",
-                   options.json);
-        return Exit::mistake;
+        report_error(fmt::format("the correlation time is {} s", options.correlation_time), "give 0 s or more",
+                     options.json);
+        return Exit::input_error;
     }
     if (options.plan && options.profile) {
-        tell_error("a plan is of first order and has no profiles", "leave out --profile", options.json);
-        return Exit::mistake;
+        report_error("a plan is of first order and has no profiles", "leave out --profile", options.json);
+        return Exit::input_error;
     }
     std::optional<input::ExperimentReading> reading = read_measured(
-        options, "nothing was fitted", options.plan ? input::Occasion::planned : input::Occasion::measured);
-    if (!reading || !frees_numbers(options, *reading->experiment)) {
-        return Exit::mistake;
+        options, "nothing was fitted", options.plan ? input::ReadMode::planned : input::ReadMode::measured);
+    if (!reading || !has_free_parameters(options, *reading->experiment)) {
+        return Exit::input_error;
     }
     if (options.plan) {
         return plan(options, *reading);
@@ -96,34 +96,35 @@ int identify(const Options& options) {
     // Thousands of pixels see the grid's own error, which a finer one shows.
     std::optional<input::Experiment> finer;
     if (!observations.images.empty()) {
-        finer = input::read_experiment(options.case_file, options.data_files(), input::Occasion::measured, 2).experiment;
+        finer =
+            input::read_experiment(options.case_file, options.data_files(), input::ReadMode::measured, 2).experiment;
     }
     SimulationCount count(options.json);
-    const diagnosis::Identification result =
-        diagnosis::identify(experiment, observations,
-                            {.profile = options.profile, .finer = finer ? &*finer : nullptr, .progress = count.shown()});
+    const diagnosis::Identification result = diagnosis::identify(
+        experiment, observations,
+        {.profile = options.profile, .finer = finer ? &*finer : nullptr, .progress = count.shown()});
     count.wipe();
     if (!result.status.ok()) {
-        tell_error(result.status.message, "nothing was fitted", options.json);
+        report_error(result.status.message, "nothing was fitted", options.json);
         return Exit::numerical_failure;
     }
     post::IdentificationRecord record{.experiment = experiment,
-                                           .observations = observations,
-                                           .result = result,
-                                           .case_file = options.case_file,
-                                           .data = options.data_files(),
-                                           .warnings = reading->warnings,
-                                           .findings = reading->findings};
+                                      .observations = observations,
+                                      .result = result,
+                                      .case_file = options.case_file,
+                                      .data = options.data_files(),
+                                      .warnings = reading->warnings,
+                                      .findings = reading->data_warnings};
     const std::string name = experiment.runs.front().problem.name;
     const auto files = write_measured(options, "out/" + name, [&](const std::filesystem::path& directory) {
         return post::write_identification(record, directory);
     });
     if (!files) {
-        return Exit::mistake;
+        return Exit::input_error;
     }
     // A law that fits where the data are may fail elsewhere, and the case with it.
     if (const input::Reading fitted = input::read_case(files->front()); !fitted.problem) {
-        record.warnings.push_back("the fitted case cannot be run as it is: " + fitted.mistakes.front().what);
+        record.warnings.push_back("the fitted case cannot be run as it is: " + fitted.errors.front().what);
     }
     if (options.json) {
         fmt::print("{}", post::identification_json(record, *files));
@@ -155,7 +156,7 @@ void add_identify_command(CLI::App& program, int& exit_code) {
         "A plan takes every sensor with a standard_deviation, at the times of the runs' files or of [time] output.\n"
         "Files: identified.toml (the case with the fitted values), identify.csv (a row for each sample);\n"
         "plan.json of a plan.\n\n"
-        "Exit code: 0 done; 1 a mistake in the call, the case or the data; 2 the solver failed or the search did not\n"
+        "Exit code: 0 done; 1 an error in the call, the case or the data; 2 the solver failed or the search did not\n"
         "converge.\n\n"
         "Example:\n"
         "  tiretherm identify cases/practice/two_node_bench.toml --data run1.csv --data run2.csv --out /tmp/bench\n"

@@ -9,7 +9,7 @@
 
 #include "app/commands.hpp"
 #include "app/messages.hpp"
-#include "input/text/words.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace {
 
@@ -35,7 +35,7 @@ std::vector<std::string> option_names(const CLI::App& command) {
 }
 
 /// Says what is wrong with a call that CLI11 refused.
-void tell_wrong_call(const CLI::App& program, const CLI::ParseError& error, bool json) {
+void report_wrong_call(const CLI::App& program, const CLI::ParseError& error, bool json) {
     const std::vector<CLI::App*> chosen = program.get_subcommands();
     const CLI::App& command = chosen.empty() ? program : *chosen.front();
     const std::vector<std::string> extra = program.remaining(true);
@@ -44,18 +44,18 @@ void tell_wrong_call(const CLI::App& program, const CLI::ParseError& error, bool
     const auto option = std::find_if(extra.begin(), extra.end(), is_option);
     const auto word = std::find_if_not(extra.begin(), extra.end(), is_option);
     if (chosen.empty() && word != extra.end()) {
-        app::tell_error(fmt::format("there is no command \"{}\"", *word),
-                        input::suggest(*word, command_names(program), "commands"), json);
+        app::report_error(fmt::format("there is no command \"{}\"", *word),
+                          input::suggest(*word, command_names(program), "commands"), json);
     } else if (option != extra.end()) {
-        app::tell_error(fmt::format("there is no option \"{}\"", *option),
-                        input::suggest(*option, option_names(command), "options"), json);
+        app::report_error(fmt::format("there is no option \"{}\"", *option),
+                          input::suggest(*option, option_names(command), "options"), json);
     } else if (chosen.empty()) {
-        app::tell_error(fmt::format("no command; the commands are {}", input::listed(command_names(program))), help,
-                        json);
+        app::report_error(fmt::format("no command; the commands are {}", input::listed(command_names(program))), help,
+                          json);
     } else if (!extra.empty()) {
-        app::tell_error(fmt::format("one argument too many: \"{}\"", extra.front()), help, json);
+        app::report_error(fmt::format("one argument too many: \"{}\"", extra.front()), help, json);
     } else {
-        app::tell_error(error.what(), help, json);
+        app::report_error(error.what(), help, json);
     }
 }
 
@@ -95,11 +95,11 @@ int main(int argc, char** argv) {
     } catch (const CLI::Success& help) {
         return program.exit(help);
     } catch (const CLI::ParseError& error) {
-        tell_wrong_call(program, error, json);
-        return app::Exit::mistake;
+        report_wrong_call(program, error, json);
+        return app::Exit::input_error;
     } catch (const std::exception& error) {
-        app::tell_error(error.what(), "", json);
-        return app::Exit::mistake;
+        app::report_error(error.what(), "", json);
+        return app::Exit::input_error;
     }
     return exit_code;
 }

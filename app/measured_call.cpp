@@ -23,22 +23,22 @@ void add_measured_options(CLI::App& command, MeasuredCall& call, const char* cas
 }
 
 std::optional<input::ExperimentReading> read_measured(const MeasuredCall& call, const char* consequence,
-                                                      input::Occasion occasion) {
-    input::ExperimentReading reading = input::read_experiment(call.case_file, call.data_files(), occasion);
+                                                      input::ReadMode mode) {
+    input::ExperimentReading reading = input::read_experiment(call.case_file, call.data_files(), mode);
     if (!reading.experiment) {
-        tell_mistakes({.problem = std::nullopt, .mistakes = reading.mistakes, .warnings = reading.warnings},
-                      consequence, call.json);
+        report_errors({.problem = std::nullopt, .errors = reading.errors, .warnings = reading.warnings}, consequence,
+                      call.json);
         return std::nullopt;
     }
     return reading;
 }
 
-bool frees_numbers(const MeasuredCall& call, const input::Experiment& experiment) {
+bool has_free_parameters(const MeasuredCall& call, const input::Experiment& experiment) {
     if (!experiment.parameters.empty()) {
         return true;
     }
-    tell_error(fmt::format("{}: no number of the case is free", call.case_file),
-               "name those to be fitted: [[parameter]], see cases/README.md", call.json);
+    report_error(fmt::format("{}: no number of the case is free", call.case_file),
+                 "name those to be fitted: [[parameter]], see cases/README.md", call.json);
     return false;
 }
 
@@ -64,7 +64,7 @@ std::optional<std::vector<std::filesystem::path>> write_measured(
     try {
         return write(call.directory.empty() ? standard : std::filesystem::path(call.directory));
     } catch (const post::FileError& error) {
-        tell_error(error.what(), "choose another directory with --out", call.json);
+        report_error(error.what(), "choose another directory with --out", call.json);
         return std::nullopt;
     }
 }

@@ -14,7 +14,7 @@ class App;
 
 namespace tiretherm::app {
 
-/// A call that holds a case against measured runs: what compare, identify and diagnose are asked alike.
+/// A call that compares a case with measured runs: the options that compare, identify and diagnose share.
 struct MeasuredCall {
     std::string case_file;
     std::vector<std::string> data;
@@ -28,13 +28,13 @@ struct MeasuredCall {
 /// @param case_is what the case must have   @param out_is what --out does to files that are there
 void add_measured_options(CLI::App& command, MeasuredCall& call, const char* case_is, const char* out_is);
 
-/// Reads the case and its runs; tells every mistake. @param consequence of mistakes, "nothing was fitted"
+/// Reads the case and its runs; reports every error. @param consequence of errors, "nothing was fitted"
 /// @returns nothing when there are any
-[[nodiscard]] std::optional<input::ExperimentReading> read_measured(
-    const MeasuredCall& call, const char* consequence, input::Occasion occasion = input::Occasion::measured);
+[[nodiscard]] std::optional<input::ExperimentReading> read_measured(const MeasuredCall& call, const char* consequence,
+                                                                    input::ReadMode mode = input::ReadMode::measured);
 
-/// Whether the case frees any number; tells it when not.
-[[nodiscard]] bool frees_numbers(const MeasuredCall& call, const input::Experiment& experiment);
+/// Whether the case has any parameter to fit; reports it when not.
+[[nodiscard]] bool has_free_parameters(const MeasuredCall& call, const input::Experiment& experiment);
 
 /// Counts simulations for a person who waits. Quiet unless both streams are terminals and no JSON is wanted.
 class SimulationCount {
@@ -51,7 +51,7 @@ private:
     bool watched_;
 };
 
-/// Lets files be written where the call wants them, otherwise to `standard`; tells when that cannot be done.
+/// Lets files be written where the call wants them, otherwise to `standard`; reports when that cannot be done.
 /// @param write files to a directory, to return their paths   @returns nothing when a file could not be written
 [[nodiscard]] std::optional<std::vector<std::filesystem::path>> write_measured(
     const MeasuredCall& call, const std::filesystem::path& standard,

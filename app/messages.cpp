@@ -24,7 +24,7 @@ bool on_terminal(std::FILE* stream) { return isatty(fileno(stream)) == 1; }
 
 bool may_be_bold() { return on_terminal(stdout) && std::getenv("NO_COLOR") == nullptr; }
 
-void tell_error(const std::string& sentence, const std::string& remedy, bool json) {
+void report_error(const std::string& sentence, const std::string& remedy, bool json) {
     const std::string whole = remedy.empty() ? sentence : fmt::format("{}; {}", sentence, remedy);
     if (json) {
         print({{"error", whole}, {"mistakes", Json::array()}});
@@ -33,23 +33,23 @@ void tell_error(const std::string& sentence, const std::string& remedy, bool jso
     }
 }
 
-void tell_mistakes(const input::Reading& reading, const std::string& consequence, bool json) {
-    const std::size_t n = reading.mistakes.size();
-    const std::string sentence = fmt::format("{} {}; {}", n, n == 1 ? "mistake" : "mistakes", consequence);
+void report_errors(const input::Reading& reading, const std::string& consequence, bool json) {
+    const std::size_t n = reading.errors.size();
+    const std::string sentence = fmt::format("{} {}; {}", n, n == 1 ? "error" : "errors", consequence);
     if (!json) {
         fmt::print(stderr, "{}{}\n", input::render(reading), sentence);
         return;
     }
-    Json mistakes = Json::array();
-    for (const input::Mistake& mistake : reading.mistakes) {
-        mistakes.push_back({{"file", mistake.file},
-                            {"line", mistake.line},
-                            {"column", mistake.column},
-                            {"length", mistake.length},
-                            {"message", mistake.what},
-                            {"remedy", mistake.remedy}});
+    Json errors = Json::array();
+    for (const input::InputError& error : reading.errors) {
+        errors.push_back({{"file", error.file},
+                          {"line", error.line},
+                          {"column", error.column},
+                          {"length", error.length},
+                          {"message", error.what},
+                          {"remedy", error.remedy}});
     }
-    print({{"error", sentence}, {"mistakes", mistakes}, {"warnings", reading.warnings}});
+    print({{"error", sentence}, {"mistakes", errors}, {"warnings", reading.warnings}});
 }
 
 }  // namespace tiretherm::app

@@ -8,14 +8,14 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
-#include "diagnosis/hot_spot/hot_spot_watch.hpp"
 #include "app/messages.hpp"
-#include "solver/stop_signal.hpp"
+#include "diagnosis/hot_spot/hot_spot_watch.hpp"
 #include "input/model/reader.hpp"
 #include "post/report/file.hpp"
 #include "post/report/progress.hpp"
 #include "post/run/run_files.hpp"
 #include "post/run/summary.hpp"
+#include "solver/stop_signal.hpp"
 #include "solver/time_integration/march.hpp"
 
 namespace tiretherm::app {
@@ -35,7 +35,7 @@ struct Options {
 using Clock = std::chrono::steady_clock;
 
 /// Marches through the case; stops where the user asks for it, with the field of that moment.
-solver::Report march(const solver::Problem& problem, post::RunFiles& files, HotSpotWatch& hot_spots,
+solver::Report march(const solver::Problem& problem, post::RunFiles& files, HotSpotTracker& hot_spots,
                      const Options& options) {
     const bool watched = on_terminal(stdout) && on_terminal(stderr) && !options.quiet && !problem.settings.steady;
     post::Progress progress(stderr, watched, problem.name, problem.settings.start, problem.settings.end);
@@ -53,16 +53,17 @@ solver::Report march(const solver::Problem& problem, post::RunFiles& files, HotS
 int run(const Options& options) {
     input::Reading reading = input::read_case(options.case_file);
     if (!reading.problem) {
-        tell_mistakes(reading, "nothing was run", options.json);
-        return Exit::mistake;
+        report_errors(reading, "nothing was run", options.json);
+        return Exit::input_error;
     }
     solver::Problem& problem = *reading.problem;
     if (options.field_interval > 0.0) {
         problem.settings.field_interval = options.field_interval;
     }
     if (const std::vector<std::string> defects = solver::defects(problem); !defects.empty()) {
-        tell_error(fmt::format("{}: {}", options.case_file, fmt::join(defects, "; ")), "nothing was run", options.json);
-        return Exit::mistake;
+        report_error(fmt::format("{}: {}", options.case_file, fmt::join(defects, "; ")), "nothing was run",
+                     options.json);
+        return Exit::input_error;
     }
 
     const std::string directory = options.directory.empty() ? "out/" + problem.name : options.directory;
@@ -73,16 +74,16 @@ int run(const Options& options) {
         files.emplace(directory, problem, origin,
                       post::FileChoice{.vtk = !options.no_vtk, .pictures = !options.no_pictures});
     } catch (const post::FileError& error) {
-        tell_error(error.what(), "nothing was run; choose another directory with --out", options.json);
-        return Exit::mistake;
+        report_error(error.what(), "nothing was run; choose another directory with --out", options.json);
+        return Exit::input_error;
     }
-    solver::heed_stop_signals();
+    solver::install_stop_handlers();
     const Clock::time_point begin = Clock::now();
-    HotSpotWatch watch(options.case_file, problem);
-    const solver::Report report = march(problem, *files, watch, options);
+    HotSpotTracker tracker(options.case_file, problem);
+    const solver::Report report = march(problem, *files, tracker, options);
     const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     files->finish();
-    const std::optional<diagnosis::HotSpots> hot_spots = watch.report();
+    const std::optional<diagnosis::HotSpots> hot_spots = tracker.report();
     if (hot_spots) {
         files->write_hot_spots(*hot_spots);
     }
@@ -105,7 +106,7 @@ int run(const Options& options) {
     }
     if (!options.json) {
         std::fflush(stdout);
-        tell_error(report.status.message, "the results so far are in " + directory, false);
+        report_error(report.status.message, "the results so far are in " + directory, false);
     }
     return report.status.outcome == solver::Outcome::stopped ? Exit::interrupted : Exit::numerical_failure;
 }
@@ -131,9 +132,10 @@ void add_run_command(CLI::App& program, int& exit_code) {
         "Files: results.h5 (everything, SI units), channels.csv, field.pvd with field_*.vtu (ParaView),\n"
         "picture.png (temperature across the thickness), channels.png (channels against time).\n"
         "A case with [[critical]] temperatures is told where and when it passes them, what is left if it does not, in\n"
-        "which further step it would, and what drives that; hot_spots.csv and .png have the hottest places against time.\n"
+        "which further step it would, and what drives that; hot_spots.csv and .png have the hottest places against "
+        "time.\n"
         "Ctrl-C ends a run early and keeps what it has.\n\n"
-        "Exit code: 0 done, 1 a mistake in the call or the case, 2 the solver failed, 130 interrupted.\n\n"
+        "Exit code: 0 done, 1 an error in the call or the case, 2 the solver failed, 130 interrupted.\n\n"
         "Example:\n"
         "  tiretherm run cases/laser/one_watt.toml --out /tmp/laser --fields 60");
     command->callback([options, &exit_code] { exit_code = run(*options); });

@@ -12,14 +12,14 @@
 #include "app/build_identity.hpp"
 #include "app/commands.hpp"
 #include "app/messages.hpp"
-#include "solver/stop_signal.hpp"
-#include "post/study/study_files.hpp"
 #include "diagnosis/study/study_runs.hpp"
 #include "input/measurements/runs.hpp"
 #include "input/studies/study.hpp"
 #include "post/report/file.hpp"
+#include "post/study/study_files.hpp"
 #include "post/study/study_journal.hpp"
 #include "post/study/study_summary.hpp"
+#include "solver/stop_signal.hpp"
 
 namespace tiretherm::app {
 
@@ -70,9 +70,9 @@ private:
 int study(const Options& options) {
     input::StudyReading reading = input::read_study(options.study_file);
     if (!reading.study) {
-        tell_mistakes({.problem = std::nullopt, .mistakes = reading.mistakes, .warnings = reading.warnings},
+        report_errors({.problem = std::nullopt, .errors = reading.errors, .warnings = reading.warnings},
                       "nothing was run", options.json);
-        return Exit::mistake;
+        return Exit::input_error;
     }
     const input::Study& study = *reading.study;
     const std::filesystem::path directory =
@@ -83,8 +83,8 @@ int study(const Options& options) {
         files.emplace(directory, !options.no_pictures);
         journal.emplace(files->journal(), build_identity(), options.fresh);
     } catch (const std::runtime_error& error) {
-        tell_error(error.what(), "nothing was run; choose another directory with --out", options.json);
-        return Exit::mistake;
+        report_error(error.what(), "nothing was run; choose another directory with --out", options.json);
+        return Exit::input_error;
     }
     for (std::size_t run = 0; run < study.runs.size(); ++run) {
         if (journal->find(identity(study, run)) == nullptr) {
@@ -92,7 +92,7 @@ int study(const Options& options) {
             break;
         }
     }
-    solver::heed_stop_signals();
+    solver::install_stop_handlers();
     const Clock::time_point begin = Clock::now();
     StudyResults results;
     {
@@ -102,11 +102,11 @@ int study(const Options& options) {
     const std::string kept = fmt::format("{} of {} runs are kept in {}; the same call goes on from there", results.done,
                                          study.runs.size(), directory.string());
     if (!results.error.empty()) {
-        tell_error(results.error, kept, options.json);
-        return Exit::mistake;
+        report_error(results.error, kept, options.json);
+        return Exit::input_error;
     }
     if (results.done < study.runs.size()) {
-        tell_error("stopped", kept, options.json);
+        report_error("stopped", kept, options.json);
         return Exit::interrupted;
     }
     post::StudyCall call{.kept = results.kept,
@@ -124,8 +124,8 @@ int study(const Options& options) {
     try {
         call.files = files->write(record);
     } catch (const post::FileError& error) {
-        tell_error(error.what(), kept, options.json);
-        return Exit::mistake;
+        report_error(error.what(), kept, options.json);
+        return Exit::input_error;
     }
     if (options.json) {
         fmt::print("{}", post::study_json(record, call));
@@ -135,9 +135,9 @@ int study(const Options& options) {
     if (const std::vector<std::size_t> failed = record.failed(); !failed.empty()) {
         if (!options.json) {
             std::fflush(stdout);
-            tell_error(fmt::format("{} of {} runs failed, the first is run {}: {}", failed.size(), study.runs.size(),
-                                   failed.front() + 1, record.outcomes[failed.front()].failure),
-                       "the others are in " + directory.string(), false);
+            report_error(fmt::format("{} of {} runs failed, the first is run {}: {}", failed.size(), study.runs.size(),
+                                     failed.front() + 1, record.outcomes[failed.front()].failure),
+                         "the others are in " + directory.string(), false);
         }
         return Exit::numerical_failure;
     }
@@ -180,7 +180,7 @@ void add_study_command(CLI::App& program, int& exit_code) {
         "Files: study.csv and study.h5 (a row for each run), study.png (map, curve or distribution of the hottest\n"
         "temperature), runs.jsonl (the runs as they are made). Each run that is done is kept, whatever ends the\n"
         "program; the next call makes what is missing and what has changed. Ctrl-C ends a study early.\n\n"
-        "Exit code: 0 done, 1 a mistake in the call, the study or the case, 2 runs failed, 130 interrupted.\n\n"
+        "Exit code: 0 done, 1 an error in the call, the study or the case, 2 runs failed, 130 interrupted.\n\n"
         "Example:\n"
         "  tiretherm study cases/studies/speed_and_load_two_node.toml --out /tmp/study");
     command->callback([options, &exit_code] { exit_code = study(*options); });

@@ -11,12 +11,12 @@
 
 #include "app/commands.hpp"
 #include "app/messages.hpp"
-#include "solver/stop_signal.hpp"
 #include "diagnosis/validation/validation_rows.hpp"
 #include "diagnosis/validation/validation_runs.hpp"
+#include "input/text/suggestions.hpp"
 #include "input/validation/validation.hpp"
-#include "input/text/words.hpp"
 #include "post/validation/validation_table.hpp"
+#include "solver/stop_signal.hpp"
 
 namespace tiretherm::app {
 
@@ -39,10 +39,11 @@ bool refuses(input::ValidationReading& reading, const Options& options) {
     if (!reading.table) {
         std::error_code error;
         if (!std::filesystem::exists(options.table, error) && options.table == shipped) {
-            tell_error(fmt::format("there is no {} here", shipped),
-                       "call it in the folder of the source, or give a table: tiretherm validate TABLE", options.json);
+            report_error(fmt::format("there is no {} here", shipped),
+                         "call it in the folder of the source, or give a table: tiretherm validate TABLE",
+                         options.json);
         } else {
-            tell_mistakes({.problem = std::nullopt, .mistakes = reading.mistakes, .warnings = reading.warnings},
+            report_errors({.problem = std::nullopt, .errors = reading.errors, .warnings = reading.warnings},
                           "nothing was run", options.json);
         }
         return true;
@@ -50,8 +51,8 @@ bool refuses(input::ValidationReading& reading, const Options& options) {
     const std::vector<std::string> known = reading.table->ids();
     if (!options.only.empty()) {
         if (const std::vector<std::string> unknown = reading.table->keep(options.only); !unknown.empty()) {
-            tell_error(fmt::format("there is no experiment \"{}\"", unknown.front()),
-                       input::suggest(unknown.front(), known, "experiments"), options.json);
+            report_error(fmt::format("there is no experiment \"{}\"", unknown.front()),
+                         input::suggest(unknown.front(), known, "experiments"), options.json);
             return true;
         }
     }
@@ -61,10 +62,10 @@ bool refuses(input::ValidationReading& reading, const Options& options) {
 int validate(const Options& options) {
     input::ValidationReading reading = input::read_validation(options.table);
     if (refuses(reading, options)) {
-        return Exit::mistake;
+        return Exit::input_error;
     }
     const input::Validation& table = *reading.table;
-    solver::heed_stop_signals();
+    solver::install_stop_handlers();
     const Clock::time_point begin = Clock::now();
     const bool watched = on_terminal(stderr) && on_terminal(stdout);
     const RunResults results = run_all(table.runs, options.threads, [&](std::size_t done) {
@@ -77,18 +78,18 @@ int validate(const Options& options) {
         fmt::print(stderr, "\r\033[K");
     }
     if (solver::stop_requested()) {
-        tell_error("stopped", "there is no table", options.json);
+        report_error("stopped", "there is no table", options.json);
         return Exit::interrupted;
     }
     std::vector<std::string> warnings = reading.warnings;
     warnings.insert(warnings.end(), results.warnings.begin(), results.warnings.end());
     const diagnosis::ValidationRecord record{.title = table.title,
-                                        .models = {{"two_node", "two nodes"}, {"section", "section"}},
-                                        .rows = validation_rows(table, results),
-                                        .runs = table.runs.size(),
-                                        .seconds = std::chrono::duration<double>(Clock::now() - begin).count(),
-                                        .energy_closure = results.energy_closure,
-                                        .warnings = warnings};
+                                             .models = {{"two_node", "two nodes"}, {"section", "section"}},
+                                             .rows = validation_rows(table, results),
+                                             .runs = table.runs.size(),
+                                             .seconds = std::chrono::duration<double>(Clock::now() - begin).count(),
+                                             .energy_closure = results.energy_closure,
+                                             .warnings = warnings};
     fmt::print("{}", options.json       ? post::validation_json(record)
                      : options.markdown ? post::validation_markdown(record)
                                         : post::validation_text(record, may_be_bold()));
@@ -118,7 +119,7 @@ void add_validate_command(CLI::App& program, int& exit_code) {
     command->footer(
         "u is the standard uncertainty of a measured number; a model is within it up to 2 u.\n"
         "What a table may say is described in cases/README.md.\n\n"
-        "Exit code: 0 done, whatever the verdicts; 1 a mistake in the call, the table or a case; 2 a run failed;\n"
+        "Exit code: 0 done, whatever the verdicts; 1 an error in the call, the table or a case; 2 a run failed;\n"
         "130 interrupted.\n\n"
         "Example:\n"
         "  tiretherm validate --only M8,M9");

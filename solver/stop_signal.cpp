@@ -12,7 +12,7 @@ extern "C" void request(int /*signal*/) { requested = 1; }
 
 }  // namespace
 
-void heed_stop_signals() {
+void install_stop_handlers() {
     struct sigaction action {};
     action.sa_handler = &request;
     action.sa_flags = static_cast<int>(SA_RESETHAND);

@@ -2,8 +2,8 @@
 
 namespace tiretherm::solver {
 
-/// From now on Ctrl-C (SIGINT) and SIGTERM only ask for an end; asked a second time, the program ends at once.
-void heed_stop_signals();
+/// From now on Ctrl-C (SIGINT) and SIGTERM request a regular end; the second signal ends the program at once.
+void install_stop_handlers();
 
 /// Whether the user has asked for an end.
 [[nodiscard]] bool stop_requested();

@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "solver/time_integration/run_to_end.hpp"
-#include "solver/stop_signal.hpp"
 #include "input/model/continued_schedule.hpp"
 #include "solver/in_parallel.hpp"
+#include "solver/stop_signal.hpp"
+#include "solver/time_integration/run_to_end.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -19,7 +19,7 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-HotSpotWatch::HotSpotWatch(const std::filesystem::path& case_file, const solver::Problem& problem)
+HotSpotTracker::HotSpotTracker(const std::filesystem::path& case_file, const solver::Problem& problem)
     : problem_(problem), case_(input::HotSpotCase::read(case_file)) {
     if (case_) {
         for (const solver::Critical& critical : case_->critical) {
@@ -28,14 +28,14 @@ HotSpotWatch::HotSpotWatch(const std::filesystem::path& case_file, const solver:
     }
 }
 
-void HotSpotWatch::take(const solver::Snapshot& snapshot) {
+void HotSpotTracker::take(const solver::Snapshot& snapshot) {
     for (solver::HotSpotCourse& course : courses_) {
         course.take(snapshot);
     }
 }
 
-TestMoment HotSpotWatch::moment(const solver::Problem& problem, const std::vector<solver::ScheduleStep>& steps,
-                                      const solver::HotSpotCourse& course, double t) const {
+TestMoment HotSpotTracker::moment(const solver::Problem& problem, const std::vector<solver::ScheduleStep>& steps,
+                                  const solver::HotSpotCourse& course, double t) const {
     const physics::Inputs inputs = problem.drive.at(t, solver::Limit::before);
     TestMoment moment{
         .time = t, .steady = problem.settings.steady, .speed = inputs.speed, .load = inputs.vertical_load};
@@ -46,7 +46,7 @@ TestMoment HotSpotWatch::moment(const solver::Problem& problem, const std::vecto
     return moment;
 }
 
-std::optional<HotSpots> HotSpotWatch::report() const {
+std::optional<HotSpots> HotSpotTracker::report() const {
     if (courses_.empty() || courses_.front().rows() == 0) {
         return std::nullopt;
     }
@@ -58,10 +58,10 @@ std::optional<HotSpots> HotSpotWatch::report() const {
     for (const solver::HotSpotCourse& course : courses_) {
         const double at_hottest = course.time()[course.hottest_row()];
         HotSpot spot{.course = course,
-                           .hottest = moment(problem_, found.steps, course, at_hottest),
-                           .passing = std::nullopt,
-                           .surface_threshold = unknown,
-                           .surface_time = unknown};
+                     .hottest = moment(problem_, found.steps, course, at_hottest),
+                     .passing = std::nullopt,
+                     .surface_threshold = unknown,
+                     .surface_time = unknown};
         const double passed = solver::passing_time(course.time(), course.temperature(), course.critical().temperature);
         if (!std::isnan(passed) && !settings.steady) {
             spot.passing = moment(problem_, found.steps, course, passed);
@@ -81,7 +81,7 @@ std::optional<HotSpots> HotSpotWatch::report() const {
     return found;
 }
 
-void HotSpotWatch::add_steps(HotSpots& into) const {
+void HotSpotTracker::add_steps(HotSpots& into) const {
     const auto steady = solver::steady_spots(problem_, case_->critical, into.steps);
     for (std::size_t i = 0; i < into.spots.size(); ++i) {
         HotSpot& spot = into.spots[i];
@@ -99,7 +99,7 @@ void HotSpotWatch::add_steps(HotSpots& into) const {
 }
 
 /// One run with further steps serves all hot spots that the test itself did not bring to their critical temperatures.
-void HotSpotWatch::go_on(HotSpots& into) const {
+void HotSpotTracker::go_on(HotSpots& into) const {
     const auto missing = [](const HotSpot& spot) { return !spot.passing; };
     if (problem_.settings.steady || into.steps.empty() || std::ranges::none_of(into.spots, missing)) {
         return;
@@ -146,7 +146,7 @@ void HotSpotWatch::go_on(HotSpots& into) const {
     }
 }
 
-void HotSpotWatch::add_spread(HotSpots& into) const {
+void HotSpotTracker::add_spread(HotSpots& into) const {
     if (case_->known.empty() && case_->uncertain.empty()) {
         return;
     }

@@ -3,18 +3,18 @@
 #include <optional>
 #include <vector>
 
-#include "input/parameters/hot_spots.hpp"
 #include "diagnosis/hot_spot/hot_spots.hpp"
+#include "input/parameters/hot_spots.hpp"
 #include "solver/time_integration/march.hpp"
 
 namespace tiretherm::diagnosis {
 
 /// Follows the hot spots of a run that a case asks for, and then finds out what becomes of them: step by step, held for
 /// ever, in further steps, and how sure all that is.
-class HotSpotWatch {
+class HotSpotTracker {
 public:
     /// Sees to nothing where the case has no [[critical]].
-    HotSpotWatch(const std::filesystem::path& case_file, const solver::Problem& problem);
+    HotSpotTracker(const std::filesystem::path& case_file, const solver::Problem& problem);
 
     void take(const solver::Snapshot& snapshot);
     /// After the run. Runs the case again for what the run itself does not tell; the user may end that early.
@@ -25,9 +25,8 @@ private:
     void add_steps(HotSpots& into) const;
     void go_on(HotSpots& into) const;
     void add_spread(HotSpots& into) const;
-    [[nodiscard]] TestMoment moment(const solver::Problem& problem,
-                                          const std::vector<solver::ScheduleStep>& steps,
-                                          const solver::HotSpotCourse& course, double t) const;
+    [[nodiscard]] TestMoment moment(const solver::Problem& problem, const std::vector<solver::ScheduleStep>& steps,
+                                    const solver::HotSpotCourse& course, double t) const;
 
     const solver::Problem& problem_;
     std::optional<input::HotSpotCase> case_;

@@ -4,61 +4,62 @@
 
 #include <fmt/format.h>
 
-#include "input/model/draft.hpp"
-#include "input/text/wanted.hpp"
-#include "input/text/words.hpp"
+#include "input/model/problem_builder.hpp"
+#include "input/text/quantity_specs.hpp"
+#include "input/text/suggestions.hpp"
 #include "physics/camera.hpp"
 
 namespace tiretherm::input {
 
 namespace {
 
-constexpr Wanted share{.unit = "1", .low = 0.0, .high = 1.0, .above = true, .usual_low = 0.5};
-constexpr Wanted angle{.unit = "rad", .low = -3.2, .high = 3.2};
-constexpr Wanted offset{.unit = "m", .low = -0.1, .high = 0.1};
-constexpr Wanted smear{.unit = "m", .low = 0.0, .high = 0.1};
-constexpr Wanted pixel{.unit = "m", .low = 0.0, .high = 0.1, .above = true, .usual_low = 1e-6, .usual_high = 0.01};
+constexpr QuantitySpec share{.unit = "1", .low = 0.0, .high = 1.0, .above = true, .usual_low = 0.5};
+constexpr QuantitySpec angle{.unit = "rad", .low = -3.2, .high = 3.2};
+constexpr QuantitySpec offset{.unit = "m", .low = -0.1, .high = 0.1};
+constexpr QuantitySpec smear{.unit = "m", .low = 0.0, .high = 0.1};
+constexpr QuantitySpec pixel{
+    .unit = "m", .low = 0.0, .high = 0.1, .above = true, .usual_low = 1e-6, .usual_high = 0.01};
 constexpr int most_pixels = 100000;
 
 /// One size, or one along a row and one along a column.
-std::optional<std::array<double, 2>> read_size(Section& camera) {
-    const std::vector<Word> words = camera.texts("pixel_size");
+std::optional<std::array<double, 2>> read_size(TomlTable& camera) {
+    const std::vector<LocatedString> words = camera.texts("pixel_size");
     std::vector<double> sizes;
-    for (const Word& word : words) {
-        const Judged judged = quantity(word.text, pixel, "pixel_size");
-        if (judged.fault) {
-            camera.mistakes().add(word.place, *judged.fault);
+    for (const LocatedString& word : words) {
+        const ParsedQuantity parsed = quantity(word.text, pixel, "pixel_size");
+        if (parsed.error) {
+            camera.errors().add(word.place, *parsed.error);
             return std::nullopt;
         }
-        sizes.push_back(judged.value);
+        sizes.push_back(parsed.value);
     }
     if (sizes.size() > 2) {
-        camera.mistake("pixel_size", fmt::format("pixel_size has {} values", sizes.size()),
-                       "give one, or two: along a row and along a column of the image");
+        camera.add_error("pixel_size", fmt::format("pixel_size has {} values", sizes.size()),
+                         "give one, or two: along a row and along a column of the image");
         return std::nullopt;
     }
     return sizes.empty() ? std::nullopt : std::optional(std::array{sizes.front(), sizes.back()});
 }
 
 /// First and last of the rows or columns that count, from 0 on, both counted.
-std::optional<std::array<int, 2>> read_stretch(Section& camera, std::string_view key) {
-    const Node* list = camera.value(key);
+std::optional<std::array<int, 2>> read_stretch(TomlTable& camera, std::string_view key) {
+    const TomlValue* list = camera.value(key);
     if (list == nullptr) {
         return std::nullopt;
     }
-    const auto sound = [](const Node& node) {
-        return node.kind == Node::Kind::integer && node.number >= 0.0 && node.number < most_pixels;
+    const auto sound = [](const TomlValue& node) {
+        return node.kind == TomlValue::Kind::integer && node.number >= 0.0 && node.number < most_pixels;
     };
-    if (list->kind != Node::Kind::array || list->items.size() != 2 || !sound(list->items[0]) ||
+    if (list->kind != TomlValue::Kind::array || list->items.size() != 2 || !sound(list->items[0]) ||
         !sound(list->items[1]) || list->items[0].number > list->items[1].number) {
-        camera.mistake(key, fmt::format("{} is no stretch of the image", key),
-                       fmt::format("write {} = [8, 55], the first and the last that count, from 0 on", key));
+        camera.add_error(key, fmt::format("{} is no stretch of the image", key),
+                         fmt::format("write {} = [8, 55], the first and the last that count, from 0 on", key));
         return std::nullopt;
     }
     return std::array{static_cast<int>(list->items[0].number), static_cast<int>(list->items[1].number)};
 }
 
-int read_patch(Section& camera, const mesh::Mesh& mesh) {
+int read_patch(TomlTable& camera, const mesh::Mesh& mesh) {
     std::vector<std::string_view> names;
     std::vector<int> patches;
     for (std::size_t i = 0; i < mesh.patches.size(); ++i) {
@@ -68,9 +69,9 @@ int read_patch(Section& camera, const mesh::Mesh& mesh) {
         }
     }
     if (names.empty()) {
-        camera.mistakes().add(camera.place(), fmt::format("a camera cannot look at a mesh of kind {}", mesh.kind),
-                              "use one of kind axisymmetric or block, or strips of a section");
-        camera.know({"surface"});
+        camera.errors().add(camera.place(), fmt::format("a camera cannot look at a mesh of kind {}", mesh.kind),
+                            "use one of kind axisymmetric or block, or strips of a section");
+        camera.declare_keys({"surface"});
         return -1;
     }
     const std::optional<std::size_t> found = camera.choice("surface", names);
@@ -79,16 +80,16 @@ int read_patch(Section& camera, const mesh::Mesh& mesh) {
 }
 
 /// The nodes of the surface as channels.
-void add_channels(Camera& camera, Draft& draft) {
-    const physics::SeenSurface surface(draft.problem.mesh, camera.patch);
-    camera.first_channel = draft.problem.channels.size();
+void add_channels(Camera& camera, ProblemBuilder& builder) {
+    const physics::SeenSurface surface(builder.problem.mesh, camera.patch);
+    camera.first_channel = builder.problem.channels.size();
     camera.n_channels = surface.nodes().size();
     for (std::size_t i = 0; i < surface.nodes().size(); ++i) {
         solver::Channel channel;
         channel.name = fmt::format("{} {}", camera.name, i);
         channel.meaning = fmt::format("what {} sees at a node of the surface", camera.name);
         channel.where = {.nodes = {surface.nodes()[i]}, .weights = {1.0}};
-        draft.problem.channels.push_back(std::move(channel));
+        builder.problem.channels.push_back(std::move(channel));
     }
 }
 
@@ -102,65 +103,65 @@ physics::ActiveEffect behind(const Camera& camera, const physics::Effect& effect
 }
 
 /// The grey surface, where the case says that it is one.
-void add_emissivity(Section& section, const Camera& camera, Draft& draft) {
-    const auto emissivity = section.quantity("emissivity", share);
-    const auto mirrored = section.quantity("reflected_temperature", wanted::temperature);
-    if (mirrored && !section.has("emissivity")) {
-        section.mistake("reflected_temperature", "a black surface, of emissivity 1, mirrors nothing",
+void add_emissivity(TomlTable& table, const Camera& camera, ProblemBuilder& builder) {
+    const auto emissivity = table.quantity("emissivity", share);
+    const auto mirrored = table.quantity("reflected_temperature", quantity_specs::temperature);
+    if (mirrored && !table.has("emissivity")) {
+        table.add_error("reflected_temperature", "a black surface, of emissivity 1, mirrors nothing",
                         "add emissivity = 0.95");
     }
-    const bool knows_inputs = !draft.run || !draft.run->unreadable;
-    if (emissivity && !mirrored && knows_inputs && !draft.given.contains("air_temperature")) {
-        section.mistake("emissivity", "the surface mirrors the air, whose temperature [drive] lacks",
+    const bool knows_inputs = !builder.run || !builder.run->unreadable;
+    if (emissivity && !mirrored && knows_inputs && !builder.given.contains("air_temperature")) {
+        table.add_error("emissivity", "the surface mirrors the air, whose temperature [drive] lacks",
                         "add reflected_temperature = \"23 degC\", or air_temperature to [drive]");
     }
     if (!emissivity || camera.patch < 0) {
         return;
     }
-    physics::ActiveEffect grey = behind(camera, *physics::find_effect("camera_emissivity"), draft.problem.mesh);
+    physics::ActiveEffect grey = behind(camera, *physics::find_effect("camera_emissivity"), builder.problem.mesh);
     grey.parameters[0] = *emissivity;
     if (mirrored) {
         grey.choices[0] = 1;
         grey.parameters[1] = *mirrored;
     }
-    draft.problem.effects.push_back(std::move(grey));
+    builder.problem.effects.push_back(std::move(grey));
 }
 
-bool is_taken(const std::string& name, const Draft& draft) {
+bool is_taken(const std::string& name, const ProblemBuilder& builder) {
     const auto same = [&](const auto& other) { return other.name == name; };
-    return std::ranges::any_of(draft.problem.channels, same) || std::ranges::any_of(draft.cameras, same);
+    return std::ranges::any_of(builder.problem.channels, same) || std::ranges::any_of(builder.cameras, same);
 }
 
 }  // namespace
 
-void read_cameras(Section& root, Draft& draft) {
-    root.each("camera", [&](Section& section) {
+void read_cameras(TomlTable& root, ProblemBuilder& builder) {
+    root.each("camera", [&](TomlTable& table) {
         Camera camera;
-        camera.name = section.name("name", Need::required).value_or("");
-        camera.place = section.place();
-        if (!camera.name.empty() && is_taken(camera.name, draft)) {
-            section.mistake("name", fmt::format("a second sensor is called \"{}\"", camera.name), "rename one");
+        camera.name = table.name("name", Need::required).value_or("");
+        camera.place = table.place();
+        if (!camera.name.empty() && is_taken(camera.name, builder)) {
+            table.add_error("name", fmt::format("a second sensor is called \"{}\"", camera.name), "rename one");
         }
-        section.know({"surface"});
-        camera.patch = draft.has_mesh ? read_patch(section, draft.problem.mesh) : -1;
-        camera.pixel_size = read_size(section);
-        camera.rows = read_stretch(section, "rows");
-        camera.columns = read_stretch(section, "columns");
-        camera.bin = section.count("bin", 1, 1000).value_or(1);
-        camera.standard_deviation = section.quantity("standard_deviation", wanted::tolerance);
-        const physics::CameraPose pose{.x = section.quantity("x", offset).value_or(0.0),
-                                       .y = section.quantity("y", offset).value_or(0.0),
-                                       .rotation = section.quantity("rotation", angle).value_or(0.0),
-                                       .blur = section.quantity("blur", smear).value_or(0.0)};
+        table.declare_keys({"surface"});
+        camera.patch = builder.has_mesh ? read_patch(table, builder.problem.mesh) : -1;
+        camera.pixel_size = read_size(table);
+        camera.rows = read_stretch(table, "rows");
+        camera.columns = read_stretch(table, "columns");
+        camera.bin = table.count("bin", 1, 1000).value_or(1);
+        camera.standard_deviation = table.quantity("standard_deviation", quantity_specs::tolerance);
+        const physics::CameraPose pose{.x = table.quantity("x", offset).value_or(0.0),
+                                       .y = table.quantity("y", offset).value_or(0.0),
+                                       .rotation = table.quantity("rotation", angle).value_or(0.0),
+                                       .blur = table.quantity("blur", smear).value_or(0.0)};
         if (camera.patch >= 0) {
-            add_channels(camera, draft);
-            physics::ActiveEffect active = behind(camera, physics::camera_pose(), draft.problem.mesh);
+            add_channels(camera, builder);
+            physics::ActiveEffect active = behind(camera, physics::camera_pose(), builder.problem.mesh);
             active.parameters = {pose.x, pose.y, pose.rotation, pose.blur};
-            camera.pose = draft.problem.effects.size();
-            draft.problem.effects.push_back(std::move(active));
+            camera.pose = builder.problem.effects.size();
+            builder.problem.effects.push_back(std::move(active));
         }
-        add_emissivity(section, camera, draft);
-        draft.cameras.push_back(std::move(camera));
+        add_emissivity(table, camera, builder);
+        builder.cameras.push_back(std::move(camera));
     });
 }
 

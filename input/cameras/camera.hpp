@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "input/text/mistake.hpp"
+#include "input/text/input_error.hpp"
 #include "solver/problem.hpp"
 
 /// Cameras of a case:
@@ -22,7 +22,7 @@ namespace tiretherm::input {
 /// pixels are means of them, so that the number of pixels costs nothing until frames are compared.
 struct Camera {
     std::string name;
-    Place place;
+    SourceLocation place;
     int patch = -1;
     std::optional<std::array<double, 2>> pixel_size{};  ///< m, along a row and along a column of the image
     std::optional<std::array<int, 2>> rows{};           ///< first and last of the part that counts; all of them

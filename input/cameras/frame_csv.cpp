@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "input/tables/data_file.hpp"
 #include "input/cameras/frame_file.hpp"
-#include "input/text/wanted.hpp"
+#include "input/tables/data_file.hpp"
+#include "input/text/quantity_specs.hpp"
 
 namespace tiretherm::input {
 
@@ -40,10 +40,10 @@ struct Columns {
     int columns = 0;
 };
 
-Columns tell_apart(const DataFile& file, Mistakes& mistakes) {
+Columns classify_columns(const DataFile& file, InputErrors& errors) {
     Columns found;
     for (std::size_t i = 0; i < file.heads().size(); ++i) {
-        const Head& head = file.heads()[i];
+        const ColumnHead& head = file.heads()[i];
         if (head.heading.name == "time") {
             found.time = static_cast<int>(i);
         } else if (const auto place = pixel_of(head.heading.name)) {
@@ -52,8 +52,8 @@ Columns tell_apart(const DataFile& file, Mistakes& mistakes) {
             found.rows = std::max(found.rows, (*place)[0] + 1);
             found.columns = std::max(found.columns, (*place)[1] + 1);
         } else {
-            mistakes.add(head.place, fmt::format("the column {} is neither time nor a pixel", head.heading.name),
-                         "call pixels by row and column, r0c0 [degC], r0c1 [degC] ..., and the clock time [s]");
+            errors.add(head.place, fmt::format("the column {} is neither time nor a pixel", head.heading.name),
+                       "call pixels by row and column, r0c0 [degC], r0c1 [degC] ..., and the clock time [s]");
             return found;
         }
     }
@@ -61,24 +61,24 @@ Columns tell_apart(const DataFile& file, Mistakes& mistakes) {
 }
 
 /// Every pixel once. @returns whether that is so
-bool check_shape(const Columns& found, const DataFile& file, Mistakes& mistakes) {
+bool check_shape(const Columns& found, const DataFile& file, InputErrors& errors) {
     const std::string remedy = "give every pixel of the image one column";
     std::vector<int> seen(static_cast<std::size_t>(found.rows) * static_cast<std::size_t>(found.columns), 0);
     for (std::size_t k = 0; k < found.place.size(); ++k) {
         const auto [row, column] = found.place[k];
         if (++seen[static_cast<std::size_t>(row * found.columns + column)] == 2) {
-            mistakes.add(file.heads()[static_cast<std::size_t>(found.column[k])].place,
-                         fmt::format("the pixel r{}c{} has two columns", row, column), remedy);
+            errors.add(file.heads()[static_cast<std::size_t>(found.column[k])].place,
+                       fmt::format("the pixel r{}c{} has two columns", row, column), remedy);
             return false;
         }
     }
     const auto missing = std::ranges::find(seen, 0) - seen.begin();
     if (missing < std::ssize(seen)) {
-        mistakes.add({.file = file.number()},
-                     fmt::format("{} x {} pixels need {} columns, and there are {}: r{}c{} is missing", found.rows,
-                                 found.columns, seen.size(), found.place.size(), missing / found.columns,
-                                 missing % found.columns),
-                     remedy);
+        errors.add({.file = file.number()},
+                   fmt::format("{} x {} pixels need {} columns, and there are {}: r{}c{} is missing", found.rows,
+                               found.columns, seen.size(), found.place.size(), missing / found.columns,
+                               missing % found.columns),
+                   remedy);
         return false;
     }
     return true;
@@ -86,36 +86,36 @@ bool check_shape(const Columns& found, const DataFile& file, Mistakes& mistakes)
 
 }  // namespace
 
-std::optional<FrameFile> open_csv_frames(const std::filesystem::path& path, const Place& mentioned,
-                                         Mistakes& mistakes) {
-    const std::size_t before = mistakes.count();
-    const std::optional<DataFile> file = DataFile::open(path, mentioned, mistakes);
+std::optional<FrameFile> open_csv_frames(const std::filesystem::path& path, const SourceLocation& mentioned,
+                                         InputErrors& errors) {
+    const std::size_t before = errors.count();
+    const std::optional<DataFile> file = DataFile::open(path, mentioned, errors);
     if (!file) {
         return std::nullopt;
     }
-    const Columns found = tell_apart(*file, mistakes);
-    if (mistakes.count() > before) {
+    const Columns found = classify_columns(*file, errors);
+    if (errors.count() > before) {
         return std::nullopt;
     }
     if (found.time < 0 || found.place.empty()) {
-        mistakes.add({.file = file->number()},
-                     found.time < 0 ? "the file has no column time" : "the file has no column of a pixel",
-                     "write a column time [s] and one for each pixel, r0c0 [degC], r0c1 [degC] ...");
+        errors.add({.file = file->number()},
+                   found.time < 0 ? "the file has no column time" : "the file has no column of a pixel",
+                   "write a column time [s] and one for each pixel, r0c0 [degC], r0c1 [degC] ...");
         return std::nullopt;
     }
-    if (!check_shape(found, *file, mistakes)) {
+    if (!check_shape(found, *file, errors)) {
         return std::nullopt;
     }
     std::vector<ColumnRequest> requests{
-        {.column = found.time, .name = "time", .wanted = wanted::moment, .purpose = Purpose::clock}};
+        {.column = found.time, .name = "time", .spec = quantity_specs::moment, .purpose = Purpose::clock}};
     for (std::size_t k = 0; k < found.place.size(); ++k) {
         requests.push_back({.column = found.column[k],
                             .name = file->heads()[static_cast<std::size_t>(found.column[k])].heading.name,
-                            .wanted = wanted::temperature,
+                            .spec = quantity_specs::temperature,
                             .purpose = Purpose::measured});
     }
-    auto values = std::make_shared<std::vector<std::vector<double>>>(file->read(requests, mistakes));
-    if (mistakes.count() > before || values->empty()) {
+    auto values = std::make_shared<std::vector<std::vector<double>>>(file->read(requests, errors));
+    if (errors.count() > before || values->empty()) {
         return std::nullopt;
     }
     FrameFile frames{.number = file->number(),

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "input/text/mistake.hpp"
+#include "input/text/input_error.hpp"
 
 namespace tiretherm::input {
 
 /// The frames of a camera as a file holds them; the images themselves are read one at a time.
 struct FrameFile {
-    int number = -1;  ///< of the file in the mistakes
+    int number = -1;  ///< of the file in the errors
     std::string shown;
     int rows = 0;
     int columns = 0;
@@ -30,17 +30,17 @@ struct FrameFile {
 /// number or two (along a row, along a column), with `pixel_size_units`; `time` [n] with `units`.
 ///
 /// CSV: a column `time [s]` and one for each pixel, `r0c0 [degC]`, `r0c1 [degC]` ..., a row for each frame.
-/// @param mentioned where the case names it  @returns nothing after a mistake
-[[nodiscard]] std::optional<FrameFile> open_frames(const std::filesystem::path& path, const Place& mentioned,
-                                                   Mistakes& mistakes);
+/// @param mentioned where the case names it  @returns nothing after an error
+[[nodiscard]] std::optional<FrameFile> open_frames(const std::filesystem::path& path, const SourceLocation& mentioned,
+                                                   InputErrors& errors);
 
 /// The two kinds. @pre of HDF5: the file could be opened
 [[nodiscard]] std::optional<FrameFile> open_hdf5_frames(const std::filesystem::path& path, int number,
-                                                        Mistakes& mistakes);
-[[nodiscard]] std::optional<FrameFile> open_csv_frames(const std::filesystem::path& path, const Place& mentioned,
-                                                       Mistakes& mistakes);
+                                                        InputErrors& errors);
+[[nodiscard]] std::optional<FrameFile> open_csv_frames(const std::filesystem::path& path,
+                                                       const SourceLocation& mentioned, InputErrors& errors);
 
-/// Whether the moments of frames do not ascend, which is a mistake.
-[[nodiscard]] bool complain_of_times(const std::vector<double>& time, int number, Mistakes& mistakes);
+/// Whether the moments of frames do not ascend, which is an error.
+[[nodiscard]] bool report_times_not_ascending(const std::vector<double>& time, int number, InputErrors& errors);
 
 }  // namespace tiretherm::input

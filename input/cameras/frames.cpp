@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "input/cameras/frame_file.hpp"
-#include "input/cameras/frame_findings.hpp"
-#include "input/text/words.hpp"
+#include "input/cameras/frame_warnings.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
@@ -19,36 +19,36 @@ struct Window {
     std::array<int, 2> columns{};
 };
 
-std::optional<Window> window_of(const Camera& camera, const FrameFile& file, Mistakes& mistakes) {
+std::optional<Window> window_of(const Camera& camera, const FrameFile& file, InputErrors& errors) {
     const std::array<int, 2> rows = camera.rows.value_or(std::array{0, file.rows - 1});
     const std::array<int, 2> columns = camera.columns.value_or(std::array{0, file.columns - 1});
     bool sound = true;
     for (const auto& [key, last, size] :
          {std::tuple{"rows", rows[1], file.rows}, std::tuple{"columns", columns[1], file.columns}}) {
         if (last >= size) {
-            mistakes.add(camera.place,
-                         fmt::format("{} of {} go to {}, and the frames of {} have {}, 0 to {}", key, camera.name, last,
-                                     file.shown, size, size - 1),
-                         fmt::format("let {} end at {} at most", key, size - 1));
+            errors.add(camera.place,
+                       fmt::format("{} of {} go to {}, and the frames of {} have {}, 0 to {}", key, camera.name, last,
+                                   file.shown, size, size - 1),
+                       fmt::format("let {} end at {} at most", key, size - 1));
             sound = false;
         }
     }
     return sound ? std::optional(Window{.rows = rows, .columns = columns}) : std::nullopt;
 }
 
-/// Detectors that have a value in every frame of the run. @returns [rows * columns], empty after a mistake
-std::vector<bool> alive_in(const FrameFile& file, const std::vector<std::size_t>& frames, FrameWatch& watch,
-                           Mistakes& mistakes) {
+/// Detectors that have a value in every frame of the run. @returns [rows * columns], empty after an error
+std::vector<bool> alive_in(const FrameFile& file, const std::vector<std::size_t>& frames, FrameChecks& checks,
+                           InputErrors& errors) {
     std::vector<bool> alive(static_cast<std::size_t>(file.rows) * static_cast<std::size_t>(file.columns), true);
     std::vector<double> kelvin;
     for (const std::size_t frame : frames) {
         if (!file.read(frame, kelvin)) {
-            mistakes.add({.file = file.number},
-                         fmt::format("frame {} cannot be read: the file is damaged or cut off", frame),
-                         "copy or export it again");
+            errors.add({.file = file.number},
+                       fmt::format("frame {} cannot be read: the file is damaged or cut off", frame),
+                       "copy or export it again");
             return {};
         }
-        watch.take(kelvin);
+        checks.take(kelvin);
         for (std::size_t i = 0; i < kelvin.size(); ++i) {
             alive[i] = alive[i] && std::isfinite(kelvin[i]) && kelvin[i] > 0.0;
         }
@@ -103,56 +103,56 @@ void read_values(const FrameFile& file, const std::vector<std::size_t>& frames, 
     }
 }
 
-const Camera* find_camera(const FramesOfRun& named, const Draft& draft, Mistakes& mistakes) {
-    if (named.camera.text.empty() && draft.cameras.size() == 1) {
-        return &draft.cameras.front();
+const Camera* find_camera(const FramesOfRun& named, const ProblemBuilder& builder, InputErrors& errors) {
+    if (named.camera.text.empty() && builder.cameras.size() == 1) {
+        return &builder.cameras.front();
     }
-    const auto found = std::ranges::find(draft.cameras, named.camera.text, &Camera::name);
-    if (found != draft.cameras.end()) {
+    const auto found = std::ranges::find(builder.cameras, named.camera.text, &Camera::name);
+    if (found != builder.cameras.end()) {
         return &*found;
     }
-    mistakes.add(named.camera.place,
-                 draft.cameras.empty()       ? "the case has no camera that gives frames"
-                 : named.camera.text.empty() ? "frames does not say of which camera"
-                                             : fmt::format("there is no camera \"{}\"", named.camera.text),
-                 draft.cameras.empty() ? "add [[camera]] with a name"
-                 : named.camera.text.empty()
-                     ? fmt::format("write frames = {{ {} = \"....h5\" }}", draft.cameras.front().name)
-                     : suggest(named.camera.text, names_of(draft.cameras), "cameras"));
+    errors.add(named.camera.place,
+               builder.cameras.empty()     ? "the case has no camera that gives frames"
+               : named.camera.text.empty() ? "frames does not say of which camera"
+                                           : fmt::format("there is no camera \"{}\"", named.camera.text),
+               builder.cameras.empty() ? "add [[camera]] with a name"
+               : named.camera.text.empty()
+                   ? fmt::format("write frames = {{ {} = \"....h5\" }}", builder.cameras.front().name)
+                   : suggest(named.camera.text, names_of(builder.cameras), "cameras"));
     return nullptr;
 }
 
-void read_one(const Camera& camera, const FramesOfRun& named, const Draft& draft, Mistakes& mistakes, MeasuredRun& run,
-              std::vector<std::string>& findings) {
-    const std::optional<FrameFile> file = open_frames(named.path, named.place, mistakes);
+void read_one(const Camera& camera, const FramesOfRun& named, const ProblemBuilder& builder, InputErrors& errors,
+              MeasuredRun& run, std::vector<std::string>& warnings) {
+    const std::optional<FrameFile> file = open_frames(named.path, named.place, errors);
     if (!file) {
         return;
     }
     const std::optional<std::array<double, 2>> size = camera.pixel_size ? camera.pixel_size : file->pixel_size;
     if (!size) {
-        mistakes.add(named.place, fmt::format("nobody says how large a pixel of {} is on the specimen", camera.name),
-                     "add pixel_size = \"0.5 mm\" to the [[camera]], or the attribute pixel_size to the file's frames");
+        errors.add(named.place, fmt::format("nobody says how large a pixel of {} is on the specimen", camera.name),
+                   "add pixel_size = \"0.5 mm\" to the [[camera]], or the attribute pixel_size to the file's frames");
     }
-    const std::optional<Window> window = window_of(camera, *file, mistakes);
+    const std::optional<Window> window = window_of(camera, *file, errors);
     std::vector<std::size_t> frames;
-    const solver::Settings& settings = draft.problem.settings;
+    const solver::Settings& settings = builder.problem.settings;
     for (std::size_t i = 0; i < file->time.size(); ++i) {
         if (file->time[i] >= settings.start && file->time[i] <= settings.end) {
             frames.push_back(i);
         }
     }
     if (frames.empty() && settings.end > settings.start) {
-        mistakes.add(named.place,
-                     fmt::format("no frame lies within the run: frames from {:.6g} to {:.6g} s, the run from {:.6g} to "
-                                 "{:.6g} s",
-                                 file->time.front(), file->time.back(), settings.start, settings.end),
-                     "give the frames the run's clock, or the run its time = { start = ..., end = ... }");
+        errors.add(named.place,
+                   fmt::format("no frame lies within the run: frames from {:.6g} to {:.6g} s, the run from {:.6g} to "
+                               "{:.6g} s",
+                               file->time.front(), file->time.back(), settings.start, settings.end),
+                   "give the frames the run's clock, or the run its time = { start = ..., end = ... }");
     }
     if (!size || !window || frames.empty() || camera.patch < 0) {
         return;
     }
-    FrameWatch watch;
-    const std::vector<bool> alive = alive_in(*file, frames, watch, mistakes);
+    FrameChecks checks;
+    const std::vector<bool> alive = alive_in(*file, frames, checks, errors);
     if (alive.empty()) {
         return;
     }
@@ -168,28 +168,27 @@ void read_one(const Camera& camera, const FramesOfRun& named, const Draft& draft
     if (camera.standard_deviation) {
         measured.standard_deviation = *camera.standard_deviation / camera.bin;
     }
-    find_pixels(camera, *window, alive, draft.problem, measured);
+    find_pixels(camera, *window, alive, builder.problem, measured);
     if (measured.pixels.empty()) {
-        mistakes.add(
-            {.file = file->number},
-            fmt::format("no pixel of {} is of use: of {} detectors {} are dead and {} look beside the specimen",
-                        camera.name, measured.dead + measured.beside, measured.dead, measured.beside),
-            measured.dead > measured.beside ? "export the frames again, as temperatures"
-                                            : "check pixel_size, x, y and rotation of the [[camera]]");
+        errors.add({.file = file->number},
+                   fmt::format("no pixel of {} is of use: of {} detectors {} are dead and {} look beside the specimen",
+                               camera.name, measured.dead + measured.beside, measured.dead, measured.beside),
+                   measured.dead > measured.beside ? "export the frames again, as temperatures"
+                                                   : "check pixel_size, x, y and rotation of the [[camera]]");
         return;
     }
     read_values(*file, frames, measured);
-    std::ranges::move(watch.findings(measured, file->time.size() - frames.size()), std::back_inserter(findings));
+    std::ranges::move(checks.warnings(measured, file->time.size() - frames.size()), std::back_inserter(warnings));
     run.frames.push_back(std::move(measured));
 }
 
 }  // namespace
 
-void read_frames(const RunTable& table, const Draft& draft, Mistakes& mistakes, MeasuredRun& run,
-                 std::vector<std::string>& findings) {
+void read_frames(const RunTable& table, const ProblemBuilder& builder, InputErrors& errors, MeasuredRun& run,
+                 std::vector<std::string>& warnings) {
     for (const FramesOfRun& named : table.frames) {
-        if (const Camera* camera = find_camera(named, draft, mistakes)) {
-            read_one(*camera, named, draft, mistakes, run, findings);
+        if (const Camera* camera = find_camera(named, builder, errors)) {
+            read_one(*camera, named, builder, errors, run, warnings);
         }
     }
 }

@@ -1,15 +1,15 @@
 #pragma once
 
-#include "input/model/draft.hpp"
 #include "input/measurements/experiment.hpp"
 #include "input/measurements/run_table.hpp"
+#include "input/model/problem_builder.hpp"
 
 namespace tiretherm::input {
 
 /// What the cameras gave in a run: opens the files of frames that it names, masks what is dead or beside the specimen,
 /// bins, and says what is suspicious about them.
-/// @param findings out, sentences
-void read_frames(const RunTable& table, const Draft& draft, Mistakes& mistakes, MeasuredRun& run,
-                 std::vector<std::string>& findings);
+/// @param warnings out, sentences
+void read_frames(const RunTable& table, const ProblemBuilder& builder, InputErrors& errors, MeasuredRun& run,
+                 std::vector<std::string>& warnings);
 
 }  // namespace tiretherm::input

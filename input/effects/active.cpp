@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "input/model/law.hpp"
-#include "input/text/wanted.hpp"
-#include "input/text/words.hpp"
+#include "input/text/quantity_specs.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
@@ -18,9 +18,9 @@ using physics::Effect;
 using physics::Parameter;
 
 /// An option by its word; true and false stand for "on" and "off" where an effect has these.
-void read_choice(Section& section, const physics::Choice& choice, int& chosen) {
-    const Node* value = section.value(choice.key);
-    if (value != nullptr && value->kind == Node::Kind::boolean) {
+void read_choice(TomlTable& table, const physics::Choice& choice, int& chosen) {
+    const TomlValue* value = table.value(choice.key);
+    if (value != nullptr && value->kind == TomlValue::Kind::boolean) {
         const std::string_view word = value->truth ? "on" : "off";
         const auto found = std::find(choice.options.begin(), choice.options.end(), word);
         if (found != choice.options.end()) {
@@ -28,7 +28,7 @@ void read_choice(Section& section, const physics::Choice& choice, int& chosen) {
             return;
         }
     }
-    if (const auto index = section.choice(choice.key, choice.options)) {
+    if (const auto index = table.choice(choice.key, choice.options)) {
         chosen = static_cast<int>(*index);
     }
 }
@@ -36,26 +36,25 @@ void read_choice(Section& section, const physics::Choice& choice, int& chosen) {
 /// A list of parts of the mesh: `patches` or `layers`.
 /// @param plural what messages call them; the key itself
 template <typename Find>
-void read_parts(Section& section, std::string_view plural, const std::vector<std::string>& known, const Find& find,
+void read_parts(TomlTable& table, std::string_view plural, const std::vector<std::string>& known, const Find& find,
                 std::vector<int>& parts) {
-    const std::vector<Word> words = section.texts(plural);
-    if (!section.has(plural)) {
+    const std::vector<LocatedString> words = table.texts(plural);
+    if (!table.has(plural)) {
         return;
     }
     const std::string one(plural.substr(0, plural == "patches" ? 5 : plural.size() - 1));
     if (words.empty()) {
-        section.mistake(plural, fmt::format("{} is an empty list", plural),
+        table.add_error(plural, fmt::format("{} is an empty list", plural),
                         fmt::format("name one, or switch the effect off: on = false"));
     }
     parts.clear();
-    for (const Word& word : words) {
+    for (const LocatedString& word : words) {
         const int part = find(word.text);
         if (part < 0) {
-            section.mistakes().add(word.place, fmt::format("the mesh has no {} \"{}\"", one, word.text),
-                                   suggest(word.text, known, plural));
+            table.errors().add(word.place, fmt::format("the mesh has no {} \"{}\"", one, word.text),
+                               suggest(word.text, known, plural));
         } else if (std::find(parts.begin(), parts.end(), part) != parts.end()) {
-            section.mistakes().add(word.place, fmt::format("the {} \"{}\" is named twice", one, word.text),
-                                   "remove one");
+            table.errors().add(word.place, fmt::format("the {} \"{}\" is named twice", one, word.text), "remove one");
         } else {
             parts.push_back(part);
         }
@@ -103,20 +102,20 @@ int find_part(const mesh::Mesh& mesh, physics::Scope scope, std::string_view nam
 }
 
 /// The table `<parameter>_by_patch`, `_by_layer` or `_by_zone`: other values at some places.
-void read_overrides(Section& section, const Parameter& parameter, std::size_t index, const Overridable& where,
-                    const Draft& draft, ActiveEffect& active) {
-    Section table = section.section(std::string(parameter.key) + std::string(where.ending));
-    if (!table.exists()) {
+void read_overrides(TomlTable& table, const Parameter& parameter, std::size_t index, const Overridable& where,
+                    const ProblemBuilder& builder, ActiveEffect& active) {
+    TomlTable values = table.subtable(std::string(parameter.key) + std::string(where.ending));
+    if (!values.exists()) {
         return;
     }
-    if (!draft.has_mesh) {
-        table.forgive();
+    if (!builder.has_mesh) {
+        values.allow_unknown_keys();
         return;
     }
     for (const std::string& name : where.names) {
-        if (const auto value = table.quantity(name, wanted::of(parameter))) {
+        if (const auto value = values.quantity(name, quantity_specs::of(parameter))) {
             active.overrides.push_back({.scope = where.scope,
-                                        .index = find_part(draft.problem.mesh, where.scope, name),
+                                        .index = find_part(builder.problem.mesh, where.scope, name),
                                         .parameter = index,
                                         .value = *value});
         }
@@ -125,57 +124,58 @@ void read_overrides(Section& section, const Parameter& parameter, std::size_t in
 
 }  // namespace
 
-ActiveEffect read_active(Section& section, const Effect& effect, const Draft& draft) {
-    ActiveEffect active = physics::activate(effect, draft.problem.mesh);
+ActiveEffect read_active(TomlTable& table, const Effect& effect, const ProblemBuilder& builder) {
+    ActiveEffect active = physics::activate(effect, builder.problem.mesh);
     for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
         const Parameter& parameter = effect.parameters[i];
-        active.parameters[i] = section.quantity(parameter.key, wanted::of(parameter)).value_or(parameter.standard);
+        active.parameters[i] =
+            table.quantity(parameter.key, quantity_specs::of(parameter)).value_or(parameter.standard);
     }
     for (std::size_t i = 0; i < effect.choices.size(); ++i) {
-        read_choice(section, effect.choices[i], active.choices[i]);
+        read_choice(table, effect.choices[i], active.choices[i]);
     }
-    const mesh::Mesh& mesh = draft.problem.mesh;
+    const mesh::Mesh& mesh = builder.problem.mesh;
     for (std::size_t i = 0; i < effect.tables.size(); ++i) {
-        const physics::Table& table = effect.tables[i];
-        active.tables[i] = read_curve(section, table.key, {.unit = table.variable_unit, .low = -1e6, .high = 1e6},
-                                      {.unit = table.value_unit, .low = 0.0, .high = 1e9});
+        const physics::Table& curve = effect.tables[i];
+        active.tables[i] = read_curve(table, curve.key, {.unit = curve.variable_unit, .low = -1e6, .high = 1e6},
+                                      {.unit = curve.value_unit, .low = 0.0, .high = 1e9});
     }
     if (!effect.patches.empty()) {
-        if (draft.has_mesh) {
+        if (builder.has_mesh) {
             read_parts(
-                section, "patches", names_of(mesh.patches),
-                [&](std::string_view name) { return mesh.find_patch(name); }, active.patches);
+                table, "patches", names_of(mesh.patches), [&](std::string_view name) { return mesh.find_patch(name); },
+                active.patches);
         } else {
-            section.texts("patches");
+            table.texts("patches");
         }
     }
     if (effect.on_layers) {
-        if (draft.has_mesh) {
+        if (builder.has_mesh) {
             read_parts(
-                section, "layers", mesh.layers, [&](std::string_view name) { return mesh.find_layer(name); },
+                table, "layers", mesh.layers, [&](std::string_view name) { return mesh.find_layer(name); },
                 active.layers);
         } else {
-            section.texts("layers");
+            table.texts("layers");
         }
     }
     for (const Overridable& where : overridable(effect, mesh, active)) {
         for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
-            read_overrides(section, effect.parameters[i], i, where, draft, active);
+            read_overrides(table, effect.parameters[i], i, where, builder, active);
         }
     }
     if (effect.field != physics::FieldOf::nothing) {  // read when the run's times are known
-        section.know({"field"});
+        table.declare_keys({"field"});
         if (effect.field != physics::FieldOf::pressure) {
-            section.know({"use"});
+            table.declare_keys({"use"});
         }
         if (effect.field == physics::FieldOf::loss) {
-            section.know({"total", "coastdown"});
+            table.declare_keys({"total", "coastdown"});
         }
     }
     if (effect.on_channels) {  // read when the sensors are known
-        section.know({"channels"});
+        table.declare_keys({"channels"});
         for (const Parameter& parameter : effect.parameters) {
-            section.know({std::string(parameter.key) + "_by_channel"});
+            table.declare_keys({std::string(parameter.key) + "_by_channel"});
         }
     }
     return active;
@@ -184,11 +184,11 @@ ActiveEffect read_active(Section& section, const Effect& effect, const Draft& dr
 namespace {
 
 /// Whether a reading effect can stand behind a channel.
-void check_channel(Section& section, const Word& word, const Effect& effect, const solver::Channel& channel) {
+void check_channel(TomlTable& table, const LocatedString& word, const Effect& effect, const solver::Channel& channel) {
     const bool is_temperature = channel.quantity == solver::Quantity::temperature;
     const auto refuse = [&](std::string_view wanted) {
-        section.mistakes().add(word.place, fmt::format("{} is not {}, which {} reads", channel.name, wanted, effect.id),
-                               "name other sensors");
+        table.errors().add(word.place, fmt::format("{} is not {}, which {} reads", channel.name, wanted, effect.id),
+                           "name other sensors");
     };
     switch (effect.reads_what) {
         case physics::Reads::anything:
@@ -203,17 +203,18 @@ void check_channel(Section& section, const Word& word, const Effect& effect, con
 }
 
 /// Puts a reading effect behind all that a camera sees.
-void bind_camera(Section& section, const Word& word, const Camera& camera, const Draft& draft, ActiveEffect& active) {
-    const bool has_own = std::ranges::any_of(draft.problem.effects, [&](const ActiveEffect& other) {
+void bind_camera(TomlTable& table, const LocatedString& word, const Camera& camera, const ProblemBuilder& builder,
+                 ActiveEffect& active) {
+    const bool has_own = std::ranges::any_of(builder.problem.effects, [&](const ActiveEffect& other) {
         return other.name == camera.name && other.effect == active.effect;
     });
     if (has_own) {
-        section.mistakes().add(word.place, fmt::format("the [[camera]] {} has an emissivity of its own", camera.name),
-                               "state it once");
+        table.errors().add(word.place, fmt::format("the [[camera]] {} has an emissivity of its own", camera.name),
+                           "state it once");
         return;
     }
     if (camera.n_channels > 0) {
-        check_channel(section, word, *active.effect, draft.problem.channels[camera.first_channel]);
+        check_channel(table, word, *active.effect, builder.problem.channels[camera.first_channel]);
     }
     for (std::size_t i = 0; i < camera.n_channels; ++i) {
         active.channels.push_back(static_cast<int>(camera.first_channel + i));
@@ -222,36 +223,36 @@ void bind_camera(Section& section, const Word& word, const Camera& camera, const
 
 }  // namespace
 
-void bind_channels(Section& section, const Draft& draft, ActiveEffect& active) {
+void bind_channels(TomlTable& table, const ProblemBuilder& builder, ActiveEffect& active) {
     // A camera's channels go by the camera's name.
-    std::vector<std::string> known = names_of(draft.problem.channels);
-    known.resize(draft.cameras.empty() ? known.size() : draft.cameras.front().first_channel);
+    std::vector<std::string> known = names_of(builder.problem.channels);
+    known.resize(builder.cameras.empty() ? known.size() : builder.cameras.front().first_channel);
     const auto find = [&](std::string_view name) {
         const auto found = std::find(known.begin(), known.end(), name);
         return found == known.end() ? -1 : static_cast<int>(found - known.begin());
     };
     const std::string example = fmt::format("write channels = [\"{}\"]", known.empty() ? "..." : known.front());
-    if (!section.has("channels")) {
-        section.mistake("channels", fmt::format("{} lacks channels: which sensors read so", section.title()), example);
+    if (!table.has("channels")) {
+        table.add_error("channels", fmt::format("{} lacks channels: which sensors read so", table.title()), example);
     }
-    for (const Word& word : section.texts("channels")) {
+    for (const LocatedString& word : table.texts("channels")) {
         if (const int channel = find(word.text); channel >= 0) {
             active.channels.push_back(channel);
-            check_channel(section, word, *active.effect, draft.problem.channels[static_cast<std::size_t>(channel)]);
-        } else if (const auto camera = std::ranges::find(draft.cameras, word.text, &Camera::name);
-                   camera != draft.cameras.end()) {
-            bind_camera(section, word, *camera, draft, active);
+            check_channel(table, word, *active.effect, builder.problem.channels[static_cast<std::size_t>(channel)]);
+        } else if (const auto camera = std::ranges::find(builder.cameras, word.text, &Camera::name);
+                   camera != builder.cameras.end()) {
+            bind_camera(table, word, *camera, builder, active);
         } else {
-            section.mistakes().add(word.place, fmt::format("there is no sensor \"{}\"", word.text),
-                                   suggest(word.text, known, "sensors"));
+            table.errors().add(word.place, fmt::format("there is no sensor \"{}\"", word.text),
+                               suggest(word.text, known, "sensors"));
         }
     }
     for (std::size_t i = 0; i < active.effect->parameters.size(); ++i) {
         const Parameter& parameter = active.effect->parameters[i];
-        Section table = section.section(std::string(parameter.key) + "_by_channel");
-        for (const Camera& camera : draft.cameras) {
+        TomlTable values = table.subtable(std::string(parameter.key) + "_by_channel");
+        for (const Camera& camera : builder.cameras) {
             if (const auto value =
-                    table.exists() ? table.quantity(camera.name, wanted::of(parameter)) : std::nullopt) {
+                    values.exists() ? values.quantity(camera.name, quantity_specs::of(parameter)) : std::nullopt) {
                 for (const int channel : active.channels) {
                     if (camera.has(channel)) {
                         active.overrides.push_back(
@@ -265,7 +266,8 @@ void bind_channels(Section& section, const Draft& draft, ActiveEffect& active) {
                 continue;
             }
             const std::string& name = known[static_cast<std::size_t>(channel)];
-            if (const auto value = table.exists() ? table.quantity(name, wanted::of(parameter)) : std::nullopt) {
+            if (const auto value =
+                    values.exists() ? values.quantity(name, quantity_specs::of(parameter)) : std::nullopt) {
                 active.overrides.push_back(
                     {.scope = physics::Scope::channel, .index = channel, .parameter = i, .value = *value});
             }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "input/model/draft.hpp"
+#include "input/model/problem_builder.hpp"
 #include "physics/effect.hpp"
 
 namespace tiretherm::input {
@@ -10,12 +10,13 @@ namespace tiretherm::input {
 ///     h = "10 W/m2K"
 ///     patches = ["top", "bottom"]
 ///     h_by_patch = { top = "60 W/m2K" }
-[[nodiscard]] physics::ActiveEffect read_active(Section& section, const physics::Effect& effect, const Draft& draft);
+[[nodiscard]] physics::ActiveEffect read_active(TomlTable& table, const physics::Effect& effect,
+                                                const ProblemBuilder& builder);
 
 /// The channels of a reading effect, when the sensors are known:
 ///     [effects.sensor_lag]
 ///     channels = ["bulk_temperature"]
 ///     tau_by_channel = { bulk_temperature = "12 s" }
-void bind_channels(Section& section, const Draft& draft, physics::ActiveEffect& active);
+void bind_channels(TomlTable& table, const ProblemBuilder& builder, physics::ActiveEffect& active);
 
 }  // namespace tiretherm::input

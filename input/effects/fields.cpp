@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "input/text/complaints.hpp"
-#include "input/model/draft.hpp"
-#include "input/tables/field_file.hpp"
 #include "input/effects/measured_loss.hpp"
+#include "input/model/problem_builder.hpp"
+#include "input/tables/field_file.hpp"
+#include "input/text/error_limiter.hpp"
 
 namespace tiretherm::input {
 
@@ -22,20 +22,20 @@ using physics::FieldOf;
 
 constexpr std::array<std::string_view, 2> uses{"shape", "watts"};
 
-/// All points must lie on the tire; those that do not are complained about with their number and place.
+/// All points must lie on the tire; those that do not are reported with their number and place.
 bool are_on(const mesh::Mesh& mesh, std::span<const int> patches, const FieldFile& file, const std::string& shown,
-            Mistakes& mistakes) {
-    const std::size_t before = mistakes.count();
-    Complaints complaints(mistakes);
+            InputErrors& errors) {
+    const std::size_t before = errors.count();
+    ErrorLimiter limiter(errors);
     for (const FieldFrame& frame : file.frames) {
         for (const physics::Stray& stray : physics::strays(mesh, patches, frame.points)) {
-            const ColumnReader::Spot spot = file.file->spot(frame.first_row + stray.point);
-            complaints.add(spot.place, {stray.what + spot.aside,
-                                        "leave the point out, or correct the origin or the sign of its coordinates"});
+            const ColumnReader::FieldLocation spot = file.file->spot(frame.first_row + stray.point);
+            limiter.add(spot.place, {stray.what + spot.aside,
+                                     "leave the point out, or correct the origin or the sign of its coordinates"});
         }
     }
-    complaints.close(shown);
-    return mistakes.count() == before;
+    limiter.close(shown);
+    return errors.count() == before;
 }
 
 /// What the nodes have of every frame. W, or what is proportional to it
@@ -110,10 +110,10 @@ void add_samples(solver::Drive& drive, const std::vector<double>& times) {
 }
 
 /// What a field stands in for, and what cannot stand beside it.
-void check_rivals(Section& section, const ActiveEffect& active) {
+void check_rivals(TomlTable& table, const ActiveEffect& active) {
     const std::string_view id = active.effect->id;
-    if (std::ranges::any_of(active.tables, [](const auto& table) { return table.has_value(); })) {
-        section.mistake("field", fmt::format("{} has a profile and a field, which both place its heat", id),
+    if (std::ranges::any_of(active.tables, [](const auto& curve) { return curve.has_value(); })) {
+        table.add_error("field", fmt::format("{} has a profile and a field, which both place its heat", id),
                         "remove one of them");
     }
     const auto number = [&](std::string_view key) {
@@ -121,20 +121,20 @@ void check_rivals(Section& section, const ActiveEffect& active) {
         return index < 0 ? 0.0 : active[static_cast<std::size_t>(index)];
     };
     if (active.effect->field == FieldOf::loss && (!active.overrides.empty() || number("belt_edge_gain") != 0.0)) {
-        section.mistake("field", "the field replaces the weights of layers, zones and belt edges",
+        table.add_error("field", "the field replaces the weights of layers, zones and belt edges",
                         "remove belt_edge_gain and the tables _by_layer and _by_zone, or the field");
     }
 }
 
 /// Watts of a file are taken as they are: what else the effect knows about its heat has no say, but for the share of
 /// friction that the tire takes.
-void warn_of_idle_keys(const Section& section, const ActiveEffect& active) {
+void warn_of_idle_keys(const TomlTable& table, const ActiveEffect& active) {
     const auto warn = [&](std::string_view key) {
-        if (section.has(key)) {
-            section.mistakes().warn(section.place(key),
-                                    fmt::format("{} has no say where the field gives the watts: use = \"shape\" would "
-                                                "let it scale them",
-                                                key));
+        if (table.has(key)) {
+            table.errors().warn(table.place(key),
+                                fmt::format("{} has no say where the field gives the watts: use = \"shape\" would "
+                                            "let it scale them",
+                                            key));
         }
     };
     for (const physics::Parameter& parameter : active.effect->parameters) {
@@ -149,39 +149,39 @@ void warn_of_idle_keys(const Section& section, const ActiveEffect& active) {
 
 class FieldBinder {
 public:
-    FieldBinder(Section& section, Draft& draft, ActiveEffect& active)
-        : section_(section), draft_(draft), active_(active), mistakes_(section.mistakes()) {}
+    FieldBinder(TomlTable& table, ProblemBuilder& builder, ActiveEffect& active)
+        : table_(table), builder_(builder), active_(active), errors_(table.errors()) {}
 
     void bind() {
-        const std::optional<std::string> name = section_.text("field");
-        const bool by_watts = active_.effect->field != FieldOf::pressure && section_.choice("use", uses) == 1U;
-        if (!section_.has("field") && section_.has("use")) {
-            section_.mistake("use", "use speaks of a field, and there is none", "add field = \"....h5\"");
+        const std::optional<std::string> name = table_.text("field");
+        const bool by_watts = active_.effect->field != FieldOf::pressure && table_.choice("use", uses) == 1U;
+        if (!table_.has("field") && table_.has("use")) {
+            table_.add_error("use", "use speaks of a field, and there is none", "add field = \"....h5\"");
         }
-        if (!name || !draft_.has_mesh) {
+        if (!name || !builder_.has_mesh) {
             return;
         }
-        const std::size_t before = mistakes_.count();
+        const std::size_t before = errors_.count();
         if (by_watts) {
-            warn_of_idle_keys(section_, active_);
+            warn_of_idle_keys(table_, active_);
         }
-        check_rivals(section_, active_);
-        const mesh::Mesh& mesh = draft_.problem.mesh;
+        check_rivals(table_, active_);
+        const mesh::Mesh& mesh = builder_.problem.mesh;
         if (active_.effect->field == FieldOf::loss && mesh.kind == "two_node") {
-            section_.mistake("field", "a field of the loss needs cells, and this mesh has two lumps",
+            table_.add_error("field", "a field of the loss needs cells, and this mesh has two lumps",
                              "take layers or section");
             return;
         }
         if (mesh.sectors > 1) {
-            section_.mistake("field", "a field goes onto a section, not onto a ring", "remove sectors from [mesh]");
+            table_.add_error("field", "a field goes onto a section, not onto a ring", "remove sectors from [mesh]");
             return;
         }
-        const Place mentioned = section_.place("field");
-        const fs::path beside = fs::path(mistakes_.file(mentioned.file)).parent_path();
+        const SourceLocation mentioned = table_.place("field");
+        const fs::path beside = fs::path(errors_.file(mentioned.file)).parent_path();
         const std::optional<FieldFile> file =
             read_field_file((beside / *name).lexically_normal(), mentioned, active_.effect->field, by_watts,
-                            !mesh.columns.empty(), mistakes_);
-        if (file && fits(*file, *name) && mistakes_.count() == before) {
+                            !mesh.columns.empty(), errors_);
+        if (file && fits(*file, *name) && errors_.count() == before) {
             take(*file, by_watts, *name);
         }
     }
@@ -194,31 +194,31 @@ private:
 
     bool fits(const FieldFile& file, const std::string& name) {
         if (file.against == FieldFile::Against::time && active_.effect->frame_intensities == 0) {
-            section_.mistake("field", fmt::format("{} cannot follow a field against time", active_.effect->id),
+            table_.add_error("field", fmt::format("{} cannot follow a field against time", active_.effect->id),
                              "give it against wheel_angle, or as one frame without time");
         }
         if (file.against == FieldFile::Against::time && file.frames.size() > physics::most_frames) {
-            section_.mistake(
+            table_.add_error(
                 "field",
                 fmt::format("{} has {} frames; {} is the most", name, file.frames.size(), physics::most_frames),
                 "leave out frames: between two of them the field is taken along a straight line");
         }
-        return are_on(draft_.problem.mesh, patches(), file, name, mistakes_);
+        return are_on(builder_.problem.mesh, patches(), file, name, errors_);
     }
 
     void take(const FieldFile& file, bool by_watts, const std::string& name) {
         auto field = std::make_shared<Field>();
-        std::vector<std::vector<double>> frames = transferred(draft_.problem.mesh, patches(), file, field->nodes);
+        std::vector<std::vector<double>> frames = transferred(builder_.problem.mesh, patches(), file, field->nodes);
         if (file.against == FieldFile::Against::wheel_angle) {
             average(file, frames);
         }
         const std::size_t empty = normalise(frames, *field);
         if (empty < frames.size() && !by_watts) {
-            const ColumnReader::Spot spot = file.file->spot(file.frames[empty].first_row);
-            mistakes_.add(frames.size() == 1 ? section_.place("field") : spot.place,
-                          fmt::format("{} is zero everywhere{}: it gives no shape", name,
-                                      frames.size() == 1 ? "" : " in this frame" + spot.aside),
-                          "leave the frame out, or take use = \"watts\"");
+            const ColumnReader::FieldLocation spot = file.file->spot(file.frames[empty].first_row);
+            errors_.add(frames.size() == 1 ? table_.place("field") : spot.place,
+                        fmt::format("{} is zero everywhere{}: it gives no shape", name,
+                                    frames.size() == 1 ? "" : " in this frame" + spot.aside),
+                        "leave the frame out, or take use = \"watts\"");
             return;
         }
         if (!by_watts) {
@@ -227,34 +227,34 @@ private:
         if (frames.size() > 1) {
             std::vector<double> times;
             std::ranges::transform(file.frames, std::back_inserter(times), &FieldFrame::at);
-            add_samples(draft_.problem.drive, times);
-            const double start = draft_.problem.settings.start;
+            add_samples(builder_.problem.drive, times);
+            const double start = builder_.problem.settings.start;
             std::ranges::transform(times, std::back_inserter(field->time), [&](double t) { return t - start; });
             active_.effect = &physics::in_frames(*active_.effect);
         }
         active_.field = std::move(field);
     }
 
-    Section& section_;
-    Draft& draft_;
+    TomlTable& table_;
+    ProblemBuilder& builder_;
     ActiveEffect& active_;
-    Mistakes& mistakes_;
+    InputErrors& errors_;
 };
 
 }  // namespace
 
-void read_fields(Section& root, Draft& draft) {
-    const Node* effects = root.table().find("effects");
-    for (ActiveEffect& active : draft.problem.effects) {
-        const Node* table = effects != nullptr ? effects->find(active.effect->id) : nullptr;
-        if (active.effect->field == FieldOf::nothing || table == nullptr || table->kind != Node::Kind::table) {
+void read_fields(TomlTable& root, ProblemBuilder& builder) {
+    const TomlValue* effects = root.content().find("effects");
+    for (ActiveEffect& active : builder.problem.effects) {
+        const TomlValue* node = effects != nullptr ? effects->find(active.effect->id) : nullptr;
+        if (active.effect->field == FieldOf::nothing || node == nullptr || node->kind != TomlValue::Kind::table) {
             continue;
         }
-        Section section(*table, fmt::format("[effects.{}]", active.effect->id), root.mistakes());
-        section.forgive();  // its other keys have been read
-        FieldBinder(section, draft, active).bind();
+        TomlTable table(*node, fmt::format("[effects.{}]", active.effect->id), root.errors());
+        table.allow_unknown_keys();  // its other keys have been read
+        FieldBinder(table, builder, active).bind();
         if (active.effect->field == FieldOf::loss) {
-            read_measured_loss(section, draft, active);
+            read_measured_loss(table, builder, active);
         }
     }
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "input/model/draft.hpp"
+#include "input/model/problem_builder.hpp"
 
 /// The total of the strain-energy loss as a machine measured it:
 ///     [effects.strain_energy_loss]
@@ -10,6 +10,6 @@
 namespace tiretherm::input {
 
 /// Reads one of them into the effect, where it is given.
-void read_measured_loss(Section& section, Draft& draft, physics::ActiveEffect& active);
+void read_measured_loss(TomlTable& table, ProblemBuilder& builder, physics::ActiveEffect& active);
 
 }  // namespace tiretherm::input

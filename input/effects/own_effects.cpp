@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "input/model/draft.hpp"
 #include "input/effects/own_formula.hpp"
-#include "input/text/wanted.hpp"
-#include "input/text/words.hpp"
+#include "input/model/problem_builder.hpp"
+#include "input/text/quantity_specs.hpp"
+#include "input/text/suggestions.hpp"
 #include "physics/own_place.hpp"
 
 namespace tiretherm::input {
@@ -16,16 +16,16 @@ namespace {
 
 constexpr std::string_view air = "air_temperature";
 
-const std::vector<Node>& items_of(const Node& document, std::string_view list) {
-    static const std::vector<Node> none;
-    const Node* found = document.find(list);
+const std::vector<TomlValue>& items_of(const TomlValue& document, std::string_view list) {
+    static const std::vector<TomlValue> none;
+    const TomlValue* found = document.find(list);
     return found != nullptr ? found->items : none;
 }
 
 bool is_number(std::string_view text) { return leading_number(text).has_value(); }
 
 /// Where a piece of a text in quotes stands, if the text is in one line without escapes; else the whole.
-Place piece(const Place& text, const std::string& written, const Formula::Wrong& wrong) {
+SourceLocation piece(const SourceLocation& text, const std::string& written, const Formula::Wrong& wrong) {
     if (wrong.length == 0 || text.length != static_cast<int>(written.size()) + 2) {
         return text;
     }
@@ -36,16 +36,16 @@ Place piece(const Place& text, const std::string& written, const Formula::Wrong&
 }
 
 /// What a formula may speak of in this run.
-std::vector<std::string> known_signals(const Draft& draft) {
+std::vector<std::string> known_signals(const ProblemBuilder& builder) {
     std::vector<std::string> known;
     for (const physics::Signal& signal : physics::signals()) {
-        if (draft.given.contains(signal.name)) {
+        if (builder.given.contains(signal.name)) {
             known.emplace_back(signal.name);
         }
     }
     known.emplace_back("time");
-    if (draft.run) {
-        std::ranges::copy(draft.run->headings, std::back_inserter(known));
+    if (builder.run) {
+        std::ranges::copy(builder.run->headings, std::back_inserter(known));
     }
     std::ranges::sort(known);
     known.erase(std::unique(known.begin(), known.end()), known.end());
@@ -53,8 +53,9 @@ std::vector<std::string> known_signals(const Draft& draft) {
     return known;
 }
 
-const OwnColumn* find_column(const Draft& draft, std::string_view name) {
-    for (const std::vector<OwnColumn>* columns : {draft.run ? &draft.run->columns : &draft.columns, &draft.columns}) {
+const OwnColumn* find_column(const ProblemBuilder& builder, std::string_view name) {
+    for (const std::vector<OwnColumn>* columns :
+         {builder.run ? &builder.run->columns : &builder.columns, &builder.columns}) {
         if (const auto found = std::ranges::find(*columns, name, &OwnColumn::name); found != columns->end()) {
             return &*found;
         }
@@ -62,68 +63,70 @@ const OwnColumn* find_column(const Draft& draft, std::string_view name) {
     return nullptr;
 }
 
-/// Whether a signal can be followed. What is missing is a mistake; what could not be read has been complained about.
-bool can_follow(const Section& section, std::string_view key, const std::string& signal, const Draft& draft) {
+/// Whether a signal can be followed. What is missing is an error; what could not be read has been reported.
+bool can_follow(const TomlTable& table, std::string_view key, const std::string& signal,
+                const ProblemBuilder& builder) {
     if (signal == "time") {
         return true;
     }
-    if (const OwnColumn* column = find_column(draft, signal)) {
+    if (const OwnColumn* column = find_column(builder, signal)) {
         return !column->course.time.empty();
     }
-    if (const physics::Signal* input = physics::find_signal(signal); input != nullptr && draft.given.contains(signal)) {
-        return draft.problem.drive.gives(*input);
+    if (const physics::Signal* input = physics::find_signal(signal);
+        input != nullptr && builder.given.contains(signal)) {
+        return builder.problem.drive.gives(*input);
     }
-    if (draft.run && draft.run->unreadable) {
+    if (builder.run && builder.run->unreadable) {
         return false;
     }
-    const std::string remedy = suggest(signal, known_signals(draft), "signals");
-    if (draft.run) {
-        section.mistakes().add(
-            draft.run->place,
-            fmt::format("run {}: neither its file nor [drive] gives {}, which {} at {} follows", draft.run->name,
-                        signal, section.title(), section.mistakes().spell(section.place(key))),
+    const std::string remedy = suggest(signal, known_signals(builder), "signals");
+    if (builder.run) {
+        table.errors().add(
+            builder.run->place,
+            fmt::format("run {}: neither its file nor [drive] gives {}, which {} at {} follows", builder.run->name,
+                        signal, table.title(), table.errors().spell(table.place(key))),
             remedy);
     } else {
-        section.mistake(key, fmt::format("[drive] gives no signal \"{}\"", signal), remedy);
+        table.add_error(key, fmt::format("[drive] gives no signal \"{}\"", signal), remedy);
     }
     return false;
 }
 
 /// The course of a formula under a key.
-std::optional<solver::Course> read_course(Section& section, std::string_view key, const std::string& text,
-                                          const Draft& draft) {
+std::optional<solver::Course> read_course(TomlTable& table, std::string_view key, const std::string& text,
+                                          const ProblemBuilder& builder) {
     Formula::Wrong wrong;
     const std::optional<Formula> formula =
-        find_column(draft, text) != nullptr ? Formula::of_signal(text) : Formula::read(text, key, wrong);
+        find_column(builder, text) != nullptr ? Formula::of_signal(text) : Formula::read(text, key, wrong);
     if (!formula) {
-        section.mistakes().add(piece(section.place(key), text, wrong), wrong.fault);
+        table.errors().add(piece(table.place(key), text, wrong), wrong.error);
         return std::nullopt;
     }
     bool known = true;
     for (const std::string& signal : formula->signals()) {
-        known = can_follow(section, key, signal, draft) && known;
+        known = can_follow(table, key, signal, builder) && known;
     }
     if (!known) {
         return std::nullopt;
     }
-    std::vector<OwnColumn> columns = draft.columns;
-    if (draft.run) {
-        columns.insert(columns.begin(), draft.run->columns.begin(), draft.run->columns.end());
+    std::vector<OwnColumn> columns = builder.columns;
+    if (builder.run) {
+        columns.insert(columns.begin(), builder.run->columns.begin(), builder.run->columns.end());
     }
-    return course_of(*formula, draft.problem.drive, columns, draft.problem.settings);
+    return course_of(*formula, builder.problem.drive, columns, builder.problem.settings);
 }
 
-/// The temperature of the surroundings: an input, a column or a constant. @returns false after a mistake
-bool read_surroundings(Section& section, const Draft& draft, solver::OwnEffect& own) {
-    own.temperature = section.text("temperature").value_or(std::string(air));
+/// The temperature of the surroundings: an input, a column or a constant. @returns false after an error
+bool read_surroundings(TomlTable& table, const ProblemBuilder& builder, solver::OwnEffect& own) {
+    own.temperature = table.text("temperature").value_or(std::string(air));
     if (is_number(own.temperature)) {
-        const auto constant = section.quantity("temperature", wanted::temperature);
-        own.surroundings = {{draft.problem.settings.start}, {constant.value_or(0.0)}};
+        const auto constant = table.quantity("temperature", quantity_specs::temperature);
+        own.surroundings = {{builder.problem.settings.start}, {constant.value_or(0.0)}};
         return constant.has_value();
     }
-    const auto course = read_course(section, "temperature", own.temperature, draft);
+    const auto course = read_course(table, "temperature", own.temperature, builder);
     const physics::Signal* input = physics::find_signal(own.temperature);
-    const OwnColumn* column = find_column(draft, own.temperature);
+    const OwnColumn* column = find_column(builder, own.temperature);
     // Spelled out: a choice between a text and a literal would be a text of its own, gone before it is looked at.
     std::string_view unit;
     if (input != nullptr) {
@@ -132,7 +135,7 @@ bool read_surroundings(Section& section, const Draft& draft, solver::OwnEffect& 
         unit = column->unit;
     }
     if (course && unit != "K") {
-        section.mistake("temperature", fmt::format("{} is not a temperature", own.temperature),
+        table.add_error("temperature", fmt::format("{} is not a temperature", own.temperature),
                         "name an input or a column in degC or K, or write a value such as \"25 degC\"");
         return false;
     }
@@ -142,59 +145,58 @@ bool read_surroundings(Section& section, const Draft& draft, solver::OwnEffect& 
     return course.has_value();
 }
 
-void read_places(Section& section, const Draft& draft, solver::OwnEffect& own) {
-    const std::vector<Word> words = section.texts("at", Need::required);
-    if (section.has("at") && words.empty()) {
-        section.mistake("at", "at names no place", "write at = \"surface\"");
+void read_places(TomlTable& table, const ProblemBuilder& builder, solver::OwnEffect& own) {
+    const std::vector<LocatedString> words = table.texts("at", Need::required);
+    if (table.has("at") && words.empty()) {
+        table.add_error("at", "at names no place", "write at = \"surface\"");
     }
-    for (const Word& word : words) {
+    for (const LocatedString& word : words) {
         own.places.push_back(word.text);
-        if (draft.has_mesh && physics::nodes_of_place(draft.problem.mesh, word.text).empty()) {
-            section.mistakes().add(word.place, fmt::format("the mesh has no place \"{}\"", word.text),
-                                   suggest(word.text, physics::names_of_places(draft.problem.mesh), "places"));
+        if (builder.has_mesh && physics::nodes_of_place(builder.problem.mesh, word.text).empty()) {
+            table.errors().add(word.place, fmt::format("the mesh has no place \"{}\"", word.text),
+                               suggest(word.text, physics::names_of_places(builder.problem.mesh), "places"));
         }
     }
 }
 
 /// A name that nothing else has.
-std::string read_name(Section& section, const std::vector<solver::OwnEffect>& before) {
-    const std::string name = section.name("name", Need::required).value_or("");
+std::string read_name(TomlTable& table, const std::vector<solver::OwnEffect>& before) {
+    const std::string name = table.name("name", Need::required).value_or("");
     if (physics::find_effect(name) != nullptr) {
-        section.mistake("name", fmt::format("{} is an effect of the catalogue", name), "choose another name");
+        table.add_error("name", fmt::format("{} is an effect of the catalogue", name), "choose another name");
     }
     if (std::ranges::count(before, name, &solver::OwnEffect::name) > 0 && !name.empty()) {
-        section.mistake("name", fmt::format("a second effect is called \"{}\"", name), "choose another name");
+        table.add_error("name", fmt::format("a second effect is called \"{}\"", name), "choose another name");
     }
     return name;
 }
 
-void read_list(Section& root, Draft& draft, const OwnKind& kind, std::vector<solver::OwnEffect>& sound,
+void read_list(TomlTable& root, ProblemBuilder& builder, const OwnKind& kind, std::vector<solver::OwnEffect>& sound,
                std::vector<solver::OwnEffect>& all) {
-    root.each(kind.list, [&](Section& section) {
-        const std::size_t before = section.mistakes().count();
+    root.each(kind.list, [&](TomlTable& table) {
+        const std::size_t before = table.errors().count();
         solver::OwnEffect own;
         own.exchange = kind.list == own_exchange.list;
-        own.name = read_name(section, all);
-        read_places(section, draft, own);
+        own.name = read_name(table, all);
+        read_places(table, builder, own);
         const physics::Parameter& number = physics::find_effect(kind.effect)->parameters.front();
-        own.amount = section.quantity(kind.number, wanted::of(number), Need::required).value_or(0.0);
-        own.follows = section.text("follows", own.exchange ? Need::optional : Need::required).value_or("1");
+        own.amount = table.quantity(kind.number, quantity_specs::of(number), Need::required).value_or(0.0);
+        own.follows = table.text("follows", own.exchange ? Need::optional : Need::required).value_or("1");
         all.push_back(own);
-        const bool readable = section.has("follows") || own.exchange;
-        const auto course = readable ? read_course(section, "follows", own.follows, draft) : std::nullopt;
-        const bool surrounded = !own.exchange || read_surroundings(section, draft, own);
-        if (!course || !surrounded || !draft.has_mesh || section.mistakes().count() != before) {
+        const bool readable = table.has("follows") || own.exchange;
+        const auto course = readable ? read_course(table, "follows", own.follows, builder) : std::nullopt;
+        const bool surrounded = !own.exchange || read_surroundings(table, builder, own);
+        if (!course || !surrounded || !builder.has_mesh || table.errors().count() != before) {
             return;
         }
         own.course = *course;
-        for (const std::string& sentence : solver::objections(draft.problem, own)) {
-            section.mistakes().add(
-                section.place(), fmt::format("{}: {}", own.name, sentence),
-                sentence.starts_with("the signal is -")
-                    ? fmt::format("follow what is never negative, such as \"max(0, {})\"", own.follows)
-                    : "");
+        for (const std::string& sentence : solver::objections(builder.problem, own)) {
+            table.errors().add(table.place(), fmt::format("{}: {}", own.name, sentence),
+                               sentence.starts_with("the signal is -")
+                                   ? fmt::format("follow what is never negative, such as \"max(0, {})\"", own.follows)
+                                   : "");
         }
-        if (section.mistakes().count() == before) {
+        if (table.errors().count() == before) {
             sound.push_back(std::move(own));
         }
     });
@@ -202,7 +204,7 @@ void read_list(Section& root, Draft& draft, const OwnKind& kind, std::vector<sol
 
 }  // namespace
 
-std::vector<std::string> followed_names(const Node& document) {
+std::vector<std::string> followed_names(const TomlValue& document) {
     std::vector<std::string> names;
     const auto add_name = [&](const std::string& name) {
         if (std::ranges::find(names, name) == names.end()) {
@@ -217,10 +219,10 @@ std::vector<std::string> followed_names(const Node& document) {
         }
     };
     for (const OwnKind& kind : {own_source, own_exchange}) {
-        for (const Node& item : items_of(document, kind.list)) {
+        for (const TomlValue& item : items_of(document, kind.list)) {
             for (const std::string_view key : {"follows", "temperature"}) {
-                const Node* text = item.find(key);
-                if (text != nullptr && text->kind == Node::Kind::text) {
+                const TomlValue* text = item.find(key);
+                if (text != nullptr && text->kind == TomlValue::Kind::text) {
                     add(text->text);
                 }
             }
@@ -232,10 +234,10 @@ std::vector<std::string> followed_names(const Node& document) {
     return names;
 }
 
-std::vector<std::string> own_names(const Node& document, std::string_view list) {
+std::vector<std::string> own_names(const TomlValue& document, std::string_view list) {
     std::vector<std::string> names;
-    for (const Node& item : items_of(document, list)) {
-        if (const Node* name = item.find("name"); name != nullptr) {
+    for (const TomlValue& item : items_of(document, list)) {
+        if (const TomlValue* name = item.find("name"); name != nullptr) {
             names.push_back(name->text);
         }
     }
@@ -243,14 +245,14 @@ std::vector<std::string> own_names(const Node& document, std::string_view list) 
 }
 
 /// All courses are read before the first effect is on: its samples are no business of the others.
-void read_own_effects(Section& root, Draft& draft) {
+void read_own_effects(TomlTable& root, ProblemBuilder& builder) {
     std::vector<solver::OwnEffect> sound;
     std::vector<solver::OwnEffect> all;
     for (const OwnKind& kind : {own_source, own_exchange}) {
-        read_list(root, draft, kind, sound, all);
+        read_list(root, builder, kind, sound, all);
     }
     for (const solver::OwnEffect& own : sound) {
-        solver::add_own_effect(draft.problem, own);
+        solver::add_own_effect(builder.problem, own);
     }
 }
 

@@ -30,9 +30,9 @@ inline constexpr OwnKind own_source{"source", "own_source", "watts"};
 inline constexpr OwnKind own_exchange{"exchange", "own_exchange", "conductance"};
 
 /// All signals that the lists may speak of, each once, and the texts themselves, which may be names of columns.
-[[nodiscard]] std::vector<std::string> followed_names(const Node& document);
+[[nodiscard]] std::vector<std::string> followed_names(const TomlValue& document);
 
 /// Names of the user's own effects, whether or not they could be read. @param list "source" or "exchange"
-[[nodiscard]] std::vector<std::string> own_names(const Node& document, std::string_view list);
+[[nodiscard]] std::vector<std::string> own_names(const TomlValue& document, std::string_view list);
 
 }  // namespace tiretherm::input

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <muParser.h>
 
-#include "input/text/words.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
@@ -50,12 +50,12 @@ std::string sentence(std::string message) {
 
 std::optional<Formula> Formula::read(const std::string& text, std::string_view name, Wrong& wrong) {
     if (trim(text).empty()) {
-        wrong = {.fault = {fmt::format("{} is empty", name), std::string(example)}};
+        wrong = {.error = {fmt::format("{} is empty", name), std::string(example)}};
         return std::nullopt;
     }
     if (const std::size_t assignment = find_assignment(text); assignment != std::string::npos) {
         wrong = {
-            .fault = {fmt::format("{} assigns a value", name), "compare with =="}, .from = assignment, .length = 1};
+            .error = {fmt::format("{} assigns a value", name), "compare with =="}, .from = assignment, .length = 1};
         return std::nullopt;
     }
     Formula formula;
@@ -73,12 +73,12 @@ std::optional<Formula> Formula::read(const std::string& text, std::string_view n
         int results = 0;
         parser.Eval(results);
         if (results != 1) {
-            wrong = {.fault = {fmt::format("{} has {} values, separated by commas", name, results),
+            wrong = {.error = {fmt::format("{} has {} values, separated by commas", name, results),
                                "write one formula; a decimal point is a point"}};
             return std::nullopt;
         }
     } catch (const mu::ParserError& error) {
-        wrong = {.fault = {fmt::format("{} is no formula: {}", name, sentence(error.GetMsg())), std::string(example)},
+        wrong = {.error = {fmt::format("{} is no formula: {}", name, sentence(error.GetMsg())), std::string(example)},
                  .from = std::min(static_cast<std::size_t>(std::max(error.GetPos(), 0)), text.size()),
                  .length = error.GetToken().size()};
         return std::nullopt;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "input/text/mistake.hpp"
+#include "input/text/input_error.hpp"
 
 namespace tiretherm::input {
 
@@ -18,7 +18,7 @@ class Formula {
 public:
     /// What is wrong with a formula, and where in its text.
     struct Wrong {
-        Fault fault;
+        ErrorText error;
         std::size_t from = 0;    ///< characters from its beginning
         std::size_t length = 0;  ///< 0: the text as a whole
     };

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "input/text/suggestions.hpp"
 #include "input/text/units.hpp"
-#include "input/text/words.hpp"
 
 namespace tiretherm::input {
 
@@ -190,7 +190,7 @@ Course course_of(std::string_view follows, const MeasuredRun& run) {
         physics::find_signal(text) == nullptr && std::ranges::count(columns, text, &OwnColumn::name) > 0;
     const std::optional<Formula> formula = is_column ? Formula::of_signal(text) : Formula::read(text, "follows", wrong);
     if (!formula) {
-        throw std::invalid_argument(wrong.fault.what);
+        throw std::invalid_argument(wrong.error.what);
     }
     for (const std::string& name : formula->signals()) {
         const physics::Signal* signal = physics::find_signal(name);

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "input/tables/data_file.hpp"
-#include "input/text/wanted.hpp"
-#include "input/text/words.hpp"
+#include "input/text/quantity_specs.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
@@ -16,7 +16,7 @@ namespace {
 /// A column of the table; without input it is the bulk's temperature, or what was measured.
 struct Known {
     std::string_view name;
-    Wanted wanted;
+    QuantitySpec spec;
     bool measured = false;
 };
 
@@ -24,9 +24,9 @@ const std::vector<Known>& known_columns() {
     static const std::vector<Known> known = [] {
         std::vector<Known> made;
         for (const std::string_view name : {"speed", "vertical_load", "inflation_pressure", "air_temperature"}) {
-            made.push_back({name, wanted::of(*physics::find_signal(name))});
+            made.push_back({name, quantity_specs::of(*physics::find_signal(name))});
         }
-        made.push_back({"bulk_temperature", wanted::temperature});
+        made.push_back({"bulk_temperature", quantity_specs::temperature});
         made.push_back({"force", {.unit = "N", .low = 0.0, .high = 1e5, .above = true}, true});
         made.push_back({"power", {.unit = "W", .low = 0.0, .high = 1e6, .above = true}, true});
         return made;
@@ -36,57 +36,57 @@ const std::vector<Known>& known_columns() {
 
 class TableReader {
 public:
-    TableReader(const DataFile& file, Mistakes& mistakes) : file_(file), mistakes_(mistakes) {}
+    TableReader(const DataFile& file, InputErrors& errors) : file_(file), errors_(errors) {}
 
     std::optional<ResistanceFile> read() {
-        const std::size_t before = mistakes_.count();
+        const std::size_t before = errors_.count();
         check_names();
         for (const Known& known : known_columns()) {
             const auto head =
-                std::ranges::find_if(file_.heads(), [&](const Head& h) { return h.heading.name == known.name; });
+                std::ranges::find_if(file_.heads(), [&](const ColumnHead& h) { return h.heading.name == known.name; });
             if (head != file_.heads().end()) {
                 requests_.push_back({.column = static_cast<int>(head - file_.heads().begin()),
                                      .name = std::string(known.name),
-                                     .wanted = known.wanted,
+                                     .spec = known.spec,
                                      .purpose = Purpose::point});
             }
         }
         check_columns();
-        values_ = file_.read(requests_, mistakes_);
-        if (mistakes_.count() != before || values_.empty()) {
+        values_ = file_.read(requests_, errors_);
+        if (errors_.count() != before || values_.empty()) {
             return std::nullopt;
         }
         return grid();
     }
 
 private:
-    [[nodiscard]] Place top() const { return {.file = file_.number()}; }
+    [[nodiscard]] SourceLocation top() const { return {.file = file_.number()}; }
     [[nodiscard]] bool has(std::string_view name) const {
         return std::ranges::find(requests_, name, &ColumnRequest::name) != requests_.end();
     }
 
     void check_names() {
         const std::vector<std::string> known = names_of(known_columns());
-        for (const Head& head : file_.heads()) {
+        for (const ColumnHead& head : file_.heads()) {
             if (std::ranges::find(known, head.heading.name) == known.end()) {
-                mistakes_.add(head.place, fmt::format("a table of the loss has no column \"{}\"", head.heading.name),
-                              suggest(head.heading.name, known, "columns"));
+                errors_.add(head.place, fmt::format("a table of the loss has no column \"{}\"", head.heading.name),
+                            suggest(head.heading.name, known, "columns"));
             }
         }
     }
 
     void check_columns() {
         if (has("force") == has("power")) {
-            mistakes_.add(top(),
-                          has("force") ? "the table gives force and power" : "the table gives neither force nor power",
-                          "keep one column: force [N] or power [W]");
+            errors_.add(top(),
+                        has("force") ? "the table gives force and power" : "the table gives neither force nor power",
+                        "keep one column: force [N] or power [W]");
         }
         if (!has("speed") || !has("vertical_load")) {
-            mistakes_.add(top(), fmt::format("the table has no {}", has("speed") ? "vertical_load" : "speed"),
-                          "add the column, with one value where it was not varied");
+            errors_.add(top(), fmt::format("the table has no {}", has("speed") ? "vertical_load" : "speed"),
+                        "add the column, with one value where it was not varied");
         }
         if (has("air_temperature") && has("bulk_temperature")) {
-            mistakes_.add(top(), "the table gives two temperatures", "keep that which was varied");
+            errors_.add(top(), "the table gives two temperatures", "keep that which was varied");
         }
     }
 
@@ -106,8 +106,8 @@ private:
             found.names.push_back(requests_[a].name);
         }
         if (size > most_) {
-            mistakes_.add(top(), fmt::format("the full grid of the table would have {} points", size),
-                          "give every variable the same few values in all rows");
+            errors_.add(top(), fmt::format("the full grid of the table would have {} points", size),
+                        "give every variable the same few values in all rows");
             return std::nullopt;
         }
         std::vector<double>& force = found.table.force;
@@ -120,27 +120,26 @@ private:
                 index = index * at.size() + static_cast<std::size_t>(place);
             }
             if (!std::isnan(force[index])) {
-                const ColumnReader::Spot spot = file_.spot(row);
-                mistakes_.add(spot.place, fmt::format("a second row for the same point{}", spot.aside),
-                              "keep one of them, or their mean");
+                const ColumnReader::FieldLocation spot = file_.spot(row);
+                errors_.add(spot.place, fmt::format("a second row for the same point{}", spot.aside),
+                            "keep one of them, or their mean");
                 return std::nullopt;
             }
             force[index] = measured[row];
             if (has("power")) {
                 const double speed = values_.front()[row];
                 if (!(speed > 0.0)) {
-                    const ColumnReader::Spot spot = file_.spot(row);
-                    mistakes_.add(spot.place, fmt::format("a power at a standstill{}", spot.aside),
-                                  "leave the row out");
+                    const ColumnReader::FieldLocation spot = file_.spot(row);
+                    errors_.add(spot.place, fmt::format("a power at a standstill{}", spot.aside), "leave the row out");
                     return std::nullopt;
                 }
                 force[index] /= speed;
             }
         }
         if (const auto gap = std::ranges::find_if(force, [](double f) { return std::isnan(f); }); gap != force.end()) {
-            mistakes_.add(top(),
-                          "the table has no row for " + spelt(found, static_cast<std::size_t>(gap - force.begin())),
-                          "every combination of the values must be there");
+            errors_.add(top(),
+                        "the table has no row for " + spelt(found, static_cast<std::size_t>(gap - force.begin())),
+                        "every combination of the values must be there");
             return std::nullopt;
         }
         return found;
@@ -152,7 +151,7 @@ private:
         for (std::size_t a = found.names.size(); a-- > 0;) {
             const std::vector<double>& at = found.table.axes[a].at;
             const auto known = std::ranges::find(known_columns(), found.names[a], &Known::name);
-            parts.push_back(fmt::format("{} = {:.6g} {}", found.names[a], at[index % at.size()], known->wanted.unit));
+            parts.push_back(fmt::format("{} = {:.6g} {}", found.names[a], at[index % at.size()], known->spec.unit));
             index /= at.size();
         }
         std::ranges::reverse(parts);
@@ -161,17 +160,17 @@ private:
 
     static constexpr std::size_t most_ = 100000;
     const DataFile& file_;
-    Mistakes& mistakes_;
+    InputErrors& errors_;
     std::vector<ColumnRequest> requests_;
     std::vector<std::vector<double>> values_;
 };
 
 }  // namespace
 
-std::optional<ResistanceFile> read_resistance_table(const std::filesystem::path& path, const Place& mentioned,
-                                                    Mistakes& mistakes) {
-    const std::optional<DataFile> file = DataFile::open(path, mentioned, mistakes);
-    return file ? TableReader(*file, mistakes).read() : std::nullopt;
+std::optional<ResistanceFile> read_resistance_table(const std::filesystem::path& path, const SourceLocation& mentioned,
+                                                    InputErrors& errors) {
+    const std::optional<DataFile> file = DataFile::open(path, mentioned, errors);
+    return file ? TableReader(*file, errors).read() : std::nullopt;
 }
 
 }  // namespace tiretherm::input

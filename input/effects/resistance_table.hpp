@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "input/text/mistake.hpp"
+#include "input/text/input_error.hpp"
 #include "physics/tire_laws/measured_loss.hpp"
 
 namespace tiretherm::input {
@@ -16,8 +16,8 @@ struct ResistanceFile {
     std::vector<std::string> names;  ///< [axes]
 };
 
-/// @param mentioned where the case names the file  @returns nothing after a mistake
+/// @param mentioned where the case names the file  @returns nothing after an error
 [[nodiscard]] std::optional<ResistanceFile> read_resistance_table(const std::filesystem::path& path,
-                                                                  const Place& mentioned, Mistakes& mistakes);
+                                                                  const SourceLocation& mentioned, InputErrors& errors);
 
 }  // namespace tiretherm::input

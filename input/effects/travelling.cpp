@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "input/model/draft.hpp"
+#include "input/model/problem_builder.hpp"
 #include "physics/contact/travelling.hpp"
 #include "solver/wheel_angle.hpp"
 
@@ -19,7 +19,7 @@ constexpr std::size_t most_points = 3'000'000;
 struct Mention {
     std::string_view id;
     std::string_view key;  ///< of the choice; empty where the effect has none
-    Place place;
+    SourceLocation place;
 };
 
 /// How much of the rubber that passes the contact as the mesh has it is touched at the end of the run: 1 where the strip
@@ -43,43 +43,42 @@ double coverage(const solver::Problem& problem, physics::ActiveEffect contact) {
 }
 
 void warn_of_width(const solver::Problem& problem, const physics::ActiveEffect& contact, const Mention& mention,
-                   Mistakes& mistakes) {
+                   InputErrors& errors) {
     const double touched = coverage(problem, contact);
     if (std::abs(touched - 1.0) > 0.15) {
-        mistakes.warn(
-            mention.place,
-            fmt::format("the strip of tread that passes the contact is {:.3g} times as wide as the contact "
-                        "area over its length: its cells exchange with {:.3g} of the interface's conductance; "
-                        "give {} a profile of the contact's width, or layers its area",
-                        1.0 / touched, touched, mention.id));
+        errors.warn(mention.place,
+                    fmt::format("the strip of tread that passes the contact is {:.3g} times as wide as the contact "
+                                "area over its length: its cells exchange with {:.3g} of the interface's conductance; "
+                                "give {} a profile of the contact's width, or layers its area",
+                                1.0 / touched, touched, mention.id));
     }
 }
 
 }  // namespace
 
-void read_travelling(Section& root, Draft& draft) {
-    Mistakes& mistakes = root.mistakes();
-    solver::Problem& problem = draft.problem;
+void read_travelling(TomlTable& root, ProblemBuilder& builder) {
+    InputErrors& errors = root.errors();
+    solver::Problem& problem = builder.problem;
     std::optional<Mention> mention;
-    const Node* effects = root.table().find("effects");
+    const TomlValue* effects = root.content().find("effects");
     for (physics::ActiveEffect& active : problem.effects) {
         if (!physics::travels(active)) {
             continue;
         }
         const std::string_view id = active.effect->id;
-        const Node* table = effects != nullptr ? effects->find(id) : nullptr;
-        const Node* key = table != nullptr ? table->find(physics::around_key) : nullptr;
+        const TomlValue* table = effects != nullptr ? effects->find(id) : nullptr;
+        const TomlValue* key = table != nullptr ? table->find(physics::around_key) : nullptr;
         mention = {.id = id,
                    .key = key != nullptr ? physics::around_key : std::string_view(),
                    .place = key != nullptr     ? key->place
                             : table != nullptr ? table->place
                                                : root.place()};
-        if (draft.has_mesh && problem.mesh.kind == "two_node" && key != nullptr) {
-            mistakes.add(mention->place, "two lumps do not see a contact go round", "take layers or section");
+        if (builder.has_mesh && problem.mesh.kind == "two_node" && key != nullptr) {
+            errors.add(mention->place, "two lumps do not see a contact go round", "take layers or section");
         }
         if (active.field) {
-            mistakes.add(mention->place, fmt::format("{} has a field, which does not go round the tire", id),
-                         "remove the field, or spread the heat evenly");
+            errors.add(mention->place, fmt::format("{} has a field, which does not go round the tire", id),
+                       "remove the field, or spread the heat evenly");
         }
         if (problem.mesh.sectors > 1) {
             active.effect = &physics::in_frames(*active.effect);
@@ -89,25 +88,25 @@ void read_travelling(Section& root, Draft& draft) {
         return;
     }
     if (problem.settings.steady) {
-        mistakes.add(mention->place, fmt::format("a tire in which {} goes round has no steady state", mention->id),
-                     "let it run with end, or take resolved_contact, whose revolutions are averaged");
+        errors.add(mention->place, fmt::format("a tire in which {} goes round has no steady state", mention->id),
+                   "let it run with end, or take resolved_contact, whose revolutions are averaged");
         return;
     }
-    if (!draft.has_tire || !draft.has_mesh || problem.settings.end <= problem.settings.start) {
+    if (!builder.has_tire || !builder.has_mesh || problem.settings.end <= problem.settings.start) {
         return;
     }
     std::optional<solver::Series> angle = solver::wheel_angle(problem, most_points);
     if (!angle) {
-        mistakes.add(mention->place,
-                     fmt::format("in {:.6g} s the contact passes more than {} million places of the tire",
-                                 problem.settings.end - problem.settings.start, most_points / 1'000'000),
-                     "shorten the run or take fewer sectors; resolved_contact averages the revolutions of long ones");
+        errors.add(mention->place,
+                   fmt::format("in {:.6g} s the contact passes more than {} million places of the tire",
+                               problem.settings.end - problem.settings.start, most_points / 1'000'000),
+                   "shorten the run or take fewer sectors; resolved_contact averages the revolutions of long ones");
         return;
     }
     problem.drive.add(std::move(*angle));
     for (const physics::ActiveEffect& active : problem.effects) {
-        if (active.effect->travels && mistakes.count() == 0) {
-            warn_of_width(problem, active, *mention, mistakes);
+        if (active.effect->travels && errors.count() == 0) {
+            warn_of_width(problem, active, *mention, errors);
         }
     }
 }

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "input/measurements/data_findings.hpp"
+#include "input/measurements/data_warnings.hpp"
 
-/// Suspicions that the size of a signal raises: its unit is another one.
+/// What looks suspicious in the size of a signal: its unit is probably another one.
 namespace tiretherm::input {
 
 namespace {
@@ -22,20 +22,20 @@ constexpr double bar = 1e5;
 
 /// The largest magnitude of an input, 0 where the file does not have it.
 double largest(const Recording& recording, std::string_view name) {
-    const Watched* column = recording.find(name);
+    const RecordedColumn* column = recording.find(name);
     return column == nullptr || column->value.empty() ? 0.0 : column->largest();
 }
 
 /// How far the hottest sensor gets above its start and above air and road, K.
 double rise(const Recording& recording) {
     double surroundings = 0.0;
-    for (const Watched& column : recording.columns) {
+    for (const RecordedColumn& column : recording.columns) {
         if (column.is_input && column.is_temperature() && !column.value.empty()) {
             surroundings = std::max(surroundings, column.high());
         }
     }
     double highest = 0.0;
-    for (const Watched& column : recording.columns) {
+    for (const RecordedColumn& column : recording.columns) {
         if (!column.is_input && column.is_temperature() && !column.value.empty()) {
             highest = std::max(highest, column.high() - std::max(surroundings, column.value.front()));
         }
@@ -97,8 +97,8 @@ constexpr double agreeing = 3.0;      ///< K: a tire that starts with the air
 constexpr double disagreeing = 20.0;  ///< K
 
 /// How the numbers of a column would be read in another unit; nothing when that is the same.
-std::optional<Conversion> in_unit(const Watched& column, std::string_view unit) {
-    const auto read = unit.empty() ? std::variant<Conversion, UnitFault>(UnitFault::unknown)
+std::optional<Conversion> in_unit(const RecordedColumn& column, std::string_view unit) {
+    const auto read = unit.empty() ? std::variant<Conversion, UnitError>(UnitError::unknown)
                                    : conversion(unit, column.si, Scale::absolute);
     const auto* found = std::get_if<Conversion>(&read);
     const bool other = found != nullptr && (std::abs(found->factor / column.conversion.factor - 1.0) > 1e-6 ||
@@ -107,14 +107,14 @@ std::optional<Conversion> in_unit(const Watched& column, std::string_view unit) 
 }
 
 /// @param is what is seen: "reaches 100 m/s"
-std::string doubt(const Watched& column, double si_amount, std::string_view is, const Conversion& as,
+std::string doubt(const RecordedColumn& column, double si_amount, std::string_view is, const Conversion& as,
                   std::string_view unit) {
     const double written = column.conversion.from_si(si_amount);
     return fmt::format("{}, and {} {} would be {}: is the column in {}?", is, three_digits(written), unit,
                        column.show(as.to_si(written)), unit);
 }
 
-std::string doubt_size(const Recording& recording, const Watched& column, const Size& size) {
+std::string doubt_size(const Recording& recording, const RecordedColumn& column, const Size& size) {
     const double now = column.largest();
     const bool small = now < size.low && now > 0.0 && size.matters(recording);
     if (!small && now <= size.high) {
@@ -135,7 +135,7 @@ std::string doubt_size(const Recording& recording, const Watched& column, const 
     return {};
 }
 
-std::string doubt_span(const Watched& column, const Span& span) {
+std::string doubt_span(const RecordedColumn& column, const Span& span) {
     const double low = column.low();
     const double high = column.high();
     if (low >= span.low && high <= span.high) {
@@ -155,8 +155,8 @@ std::string doubt_span(const Watched& column, const Span& span) {
 }
 
 /// A sensor that starts far from the air, but with it if its numbers were in another unit.
-std::string doubt_start(const Recording& recording, const Watched& column) {
-    const Watched* air = recording.find("air_temperature");
+std::string doubt_start(const Recording& recording, const RecordedColumn& column) {
+    const RecordedColumn* air = recording.find("air_temperature");
     if (column.is_input || air == nullptr || air->value.empty()) {
         return {};
     }
@@ -177,7 +177,7 @@ std::string doubt_start(const Recording& recording, const Watched& column) {
 
 }  // namespace
 
-std::string find_unit_slip(const Recording& recording, const Watched& column) {
+std::string find_unit_slip(const Recording& recording, const RecordedColumn& column) {
     for (const Size& size : sizes) {
         if (column.is_input && column.name == size.name) {
             return doubt_size(recording, column, size);

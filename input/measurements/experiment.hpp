@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "input/text/mistake.hpp"
+#include "input/text/input_error.hpp"
 #include "physics/camera.hpp"
 #include "solver/sensitivity/adjustable.hpp"
 
@@ -43,7 +43,7 @@ struct MeasuredFrames {
     std::size_t first_channel = 0;  ///< of the surface's nodes, index into Problem::channels
     std::size_t n_channels = 0;
     physics::Detectors detectors;
-    int bin = 1;  ///< so many by so many of them make a pixel
+    int bin = 1;   ///< so many by so many of them make a pixel
     int rows = 0;  ///< of the binned image, all pixels
     int columns = 0;
     std::vector<physics::BinnedPixel> pixels{};  ///< [n_pixels] that are of use
@@ -76,16 +76,16 @@ struct Experiment {
     std::vector<std::string> candidates{};       ///< effects (or "effect.key") that a diagnosis may name; empty: all
 };
 
-/// An experiment that has been read. There is one exactly when there is no mistake.
+/// An experiment that has been read. There is one exactly when there is no error.
 struct ExperimentReading {
     std::optional<Experiment> experiment;
-    std::vector<Mistake> mistakes;
+    std::vector<InputError> errors;
     std::vector<std::string> warnings;
-    std::vector<std::string> findings;  ///< what is suspicious about the data, a sentence each
+    std::vector<std::string> data_warnings;  ///< what is suspicious about the data, a sentence each
 };
 
-/// What an experiment is read for.
-enum class Occasion : std::uint8_t {
+/// Whether measured values are required.
+enum class ReadMode : std::uint8_t {
     measured,  ///< something must have been measured
     planned    ///< runs without measured values say what is going to be done
 };
@@ -95,6 +95,6 @@ enum class Occasion : std::uint8_t {
 /// @param finer every row of cells has this many times as many, to see what the grid's error is
 [[nodiscard]] ExperimentReading read_experiment(const std::filesystem::path& file,
                                                 const std::vector<std::filesystem::path>& data = {},
-                                                Occasion occasion = Occasion::measured, int finer = 1);
+                                                ReadMode mode = ReadMode::measured, int finer = 1);
 
 }  // namespace tiretherm::input

@@ -5,16 +5,16 @@
 
 #include <fmt/format.h>
 
-#include "input/text/words.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
 namespace {
 
-void apply_unit(Head& head, const Word& unit, Mistakes& mistakes) {
+void apply_unit(ColumnHead& head, const LocatedString& unit, InputErrors& errors) {
     if (head.heading.unit && *head.heading.unit != unit.text) {
-        mistakes.warn(unit.place, fmt::format("the column {} is in [{}] by its heading; {} is taken instead",
-                                              head.heading.name, *head.heading.unit, unit.text));
+        errors.warn(unit.place, fmt::format("the column {} is in [{}] by its heading; {} is taken instead",
+                                            head.heading.name, *head.heading.unit, unit.text));
     }
     head.heading.unit = unit.text;
     head.unit_place = unit.place;
@@ -39,17 +39,17 @@ std::vector<std::string> known_names(const std::vector<std::string>& sensors,
 
 }  // namespace
 
-RunColumns tell_apart(DataFile& file, ColumnKeys& keys, const std::vector<std::string>& sensors,
-                      const std::vector<std::string>& followed, Mistakes& mistakes) {
+RunColumns classify_columns(DataFile& file, ColumnKeys& keys, const std::vector<std::string>& sensors,
+                            const std::vector<std::string>& followed, InputErrors& errors) {
     RunColumns found;
     std::map<std::string, std::string> taken;  // heading of each name
     for (std::size_t i = 0; i < file.heads().size(); ++i) {
-        Head& head = file.heads()[i];
+        ColumnHead& head = file.heads()[i];
         const std::string& heading = head.heading.name;
         const bool ignored = keys.ignores(heading);
-        const Word name = keys.name_of(heading, head.place);
-        if (const Word* unit = keys.unit_of(heading)) {
-            apply_unit(head, *unit, mistakes);
+        const LocatedString name = keys.name_of(heading, head.place);
+        if (const LocatedString* unit = keys.unit_of(heading)) {
+            apply_unit(head, *unit, errors);
         }
         if (ignored || heading.empty()) {
             continue;
@@ -64,8 +64,8 @@ RunColumns tell_apart(DataFile& file, ColumnKeys& keys, const std::vector<std::s
                 found.unused.push_back(column);
             } else {
                 found.misnamed = true;
-                mistakes.add(name.place, fmt::format("\"{}\" is neither an input nor a sensor", name.text),
-                             suggest(name.text, known_names(sensors, followed), "names"));
+                errors.add(name.place, fmt::format("\"{}\" is neither an input nor a sensor", name.text),
+                           suggest(name.text, known_names(sensors, followed), "names"));
             }
             if (!is_followed) {
                 continue;
@@ -75,8 +75,8 @@ RunColumns tell_apart(DataFile& file, ColumnKeys& keys, const std::vector<std::s
         if (!is_new) {
             const std::string twins = first->second == heading ? fmt::format("two columns {}", heading)
                                                                : fmt::format("{} and {}", first->second, heading);
-            mistakes.add(head.place, fmt::format("{} are both {}", twins, name.text),
-                         fmt::format("leave one of them out: ignore = [\"{}\"]", heading));
+            errors.add(head.place, fmt::format("{} are both {}", twins, name.text),
+                       fmt::format("leave one of them out: ignore = [\"{}\"]", heading));
             continue;
         }
         if (is_followed) {

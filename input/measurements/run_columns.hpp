@@ -3,14 +3,14 @@
 #include <string>
 #include <vector>
 
-#include "input/tables/data_file.hpp"
 #include "input/measurements/run_table.hpp"
+#include "input/tables/data_file.hpp"
 #include "physics/signals.hpp"
 
 namespace tiretherm::input {
 
 /// A column of a measured run's file that the model uses, as an input, as what a sensor read, or as both: the lateral
-/// force drives the friction and may be held against the Magic Formula's.
+/// force drives the friction and may be compared with the Magic Formula's.
 struct UsedColumn {
     int column = 0;
     std::string name;
@@ -33,10 +33,10 @@ struct RunColumns {
     bool misnamed = false;  ///< a column is mapped to a name that nothing has: it may be anything
 };
 
-/// Tells the columns apart by their names, after `columns`, `units` and `ignore` of the case have been applied to the
+/// Classifies the columns by their names, after `columns`, `units` and `ignore` of the case have been applied to the
 /// headings.
 /// @param sensors names of the case's sensors  @param followed names that effects of the user's own speak of
-[[nodiscard]] RunColumns tell_apart(DataFile& file, ColumnKeys& keys, const std::vector<std::string>& sensors,
-                                    const std::vector<std::string>& followed, Mistakes& mistakes);
+[[nodiscard]] RunColumns classify_columns(DataFile& file, ColumnKeys& keys, const std::vector<std::string>& sensors,
+                                          const std::vector<std::string>& followed, InputErrors& errors);
 
 }  // namespace tiretherm::input

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "input/text/wanted.hpp"
+#include "input/text/quantity_specs.hpp"
 
 namespace tiretherm::input {
 
@@ -45,15 +45,15 @@ Missing find_missing(const std::vector<double>& time, const std::vector<double>&
 /// Complains about gaps in a signal, or warns of them. @returns whether it is known well enough
 /// @param elsewhere what to do about a signal that cannot be had from the column
 bool judge_gaps(const std::string& name, const std::vector<double>& time, const std::vector<double>& value,
-                const Place& place, const std::string& elsewhere, Mistakes& mistakes) {
+                const SourceLocation& place, const std::string& elsewhere, InputErrors& errors) {
     const Missing missing = find_missing(time, value);
     const double length = time.back() - time.front();
     if (missing.samples == time.size()) {
-        mistakes.add(place, fmt::format("{} has no value in the run", name), elsewhere);
+        errors.add(place, fmt::format("{} has no value in the run", name), elsewhere);
         return false;
     }
     if (missing.longest > longest_gap && missing.longest > longest_share * length) {
-        mistakes.add(
+        errors.add(
             place,
             fmt::format("{} is missing for {:.6g} s from {:.6g} s on, {:.0f} % of the run", name, missing.longest,
                         missing.from, 100.0 * missing.longest / length),
@@ -62,14 +62,14 @@ bool judge_gaps(const std::string& name, const std::vector<double>& time, const 
         return false;
     }
     if (static_cast<double>(missing.samples) > most_missing * static_cast<double>(time.size())) {
-        mistakes.add(place, fmt::format("{} is missing in {} of {} samples", name, missing.samples, time.size()),
-                     fmt::format("leave out the part where it is missing, with from and to; or {}", elsewhere));
+        errors.add(place, fmt::format("{} is missing in {} of {} samples", name, missing.samples, time.size()),
+                   fmt::format("leave out the part where it is missing, with from and to; or {}", elsewhere));
         return false;
     }
     if (missing.samples > 0) {
-        mistakes.warn(place, fmt::format("{} is missing in {} of {} samples, for at most {:.6g} s from {:.6g} s on: it "
-                                         "is taken as straight between its neighbours",
-                                         name, missing.samples, time.size(), missing.longest, missing.from));
+        errors.warn(place, fmt::format("{} is missing in {} of {} samples, for at most {:.6g} s from {:.6g} s on: it "
+                                       "is taken as straight between its neighbours",
+                                       name, missing.samples, time.size(), missing.longest, missing.from));
     }
     return true;
 }
@@ -86,17 +86,17 @@ solver::Course known_samples(const std::vector<double>& time, const std::vector<
     return known;
 }
 
-bool find_samples(const RunTable& run, RunFile& file, Mistakes& mistakes) {
+bool find_samples(const RunTable& run, RunFile& file, InputErrors& errors) {
     const std::vector<double>& time = file.time;
     const auto first = run.from ? std::lower_bound(time.begin(), time.end(), *run.from) : time.begin();
     const auto last = run.to ? std::upper_bound(time.begin(), time.end(), *run.to) : time.end();
-    const Place place = run.place.file >= 0 ? run.place : Place{.file = file.file.number()};
+    const SourceLocation place = run.place.file >= 0 ? run.place : SourceLocation{.file = file.file.number()};
     if (last - first < 2) {
         const std::string span = fmt::format("the file goes from {:.6g} s to {:.6g} s", time.front(), time.back());
-        mistakes.add(place,
-                     run.from || run.to ? fmt::format("fewer than two samples lie between from and to: {}", span)
-                                        : "the file has a single sample: a run goes from one time to another",
-                     run.from || run.to ? "choose from and to within the file" : "");
+        errors.add(place,
+                   run.from || run.to ? fmt::format("fewer than two samples lie between from and to: {}", span)
+                                      : "the file has a single sample: a run goes from one time to another",
+                   run.from || run.to ? "choose from and to within the file" : "");
         return false;
     }
     file.first = static_cast<std::size_t>(first - time.begin());
@@ -107,29 +107,29 @@ bool find_samples(const RunTable& run, RunFile& file, Mistakes& mistakes) {
 }  // namespace
 
 std::optional<RunFile> open_run_file(const RunTable& run, const std::vector<std::string>& sensors,
-                                     const std::vector<std::string>& followed, Mistakes& mistakes) {
-    std::optional<DataFile> file = DataFile::open(*run.file, run.place, mistakes);
+                                     const std::vector<std::string>& followed, InputErrors& errors) {
+    std::optional<DataFile> file = DataFile::open(*run.file, run.place, errors);
     if (!file) {
         return std::nullopt;
     }
-    RunColumns columns = tell_apart(*file, *run.keys, sensors, followed, mistakes);
+    RunColumns columns = classify_columns(*file, *run.keys, sensors, followed, errors);
     RunFile opened{.file = std::move(*file), .columns = std::move(columns)};
     if (opened.columns.time < 0) {
-        mistakes.add(opened.file.heads().front().place, "the file has no column time [s]",
-                     "rename one: columns = { t = \"time\" }");
+        errors.add(opened.file.heads().front().place, "the file has no column time [s]",
+                   "rename one: columns = { t = \"time\" }");
         return opened;
     }
-    const Head& head = opened.file.heads()[static_cast<std::size_t>(opened.columns.time)];
-    const std::string unit_remedy = opened.file.unit_remedy(head, wanted::moment);
+    const ColumnHead& head = opened.file.heads()[static_cast<std::size_t>(opened.columns.time)];
+    const std::string unit_remedy = opened.file.unit_remedy(head, quantity_specs::moment);
     std::vector<std::vector<double>> read = opened.file.read({{.column = opened.columns.time,
                                                                .name = "time",
-                                                               .wanted = wanted::moment,
+                                                               .spec = quantity_specs::moment,
                                                                .purpose = Purpose::clock,
                                                                .unit_remedy = unit_remedy}},
-                                                             mistakes);
+                                                             errors);
     if (!read.empty()) {
         opened.time = std::move(read.front());
-        if (!find_samples(run, opened, mistakes)) {
+        if (!find_samples(run, opened, errors)) {
             opened.time.clear();
         }
     }
@@ -139,31 +139,31 @@ std::optional<RunFile> open_run_file(const RunTable& run, const std::vector<std:
 namespace {
 
 /// The columns that effects of the user's own follow, in base units whatever their unit is.
-void read_followed(const RunFile& file, RunInputs& into, Mistakes& mistakes) {
+void read_followed(const RunFile& file, RunInputs& into, InputErrors& errors) {
     const std::vector<FollowedColumn>& followed = file.columns.followed;
     std::vector<ColumnRequest> requests;
     std::vector<std::string> remedies;
     remedies.reserve(followed.size());
     into.columns.reserve(followed.size());  // requests look into it
     for (const FollowedColumn& column : followed) {
-        const Head& head = file.file.heads()[static_cast<std::size_t>(column.column)];
+        const ColumnHead& head = file.file.heads()[static_cast<std::size_t>(column.column)];
         into.columns.push_back({.name = column.name, .unit = base_unit(head.heading.unit), .course = {}});
-        const Wanted wanted{.unit = into.columns.back().unit};
-        remedies.push_back(file.file.unit_remedy(head, wanted));
+        const QuantitySpec spec{.unit = into.columns.back().unit};
+        remedies.push_back(file.file.unit_remedy(head, spec));
         requests.push_back({.column = column.column,
                             .name = column.name,
-                            .wanted = wanted,
+                            .spec = spec,
                             .purpose = Purpose::measured,
                             .unit_remedy = remedies.back()});
     }
-    const std::vector<std::vector<double>> read = file.file.read(requests, mistakes);
+    const std::vector<std::vector<double>> read = file.file.read(requests, errors);
     for (std::size_t i = 0; !file.time.empty() && i < read.size(); ++i) {
         const auto first = static_cast<std::ptrdiff_t>(file.first);
         const auto last = static_cast<std::ptrdiff_t>(file.last);
         const std::vector<double> time(file.time.begin() + first, file.time.begin() + last);
         const std::vector<double> value(read[i].begin() + first, read[i].begin() + last);
-        const Place& place = file.file.heads()[static_cast<std::size_t>(followed[i].column)].place;
-        if (judge_gaps(followed[i].name, time, value, place, "let the effect follow another signal", mistakes)) {
+        const SourceLocation& place = file.file.heads()[static_cast<std::size_t>(followed[i].column)].place;
+        if (judge_gaps(followed[i].name, time, value, place, "let the effect follow another signal", errors)) {
             into.columns[i].course = known_samples(time, value);
         }
     }
@@ -171,7 +171,7 @@ void read_followed(const RunFile& file, RunInputs& into, Mistakes& mistakes) {
 
 }  // namespace
 
-RunInputs read_run_inputs(const RunTable& run, const RunFile* file, Mistakes& mistakes) {
+RunInputs read_run_inputs(const RunTable& run, const RunFile* file, InputErrors& errors) {
     RunInputs into{.table = run.table, .name = run.name, .place = run.place};
     into.has_file = run.file.has_value();
     if (file == nullptr) {
@@ -182,26 +182,26 @@ RunInputs read_run_inputs(const RunTable& run, const RunFile* file, Mistakes& mi
         into.place = {.file = file->file.number()};
     }
     into.unreadable = file->columns.misnamed;
-    for (const Head& head : file->file.heads()) {
+    for (const ColumnHead& head : file->file.heads()) {
         into.headings.push_back(head.heading.name);
     }
-    read_followed(*file, into, mistakes);
+    read_followed(*file, into, errors);
     std::vector<ColumnRequest> requests;
     std::vector<std::string> remedies;
     remedies.reserve(file->columns.used.size());
     for (const UsedColumn& column : file->columns.used) {
         if (column.input != nullptr) {
-            const Head& head = file->file.heads()[static_cast<std::size_t>(column.column)];
-            remedies.push_back(file->file.unit_remedy(head, wanted::of(*column.input)));
+            const ColumnHead& head = file->file.heads()[static_cast<std::size_t>(column.column)];
+            remedies.push_back(file->file.unit_remedy(head, quantity_specs::of(*column.input)));
             requests.push_back({.column = column.column,
                                 .name = column.name,
-                                .wanted = wanted::of(*column.input),
+                                .spec = quantity_specs::of(*column.input),
                                 .purpose = Purpose::measured,
                                 .unit_remedy = remedies.back()});
             into.inputs.push_back({.signal = column.input, .place = head.place, .time = {}, .value = {}});
         }
     }
-    const std::vector<std::vector<double>> read = file->file.read(requests, mistakes);
+    const std::vector<std::vector<double>> read = file->file.read(requests, errors);
     if (file->time.empty()) {
         return into;
     }
@@ -214,7 +214,7 @@ RunInputs read_run_inputs(const RunTable& run, const RunFile* file, Mistakes& mi
         MeasuredInput& input = into.inputs[i];
         const std::vector<double> value(read[i].begin() + first, read[i].begin() + last);
         const std::string elsewhere = fmt::format("ignore the column and give {} in [drive]", requests[i].name);
-        if (!judge_gaps(requests[i].name, time, value, input.place, elsewhere, mistakes)) {
+        if (!judge_gaps(requests[i].name, time, value, input.place, elsewhere, errors)) {
             continue;
         }
         solver::Course known = known_samples(time, value);

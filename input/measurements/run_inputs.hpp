@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "input/model/draft.hpp"
 #include "input/measurements/run_columns.hpp"
+#include "input/model/problem_builder.hpp"
 
 namespace tiretherm::input {
 
@@ -11,18 +11,18 @@ namespace tiretherm::input {
 struct RunFile {
     DataFile file;
     RunColumns columns;
-    std::vector<double> time{};  ///< s, ascending, all samples; empty after a mistake
+    std::vector<double> time{};  ///< s, ascending, all samples; empty after an error
     std::size_t first = 0;       ///< sample within `from` and `to` of the run
     std::size_t last = 0;        ///< one past the last of them
 };
 
-/// Opens the run's file and finds its samples; nothing after a mistake.
+/// Opens the run's file and finds its samples; nothing after an error.
 /// @param sensors names of the case's sensors  @param followed names that effects of the user's own speak of
 [[nodiscard]] std::optional<RunFile> open_run_file(const RunTable& run, const std::vector<std::string>& sensors,
-                                                   const std::vector<std::string>& followed, Mistakes& mistakes);
+                                                   const std::vector<std::string>& followed, InputErrors& errors);
 
 /// The inputs that the file gives. A missing sample is left out, so that the input goes straight between its neighbours;
-/// where too much is missing that would be an invention, and is a mistake.
-[[nodiscard]] RunInputs read_run_inputs(const RunTable& run, const RunFile* file, Mistakes& mistakes);
+/// where too much is missing that would be an invention, and is an error.
+[[nodiscard]] RunInputs read_run_inputs(const RunTable& run, const RunFile* file, InputErrors& errors);
 
 }  // namespace tiretherm::input

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "input/model/channel_value.hpp"
-#include "input/text/words.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
@@ -37,53 +37,53 @@ Samples samples_within(const RunFile& file, const solver::Settings& settings) {
 
 }  // namespace
 
-void read_series(const RunFile& file, const Draft& draft, Mistakes& mistakes, MeasuredRun& run) {
+void read_series(const RunFile& file, const ProblemBuilder& builder, InputErrors& errors, MeasuredRun& run) {
     std::vector<ColumnRequest> requests;
     std::vector<std::size_t> channels;
     std::vector<std::string> remedies;
     remedies.reserve(file.columns.used.size());
     for (const UsedColumn& column : file.columns.used) {
-        const int channel = column.is_sensor ? find_channel(draft.problem, column.name) : -1;
+        const int channel = column.is_sensor ? find_channel(builder.problem, column.name) : -1;
         if (channel < 0) {
             continue;
         }
         const auto index = static_cast<std::size_t>(channel);
-        const Wanted wanted = wanted_value(draft.problem.channels[index].quantity);
-        remedies.push_back(file.file.unit_remedy(file.file.heads()[static_cast<std::size_t>(column.column)], wanted));
+        const QuantitySpec spec = value_spec(builder.problem.channels[index].quantity);
+        remedies.push_back(file.file.unit_remedy(file.file.heads()[static_cast<std::size_t>(column.column)], spec));
         requests.push_back({.column = column.column,
                             .name = column.name,
-                            .wanted = wanted,
+                            .spec = spec,
                             .purpose = Purpose::measured,
                             .unit_remedy = remedies.back()});
         channels.push_back(index);
     }
-    const std::vector<std::vector<double>> read = file.file.read(requests, mistakes);
+    const std::vector<std::vector<double>> read = file.file.read(requests, errors);
     if (file.time.empty()) {
         return;
     }
-    const Samples samples = samples_within(file, draft.problem.settings);
+    const Samples samples = samples_within(file, builder.problem.settings);
     run.time = samples.of(file.time);
     for (std::size_t i = 0; i < read.size(); ++i) {
         MeasuredSeries series{.channel = channels[i], .value = samples.of(read[i])};
         if (std::all_of(series.value.begin(), series.value.end(), [](double v) { return std::isnan(v); })) {
-            const Head& head = file.file.heads()[static_cast<std::size_t>(requests[i].column)];
-            mistakes.add(head.place, fmt::format("{} has no value in the run", requests[i].name),
-                         fmt::format("leave the column out: ignore = [\"{}\"]", head.heading.name));
+            const ColumnHead& head = file.file.heads()[static_cast<std::size_t>(requests[i].column)];
+            errors.add(head.place, fmt::format("{} has no value in the run", requests[i].name),
+                       fmt::format("leave the column out: ignore = [\"{}\"]", head.heading.name));
         } else {
             run.series.push_back(std::move(series));
         }
     }
 }
 
-void read_unused(const RunFile& file, const solver::Settings& settings, Mistakes& mistakes, MeasuredRun& run) {
+void read_unused(const RunFile& file, const solver::Settings& settings, InputErrors& errors, MeasuredRun& run) {
     std::vector<ColumnRequest> requests;
     for (const int column : file.columns.unused) {
         requests.push_back({.column = column,
                             .name = file.file.heads()[static_cast<std::size_t>(column)].heading.name,
-                            .wanted = {.unit = "1"},
+                            .spec = {.unit = "1"},
                             .purpose = Purpose::unused});
     }
-    std::vector<std::vector<double>> read = file.file.read(requests, mistakes);
+    std::vector<std::vector<double>> read = file.file.read(requests, errors);
     if (file.time.empty()) {
         return;
     }
@@ -97,20 +97,20 @@ void read_unused(const RunFile& file, const solver::Settings& settings, Mistakes
     }
 }
 
-void read_numbers(const Draft& draft, const Node& document, const RunTable& table, Mistakes& mistakes,
+void read_numbers(const ProblemBuilder& builder, const TomlValue& document, const RunTable& table, InputErrors& errors,
                   MeasuredRun& run) {
-    const Node* list = document.find("measured");
+    const TomlValue* list = document.find("measured");
     const bool own = table.table != nullptr && table.table->find("measured") != nullptr;
-    const std::vector<solver::Measured>& numbers = draft.problem.measured;
+    const std::vector<solver::Measured>& numbers = builder.problem.measured;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         const solver::Measured& number = numbers[i];
-        const int channel = find_channel(draft.problem, number.channel);
+        const int channel = find_channel(builder.problem, number.channel);
         if (channel < 0) {
             continue;
         }
         const auto index = static_cast<std::size_t>(channel);
         const std::optional<double> sd =
-            number.uncertainty ? number.uncertainty : draft.problem.channels[index].standard_deviation;
+            number.uncertainty ? number.uncertainty : builder.problem.channels[index].standard_deviation;
         if (sd) {
             run.numbers.push_back({.channel = index,
                                    .time = number.time,
@@ -118,16 +118,16 @@ void read_numbers(const Draft& draft, const Node& document, const RunTable& tabl
                                    .standard_deviation = *sd,
                                    .source = number.source});
         } else if (own) {
-            const Place place = list != nullptr && i < list->items.size() ? list->items[i].place : table.place;
-            mistakes.add(place, fmt::format("the number of {} has no uncertainty", number.channel),
-                         fmt::format("add uncertainty = {}, its standard uncertainty",
-                                     spell_example(wanted_deviation(draft.problem.channels[index].quantity))));
+            const SourceLocation place = list != nullptr && i < list->items.size() ? list->items[i].place : table.place;
+            errors.add(place, fmt::format("the number of {} has no uncertainty", number.channel),
+                       fmt::format("add uncertainty = {}, its standard uncertainty",
+                                   spell_example(deviation_spec(builder.problem.channels[index].quantity))));
         }
     }
 }
 
 void require_readings(const MeasuredRun& run, const RunTable& table, const RunFile* file,
-                      const std::vector<std::string>& sensors, Mistakes& mistakes) {
+                      const std::vector<std::string>& sensors, InputErrors& errors) {
     const bool has_column = file != nullptr && std::any_of(file->columns.used.begin(), file->columns.used.end(),
                                                            [](const UsedColumn& column) { return column.is_sensor; });
     if (has_column || !run.numbers.empty() || !table.frames.empty() || (table.file && file == nullptr)) {
@@ -136,14 +136,14 @@ void require_readings(const MeasuredRun& run, const RunTable& table, const RunFi
     const std::string known =
         sensors.empty() ? "the case has no [[sensor]]; add one" : fmt::format("the sensors are {}", listed(sensors));
     if (file == nullptr) {
-        mistakes.add(table.place, fmt::format("the run {} measures nothing", table.name),
-                     fmt::format("give it a file, or measured = [{{ channel = \"{}\", value = \"...\", uncertainty = "
-                                 "\"...\" }}]",
-                                 sensors.empty() ? "..." : sensors.front()));
+        errors.add(table.place, fmt::format("the run {} measures nothing", table.name),
+                   fmt::format("give it a file, or measured = [{{ channel = \"{}\", value = \"...\", uncertainty = "
+                               "\"...\" }}]",
+                               sensors.empty() ? "..." : sensors.front()));
         return;
     }
-    const Place place = table.place.file >= 0 ? table.place : Place{.file = file->file.number()};
-    mistakes.add(
+    const SourceLocation place = table.place.file >= 0 ? table.place : SourceLocation{.file = file->file.number()};
+    errors.add(
         place, fmt::format("no column of the file is a sensor of the case: the run {} measures nothing", table.name),
         fmt::format("map one: columns = {{ {} = \"{}\" }}; {}",
                     file->columns.unused.empty()

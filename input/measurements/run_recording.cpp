@@ -8,23 +8,23 @@ namespace tiretherm::input {
 namespace {
 
 /// A column by its heading, with no values yet.
-Watched watch(const RunFile& file, const UsedColumn& column, std::string_view si) {
+RecordedColumn recorded_column(const RunFile& file, const UsedColumn& column, std::string_view si) {
     const Heading& heading = file.file.heads()[static_cast<std::size_t>(column.column)].heading;
-    Watched watched;
-    watched.name = column.name;
-    watched.heading = heading.name;
-    watched.unit = heading.unit.value_or("");
-    watched.si = si;
-    const auto read = conversion(watched.unit, si, Scale::absolute);
+    RecordedColumn recorded;
+    recorded.name = column.name;
+    recorded.heading = heading.name;
+    recorded.unit = heading.unit.value_or("");
+    recorded.si = si;
+    const auto read = conversion(recorded.unit, si, Scale::absolute);
     if (const auto* found = std::get_if<Conversion>(&read)) {
-        watched.conversion = *found;
+        recorded.conversion = *found;
     }
-    return watched;
+    return recorded;
 }
 
 }  // namespace
 
-Recording recording_of(const RunFile& file, const Draft& draft, const MeasuredRun& run) {
+Recording recording_of(const RunFile& file, const ProblemBuilder& builder, const MeasuredRun& run) {
     Recording recording;
     recording.file = run.file;
     recording.time = run.time;
@@ -33,30 +33,30 @@ Recording recording_of(const RunFile& file, const Draft& draft, const MeasuredRu
     }
     for (const UsedColumn& column : file.columns.used) {
         if (column.input != nullptr) {
-            Watched watched = watch(file, column, column.input->unit);
-            watched.is_input = true;
-            for (const MeasuredInput& input : draft.run->inputs) {
+            RecordedColumn recorded = recorded_column(file, column, column.input->unit);
+            recorded.is_input = true;
+            for (const MeasuredInput& input : builder.run->inputs) {
                 if (input.signal == column.input) {
-                    watched.time = input.time;
-                    watched.value = input.value;
+                    recorded.time = input.time;
+                    recorded.value = input.value;
                 }
             }
-            recording.columns.push_back(std::move(watched));
+            recording.columns.push_back(std::move(recorded));
             continue;
         }
         for (const MeasuredSeries& series : run.series) {
-            const solver::Channel& channel = draft.problem.channels[series.channel];
+            const solver::Channel& channel = builder.problem.channels[series.channel];
             if (channel.name != column.name) {
                 continue;
             }
-            Watched watched = watch(file, column, solver::unit_of(channel.quantity));
+            RecordedColumn recorded = recorded_column(file, column, solver::unit_of(channel.quantity));
             for (std::size_t i = 0; i < run.time.size(); ++i) {
                 if (!std::isnan(series.value[i])) {
-                    watched.time.push_back(run.time[i]);
-                    watched.value.push_back(series.value[i]);
+                    recorded.time.push_back(run.time[i]);
+                    recorded.value.push_back(series.value[i]);
                 }
             }
-            recording.columns.push_back(std::move(watched));
+            recording.columns.push_back(std::move(recorded));
         }
     }
     return recording;

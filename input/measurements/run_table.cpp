@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "input/text/wanted.hpp"
-#include "input/text/words.hpp"
+#include "input/text/quantity_specs.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
@@ -13,74 +13,75 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void read_window(Section& section, RunTable& run) {
-    run.from = section.quantity("from", wanted::moment);
-    run.to = section.quantity("to", wanted::moment);
+void read_window(TomlTable& table, RunTable& run) {
+    run.from = table.quantity("from", quantity_specs::moment);
+    run.to = table.quantity("to", quantity_specs::moment);
     if (run.from && run.to && !(*run.from < *run.to)) {
-        section.mistake("to", fmt::format("from is {:.6g} s and to is {:.6g} s", *run.from, *run.to),
+        table.add_error("to", fmt::format("from is {:.6g} s and to is {:.6g} s", *run.from, *run.to),
                         "let to be later than from");
         run.from = run.to = std::nullopt;
     }
 }
 
 /// frames = "camera.h5", or frames = { outside = "outside.h5", inside = "inside.h5" }.
-void read_frame_files(Section& section, RunTable& run) {
-    const Node* frames = section.table().find("frames");
-    section.know({"frames"});
-    const auto add = [&](const Word& camera, const std::optional<std::string>& path, const Place& place) {
+void read_frame_files(TomlTable& table, RunTable& run) {
+    const TomlValue* frames = table.content().find("frames");
+    table.declare_keys({"frames"});
+    const auto add = [&](const LocatedString& camera, const std::optional<std::string>& path,
+                         const SourceLocation& place) {
         if (path) {
-            const fs::path beside = fs::path(section.mistakes().file(place.file)).parent_path();
+            const fs::path beside = fs::path(table.errors().file(place.file)).parent_path();
             run.frames.push_back({.camera = camera, .path = (beside / *path).lexically_normal(), .place = place});
         }
     };
-    if (frames != nullptr && frames->kind == Node::Kind::table) {
-        Section table = section.section("frames");
+    if (frames != nullptr && frames->kind == TomlValue::Kind::table) {
+        TomlTable by_camera = table.subtable("frames");
         for (const Entry& entry : frames->entries) {
-            add({entry.key, entry.place}, table.text(entry.key), entry.value.place);
+            add({entry.key, entry.place}, by_camera.text(entry.key), entry.value.place);
         }
     } else if (frames != nullptr) {
-        add({"", frames->place}, section.text("frames"), frames->place);
+        add({"", frames->place}, table.text("frames"), frames->place);
     }
 }
 
-RunTable read_run(Section& section) {
-    RunTable run{.table = &section.table(), .place = section.place(), .name = {}};
-    const std::optional<std::string> file = section.text("file");
-    section.know({"name", "drive", "initial", "time", "measured", "columns", "units", "ignore", "from", "to"});
+RunTable read_run(TomlTable& table) {
+    RunTable run{.table = &table.content(), .place = table.place(), .name = {}};
+    const std::optional<std::string> file = table.text("file");
+    table.declare_keys({"name", "drive", "initial", "time", "measured", "columns", "units", "ignore", "from", "to"});
     if (file) {
-        run.place = section.place("file");
-        const fs::path beside = fs::path(section.mistakes().file(run.place.file)).parent_path();
+        run.place = table.place("file");
+        const fs::path beside = fs::path(table.errors().file(run.place.file)).parent_path();
         run.file = (beside / *file).lexically_normal();
     } else {
         for (const std::string_view key : {"columns", "units", "ignore", "from", "to"}) {
-            if (section.has(key)) {
-                section.mistake(key, fmt::format("{} speaks of a file, and the run has none", key),
+            if (table.has(key)) {
+                table.add_error(key, fmt::format("{} speaks of a file, and the run has none", key),
                                 "add file = \"....csv\"");
             }
         }
     }
-    run.name = section.name("name", run.file ? Need::optional : Need::required)
+    run.name = table.name("name", run.file ? Need::optional : Need::required)
                    .value_or(run.file ? run.file->stem().string() : std::string());
-    run.keys->read(section);
-    read_window(section, run);
-    read_frame_files(section, run);
+    run.keys->read(table);
+    read_window(table, run);
+    read_frame_files(table, run);
     return run;
 }
 
-void complain_of_twins(const std::vector<RunTable>& runs, Mistakes& mistakes) {
+void report_duplicates(const std::vector<RunTable>& runs, InputErrors& errors) {
     for (auto run = runs.begin(); run != runs.end(); ++run) {
         const auto twin = std::find_if(runs.begin(), run, [&](const RunTable& r) { return r.name == run->name; });
         if (twin != run && !run->name.empty()) {
-            const Node* name = run->table->find("name");
-            mistakes.add(name != nullptr ? name->place : run->place,
-                         fmt::format("a second run is called \"{}\"", run->name),
-                         "give each run a name of its own: name = \"...\"");
+            const TomlValue* name = run->table->find("name");
+            errors.add(name != nullptr ? name->place : run->place,
+                       fmt::format("a second run is called \"{}\"", run->name),
+                       "give each run a name of its own: name = \"...\"");
         }
     }
 }
 
 /// A run for each file. Files of one name in several folders are told apart by the folder.
-std::vector<RunTable> runs_of(const std::vector<fs::path>& data, const RunTable& like, Mistakes& mistakes) {
+std::vector<RunTable> runs_of(const std::vector<fs::path>& data, const RunTable& like, InputErrors& errors) {
     std::vector<RunTable> runs;
     for (const fs::path& file : data) {
         RunTable run = like;
@@ -90,9 +91,9 @@ std::vector<RunTable> runs_of(const std::vector<fs::path>& data, const RunTable&
         const std::string folder = run.file->parent_path().filename().string();
         run.name = alone || folder.empty() ? file.stem().string() : folder + "_" + file.stem().string();
         if (std::any_of(runs.begin(), runs.end(), [&](const RunTable& r) { return r.name == run.name; })) {
-            const Place place{.file = mistakes.add_file(run.file->generic_string(), "")};
-            mistakes.add(place, fmt::format("a second file of a run \"{}\"", run.name),
-                         "give each file once, under a name of its own");
+            const SourceLocation place{.file = errors.add_file(run.file->generic_string(), "")};
+            errors.add(place, fmt::format("a second file of a run \"{}\"", run.name),
+                       "give each file once, under a name of its own");
             continue;
         }
         runs.push_back(std::move(run));
@@ -102,23 +103,23 @@ std::vector<RunTable> runs_of(const std::vector<fs::path>& data, const RunTable&
 
 }  // namespace
 
-void ColumnKeys::read_words(Section table, std::vector<Key>& into) {
-    for (const Entry& entry : table.table().entries) {
+void ColumnKeys::read_words(TomlTable table, std::vector<Key>& into) {
+    for (const Entry& entry : table.content().entries) {
         if (const std::optional<std::string> word = table.text(entry.key)) {
             into.push_back({.column = {entry.key, entry.place}, .value = {*word, entry.value.place}});
         }
     }
 }
 
-void ColumnKeys::read(Section& section) {
-    read_words(section.section("columns"), names_);
-    read_words(section.section("units"), units_);
-    for (Word& word : section.texts("ignore")) {
+void ColumnKeys::read(TomlTable& table) {
+    read_words(table.subtable("columns"), names_);
+    read_words(table.subtable("units"), units_);
+    for (LocatedString& word : table.texts("ignore")) {
         ignored_.push_back({.column = std::move(word), .value = {}});
     }
 }
 
-Word ColumnKeys::name_of(const std::string& heading, const Place& place) {
+LocatedString ColumnKeys::name_of(const std::string& heading, const SourceLocation& place) {
     headings_.insert(heading);
     for (Key& key : names_) {
         if (key.column.text == heading) {
@@ -129,7 +130,7 @@ Word ColumnKeys::name_of(const std::string& heading, const Place& place) {
     return {heading, place};
 }
 
-const Word* ColumnKeys::unit_of(const std::string& heading) {
+const LocatedString* ColumnKeys::unit_of(const std::string& heading) {
     for (Key& key : units_) {
         if (key.column.text == heading) {
             key.found = true;
@@ -149,35 +150,36 @@ bool ColumnKeys::ignores(const std::string& heading) {
     return ignored;
 }
 
-void ColumnKeys::complain(Mistakes& mistakes) const {
-    if (forgiving_) {
+void ColumnKeys::report_unknown_columns(InputErrors& errors) const {
+    if (unknown_keys_allowed_) {
         return;
     }
     const std::vector<std::string> known(headings_.begin(), headings_.end());
     for (const std::vector<Key>* keys : {&names_, &units_, &ignored_}) {
         for (const Key& key : *keys) {
             if (!key.found) {
-                mistakes.add(key.column.place, fmt::format("the file has no column \"{}\"", key.column.text),
-                             suggest(key.column.text, known, "columns"));
+                errors.add(key.column.place, fmt::format("the file has no column \"{}\"", key.column.text),
+                           suggest(key.column.text, known, "columns"));
             }
         }
     }
 }
 
-std::vector<RunTable> read_run_tables(Section& root, const std::string& case_name, const std::vector<fs::path>& data) {
+std::vector<RunTable> read_run_tables(TomlTable& root, const std::string& case_name,
+                                      const std::vector<fs::path>& data) {
     RunTable of_data{.table = nullptr, .place = {}, .name = {}};
     {
-        Section section = root.section("data");
-        of_data.keys->read(section);
-        read_window(section, of_data);
+        TomlTable table = root.subtable("data");
+        of_data.keys->read(table);
+        read_window(table, of_data);
     }
     if (!data.empty()) {
-        root.know({"run"});
-        return runs_of(data, of_data, root.mistakes());
+        root.declare_keys({"run"});
+        return runs_of(data, of_data, root.errors());
     }
     std::vector<RunTable> runs;
-    root.each("run", [&](Section& section) { runs.push_back(read_run(section)); });
-    complain_of_twins(runs, root.mistakes());
+    root.each("run", [&](TomlTable& table) { runs.push_back(read_run(table)); });
+    report_duplicates(runs, root.errors());
     if (!root.has("run")) {
         RunTable itself{.table = nullptr, .place = {}, .name = fs::path(case_name).filename().string()};
         runs.push_back(std::move(itself));

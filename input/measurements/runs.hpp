@@ -4,22 +4,22 @@
 #include <string>
 #include <vector>
 
-#include "input/text/document.hpp"
 #include "input/measurements/experiment.hpp"
+#include "input/text/document.hpp"
 
 namespace tiretherm::input {
 
-/// A case with all its runs, as far as they could be read: sound only where there is no mistake.
+/// A case with all its runs, as far as they could be read: sound only where there is no error.
 struct Runs {
     solver::Problem problem;  ///< of the first run, or of the case itself
     Experiment experiment;
-    std::vector<std::string> findings;
+    std::vector<std::string> data_warnings;
 };
 
 /// Reads the case once for each of its runs, with the run's tables over its own; the case itself where it has none.
 /// @param name of the case  @param data files that take the place of the case's runs
-[[nodiscard]] Runs read_runs(const Node& document, const std::string& name,
-                             const std::vector<std::filesystem::path>& data, Occasion occasion, Mistakes& mistakes);
+[[nodiscard]] Runs read_runs(const TomlValue& document, const std::string& name,
+                             const std::vector<std::filesystem::path>& data, ReadMode mode, InputErrors& errors);
 
 /// "laser/one_watt" for .../cases/laser/one_watt.toml, otherwise the file's stem.
 [[nodiscard]] std::string case_name(const std::filesystem::path& file);

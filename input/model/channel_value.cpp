@@ -1,14 +1,15 @@
 #include "input/model/channel_value.hpp"
 
-#include "input/text/wanted.hpp"
+#include "input/text/quantity_specs.hpp"
 
 namespace tiretherm::input {
 
-Wanted wanted_value(solver::Quantity quantity) {
-    return quantity == solver::Quantity::temperature ? wanted::temperature : Wanted{.unit = unit_of(quantity)};
+QuantitySpec value_spec(solver::Quantity quantity) {
+    return quantity == solver::Quantity::temperature ? quantity_specs::temperature
+                                                     : QuantitySpec{.unit = unit_of(quantity)};
 }
 
-Wanted wanted_deviation(solver::Quantity quantity) {
+QuantitySpec deviation_spec(solver::Quantity quantity) {
     return {.unit = unit_of(quantity), .scale = Scale::difference, .low = 0.0, .above = true};
 }
 

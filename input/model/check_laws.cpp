@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "input/model/draft.hpp"
+#include "input/model/problem_builder.hpp"
 
 namespace tiretherm::input {
 
@@ -21,18 +21,18 @@ struct Span {
     }
 };
 
-Span given_temperatures(const Draft& draft) {
+Span given_temperatures(const ProblemBuilder& builder) {
     // A start that could not be read (the air of a file that is not there) is no temperature.
     constexpr double room = 293.15;
-    const auto known = std::ranges::find_if(draft.problem.initial, [](double T) { return T > 0.0; });
-    const double first = known == draft.problem.initial.end() ? room : *known;
+    const auto known = std::ranges::find_if(builder.problem.initial, [](double T) { return T > 0.0; });
+    const double first = known == builder.problem.initial.end() ? room : *known;
     Span span{first, first};
-    for (const double T : draft.problem.initial) {
+    for (const double T : builder.problem.initial) {
         if (T > 0.0) {
             span.take(T);
         }
     }
-    const solver::Drive& drive = draft.problem.drive;
+    const solver::Drive& drive = builder.problem.drive;
     for (const physics::Signal& signal : physics::signals()) {
         if (signal.unit == "K" && drive.gives(signal)) {
             if (const double T = drive.constants().*signal.member; T > 0.0) {
@@ -64,39 +64,39 @@ double lowest_place(const Curve& law, const Span& span) {
 }
 
 /// @param unit as users write it
-void check_law(Mistakes& mistakes, const Curve& law, const std::string& what, std::string_view unit, const Place& place,
-               const Span& sure) {
+void check_law(InputErrors& errors, const Curve& law, const std::string& what, std::string_view unit,
+               const SourceLocation& place, const Span& sure) {
     if (!(law.minimum(sure.low, sure.high) > 0.0)) {
         const double T = lowest_place(law, sure);
-        mistakes.add(place,
-                     fmt::format("{} is {:.3g} {} at {:.1f} degC, a temperature of this case", what, law.value(T), unit,
-                                 T - celsius_zero),
-                     "correct the law: conductivity and heat capacity must be positive");
+        errors.add(place,
+                   fmt::format("{} is {:.3g} {} at {:.1f} degC, a temperature of this case", what, law.value(T), unit,
+                               T - celsius_zero),
+                   "correct the law: conductivity and heat capacity must be positive");
     } else if (!(law.minimum(sure.low, std::max(sure.high, usual_limit)) > 0.0)) {
-        mistakes.warn(place, fmt::format("{} is not positive everywhere between {:.1f} and 150 degC", what,
-                                         sure.low - celsius_zero));
+        errors.warn(place, fmt::format("{} is not positive everywhere between {:.1f} and 150 degC", what,
+                                       sure.low - celsius_zero));
     }
 }
 
 }  // namespace
 
-void check_laws(Section& root, const Draft& draft) {
-    if (draft.problem.initial.empty()) {
+void check_laws(TomlTable& root, const ProblemBuilder& builder) {
+    if (builder.problem.initial.empty()) {
         return;
     }
-    const Span sure = given_temperatures(draft);
-    for (const Stock& stock : draft.stock) {
+    const Span sure = given_temperatures(builder);
+    for (const Stock& stock : builder.stock) {
         const physics::Material& material = stock.material;
         if (!stock.used) {
-            root.mistakes().warn(stock.table->place,
-                                 fmt::format("no layer is made of the material \"{}\"", material.name));
+            root.errors().warn(stock.table->place,
+                               fmt::format("no layer is made of the material \"{}\"", material.name));
             continue;
         }
         const auto check = [&](const Curve& law, std::string_view key, std::string_view what) {
-            const Node* value = stock.table->find(key);
+            const TomlValue* value = stock.table->find(key);
             if (value != nullptr) {
                 const std::string_view unit = key == "heat_capacity" ? "J/kgK" : "W/mK";
-                check_law(root.mistakes(), law, fmt::format("the {} of {}", what, material.name), unit, value->place,
+                check_law(root.errors(), law, fmt::format("the {} of {}", what, material.name), unit, value->place,
                           sure);
             }
         };
@@ -106,9 +106,9 @@ void check_laws(Section& root, const Draft& draft) {
         check(material.along(mesh::Axis::circumference), "conductivity_circumference",
               "conductivity along the circumference");
     }
-    const Node* link = root.table().find("mesh")->find("link_conductivity");
-    if (link != nullptr && !draft.problem.link_laws.empty()) {
-        check_law(root.mistakes(), draft.problem.link_laws.front(), "the conductivity of the link", "W/mK", link->place,
+    const TomlValue* link = root.content().find("mesh")->find("link_conductivity");
+    if (link != nullptr && !builder.problem.link_laws.empty()) {
+        check_law(root.errors(), builder.problem.link_laws.front(), "the conductivity of the link", "W/mK", link->place,
                   sure);
     }
 }

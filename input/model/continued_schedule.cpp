@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "input/tables/columns.hpp"
 #include "input/parameters/study_key.hpp"
-#include "input/text/wanted.hpp"
+#include "input/tables/columns.hpp"
+#include "input/text/quantity_specs.hpp"
 
 namespace tiretherm::input {
 
@@ -16,37 +16,37 @@ namespace {
 
 /// Where the columns of a schedule with speeds are, and how its numbers become times and speeds.
 struct SpeedTable {
-    Node* rows = nullptr;
+    TomlValue* rows = nullptr;
     std::size_t time = 0;
     std::size_t speed = 0;
     Conversion seconds{};
     Conversion metres_per_second{};
 };
 
-std::optional<SpeedTable> find_speed_table(Node& document) {
-    const auto child = [](Node& table, std::string_view key) -> Node* {
+std::optional<SpeedTable> find_speed_table(TomlValue& document) {
+    const auto child = [](TomlValue& table, std::string_view key) -> TomlValue* {
         const auto found = std::ranges::find(table.entries, key, &Entry::key);
         return found == table.entries.end() ? nullptr : &found->value;
     };
-    Node* drive = child(document, "drive");
-    Node* schedules = drive != nullptr ? child(*drive, "schedule") : nullptr;
+    TomlValue* drive = child(document, "drive");
+    TomlValue* schedules = drive != nullptr ? child(*drive, "schedule") : nullptr;
     if (schedules == nullptr) {
         return std::nullopt;
     }
-    for (Node& schedule : schedules->items) {
-        const Node* columns = child(schedule, "columns");
+    for (TomlValue& schedule : schedules->items) {
+        const TomlValue* columns = child(schedule, "columns");
         SpeedTable table{.rows = child(schedule, "rows")};
         bool has_speed = false;
         for (std::size_t i = 0; columns != nullptr && i < columns->items.size(); ++i) {
             const Heading heading = read_heading(columns->items[i].text);
             if (heading.name == "time") {
                 table.time = i;
-                table.seconds = read_heading_unit(heading, wanted::moment).conversion;
+                table.seconds = read_heading_unit(heading, quantity_specs::moment).conversion;
             } else if (heading.name == "speed") {
                 has_speed = true;
                 table.speed = i;
                 table.metres_per_second =
-                    read_heading_unit(heading, wanted::of(*physics::find_signal("speed"))).conversion;
+                    read_heading_unit(heading, quantity_specs::of(*physics::find_signal("speed"))).conversion;
             }
         }
         if (has_speed && table.rows != nullptr) {
@@ -84,9 +84,9 @@ Pattern pattern_of(std::span<const solver::ScheduleStep> steps) {
 }
 
 void append_row(const SpeedTable& table, double time, double speed) {
-    Node row = table.rows->items.back();
+    TomlValue row = table.rows->items.back();
     const auto write = [&](std::size_t column, double number) {
-        row.items[column].kind = Node::Kind::real;
+        row.items[column].kind = TomlValue::Kind::real;
         row.items[column].number = number;
         row.items[column].text.clear();
     };
@@ -111,13 +111,13 @@ ContinuedSchedule continue_schedule(const HotSpotCase& of, const solver::Setting
         continued.refusal = fmt::format("a further step would be faster than {:.0f} km/h", 3.6 * fastest_continued);
         return continued;
     }
-    Node document = of.document();
+    TomlValue document = of.document();
     const std::optional<SpeedTable> table = find_speed_table(document);
     if (!table || table->rows->items.empty()) {
         continued.refusal = "the speed does not come from a [[drive.schedule]]";
         return continued;
     }
-    const std::vector<Node>& last_row = table->rows->items.back().items;
+    const std::vector<TomlValue>& last_row = table->rows->items.back().items;
     if (std::max(table->time, table->speed) >= last_row.size() ||
         std::abs(table->seconds.to_si(last_row[table->time].number) - settings.end) >
             1e-6 * (settings.end - settings.start)) {
@@ -132,11 +132,11 @@ ContinuedSchedule continue_schedule(const HotSpotCase& of, const solver::Setting
         time += continued.duration;
         append_row(*table, time, speed);
     }
-    Node end;
-    end.kind = Node::Kind::text;
+    TomlValue end;
+    end.kind = TomlValue::Kind::text;
     end.place = document.place;
     end.text = fmt::format("{:.17g} s", time);
-    Mistakes unheard;
+    InputErrors unheard;
     if (write_at(document, {"time.end", document.place}, end, unheard)) {
         continued.problem = of.problem_of(document);
     }

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "input/model/problem_builder.hpp"
 #include "input/tables/columns.hpp"
-#include "input/model/draft.hpp"
-#include "input/text/wanted.hpp"
-#include "input/text/words.hpp"
+#include "input/text/quantity_specs.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
@@ -14,70 +14,69 @@ namespace {
 using physics::Signal;
 
 /// Times of a schedule: ascending, where two equal ones are a jump.
-bool are_in_order(const Column& column, const std::vector<double>& time, Mistakes& mistakes) {
+bool are_in_order(const Column& column, const std::vector<double>& time, InputErrors& errors) {
     for (std::size_t i = 1; i < time.size(); ++i) {
         if (time[i] < time[i - 1]) {
-            mistakes.add(column.cells[i]->place, "time goes backwards", "sort the rows by time");
+            errors.add(column.cells[i]->place, "time goes backwards", "sort the rows by time");
             return false;
         }
         if (i > 1 && time[i] == time[i - 2]) {
-            mistakes.add(column.cells[i]->place, "a third row at the same time",
-                         "a jump has two rows: before and after");
+            errors.add(column.cells[i]->place, "a third row at the same time", "a jump has two rows: before and after");
             return false;
         }
     }
     return true;
 }
 
-void read_schedule(Section& section, Draft& draft) {
-    Mistakes& mistakes = section.mistakes();
-    const std::vector<Column> columns = read_columns(section);
+void read_schedule(TomlTable& table, ProblemBuilder& builder) {
+    InputErrors& errors = table.errors();
+    const std::vector<Column> columns = read_columns(table);
     const auto is_time = [](const Column& column) { return column.heading.name == "time"; };
     const auto clock = std::find_if(columns.begin(), columns.end(), is_time);
     if (columns.empty()) {
         return;
     }
     if (clock == columns.end()) {
-        section.mistake("columns", "a schedule needs a column time",
+        table.add_error("columns", "a schedule needs a column time",
                         "write columns = [\"time [min]\", \"speed [km/h]\"]");
     }
     const std::vector<double> time =
-        clock == columns.end() ? std::vector<double>{} : read_numbers(*clock, wanted::moment, mistakes);
-    const bool ordered = !time.empty() && are_in_order(*clock, time, mistakes);
+        clock == columns.end() ? std::vector<double>{} : read_numbers(*clock, quantity_specs::moment, errors);
+    const bool ordered = !time.empty() && are_in_order(*clock, time, errors);
     for (const Column& column : columns) {
         if (is_time(column)) {
             if (&column != &*clock) {
-                mistakes.add(column.place, "a second column time", "remove one");
+                errors.add(column.place, "a second column time", "remove one");
             }
             continue;
         }
         const Signal* signal = physics::find_signal(column.heading.name);
         if (signal == nullptr) {
-            mistakes.add(column.place, fmt::format("\"{}\" is not an input", column.heading.name),
-                         suggest(column.heading.name, names_of(physics::signals()), "inputs"));
+            errors.add(column.place, fmt::format("\"{}\" is not an input", column.heading.name),
+                       suggest(column.heading.name, names_of(physics::signals()), "inputs"));
             continue;
         }
-        const bool outranked = draft.outranked("schedule", signal->name);
-        const bool is_new = !outranked && claim_signal(signal->name, column.place, draft, mistakes);
-        std::vector<double> values = read_numbers(column, wanted::of(*signal), mistakes);
+        const bool overridden = builder.overridden("schedule", signal->name);
+        const bool is_new = !overridden && register_signal(signal->name, column.place, builder, errors);
+        std::vector<double> values = read_numbers(column, quantity_specs::of(*signal), errors);
         if (is_new && ordered && !values.empty()) {
-            draft.problem.drive.add(
+            builder.problem.drive.add(
                 solver::Series{.signal = signal, .time = time, .value = std::move(values), .logged = false});
         }
     }
 }
 
 /// The inputs that a measured run's file gives.
-void add_measured(const RunInputs& run, Draft& draft, Mistakes& mistakes) {
+void add_measured(const RunInputs& run, ProblemBuilder& builder, InputErrors& errors) {
     for (const MeasuredInput& input : run.inputs) {
-        if (claim_signal(input.signal->name, input.place, draft, mistakes) && !input.value.empty()) {
-            draft.problem.drive.add(
+        if (register_signal(input.signal->name, input.place, builder, errors) && !input.value.empty()) {
+            builder.problem.drive.add(
                 solver::Series{.signal = input.signal, .time = input.time, .value = input.value, .logged = true});
         }
     }
     if (run.unreadable) {
         for (const Signal& signal : physics::signals()) {
-            draft.given.try_emplace(std::string(signal.name), run.place);
+            builder.given.try_emplace(std::string(signal.name), run.place);
         }
     }
 }
@@ -85,40 +84,40 @@ void add_measured(const RunInputs& run, Draft& draft, Mistakes& mistakes) {
 }  // namespace
 
 bool RunInputs::says(std::string_view of_table, std::string_view key) const {
-    const Node* own = table != nullptr ? table->find(of_table) : nullptr;
+    const TomlValue* own = table != nullptr ? table->find(of_table) : nullptr;
     return own != nullptr && own->find(key) != nullptr;
 }
 
-bool RunInputs::outranks(std::string_view key, std::string_view signal) const {
+bool RunInputs::overrides(std::string_view key, std::string_view signal) const {
     const bool given =
         std::ranges::any_of(inputs, [&](const MeasuredInput& input) { return input.signal->name == signal; });
     return given && !says("drive", key);
 }
 
-bool claim_signal(std::string_view name, const Place& place, Draft& draft, Mistakes& mistakes) {
-    const auto [known, is_new] = draft.given.try_emplace(std::string(name), place);
+bool register_signal(std::string_view name, const SourceLocation& place, ProblemBuilder& builder, InputErrors& errors) {
+    const auto [known, is_new] = builder.given.try_emplace(std::string(name), place);
     if (!is_new) {
-        mistakes.add(place, fmt::format("{} is given twice, here and at {}", name, mistakes.spell(known->second)),
-                     "keep one of them");
+        errors.add(place, fmt::format("{} is given twice, here and at {}", name, errors.spell(known->second)),
+                   "keep one of them");
     }
     return is_new;
 }
 
-void read_drive(Section& root, Draft& draft) {
-    Section drive = root.section("drive");
+void read_drive(TomlTable& root, ProblemBuilder& builder) {
+    TomlTable drive = root.subtable("drive");
     for (const Signal& signal : physics::signals()) {
-        const bool outranked = draft.outranked(signal.name, signal.name);
-        if (const auto value = drive.quantity(signal.name, wanted::of(signal)); value && !outranked) {
-            draft.problem.drive.add(signal, *value);
+        const bool overridden = builder.overridden(signal.name, signal.name);
+        if (const auto value = drive.quantity(signal.name, quantity_specs::of(signal)); value && !overridden) {
+            builder.problem.drive.add(signal, *value);
         }
-        if (drive.has(signal.name) && !outranked) {
-            claim_signal(signal.name, drive.place(signal.name), draft, drive.mistakes());
+        if (drive.has(signal.name) && !overridden) {
+            register_signal(signal.name, drive.place(signal.name), builder, drive.errors());
         }
     }
-    drive.each("schedule", [&](Section& section) { read_schedule(section, draft); });
-    drive.each("file", [&](Section& section) { read_logged(section, draft); });
-    if (draft.run) {
-        add_measured(*draft.run, draft, drive.mistakes());
+    drive.each("schedule", [&](TomlTable& table) { read_schedule(table, builder); });
+    drive.each("file", [&](TomlTable& table) { read_logged(table, builder); });
+    if (builder.run) {
+        add_measured(*builder.run, builder, drive.errors());
     }
 }
 

@@ -3,70 +3,70 @@
 
 #include <fmt/format.h>
 
-#include "input/model/draft.hpp"
-#include "input/text/wanted.hpp"
+#include "input/model/problem_builder.hpp"
+#include "input/text/quantity_specs.hpp"
 
 namespace tiretherm::input {
 
 namespace {
 
 /// The air around the tire when the run starts; nothing where no air is given.
-std::optional<double> first_air(const Draft& draft) {
-    const solver::Problem& problem = draft.problem;
-    return draft.given.contains("air_temperature")
+std::optional<double> first_air(const ProblemBuilder& builder) {
+    const solver::Problem& problem = builder.problem;
+    return builder.given.contains("air_temperature")
                ? std::optional(problem.drive.at(problem.settings.start, solver::Limit::after).air_temperature)
                : std::nullopt;
 }
 
 /// A temperature, or that of the air by the name of the input.
-std::optional<double> read_start(Section& initial, std::string_view key, const Draft& draft,
+std::optional<double> read_start(TomlTable& initial, std::string_view key, const ProblemBuilder& builder,
                                  Need need = Need::optional) {
-    const Node* node = initial.value(key);
-    if (node == nullptr || node->kind != Node::Kind::text || node->text != "air_temperature") {
-        return initial.quantity(key, wanted::temperature, need);
+    const TomlValue* node = initial.value(key);
+    if (node == nullptr || node->kind != TomlValue::Kind::text || node->text != "air_temperature") {
+        return initial.quantity(key, quantity_specs::temperature, need);
     }
-    const std::optional<double> air = first_air(draft);
+    const std::optional<double> air = first_air(builder);
     if (!air) {
-        initial.mistake(key, fmt::format("{} is that of the air, and no air_temperature is given", key),
-                        "add air_temperature to [drive], or write a temperature");
+        initial.add_error(key, fmt::format("{} is that of the air, and no air_temperature is given", key),
+                          "add air_temperature to [drive], or write a temperature");
     }
     return air;
 }
 
 }  // namespace
 
-void read_initial(Section& root, Draft& draft) {
-    Section initial = root.section("initial", Need::required);
-    const std::size_t before = initial.mistakes().count();
-    if (!draft.has_mesh) {
-        for (const Entry& layer : initial.table().entries) {
-            read_start(initial, layer.key, draft);
+void read_initial(TomlTable& root, ProblemBuilder& builder) {
+    TomlTable initial = root.subtable("initial", Need::required);
+    const std::size_t before = initial.errors().count();
+    if (!builder.has_mesh) {
+        for (const Entry& layer : initial.content().entries) {
+            read_start(initial, layer.key, builder);
         }
         return;
     }
-    const mesh::Mesh& mesh = draft.problem.mesh;
+    const mesh::Mesh& mesh = builder.problem.mesh;
     const bool by_layer = std::any_of(mesh.layers.begin(), mesh.layers.end(),
                                       [&](const std::string& layer) { return initial.has(layer); });
     const std::optional<double> everywhere =
-        read_start(initial, "temperature", draft, by_layer ? Need::optional : Need::required);
+        read_start(initial, "temperature", builder, by_layer ? Need::optional : Need::required);
     std::vector<double> of_layer;
     for (const std::string& layer : mesh.layers) {
         const bool needed = by_layer && !initial.has("temperature");
-        const auto own = read_start(initial, layer, draft, needed ? Need::required : Need::optional);
+        const auto own = read_start(initial, layer, builder, needed ? Need::required : Need::optional);
         of_layer.push_back(own.value_or(everywhere.value_or(0.0)));
     }
     // Gas and rim start with the air around them, or as the rest where there is no air.
-    const double around = first_air(draft).value_or(everywhere.value_or(of_layer.front()));
+    const double around = first_air(builder).value_or(everywhere.value_or(of_layer.front()));
     std::map<int, double> of_node;
     for (const mesh::Appended& appended : mesh.appended) {
-        of_node[appended.node] = read_start(initial, appended.name, draft).value_or(around);
+        of_node[appended.node] = read_start(initial, appended.name, builder).value_or(around);
     }
-    if (initial.mistakes().count() > before) {
+    if (initial.errors().count() > before) {
         return;
     }
     for (int node = 0; node < mesh.n_nodes; ++node) {
         const int layer = mesh.layer[static_cast<std::size_t>(node)];
-        draft.problem.initial.push_back(layer < 0 ? of_node.at(node) : of_layer[static_cast<std::size_t>(layer)]);
+        builder.problem.initial.push_back(layer < 0 ? of_node.at(node) : of_layer[static_cast<std::size_t>(layer)]);
     }
 }
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "input/text/section.hpp"
+#include "input/text/toml_table.hpp"
 #include "physics/curve.hpp"
 
 namespace tiretherm::input {
@@ -14,11 +14,11 @@ namespace tiretherm::input {
 ///     { through = [["20 degC", "0.29 W/mK"], ["90 degC", "0.95 W/mK"]] }          a line; three points: a parabola
 ///     { columns = ["temperature [degC]", "conductivity [W/mK]"], rows = [[20, 0.29], [90, 0.95]] }
 /// @returns the curve against kelvin; nothing when absent or wrong
-[[nodiscard]] std::optional<physics::Curve> read_law(Section& section, std::string_view key, const Wanted& value,
+[[nodiscard]] std::optional<physics::Curve> read_law(TomlTable& table, std::string_view key, const QuantitySpec& value,
                                                      Need need);
 
 /// A measured table { columns, rows } of two columns. @returns the curve of the second against the first
-[[nodiscard]] std::optional<physics::Curve> read_curve(Section& section, std::string_view key, const Wanted& variable,
-                                                       const Wanted& value);
+[[nodiscard]] std::optional<physics::Curve> read_curve(TomlTable& table, std::string_view key,
+                                                       const QuantitySpec& variable, const QuantitySpec& value);
 
 }  // namespace tiretherm::input

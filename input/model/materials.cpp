@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "input/model/draft.hpp"
 #include "input/model/law.hpp"
-#include "input/text/wanted.hpp"
-#include "input/text/words.hpp"
+#include "input/model/problem_builder.hpp"
+#include "input/text/quantity_specs.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
@@ -17,52 +17,55 @@ std::size_t index(mesh::Axis axis) { return static_cast<std::size_t>(axis); }
 
 }  // namespace
 
-void read_materials(Section& root, Draft& draft) {
+void read_materials(TomlTable& root, ProblemBuilder& builder) {
     root.each(
         "material",
-        [&](Section& section) {
-            Stock stock{.material = {}, .table = &section.table()};
+        [&](TomlTable& table) {
+            Stock stock{.material = {}, .table = &table.content()};
             physics::Material& material = stock.material;
-            material.name = section.name("name", Need::required).value_or("");
-            material.density = section.quantity("density", wanted::density, Need::required).value_or(material.density);
+            material.name = table.name("name", Need::required).value_or("");
+            material.density =
+                table.quantity("density", quantity_specs::density, Need::required).value_or(material.density);
             const Curve none = Curve::constant(1.0);
             material.heat_capacity =
-                read_law(section, "heat_capacity", wanted::heat_capacity, Need::required).value_or(none);
+                read_law(table, "heat_capacity", quantity_specs::heat_capacity, Need::required).value_or(none);
             const Curve through =
-                read_law(section, "conductivity", wanted::conductivity, Need::required).value_or(none);
+                read_law(table, "conductivity", quantity_specs::conductivity, Need::required).value_or(none);
             material.conductivity[index(mesh::Axis::through)] = through;
             material.conductivity[index(mesh::Axis::meridian)] =
-                read_law(section, "conductivity_meridian", wanted::conductivity, Need::optional).value_or(through);
+                read_law(table, "conductivity_meridian", quantity_specs::conductivity, Need::optional)
+                    .value_or(through);
             material.conductivity[index(mesh::Axis::circumference)] =
-                read_law(section, "conductivity_circumference", wanted::conductivity, Need::optional).value_or(through);
-            const auto same = std::find_if(draft.stock.begin(), draft.stock.end(),
+                read_law(table, "conductivity_circumference", quantity_specs::conductivity, Need::optional)
+                    .value_or(through);
+            const auto same = std::find_if(builder.stock.begin(), builder.stock.end(),
                                            [&](const Stock& other) { return other.material.name == material.name; });
-            if (same != draft.stock.end() && !material.name.empty()) {
-                section.mistake("name",
+            if (same != builder.stock.end() && !material.name.empty()) {
+                table.add_error("name",
                                 fmt::format("a second material is called \"{}\"; the first is at {}", material.name,
-                                            section.mistakes().spell(same->table->place)),
+                                            table.errors().spell(same->table->place)),
                                 "rename or remove one");
                 return;
             }
-            draft.stock.push_back(std::move(stock));
+            builder.stock.push_back(std::move(stock));
         },
         Need::required);
 }
 
-const physics::Material* read_material(Section& section, std::string_view key, Draft& draft) {
-    const std::optional<std::string> name = section.text(key, Need::required);
+const physics::Material* read_material(TomlTable& table, std::string_view key, ProblemBuilder& builder) {
+    const std::optional<std::string> name = table.text(key, Need::required);
     if (!name) {
         return nullptr;
     }
     std::vector<std::string> known;
-    for (Stock& stock : draft.stock) {
+    for (Stock& stock : builder.stock) {
         if (stock.material.name == *name) {
             stock.used = true;
             return &stock.material;
         }
         known.push_back(stock.material.name);
     }
-    section.mistake(key, fmt::format("there is no material \"{}\"", *name), suggest(*name, known, "materials"));
+    table.add_error(key, fmt::format("there is no material \"{}\"", *name), suggest(*name, known, "materials"));
     return nullptr;
 }
 

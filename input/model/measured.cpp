@@ -5,34 +5,34 @@
 #include <fmt/format.h>
 
 #include "input/model/channel_value.hpp"
-#include "input/model/draft.hpp"
-#include "input/text/wanted.hpp"
-#include "input/text/words.hpp"
+#include "input/model/problem_builder.hpp"
+#include "input/text/quantity_specs.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
 namespace {
 
 /// A range's two ends, the lower one first.
-std::optional<std::array<double, 2>> read_range(Section& section, const Wanted& wanted) {
-    const std::vector<Word> ends = section.texts("range");
-    const std::string_view values = wanted.unit == "K" ? "temperatures" : "values";
+std::optional<std::array<double, 2>> read_range(TomlTable& table, const QuantitySpec& spec) {
+    const std::vector<LocatedString> ends = table.texts("range");
+    const std::string_view values = spec.unit == "K" ? "temperatures" : "values";
     if (ends.size() != 2) {
-        const std::string example = wanted.unit == "K" ? "[\"40 degC\", \"50 degC\"]" : "[\"...\", \"...\"]";
-        section.mistake("range", fmt::format("a range has two {}", values), "write range = " + example);
+        const std::string example = spec.unit == "K" ? "[\"40 degC\", \"50 degC\"]" : "[\"...\", \"...\"]";
+        table.add_error("range", fmt::format("a range has two {}", values), "write range = " + example);
         return std::nullopt;
     }
     std::array<double, 2> range{};
     for (std::size_t i = 0; i < 2; ++i) {
-        const Judged judged = quantity(ends[i].text, wanted, "range");
-        if (judged.fault) {
-            section.mistakes().add(ends[i].place, *judged.fault);
+        const ParsedQuantity parsed = quantity(ends[i].text, spec, "range");
+        if (parsed.error) {
+            table.errors().add(ends[i].place, *parsed.error);
             return std::nullopt;
         }
-        range[i] = judged.value;
+        range[i] = parsed.value;
     }
     if (range[0] > range[1]) {
-        section.mistake("range", "the range begins with its upper end", fmt::format("swap the two {}", values));
+        table.add_error("range", "the range begins with its upper end", fmt::format("swap the two {}", values));
         return std::nullopt;
     }
     return range;
@@ -44,52 +44,51 @@ std::optional<double> combined(std::optional<double> stated, double width) {
     return stated || width > 0.0 ? std::optional(std::hypot(stated.value_or(0.0), flat)) : std::nullopt;
 }
 
-void read_value(Section& section, solver::Quantity reads, solver::Measured& measured) {
-    const Wanted wanted = wanted_value(reads);
-    const Need need = section.has("range") ? Need::optional : Need::required;
-    const std::optional<double> value = section.quantity("value", wanted, need);
+void read_value(TomlTable& table, solver::Quantity reads, solver::Measured& measured) {
+    const QuantitySpec spec = value_spec(reads);
+    const Need need = table.has("range") ? Need::optional : Need::required;
+    const std::optional<double> value = table.quantity("value", spec, need);
     measured.low = measured.high = value.value_or(0.0);
-    if (section.has("range")) {
-        if (section.has("value")) {
-            section.mistake("value", "both value and range are given", "keep one of them");
+    if (table.has("range")) {
+        if (table.has("value")) {
+            table.add_error("value", "both value and range are given", "keep one of them");
         }
-        const auto range = read_range(section, wanted).value_or(std::array{0.0, 0.0});
+        const auto range = read_range(table, spec).value_or(std::array{0.0, 0.0});
         measured.low = range[0];
         measured.high = range[1];
     } else {
-        section.know({"range"});
+        table.declare_keys({"range"});
     }
-    measured.uncertainty =
-        combined(section.quantity("uncertainty", wanted_deviation(reads)), measured.high - measured.low);
+    measured.uncertainty = combined(table.quantity("uncertainty", deviation_spec(reads)), measured.high - measured.low);
 }
 
 }  // namespace
 
-void read_measured(Section& root, Draft& draft) {
-    const solver::Settings& settings = draft.problem.settings;
-    const std::vector<std::string> channels = names_of(draft.problem.channels);
-    root.each("measured", [&](Section& section) {
+void read_measured(TomlTable& root, ProblemBuilder& builder) {
+    const solver::Settings& settings = builder.problem.settings;
+    const std::vector<std::string> channels = names_of(builder.problem.channels);
+    root.each("measured", [&](TomlTable& table) {
         solver::Measured measured;
-        measured.channel = section.text("channel", Need::required).value_or("");
+        measured.channel = table.text("channel", Need::required).value_or("");
         const auto channel = std::find(channels.begin(), channels.end(), measured.channel);
         solver::Quantity reads = solver::Quantity::temperature;
         if (channel != channels.end()) {
-            reads = draft.problem.channels[static_cast<std::size_t>(channel - channels.begin())].quantity;
-        } else if (section.has("channel")) {
-            section.mistake("channel", fmt::format("there is no sensor \"{}\"", measured.channel),
+            reads = builder.problem.channels[static_cast<std::size_t>(channel - channels.begin())].quantity;
+        } else if (table.has("channel")) {
+            table.add_error("channel", fmt::format("there is no sensor \"{}\"", measured.channel),
                             suggest(measured.channel, channels, "sensors"));
-            section.know({"value", "range", "uncertainty"});  // in the unit of nobody knows what
+            table.declare_keys({"value", "range", "uncertainty"});  // in the unit of nobody knows what
         }
-        measured.source = section.text("source").value_or("");
-        measured.time = section.quantity("time", wanted::moment).value_or(settings.end);
-        if (section.has("time") && (measured.time < settings.start || measured.time > settings.end)) {
-            section.mistake("time", fmt::format("the run goes from {:.6g} s to {:.6g} s", settings.start, settings.end),
+        measured.source = table.text("source").value_or("");
+        measured.time = table.quantity("time", quantity_specs::moment).value_or(settings.end);
+        if (table.has("time") && (measured.time < settings.start || measured.time > settings.end)) {
+            table.add_error("time", fmt::format("the run goes from {:.6g} s to {:.6g} s", settings.start, settings.end),
                             "choose a time within the run");
         }
-        if (channel != channels.end() || !section.has("channel")) {
-            read_value(section, reads, measured);
+        if (channel != channels.end() || !table.has("channel")) {
+            read_value(table, reads, measured);
         }
-        draft.problem.measured.push_back(std::move(measured));
+        builder.problem.measured.push_back(std::move(measured));
     });
 }
 

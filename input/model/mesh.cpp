@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include "input/model/draft.hpp"
 #include "input/model/law.hpp"
-#include "input/text/wanted.hpp"
-#include "input/text/words.hpp"
+#include "input/model/problem_builder.hpp"
+#include "input/text/quantity_specs.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
@@ -14,7 +14,7 @@ namespace {
 
 struct Kind {
     std::string_view name;
-    bool (*read)(Section& mesh, Draft& draft);
+    bool (*read)(TomlTable& mesh, ProblemBuilder& builder);
 };
 
 constexpr std::array kinds{Kind{"two_node", read_two_node}, Kind{"layers", read_layers}, Kind{"section", read_section},
@@ -22,78 +22,79 @@ constexpr std::array kinds{Kind{"two_node", read_two_node}, Kind{"layers", read_
 
 }  // namespace
 
-void read_mesh(Section& root, Draft& draft) {
-    Section mesh = root.section("mesh", Need::required);
+void read_mesh(TomlTable& root, ProblemBuilder& builder) {
+    TomlTable mesh = root.subtable("mesh", Need::required);
     std::array<std::string_view, kinds.size()> names;
     std::transform(kinds.begin(), kinds.end(), names.begin(), [](const Kind& kind) { return kind.name; });
     const std::optional<std::size_t> kind = mesh.choice("kind", names, Need::required);
     if (!kind) {
-        mesh.forgive();
+        mesh.allow_unknown_keys();
         return;
     }
-    const std::size_t before = mesh.mistakes().count();
-    draft.has_mesh = kinds[*kind].read(mesh, draft) && mesh.mistakes().count() == before;
+    const std::size_t before = mesh.errors().count();
+    builder.has_mesh = kinds[*kind].read(mesh, builder) && mesh.errors().count() == before;
 }
 
-bool read_two_node(Section& mesh, Draft& draft) {
-    constexpr Wanted share{.unit = "1", .low = 1e-6, .high = 1.0 - 1e-6};
+bool read_two_node(TomlTable& mesh, ProblemBuilder& builder) {
+    constexpr QuantitySpec share{.unit = "1", .low = 1e-6, .high = 1.0 - 1e-6};
     const double surface_share = mesh.quantity("surface_mass_share", share, Need::required).value_or(0.5);
-    const double bulk_depth = mesh.quantity("bulk_depth", wanted::thickness, Need::required).value_or(0.01);
-    const physics::Material* material = read_material(mesh, "material", draft);
+    const double bulk_depth = mesh.quantity("bulk_depth", quantity_specs::thickness, Need::required).value_or(0.01);
+    const physics::Material* material = read_material(mesh, "material", builder);
     const std::optional<physics::Curve> link =
-        read_law(mesh, "link_conductivity", wanted::conductivity, Need::optional);
-    if (!draft.has_tire) {
-        mesh.mistake("kind", "two_node lumps the crown of a tire, and there is no tire",
-                     "add [tire] with size = \"225/50 R17\"");
+        read_law(mesh, "link_conductivity", quantity_specs::conductivity, Need::optional);
+    if (!builder.has_tire) {
+        mesh.add_error("kind", "two_node lumps the crown of a tire, and there is no tire",
+                       "add [tire] with size = \"225/50 R17\"");
     }
-    if (material == nullptr || !draft.has_tire) {
+    if (material == nullptr || !builder.has_tire) {
         return false;
     }
-    physics::Tire& tire = draft.problem.tire;
-    if (draft.has_tire_density && std::abs(tire.density / material->density - 1.0) > 1e-9) {
-        mesh.mistake("material",
-                     fmt::format("{} has {} kg/m3, but [tire] density is {} kg/m3", material->name, material->density,
-                                 tire.density),
-                     "leave density out of [tire]: here it is the material's");
+    physics::Tire& tire = builder.problem.tire;
+    if (builder.has_tire_density && std::abs(tire.density / material->density - 1.0) > 1e-9) {
+        mesh.add_error("material",
+                       fmt::format("{} has {} kg/m3, but [tire] density is {} kg/m3", material->name, material->density,
+                                   tire.density),
+                       "leave density out of [tire]: here it is the material's");
         return false;
     }
     tire.density = material->density;
     const double volume = tire.band_mass() / tire.density;
-    draft.problem.mesh = build(mesh::TwoNode{.area = tire.outer_area(),
-                                             .surface_volume = volume * surface_share,
-                                             .bulk_volume = volume * (1.0 - surface_share),
-                                             .bulk_depth = bulk_depth});
-    draft.problem.materials = {*material, *material};
-    draft.problem.link_laws = {link.value_or(material->along(mesh::Axis::through))};
+    builder.problem.mesh = build(mesh::TwoNode{.area = tire.outer_area(),
+                                               .surface_volume = volume * surface_share,
+                                               .bulk_volume = volume * (1.0 - surface_share),
+                                               .bulk_depth = bulk_depth});
+    builder.problem.materials = {*material, *material};
+    builder.problem.link_laws = {link.value_or(material->along(mesh::Axis::through))};
     return true;
 }
 
-bool read_layers(Section& mesh, Draft& draft) {
+bool read_layers(TomlTable& mesh, ProblemBuilder& builder) {
     mesh::Layers layers;
-    const bool needs_area = !draft.has_tire;
-    layers.area = mesh.quantity("area", wanted::area, needs_area ? Need::required : Need::optional)
-                      .value_or(draft.problem.tire.outer_area());
-    layers.stack = read_stack(mesh, draft);
+    const bool needs_area = !builder.has_tire;
+    layers.area = mesh.quantity("area", quantity_specs::area, needs_area ? Need::required : Need::optional)
+                      .value_or(builder.problem.tire.outer_area());
+    layers.stack = read_stack(mesh, builder);
     const std::optional<std::string> below = mesh.text("link_below");
     const Need with_link = below ? Need::required : Need::optional;
-    layers.link_length = mesh.quantity("link_length", wanted::thickness, with_link).value_or(0.0);
-    const std::optional<physics::Curve> law = read_law(mesh, "link_conductivity", wanted::conductivity, with_link);
+    layers.link_length = mesh.quantity("link_length", quantity_specs::thickness, with_link).value_or(0.0);
+    const std::optional<physics::Curve> law =
+        read_law(mesh, "link_conductivity", quantity_specs::conductivity, with_link);
     if (!below && (mesh.has("link_length") || mesh.has("link_conductivity"))) {
-        mesh.mistake(mesh.has("link_length") ? "link_length" : "link_conductivity", "there is no link",
-                     "say where it is: link_below = \"name of a layer\"");
+        mesh.add_error(mesh.has("link_length") ? "link_length" : "link_conductivity", "there is no link",
+                       "say where it is: link_below = \"name of a layer\"");
     }
     if (below) {
         const std::vector<std::string> names = names_of(layers.stack);
         const auto found = std::find(names.begin(), names.end(), *below);
         if (found == names.end()) {
-            mesh.mistake("link_below", fmt::format("there is no layer \"{}\"", *below),
-                         suggest(*below, names, "layers"));
+            mesh.add_error("link_below", fmt::format("there is no layer \"{}\"", *below),
+                           suggest(*below, names, "layers"));
             return false;
         }
         if (found + 1 == names.end()) {
-            mesh.mistake("link_below",
-                         fmt::format("\"{}\" is the innermost layer: nothing lies below the link", *below),
-                         "name a layer further out");
+            mesh.add_error("link_below",
+                           fmt::format("\"{}\" is the innermost layer: nothing lies below the link", *below),
+                           "name a layer further out");
             return false;
         }
         layers.link_below = static_cast<int>(found - names.begin());
@@ -102,9 +103,9 @@ bool read_layers(Section& mesh, Draft& draft) {
         return false;
     }
     if (law) {
-        draft.problem.link_laws = {*law};
+        builder.problem.link_laws = {*law};
     }
-    draft.problem.mesh = build(layers);
+    builder.problem.mesh = build(layers);
     return true;
 }
 

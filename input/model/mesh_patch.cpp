@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "input/model/draft.hpp"
-#include "input/text/wanted.hpp"
+#include "input/model/problem_builder.hpp"
+#include "input/text/quantity_specs.hpp"
 
 namespace tiretherm::input {
 
@@ -11,38 +11,38 @@ namespace {
 
 constexpr int most_cells_in_a_row = 1'000'000;
 constexpr double most_cells = 5e6;
-constexpr Wanted ratio{.unit = "1", .low = 1e-5, .high = 1e5};
+constexpr QuantitySpec ratio{.unit = "1", .low = 1e-5, .high = 1e5};
 
 /// Neighbours that differ much in size cost accuracy.
-void check_growth(const Section& section, int cells, double total_ratio) {
+void check_growth(const TomlTable& table, int cells, double total_ratio) {
     const double step = cells > 1 ? std::pow(std::max(total_ratio, 1.0 / total_ratio), 1.0 / (cells - 1)) : 1.0;
     if (step > 2.0) {
-        section.mistakes().warn(section.place("ratio"), fmt::format("neighbouring cells differ by a factor of {:.3g}; "
-                                                                    "accuracy suffers above about 1.5",
-                                                                    step));
+        table.errors().warn(table.place("ratio"), fmt::format("neighbouring cells differ by a factor of {:.3g}; "
+                                                              "accuracy suffers above about 1.5",
+                                                              step));
     }
 }
 
 /// The list x, y or radius. @param centred its first cell starts at minus the last `to`
-std::vector<mesh::Segment> read_segments(Section& mesh, std::string_view key, bool centred) {
+std::vector<mesh::Segment> read_segments(TomlTable& mesh, std::string_view key, bool centred) {
     std::vector<mesh::Segment> segments;
-    std::vector<Place> places;
+    std::vector<SourceLocation> places;
     mesh.each(
         key,
-        [&](Section& section) {
+        [&](TomlTable& table) {
             mesh::Segment segment;
-            segment.to = section.quantity("to", wanted::coordinate, Need::required).value_or(std::nan(""));
-            segment.cells = section.count("cells", 1, most_cells_in_a_row, Need::required).value_or(1);
-            segment.ratio = section.quantity("ratio", ratio).value_or(1.0);
-            check_growth(section, segment.cells, segment.ratio);
+            segment.to = table.quantity("to", quantity_specs::coordinate, Need::required).value_or(std::nan(""));
+            segment.cells = table.count("cells", 1, most_cells_in_a_row, Need::required).value_or(1);
+            segment.ratio = table.quantity("ratio", ratio).value_or(1.0);
+            check_growth(table, segment.cells, segment.ratio);
             segments.push_back(segment);
-            places.push_back(section.place("to"));
+            places.push_back(table.place("to"));
         },
         Need::required, fmt::format("{} = [{{ to = \"30 mm\", cells = 8 }}]", key));
     double before = segments.empty() || !centred ? 0.0 : -segments.back().to;
     for (std::size_t i = 0; i < segments.size(); ++i) {
         if (segments[i].to <= before) {
-            mesh.mistakes().add(
+            mesh.errors().add(
                 places[i], fmt::format("{} goes from {:.6g} mm to {:.6g} mm", key, before * 1e3, segments[i].to * 1e3),
                 "let `to` ascend from segment to segment");
             return {};
@@ -60,16 +60,16 @@ int cells(const std::vector<mesh::Segment>& segments) {
     return sum;
 }
 
-bool is_affordable(const Section& mesh, std::initializer_list<int> counts) {
+bool is_affordable(const TomlTable& mesh, std::initializer_list<int> counts) {
     double product = 1.0;
     for (const int count : counts) {
         product *= count;
     }
     if (product > most_cells) {
-        mesh.mistakes().add(mesh.place(),
-                            fmt::format("the mesh has {:.3g} million cells, more than {:.3g} million", product * 1e-6,
-                                        most_cells * 1e-6),
-                            "take fewer cells");
+        mesh.errors().add(mesh.place(),
+                          fmt::format("the mesh has {:.3g} million cells, more than {:.3g} million", product * 1e-6,
+                                      most_cells * 1e-6),
+                          "take fewer cells");
         return false;
     }
     return true;
@@ -85,27 +85,28 @@ int cells_through(const std::vector<mesh::Layer>& stack) {
 
 }  // namespace
 
-std::vector<mesh::Layer> read_stack(Section& mesh, Draft& draft, std::vector<std::vector<Word>>* zones) {
+std::vector<mesh::Layer> read_stack(TomlTable& mesh, ProblemBuilder& builder,
+                                    std::vector<std::vector<LocatedString>>* zones) {
     std::vector<mesh::Layer> stack;
     bool complete = true;
     mesh.each(
         "layer",
-        [&](Section& section) {
+        [&](TomlTable& table) {
             mesh::Layer layer;
-            layer.name = section.name("name", Need::required).value_or("");
-            layer.thickness = section.quantity("thickness", wanted::thickness, Need::required).value_or(0.001);
-            layer.cells = section.count("cells", 1, most_cells_in_a_row, Need::required).value_or(1);
-            layer.ratio = section.quantity("ratio", ratio).value_or(1.0);
-            check_growth(section, layer.cells, layer.ratio);
+            layer.name = table.name("name", Need::required).value_or("");
+            layer.thickness = table.quantity("thickness", quantity_specs::thickness, Need::required).value_or(0.001);
+            layer.cells = table.count("cells", 1, most_cells_in_a_row, Need::required).value_or(1);
+            layer.ratio = table.quantity("ratio", ratio).value_or(1.0);
+            check_growth(table, layer.cells, layer.ratio);
             if (zones != nullptr) {
-                zones->push_back(section.texts("zones"));
+                zones->push_back(table.texts("zones"));
             }
-            const physics::Material* material = read_material(section, "material", draft);
+            const physics::Material* material = read_material(table, "material", builder);
             complete = complete && material != nullptr;
-            draft.problem.materials.push_back(material != nullptr ? *material : physics::Material{});
+            builder.problem.materials.push_back(material != nullptr ? *material : physics::Material{});
             for (const mesh::Layer& other : stack) {
                 if (other.name == layer.name && !layer.name.empty()) {
-                    section.mistake("name", fmt::format("a second layer is called \"{}\"", layer.name), "rename one");
+                    table.add_error("name", fmt::format("a second layer is called \"{}\"", layer.name), "rename one");
                 }
             }
             stack.push_back(std::move(layer));
@@ -114,32 +115,32 @@ std::vector<mesh::Layer> read_stack(Section& mesh, Draft& draft, std::vector<std
     return complete && is_affordable(mesh, {cells_through(stack)}) ? stack : std::vector<mesh::Layer>{};
 }
 
-bool read_block(Section& mesh, Draft& draft) {
+bool read_block(TomlTable& mesh, ProblemBuilder& builder) {
     mesh::Block block;
     block.quarter = mesh.flag("quarter").value_or(true);
     block.side_patches = mesh.flag("side_patches").value_or(false);
     block.x = read_segments(mesh, "x", !block.quarter);
     block.y = read_segments(mesh, "y", !block.quarter);
-    block.stack = read_stack(mesh, draft);
+    block.stack = read_stack(mesh, builder);
     if (block.x.empty() || block.y.empty() || block.stack.empty() ||
         !is_affordable(mesh, {cells(block.x), cells(block.y), cells_through(block.stack)})) {
         return false;
     }
-    draft.problem.symmetry = block.quarter ? 4.0 : 1.0;
-    draft.problem.mesh = build(block);
+    builder.problem.symmetry = block.quarter ? 4.0 : 1.0;
+    builder.problem.mesh = build(block);
     return true;
 }
 
-bool read_axisymmetric(Section& mesh, Draft& draft) {
+bool read_axisymmetric(TomlTable& mesh, ProblemBuilder& builder) {
     mesh::Axisymmetric disc;
     disc.side_patches = mesh.flag("side_patches").value_or(false);
     disc.radius = read_segments(mesh, "radius", false);
-    disc.stack = read_stack(mesh, draft);
+    disc.stack = read_stack(mesh, builder);
     if (disc.radius.empty() || disc.stack.empty() ||
         !is_affordable(mesh, {cells(disc.radius), cells_through(disc.stack)})) {
         return false;
     }
-    draft.problem.mesh = build(disc);
+    builder.problem.mesh = build(disc);
     return true;
 }
 

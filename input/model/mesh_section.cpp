@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "input/model/draft.hpp"
-#include "input/text/wanted.hpp"
-#include "input/text/words.hpp"
+#include "input/model/problem_builder.hpp"
+#include "input/text/quantity_specs.hpp"
+#include "input/text/suggestions.hpp"
 #include "mesh/ring.hpp"
 #include "physics/contact/travelling.hpp"
 
@@ -16,7 +16,7 @@ namespace tiretherm::input {
 namespace {
 
 constexpr int most_columns = 10'000;
-constexpr Wanted ratio{.unit = "1", .low = 1e-3, .high = 1e3};
+constexpr QuantitySpec ratio{.unit = "1", .low = 1e-3, .high = 1e3};
 /// How far the profile has turned from the axis where the shoulder ends and where the bead begins. These two angles shape
 /// the picture and, through the local radius, the area of shoulders and sidewalls by a few per cent; assumed.
 constexpr double turn_at_sidewall = 45.0 / 180.0 * std::numbers::pi;
@@ -34,31 +34,32 @@ struct Stretch {
 enum : std::size_t { crown, shoulders, sidewalls };
 
 /// Which layers reach into which zones.
-bool fill_stacks(Section& mesh, const std::vector<std::vector<Word>>& zones, std::array<Stretch, 3>& stretches) {
-    const std::size_t before = mesh.mistakes().count();
+bool fill_stacks(TomlTable& mesh, const std::vector<std::vector<LocatedString>>& zones,
+                 std::array<Stretch, 3>& stretches) {
+    const std::size_t before = mesh.errors().count();
     const std::vector<std::string> known{"crown", "shoulders", "sidewalls"};
     for (std::size_t layer = 0; layer < zones.size(); ++layer) {
-        for (const Word& word : zones[layer]) {
+        for (const LocatedString& word : zones[layer]) {
             if (std::find(known.begin(), known.end(), word.text) == known.end()) {
-                mesh.mistakes().add(word.place, fmt::format("there is no zone \"{}\"", word.text),
-                                    suggest(word.text, known, "zones"));
+                mesh.errors().add(word.place, fmt::format("there is no zone \"{}\"", word.text),
+                                  suggest(word.text, known, "zones"));
             }
         }
         for (Stretch& stretch : stretches) {
-            const auto named = [&](const Word& word) { return word.text == stretch.word; };
+            const auto named = [&](const LocatedString& word) { return word.text == stretch.word; };
             if (zones[layer].empty() || std::any_of(zones[layer].begin(), zones[layer].end(), named)) {
                 stretch.stack.push_back(static_cast<int>(layer));
             }
         }
     }
     for (const Stretch& stretch : stretches) {
-        if (stretch.cells > 0 && stretch.stack.empty() && mesh.mistakes().count() == before) {
-            mesh.mistakes().add(mesh.place(), fmt::format("no layer reaches into the {}", stretch.word),
-                                fmt::format("name the zone in a layer, or leave it out: {}_cells = 0",
-                                            stretch.word.substr(0, stretch.word.size() - 1)));
+        if (stretch.cells > 0 && stretch.stack.empty() && mesh.errors().count() == before) {
+            mesh.errors().add(mesh.place(), fmt::format("no layer reaches into the {}", stretch.word),
+                              fmt::format("name the zone in a layer, or leave it out: {}_cells = 0",
+                                          stretch.word.substr(0, stretch.word.size() - 1)));
         }
     }
-    return mesh.mistakes().count() == before;
+    return mesh.errors().count() == before;
 }
 
 /// The outer profile; gives the sidewalls a length with which it ends at the bead, unless they have one.
@@ -92,7 +93,7 @@ double thickness_of(const mesh::Section& section, const Stretch& stretch) {
 }
 
 /// Whether the profile and what lies inside of it stay clear of the tire's axis.
-bool is_sound(Section& mesh, const mesh::Section& section, const std::array<Stretch, 3>& stretches) {
+bool is_sound(TomlTable& mesh, const mesh::Section& section, const std::array<Stretch, 3>& stretches) {
     double reach = 0.5 * stretches[crown].length;
     double thickest = thickness_of(section, stretches[crown]);
     for (const std::size_t zone : {shoulders, sidewalls}) {
@@ -107,7 +108,7 @@ bool is_sound(Section& mesh, const mesh::Section& section, const std::array<Stre
         lowest = std::min({lowest, section.meridian.at(s).radius, section.meridian.inside(s, thickest).radius});
     }
     if (lowest < 0.02) {
-        mesh.mistake(
+        mesh.add_error(
             mesh.has("sidewall_length") ? "sidewall_length" : "kind",
             fmt::format("the profile, {:.4g} mm from the centre to the bead, would come within {:.4g} mm of the "
                         "tire's axis",
@@ -119,13 +120,13 @@ bool is_sound(Section& mesh, const mesh::Section& section, const std::array<Stre
 }
 
 /// The loss follows the tire's thicknesses (66)(67), the mesh its layers': they should be one tire's.
-void warn_of_other_sizes(Section& mesh, const mesh::Section& section, const std::array<Stretch, 3>& stretches,
+void warn_of_other_sizes(TomlTable& mesh, const mesh::Section& section, const std::array<Stretch, 3>& stretches,
                          const physics::Tire& tire) {
     const auto warn = [&](std::string_view what, double layers, double stated) {
         if (std::abs(layers / stated - 1.0) > 0.1) {
-            mesh.mistakes().warn(mesh.place(), fmt::format("the layers of the {} are {:.4g} mm thick, but [tire] says "
-                                                           "{:.4g} mm, from which the strain-energy loss follows",
-                                                           what, layers * 1e3, stated * 1e3));
+            mesh.errors().warn(mesh.place(), fmt::format("the layers of the {} are {:.4g} mm thick, but [tire] says "
+                                                         "{:.4g} mm, from which the strain-energy loss follows",
+                                                         what, layers * 1e3, stated * 1e3));
         }
     };
     warn("crown", thickness_of(section, stretches[crown]), tire.tread_thickness);
@@ -135,9 +136,8 @@ void warn_of_other_sizes(Section& mesh, const mesh::Section& section, const std:
     const double tread =
         stretches[crown].length + (stretches[shoulders].cells > 0 ? 2.0 * stretches[shoulders].length : 0.0);
     if (tread > 1.1 * tire.width) {
-        mesh.mistakes().warn(
-            mesh.place("tread_width"),
-            fmt::format("the tread is {:.4g} mm wide on a tire of {:.4g} mm", tread * 1e3, tire.width * 1e3));
+        mesh.errors().warn(mesh.place("tread_width"), fmt::format("the tread is {:.4g} mm wide on a tire of {:.4g} mm",
+                                                                  tread * 1e3, tire.width * 1e3));
     }
 }
 
@@ -163,15 +163,15 @@ std::vector<mesh::Zone> zones_of(const std::array<Stretch, 3>& stretches) {
 
 }  // namespace
 
-bool read_section(Section& mesh, Draft& draft) {
-    const physics::Tire& tire = draft.problem.tire;
-    if (!draft.has_tire) {
-        mesh.mistake("kind", "a section is that of a tire, and there is no tire",
-                     "add [tire] with size = \"225/50 R17\"");
+bool read_section(TomlTable& mesh, ProblemBuilder& builder) {
+    const physics::Tire& tire = builder.problem.tire;
+    if (!builder.has_tire) {
+        mesh.add_error("kind", "a section is that of a tire, and there is no tire",
+                       "add [tire] with size = \"225/50 R17\"");
     }
-    const double tread = mesh.quantity("tread_width", wanted::length).value_or(tire.width);
-    const double shoulder = mesh.quantity("shoulder_width", wanted::length).value_or(0.2 * tread);
-    const double crown_radius = mesh.quantity("crown_radius", wanted::length).value_or(1.0);
+    const double tread = mesh.quantity("tread_width", quantity_specs::length).value_or(tire.width);
+    const double shoulder = mesh.quantity("shoulder_width", quantity_specs::length).value_or(0.2 * tread);
+    const double crown_radius = mesh.quantity("crown_radius", quantity_specs::length).value_or(1.0);
     std::array<Stretch, 3> stretches{Stretch{.word = "crown"}, Stretch{.word = "shoulders"},
                                      Stretch{.word = "sidewalls"}};
     stretches[crown].cells = mesh.count("crown_cells", 1, most_columns, Need::required).value_or(1);
@@ -181,17 +181,18 @@ bool read_section(Section& mesh, Draft& draft) {
     stretches[sidewalls].ratio = mesh.quantity("sidewall_ratio", ratio).value_or(1.0);
     stretches[shoulders].length = shoulder;
     stretches[crown].length = tread - (stretches[shoulders].cells > 0 ? 2.0 * shoulder : 0.0);
-    stretches[sidewalls].length = mesh.quantity("sidewall_length", wanted::length).value_or(0.0);
+    stretches[sidewalls].length = mesh.quantity("sidewall_length", quantity_specs::length).value_or(0.0);
     const int sectors = mesh.count("sectors", 1, physics::most_sectors).value_or(1);
-    std::vector<std::vector<Word>> zones;
+    std::vector<std::vector<LocatedString>> zones;
     mesh::Section section;
-    section.layers = read_stack(mesh, draft, &zones);
+    section.layers = read_stack(mesh, builder, &zones);
     if (stretches[crown].length <= 0.0) {
-        mesh.mistake("shoulder_width", fmt::format("two shoulders of {:.6g} mm leave no crown of a tread of {:.6g} mm",
-                                                   shoulder * 1e3, tread * 1e3));
+        mesh.add_error("shoulder_width",
+                       fmt::format("two shoulders of {:.6g} mm leave no crown of a tread of {:.6g} mm", shoulder * 1e3,
+                                   tread * 1e3));
     }
     const bool has_stacks = fill_stacks(mesh, zones, stretches);
-    if (stretches[crown].length <= 0.0 || section.layers.empty() || !draft.has_tire || !has_stacks) {
+    if (stretches[crown].length <= 0.0 || section.layers.empty() || !builder.has_tire || !has_stacks) {
         return false;
     }
     section.meridian = profile(tire, crown_radius, stretches);
@@ -200,9 +201,9 @@ bool read_section(Section& mesh, Draft& draft) {
     }
     warn_of_other_sizes(mesh, section, stretches, tire);
     section.zones = zones_of(stretches);
-    draft.problem.mesh = build(section);
+    builder.problem.mesh = build(section);
     if (sectors > 1) {
-        draft.problem.mesh = mesh::ring(draft.problem.mesh, sectors);
+        builder.problem.mesh = mesh::ring(builder.problem.mesh, sectors);
     }
     return true;
 }

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "input/text/wanted.hpp"
-#include "input/text/words.hpp"
+#include "input/text/quantity_specs.hpp"
+#include "input/text/suggestions.hpp"
 #include "mesh/column_probe.hpp"
 #include "mesh/probe.hpp"
 
@@ -68,8 +68,8 @@ std::string level(double depth, double bottom) {
     return std::abs(depth - bottom) < 1e-9 * bottom ? "inner surface" : millimetres(depth) + " below the outer surface";
 }
 
-/// Index of the part of the mesh that a key names, or a mistake.
-std::optional<int> read_part(Section& sensor, std::string_view key, std::string_view plural,
+/// Index of the part of the mesh that a key names, or an error.
+std::optional<int> read_part(TomlTable& sensor, std::string_view key, std::string_view plural,
                              const std::vector<std::string>& known) {
     const std::optional<std::string> name = sensor.text(key, Need::required);
     if (!name) {
@@ -77,7 +77,7 @@ std::optional<int> read_part(Section& sensor, std::string_view key, std::string_
     }
     const auto found = std::find(known.begin(), known.end(), *name);
     if (found == known.end()) {
-        sensor.mistake(key, fmt::format("the mesh has no {} \"{}\"", key, *name), suggest(*name, known, plural));
+        sensor.add_error(key, fmt::format("the mesh has no {} \"{}\"", key, *name), suggest(*name, known, plural));
         return std::nullopt;
     }
     return static_cast<int>(found - known.begin());
@@ -101,25 +101,25 @@ double middle_of(const mesh::Mesh& mesh, int zone) {
 }
 
 /// A point of a section: at a place along the meridian, or in the middle of a zone; of several zones the mean.
-Where read_section_point(Section& sensor, const mesh::Mesh& mesh) {
-    const double depth = sensor.quantity("depth", wanted::depth, Need::required).value_or(0.0);
-    const std::optional<double> along = sensor.quantity("along", wanted::coordinate);
-    const std::vector<Word> zones = sensor.texts("zones");
+Where read_section_point(TomlTable& sensor, const mesh::Mesh& mesh) {
+    const double depth = sensor.quantity("depth", quantity_specs::depth, Need::required).value_or(0.0);
+    const std::optional<double> along = sensor.quantity("along", quantity_specs::coordinate);
+    const std::vector<LocatedString> zones = sensor.texts("zones");
     std::vector<double> places;
     std::string where;
     if (zones.empty()) {
         places.push_back(along.value_or(0.0));
         where = along ? fmt::format(", {} along the meridian", millimetres(*along)) : ", centre of the crown";
     } else if (along) {
-        sensor.mistake("along", "both along and zones are given", "keep one of them");
+        sensor.add_error("along", "both along and zones are given", "keep one of them");
     }
-    for (const Word& word : zones) {
+    for (const LocatedString& word : zones) {
         if (const int zone = mesh.find_zone(word.text); zone >= 0) {
             places.push_back(middle_of(mesh, zone));
             where += fmt::format("{}{}", where.empty() ? ", middle of the " : " and of the ", word.text);
         } else {
-            sensor.mistakes().add(word.place, fmt::format("the mesh has no zone \"{}\"", word.text),
-                                  suggest(word.text, mesh.zones, "zones"));
+            sensor.errors().add(word.place, fmt::format("the mesh has no zone \"{}\"", word.text),
+                                suggest(word.text, mesh.zones, "zones"));
             return std::nullopt;
         }
     }
@@ -127,7 +127,7 @@ Where read_section_point(Section& sensor, const mesh::Mesh& mesh) {
     for (const double s : places) {
         const mesh::Point point{s, 0.0, depth};
         if (!mesh::contains(mesh, point)) {
-            sensor.mistakes().add(sensor.place(), "the sensor lies outside of the mesh", extent(mesh));
+            sensor.errors().add(sensor.place(), "the sensor lies outside of the mesh", extent(mesh));
             return std::nullopt;
         }
         const mesh::Functional one = mesh::at_point(mesh, point);
@@ -151,25 +151,25 @@ struct Reach {
 };
 
 /// The keys from and to, within the mesh.
-std::optional<Reach> read_reach(Section& sensor, const mesh::Mesh& mesh) {
-    const std::optional<double> from = sensor.quantity("from", wanted::coordinate, Need::required);
-    const std::optional<double> to = sensor.quantity("to", wanted::coordinate, Need::required);
+std::optional<Reach> read_reach(TomlTable& sensor, const mesh::Mesh& mesh) {
+    const std::optional<double> from = sensor.quantity("from", quantity_specs::coordinate, Need::required);
+    const std::optional<double> to = sensor.quantity("to", quantity_specs::coordinate, Need::required);
     if (plan_of(mesh) != Plan::section) {
-        sensor.mistake("kind", "there are strips only on a section", "take kind = \"patch\"");
+        sensor.add_error("kind", "there are strips only on a section", "take kind = \"patch\"");
         return std::nullopt;
     }
     if (!from || !to) {
         return std::nullopt;
     }
     if (*from >= *to) {
-        sensor.mistake("to", "the strip ends where it begins or before",
-                       "arc lengths run from outboard, negative, to inboard: swap from and to or widen the strip");
+        sensor.add_error("to", "the strip ends where it begins or before",
+                         "arc lengths run from outboard, negative, to inboard: swap from and to or widen the strip");
         return std::nullopt;
     }
     const Reach whole{.from = mesh.columns.front().from, .to = mesh.columns.back().to};
     const double slack = 1e-9 * (whole.to - whole.from);
     if (*from < whole.from - slack || *to > whole.to + slack) {
-        sensor.mistake(*from < whole.from - slack ? "from" : "to", "the strip reaches beyond the mesh", extent(mesh));
+        sensor.add_error(*from < whole.from - slack ? "from" : "to", "the strip reaches beyond the mesh", extent(mesh));
         return std::nullopt;
     }
     return Reach{.from = std::max(*from, whole.from), .to = std::min(*to, whole.to)};
@@ -183,28 +183,28 @@ solver::Channel strip(const mesh::Mesh& mesh, const Reach& reach) {
 
 }  // namespace
 
-Where read_point(Section& sensor, const mesh::Mesh& mesh) {
+Where read_point(TomlTable& sensor, const mesh::Mesh& mesh) {
     const Plan plan = plan_of(mesh);
     if (plan == Plan::section) {
         return read_section_point(sensor, mesh);
     }
     if (plan == Plan::lumps) {
-        sensor.mistake("kind", "a lump has no points", "take kind = \"layer\" and the lump's name: layer = \"bulk\"");
-        sensor.forgive();
+        sensor.add_error("kind", "a lump has no points", "take kind = \"layer\" and the lump's name: layer = \"bulk\"");
+        sensor.allow_unknown_keys();
         return std::nullopt;
     }
-    mesh::Point point{0.0, 0.0, sensor.quantity("depth", wanted::depth, Need::required).value_or(0.0)};
+    mesh::Point point{0.0, 0.0, sensor.quantity("depth", quantity_specs::depth, Need::required).value_or(0.0)};
     std::string across;
     if (plan == Plan::disc) {
-        point[0] = sensor.quantity("radius", wanted::depth).value_or(0.0);
+        point[0] = sensor.quantity("radius", quantity_specs::depth).value_or(0.0);
         across = point[0] == 0.0 ? ", on the axis" : fmt::format(", {} from the axis", millimetres(point[0]));
     } else if (plan == Plan::block) {
-        point[0] = sensor.quantity("x", wanted::coordinate).value_or(0.0);
-        point[1] = sensor.quantity("y", wanted::coordinate).value_or(0.0);
+        point[0] = sensor.quantity("x", quantity_specs::coordinate).value_or(0.0);
+        point[1] = sensor.quantity("y", quantity_specs::coordinate).value_or(0.0);
         across = fmt::format(", x = {}, y = {}", millimetres(point[0]), millimetres(point[1]));
     }
     if (!mesh::contains(mesh, point)) {
-        sensor.mistakes().add(sensor.place(), "the sensor lies outside of the mesh", extent(mesh));
+        sensor.errors().add(sensor.place(), "the sensor lies outside of the mesh", extent(mesh));
         return std::nullopt;
     }
     solver::Channel found = channel(level(point[2], mesh.grid->edge[2].back()) + across, mesh::at_point(mesh, point));
@@ -212,12 +212,12 @@ Where read_point(Section& sensor, const mesh::Mesh& mesh) {
     return found;
 }
 
-Where read_spot(Section& sensor, const mesh::Mesh& mesh) {
-    const std::optional<double> radius = sensor.quantity("radius", wanted::length, Need::required);
+Where read_spot(TomlTable& sensor, const mesh::Mesh& mesh) {
+    const std::optional<double> radius = sensor.quantity("radius", quantity_specs::length, Need::required);
     const std::optional<int> patch = read_part(sensor, "patch", "patches", names_of(mesh.patches));
     const Plan plan = plan_of(mesh);
     if (plan == Plan::lumps || plan == Plan::strip || plan == Plan::section) {
-        sensor.mistake("kind", "there are spots only on a block and on a disc", "take kind = \"patch\"");
+        sensor.add_error("kind", "there are spots only on a block and on a disc", "take kind = \"patch\"");
         return std::nullopt;
     }
     if (!radius || !patch) {
@@ -225,20 +225,21 @@ Where read_spot(Section& sensor, const mesh::Mesh& mesh) {
     }
     const std::string& name = mesh.patches[static_cast<std::size_t>(*patch)].name;
     if (name != "top" && name != "bottom") {
-        sensor.mistake("patch", fmt::format("a spot lies on top or bottom, not on {}", name), "take kind = \"patch\"");
+        sensor.add_error("patch", fmt::format("a spot lies on top or bottom, not on {}", name),
+                         "take kind = \"patch\"");
         return std::nullopt;
     }
     const mesh::Grid& grid = *mesh.grid;
     const double room = plan == Plan::disc ? grid.edge[0].back() : std::min(grid.edge[0].back(), grid.edge[1].back());
     if (*radius > room * (1.0 + 1e-9)) {
-        sensor.mistake("radius", "the spot is larger than the mesh", extent(mesh));
+        sensor.add_error("radius", "the spot is larger than the mesh", extent(mesh));
         return std::nullopt;
     }
     return channel(fmt::format("{}, mean over a disc of {} radius", name, millimetres(*radius)),
                    mesh::over_disc(mesh, *patch, *radius));
 }
 
-Where read_patch(Section& sensor, const mesh::Mesh& mesh) {
+Where read_patch(TomlTable& sensor, const mesh::Mesh& mesh) {
     const std::vector<std::string> names = names_of(mesh.patches);
     const std::optional<int> patch = read_part(sensor, "patch", "patches", names);
     return patch ? Where(channel("mean over the patch " + names[static_cast<std::size_t>(*patch)],
@@ -246,7 +247,7 @@ Where read_patch(Section& sensor, const mesh::Mesh& mesh) {
                  : std::nullopt;
 }
 
-Where read_layer(Section& sensor, const mesh::Mesh& mesh) {
+Where read_layer(TomlTable& sensor, const mesh::Mesh& mesh) {
     const std::optional<int> layer = read_part(sensor, "layer", "layers", mesh.layers);
     const bool in_zone = !mesh.zones.empty() && sensor.has("zone");
     const std::optional<int> zone = in_zone ? read_part(sensor, "zone", "zones", mesh.zones) : std::optional(-1);
@@ -259,25 +260,25 @@ Where read_layer(Section& sensor, const mesh::Mesh& mesh) {
     }
     mesh::Functional where = mesh::over_cells(mesh, *layer, *zone);
     if (where.nodes.empty()) {
-        sensor.mistake("zone", "the layer does not reach into this zone", "name another zone or layer");
+        sensor.add_error("zone", "the layer does not reach into this zone", "name another zone or layer");
         return std::nullopt;
     }
     return channel(std::move(meaning), std::move(where));
 }
 
-Where read_zone(Section& sensor, const mesh::Mesh& mesh) {
+Where read_zone(TomlTable& sensor, const mesh::Mesh& mesh) {
     const std::optional<int> zone = read_part(sensor, "zone", "zones", mesh.zones);
     return zone ? Where(channel("mean over the zone " + mesh.zones[static_cast<std::size_t>(*zone)],
                                 mesh::over_cells(mesh, -1, *zone)))
                 : std::nullopt;
 }
 
-Where read_strip(Section& sensor, const mesh::Mesh& mesh) {
+Where read_strip(TomlTable& sensor, const mesh::Mesh& mesh) {
     const std::optional<Reach> reach = read_reach(sensor, mesh);
     return reach ? Where(strip(mesh, *reach)) : std::nullopt;
 }
 
-std::vector<solver::Channel> read_strips(Section& sensor, const mesh::Mesh& mesh) {
+std::vector<solver::Channel> read_strips(TomlTable& sensor, const mesh::Mesh& mesh) {
     const std::optional<int> count = sensor.count("count", 2, most_strips, Need::required);
     const std::optional<Reach> reach = read_reach(sensor, mesh);
     std::vector<solver::Channel> strips(static_cast<std::size_t>(count.value_or(0)));
@@ -289,11 +290,11 @@ std::vector<solver::Channel> read_strips(Section& sensor, const mesh::Mesh& mesh
     return strips;
 }
 
-Where read_node(Section& sensor, const mesh::Mesh& mesh) {
+Where read_node(TomlTable& sensor, const mesh::Mesh& mesh) {
     const std::vector<std::string> names = names_of(mesh.appended);
-    sensor.know({"node"});
+    sensor.declare_keys({"node"});
     if (names.empty() && sensor.has("node")) {
-        sensor.mistake("node", "no active effect brings a node of its own", "switch inner_gas or rim_conduction on");
+        sensor.add_error("node", "no active effect brings a node of its own", "switch inner_gas or rim_conduction on");
         return std::nullopt;
     }
     const std::optional<int> found = read_part(sensor, "node", "nodes", names);
@@ -304,7 +305,7 @@ Where read_node(Section& sensor, const mesh::Mesh& mesh) {
     return channel("the " + node.name, {{node.node}, {1.0}});
 }
 
-Where read_region(Section& sensor, const mesh::Mesh& mesh) {
+Where read_region(TomlTable& sensor, const mesh::Mesh& mesh) {
     const std::optional<int> region = read_part(sensor, "region", "regions", names_of(mesh.regions));
     if (!region) {
         return std::nullopt;

@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "input/text/document.hpp"
-#include "input/model/draft.hpp"
 #include "input/effects/own_effects.hpp"
 #include "input/measurements/runs.hpp"
+#include "input/model/problem_builder.hpp"
+#include "input/text/document.hpp"
 
 namespace tiretherm::input {
 
@@ -29,39 +29,39 @@ std::string case_name(const fs::path& file) {
     return ((found ? below : fs::path()) / whole.stem()).generic_string();
 }
 
-void read_tables(Section& root, Draft& draft) {
-    solver::Problem& problem = draft.problem;
+void read_tables(TomlTable& root, ProblemBuilder& builder) {
+    solver::Problem& problem = builder.problem;
     problem.title = root.text("title").value_or(problem.name);
-    for (const Word& source : root.texts("sources")) {
+    for (const LocatedString& source : root.texts("sources")) {
         problem.sources.push_back(source.text);
     }
     // A later table may speak about an earlier one: patches and layers of the mesh, channels, the run's start and end.
-    draft.followed = followed_names(root.table());
-    read_tire(root, draft);
-    read_materials(root, draft);
-    read_mesh(root, draft);
-    read_drive(root, draft);
-    read_effects(root, draft);
-    read_times(root, draft);
-    read_fields(root, draft);
-    read_travelling(root, draft);
-    read_own_effects(root, draft);
-    read_initial(root, draft);
-    read_sensors(root, draft);
-    read_cameras(root, draft);
-    bind_readings(root, draft);
-    read_measured(root, draft);
-    check_laws(root, draft);
+    builder.followed = followed_names(root.content());
+    read_tire(root, builder);
+    read_materials(root, builder);
+    read_mesh(root, builder);
+    read_drive(root, builder);
+    read_effects(root, builder);
+    read_time_settings(root, builder);
+    read_fields(root, builder);
+    read_travelling(root, builder);
+    read_own_effects(root, builder);
+    read_initial(root, builder);
+    read_sensors(root, builder);
+    read_cameras(root, builder);
+    bind_readings(root, builder);
+    read_measured(root, builder);
+    check_laws(root, builder);
 }
 
 Reading read_case(const fs::path& file) {
-    Mistakes mistakes;
+    InputErrors errors;
     std::optional<solver::Problem> problem;
-    if (const std::optional<Node> document = read_document(file, mistakes)) {
-        problem = read_runs(*document, case_name(file), {}, Occasion::measured, mistakes).problem;
+    if (const std::optional<TomlValue> document = read_document(file, errors)) {
+        problem = read_runs(*document, case_name(file), {}, ReadMode::measured, errors).problem;
     }
-    Reading reading{.problem = std::nullopt, .mistakes = mistakes.in_order(), .warnings = unique(mistakes.warnings())};
-    if (reading.mistakes.empty()) {
+    Reading reading{.problem = std::nullopt, .errors = errors.in_order(), .warnings = unique(errors.warnings())};
+    if (reading.errors.empty()) {
         take_away_cameras(*problem);
         reading.problem = std::move(problem);
     }
@@ -70,8 +70,8 @@ Reading read_case(const fs::path& file) {
 
 std::string render(const Reading& reading) {
     std::string text;
-    for (const Mistake& mistake : reading.mistakes) {
-        text += render(mistake);
+    for (const InputError& error : reading.errors) {
+        text += render(error);
     }
     for (const std::string& warning : reading.warnings) {
         text += fmt::format("warning: {}\n", warning);

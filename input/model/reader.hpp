@@ -5,16 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "input/text/mistake.hpp"
+#include "input/text/input_error.hpp"
 #include "solver/problem.hpp"
 
 /// What a user writes: case files in TOML with units, logs in CSV, and what is wrong with them.
 namespace tiretherm::input {
 
-/// A case that has been read. There is a problem exactly when there is no mistake.
+/// A case that has been read. There is a problem exactly when there is no error.
 struct Reading {
     std::optional<solver::Problem> problem;
-    std::vector<Mistake> mistakes;      ///< all of the case and of its files, in the order of their places
+    std::vector<InputError> errors;     ///< all of the case and of its files, in the order of their places
     std::vector<std::string> warnings;  ///< unusual but possible: "case.toml:12: ..."
 };
 
@@ -22,7 +22,7 @@ struct Reading {
 /// @errors std::runtime_error when the units' data base is not installed
 [[nodiscard]] Reading read_case(const std::filesystem::path& file);
 
-/// All mistakes and warnings of a reading as a compiler shows them, empty when there is none.
+/// All errors and warnings of a reading as a compiler shows them, empty when there is none.
 [[nodiscard]] std::string render(const Reading& reading);
 
 }  // namespace tiretherm::input

@@ -5,12 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "input/effects/effect_requirements.hpp"
 #include "input/model/channel_value.hpp"
-#include "input/model/draft.hpp"
-#include "input/effects/needs.hpp"
 #include "input/model/probes.hpp"
-#include "input/text/wanted.hpp"
-#include "input/text/words.hpp"
+#include "input/model/problem_builder.hpp"
+#include "input/text/quantity_specs.hpp"
+#include "input/text/suggestions.hpp"
 #include "mesh/ring.hpp"
 
 namespace tiretherm::input {
@@ -19,7 +19,7 @@ namespace {
 
 struct Kind {
     std::string_view name;
-    Where (*read)(Section& sensor, const mesh::Mesh& mesh);
+    Where (*read)(TomlTable& sensor, const mesh::Mesh& mesh);
 };
 constexpr std::array kinds{Kind{"point", read_point}, Kind{"spot", read_spot},     Kind{"patch", read_patch},
                            Kind{"layer", read_layer}, Kind{"region", read_region}, Kind{"zone", read_zone},
@@ -57,43 +57,43 @@ constexpr std::array readings{
 
 /// A quantity that follows from inputs, from the heat lost by deformation or from a temperature that another sensor or a
 /// region gives.
-Where read_quantity(Section& sensor, const Reading& reading, const Draft& draft) {
-    const mesh::Mesh& mesh = draft.problem.mesh;
+Where read_quantity(TomlTable& sensor, const Reading& reading, const ProblemBuilder& builder) {
+    const mesh::Mesh& mesh = builder.problem.mesh;
     solver::Channel channel{
         .name = {}, .meaning = std::string(reading.meaning), .where = {}, .quantity = reading.quantity};
-    if (!draft.has_tire && reading.quantity != solver::Quantity::gas_pressure) {
-        sensor.mistake("kind", fmt::format("{} is that of a tire, and there is no tire", reading.name), "add [tire]");
+    if (!builder.has_tire && reading.quantity != solver::Quantity::gas_pressure) {
+        sensor.add_error("kind", fmt::format("{} is that of a tire, and there is no tire", reading.name), "add [tire]");
     }
     for (const std::string_view signal : signals_of(reading.quantity)) {
-        if (!draft.given.contains(signal)) {
-            sensor.mistake("kind", fmt::format("{} follows {}, which [drive] lacks", reading.name, signal),
-                           fmt::format("add {} to [drive]", signal));
+        if (!builder.given.contains(signal)) {
+            sensor.add_error("kind", fmt::format("{} follows {}, which [drive] lacks", reading.name, signal),
+                             fmt::format("add {} to [drive]", signal));
         }
     }
-    if (reading.needs_magic_formula && !draft.problem.handling.magic_formula) {
-        sensor.mistake("kind",
-                       fmt::format("{} is of the Magic Formula, and the tire has no property file", reading.name),
-                       "add property_file = \"....tir\" to [tire]");
+    if (reading.needs_magic_formula && !builder.problem.handling.magic_formula) {
+        sensor.add_error("kind",
+                         fmt::format("{} is of the Magic Formula, and the tire has no property file", reading.name),
+                         "add property_file = \"....tir\" to [tire]");
         return std::nullopt;
     }
-    if (!reading.needs_effect.empty() && std::ranges::none_of(draft.problem.effects, [&](const auto& active) {
+    if (!reading.needs_effect.empty() && std::ranges::none_of(builder.problem.effects, [&](const auto& active) {
             return active.effect->id == reading.needs_effect;
         })) {
-        sensor.mistake("kind", fmt::format("{} follows {}, which is off", reading.name, reading.needs_effect),
-                       fmt::format("switch it on: [effects.{}]", reading.needs_effect));
+        sensor.add_error("kind", fmt::format("{} follows {}, which is off", reading.name, reading.needs_effect),
+                         fmt::format("switch it on: [effects.{}]", reading.needs_effect));
     }
     if (reading.region.empty()) {
         return channel;
     }
     if (const std::optional<std::string> of = sensor.text("temperature_of")) {
         std::vector<solver::Channel> channels;
-        std::ranges::copy_if(draft.problem.channels, std::back_inserter(channels),
+        std::ranges::copy_if(builder.problem.channels, std::back_inserter(channels),
                              [](const auto& c) { return c.quantity == solver::Quantity::temperature; });
         const auto found = std::find_if(channels.begin(), channels.end(), [&](const auto& c) { return c.name == *of; });
         if (found == channels.end()) {
-            sensor.mistake("temperature_of",
-                           fmt::format("no sensor of a temperature above this one is called \"{}\"", *of),
-                           suggest(*of, names_of(channels), "sensors"));
+            sensor.add_error("temperature_of",
+                             fmt::format("no sensor of a temperature above this one is called \"{}\"", *of),
+                             suggest(*of, names_of(channels), "sensors"));
             return std::nullopt;
         }
         channel.where = found->where;
@@ -102,7 +102,7 @@ Where read_quantity(Section& sensor, const Reading& reading, const Draft& draft)
     }
     const int region = mesh.find_region(reading.region);
     if (region < 0) {
-        sensor.mistake(
+        sensor.add_error(
             "kind", fmt::format("{} follows the {}, which this case does not have", reading.name, reading.region),
             reading.region == "gas" ? "switch it on: [effects.inner_gas]" : "name a sensor: temperature_of = \"...\"");
         return std::nullopt;
@@ -122,25 +122,25 @@ std::vector<std::string_view> kind_names() {
     return names;
 }
 
-/// The channels of a sensor, without their names: one, or of strips several. Empty after a mistake.
-std::vector<solver::Channel> read_places(Section& sensor, std::string_view kind, const Draft& draft) {
+/// The channels of a sensor, without their names: one, or of strips several. Empty after an error.
+std::vector<solver::Channel> read_places(TomlTable& sensor, std::string_view kind, const ProblemBuilder& builder) {
     if (kind == strips) {
-        return read_strips(sensor, draft.problem.mesh);
+        return read_strips(sensor, builder.problem.mesh);
     }
     const auto by_name = [&](const auto& candidate) { return candidate.name == kind; };
     const auto place = std::find_if(kinds.begin(), kinds.end(), by_name);
     const Where where = place != kinds.end()
-                            ? place->read(sensor, draft.problem.mesh)
-                            : read_quantity(sensor, *std::find_if(readings.begin(), readings.end(), by_name), draft);
+                            ? place->read(sensor, builder.problem.mesh)
+                            : read_quantity(sensor, *std::find_if(readings.begin(), readings.end(), by_name), builder);
     return where ? std::vector{*where} : std::vector<solver::Channel>{};
 }
 
 /// On a ring a sensor reads the mean around the circumference, or one place of the turning rubber.
-void read_angle(Section& sensor, const mesh::Mesh& mesh, std::vector<solver::Channel>& found) {
+void read_angle(TomlTable& sensor, const mesh::Mesh& mesh, std::vector<solver::Channel>& found) {
     const std::optional<double> angle = sensor.quantity("angle", {.unit = "radian", .low = -1e3, .high = 1e3});
     if (angle && mesh.sectors == 1) {
-        sensor.mistake("angle", "only a ring has places around the circumference",
-                       "remove angle, or give [mesh] sectors");
+        sensor.add_error("angle", "only a ring has places around the circumference",
+                         "remove angle, or give [mesh] sectors");
     }
     for (solver::Channel& channel : found) {
         const bool of_place = angle && channel.quantity == solver::Quantity::temperature;
@@ -167,14 +167,15 @@ std::string described(const std::optional<std::string>& meaning, const std::stri
 }
 
 /// Adds the channels under their names, which nobody else may have.
-void add_channels(const Section& sensor, const std::string& name, std::vector<solver::Channel> found, Draft& draft) {
-    std::vector<solver::Channel>& channels = draft.problem.channels;
+void add_channels(const TomlTable& sensor, const std::string& name, std::vector<solver::Channel> found,
+                  ProblemBuilder& builder) {
+    std::vector<solver::Channel>& channels = builder.problem.channels;
     for (std::size_t i = 0; i < found.size(); ++i) {
         found[i].name = numbered(name, i, found.size());
         const bool taken = std::any_of(channels.begin(), channels.end(),
                                        [&](const auto& other) { return other.name == found[i].name; });
         if (taken && !name.empty()) {
-            sensor.mistake("name", fmt::format("a second sensor is called \"{}\"", found[i].name), "rename one");
+            sensor.add_error("name", fmt::format("a second sensor is called \"{}\"", found[i].name), "rename one");
         }
         channels.push_back(std::move(found[i]));
     }
@@ -182,14 +183,14 @@ void add_channels(const Section& sensor, const std::string& name, std::vector<so
 
 }  // namespace
 
-std::vector<std::string> sensor_names(const Node& document) {
+std::vector<std::string> sensor_names(const TomlValue& document) {
     std::vector<std::string> names;
-    const Node* sensors = document.find("sensor");
-    for (const Node& sensor : sensors != nullptr ? sensors->items : std::vector<Node>{}) {
-        const Node* name = sensor.find("name");
-        const Node* kind = sensor.find("kind");
-        const Node* count = sensor.find("count");
-        if (name == nullptr || name->kind != Node::Kind::text) {
+    const TomlValue* sensors = document.find("sensor");
+    for (const TomlValue& sensor : sensors != nullptr ? sensors->items : std::vector<TomlValue>{}) {
+        const TomlValue* name = sensor.find("name");
+        const TomlValue* kind = sensor.find("kind");
+        const TomlValue* count = sensor.find("count");
+        if (name == nullptr || name->kind != TomlValue::Kind::text) {
             continue;
         }
         const bool several =
@@ -202,40 +203,40 @@ std::vector<std::string> sensor_names(const Node& document) {
     return names;
 }
 
-void read_sensors(Section& root, Draft& draft) {
+void read_sensors(TomlTable& root, ProblemBuilder& builder) {
     const std::vector<std::string_view> names = kind_names();
-    root.each("sensor", [&](Section& sensor) {
+    root.each("sensor", [&](TomlTable& sensor) {
         const std::optional<std::string> name = sensor.name("name", Need::required);
         const std::optional<std::string> meaning = sensor.text("meaning");
         const std::optional<std::size_t> kind = sensor.choice("kind", names, Need::required);
         if (name == "time") {
-            sensor.mistake("name", "time is the name of the clock", "rename the sensor");
+            sensor.add_error("name", "time is the name of the clock", "rename the sensor");
         }
         std::vector<solver::Channel> found;
-        if (kind && draft.has_mesh) {
-            found = read_places(sensor, names[*kind], draft);
-            read_angle(sensor, draft.problem.mesh, found);
+        if (kind && builder.has_mesh) {
+            found = read_places(sensor, names[*kind], builder);
+            read_angle(sensor, builder.problem.mesh, found);
         } else {
             for (const std::string_view key : {"depth", "x", "y", "radius", "from", "to", "angle"}) {
-                sensor.quantity(key, wanted::coordinate);
+                sensor.quantity(key, quantity_specs::coordinate);
             }
-            sensor.know({"standard_deviation"});
-            sensor.forgive();
+            sensor.declare_keys({"standard_deviation"});
+            sensor.allow_unknown_keys();
         }
         if (found.empty()) {
-            sensor.know({"standard_deviation"});
+            sensor.declare_keys({"standard_deviation"});
             found.emplace_back();  // others may speak of it
         } else {
-            const auto sigma = sensor.quantity("standard_deviation", wanted_deviation(found.front().quantity));
+            const auto sigma = sensor.quantity("standard_deviation", deviation_spec(found.front().quantity));
             for (solver::Channel& channel : found) {
                 channel.standard_deviation = sigma;
                 channel.meaning = described(meaning, channel.meaning, found.size() == 1);
             }
         }
-        add_channels(sensor, name.value_or(""), std::move(found), draft);
+        add_channels(sensor, name.value_or(""), std::move(found), builder);
     });
-    if (draft.problem.channels.empty() && !root.has("camera")) {
-        root.mistakes().warn(root.place(), "the case has no [[sensor]]: the run records fields only");
+    if (builder.problem.channels.empty() && !root.has("camera")) {
+        root.errors().warn(root.place(), "the case has no [[sensor]]: the run records fields only");
     }
 }
 

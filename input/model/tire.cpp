@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "input/model/draft.hpp"
 #include "input/model/law.hpp"
+#include "input/model/problem_builder.hpp"
+#include "input/text/quantity_specs.hpp"
+#include "input/text/suggestions.hpp"
 #include "input/tire_property_file/tir_file.hpp"
-#include "input/text/wanted.hpp"
-#include "input/text/words.hpp"
 
 namespace tiretherm::input {
 
@@ -20,21 +20,21 @@ using physics::Tire;
 struct Key {
     std::string_view key;
     double Tire::*member;
-    Wanted wanted;
+    QuantitySpec spec;
 };
 
-constexpr Wanted radius{.unit = "m", .low = 0.01, .high = 5.0, .usual_low = 0.1, .usual_high = 2.0};
-constexpr Wanted width{.unit = "m", .low = 0.005, .high = 3.0, .usual_low = 0.05, .usual_high = 1.0};
+constexpr QuantitySpec radius{.unit = "m", .low = 0.01, .high = 5.0, .usual_low = 0.1, .usual_high = 2.0};
+constexpr QuantitySpec width{.unit = "m", .low = 0.005, .high = 3.0, .usual_low = 0.05, .usual_high = 1.0};
 
 constexpr std::array keys{
     Key{"width", &Tire::width, width},
     Key{"section_height", &Tire::section_height, width},
     Key{"unloaded_radius", &Tire::unloaded_radius, radius},
-    Key{"tread_thickness", &Tire::tread_thickness, wanted::thickness},
-    Key{"sidewall_thickness", &Tire::sidewall_thickness, wanted::thickness},
-    Key{"density", &Tire::density, wanted::density},
-    Key{"minimum_load", &Tire::minimum_load, wanted::load},
-    Key{"contact_length_limit", &Tire::contact_length_limit, wanted::length},
+    Key{"tread_thickness", &Tire::tread_thickness, quantity_specs::thickness},
+    Key{"sidewall_thickness", &Tire::sidewall_thickness, quantity_specs::thickness},
+    Key{"density", &Tire::density, quantity_specs::density},
+    Key{"minimum_load", &Tire::minimum_load, quantity_specs::load},
+    Key{"contact_length_limit", &Tire::contact_length_limit, quantity_specs::length},
     Key{"contact_length_slope",
         &Tire::contact_length_slope,
         {.unit = "kN-1", .low = 0.0, .high = 100.0, .above = true}},
@@ -50,7 +50,7 @@ constexpr std::array keys{
 struct Law {
     std::string_view table;
     std::optional<physics::Curve> Tire::*member;
-    Wanted value;
+    QuantitySpec value;
     std::string_view numbers;  ///< one of the keys above
 };
 
@@ -62,7 +62,7 @@ const std::array laws{
 };
 
 /// "225/50 R17": width in mm, aspect ratio in %, rim in inches; with or without what sidewalls add to it.
-void read_size(Section& tire, Tire& into) {
+void read_size(TomlTable& tire, Tire& into) {
     const std::optional<std::string> size = tire.text("size", Need::required);
     if (!size) {
         return;
@@ -72,18 +72,18 @@ void read_size(Section& tire, Tire& into) {
         std::regex::icase);
     std::smatch parts;
     if (!std::regex_match(*size, parts, pattern)) {
-        tire.mistake("size", fmt::format("size is \"{}\", not the size of a tire", *size),
-                     "write width in mm / aspect ratio in %, R, rim in inches: \"225/50 R17\"");
+        tire.add_error("size", fmt::format("size is \"{}\", not the size of a tire", *size),
+                       "write width in mm / aspect ratio in %, R, rim in inches: \"225/50 R17\"");
         return;
     }
     const double width_mm = std::stod(parts[1]);
     const double aspect = std::stod(parts[2]);
     const double rim = std::stod(parts[3]) * 0.0254;
     if (width_mm < 20.0 || aspect < 15.0 || aspect > 110.0 || rim < 0.2) {
-        tire.mistake("size",
-                     fmt::format("size is \"{}\": {} mm wide, aspect ratio {} %, rim {} in", *size, width_mm, aspect,
-                                 parts[3].str()),
-                     "write width in mm / aspect ratio in %, R, rim in inches: \"225/50 R17\"");
+        tire.add_error("size",
+                       fmt::format("size is \"{}\": {} mm wide, aspect ratio {} %, rim {} in", *size, width_mm, aspect,
+                                   parts[3].str()),
+                       "write width in mm / aspect ratio in %, R, rim in inches: \"225/50 R17\"");
         return;
     }
     into.name = *size;
@@ -93,97 +93,97 @@ void read_size(Section& tire, Tire& into) {
 }
 
 /// The moduli of the cornering stiffness: [tire.modulus].
-void read_modulus(Section& tire, solver::Handling& into) {
-    Section section = tire.section("modulus");
-    constexpr Wanted modulus{.unit = "Pa", .low = 0.0, .high = 1e12, .above = true};
+void read_modulus(TomlTable& tire, solver::Handling& into) {
+    TomlTable table = tire.subtable("modulus");
+    constexpr QuantitySpec modulus{.unit = "Pa", .low = 0.0, .high = 1e12, .above = true};
     physics::EquivalentModulus& m = into.modulus;
-    const auto take = [&](std::string_view key, const Wanted& wanted, double& member) {
-        member = section.quantity(key, wanted).value_or(member);
+    const auto take = [&](std::string_view key, const QuantitySpec& spec, double& member) {
+        member = table.quantity(key, spec).value_or(member);
     };
     take("belt_maximum", modulus, m.E_max);
     take("belt_fall", modulus, m.dE);
     take("belt_slope", {.unit = "m-1", .low = -1e4, .high = 1e4}, m.slope);
-    take("belt_threshold", wanted::length, m.l_t);
+    take("belt_threshold", quantity_specs::length, m.l_t);
     take("tread_middle", modulus, m.E_mid);
     take("tread_fall", modulus, m.dE_T);
-    take("transition_temperature", wanted::temperature, m.T_g);
+    take("transition_temperature", quantity_specs::temperature, m.T_g);
     take("transition_width", {.unit = "K", .scale = Scale::difference, .low = 0.0, .high = 1e4, .above = true}, m.dT);
     take("lambda_CP", {.unit = "1", .low = 0.0, .high = 10.0}, into.lambda_CP);
     if (m.dE >= m.E_max) {
-        section.mistake("belt_fall", "the belt's modulus would fall to nothing", "let it be smaller than belt_maximum");
+        table.add_error("belt_fall", "the belt's modulus would fall to nothing", "let it be smaller than belt_maximum");
     }
     if (m.dE_T >= 2.0 * m.E_mid) {
-        section.mistake("tread_fall", "the tread's modulus would fall to nothing",
+        table.add_error("tread_fall", "the tread's modulus would fall to nothing",
                         "let it be smaller than twice tread_middle");
     }
 }
 
 /// The Magic Formula's coefficients: property_file, beside the file that names it.
-void read_property_file(Section& tire, solver::Handling& into) {
+void read_property_file(TomlTable& tire, solver::Handling& into) {
     if (const std::optional<std::string> path = tire.text("property_file")) {
-        const Place mentioned = tire.place("property_file");
-        const std::filesystem::path beside = std::filesystem::path(tire.mistakes().file(mentioned.file)).parent_path();
-        if (const auto file = read_tir_file((beside / *path).lexically_normal(), mentioned, tire.mistakes())) {
+        const SourceLocation mentioned = tire.place("property_file");
+        const std::filesystem::path beside = std::filesystem::path(tire.errors().file(mentioned.file)).parent_path();
+        if (const auto file = read_tir_file((beside / *path).lexically_normal(), mentioned, tire.errors())) {
             into.magic_formula = file->law;
         }
     }
 }
 
-void check(const Section& tire, const Tire& read, double nominal_radius) {
+void check(const TomlTable& tire, const Tire& read, double nominal_radius) {
     if (read.tread_thickness >= read.section_height) {
-        tire.mistake("tread_thickness", "the tread is thicker than the section is high");
+        tire.add_error("tread_thickness", "the tread is thicker than the section is high");
     }
     if (2.0 * read.sidewall_thickness >= read.width) {
-        tire.mistake("sidewall_thickness", "two sidewalls are thicker than the tire is wide");
+        tire.add_error("sidewall_thickness", "two sidewalls are thicker than the tire is wide");
     }
     if (!read.loaded_radius_table && read.loaded_radius_at_zero > read.unloaded_radius * (1.0 + 1e-9)) {
-        tire.mistake("loaded_radius_at_zero", "the loaded radius at zero load is larger than the unloaded radius");
+        tire.add_error("loaded_radius_at_zero", "the loaded radius at zero load is larger than the unloaded radius");
     }
     if (std::abs(read.unloaded_radius / nominal_radius - 1.0) > 0.05) {
-        tire.mistakes().warn(tire.place("unloaded_radius"),
-                             fmt::format("unloaded_radius is {:.1f} mm, but a {} has about {:.1f} mm",
-                                         read.unloaded_radius * 1e3, read.name, nominal_radius * 1e3));
+        tire.errors().warn(tire.place("unloaded_radius"),
+                           fmt::format("unloaded_radius is {:.1f} mm, but a {} has about {:.1f} mm",
+                                       read.unloaded_radius * 1e3, read.name, nominal_radius * 1e3));
     }
 }
 
 }  // namespace
 
-void read_tire(Section& root, Draft& draft) {
-    Section tire = root.section("tire");
-    draft.has_tire = tire.exists();
+void read_tire(TomlTable& root, ProblemBuilder& builder) {
+    TomlTable tire = root.subtable("tire");
+    builder.has_tire = tire.exists();
     if (!tire.exists()) {
         return;
     }
-    draft.has_tire_density = tire.has("density");
-    Tire& into = draft.problem.tire;
-    const std::size_t before = tire.mistakes().count();
+    builder.has_tire_density = tire.has("density");
+    Tire& into = builder.problem.tire;
+    const std::size_t before = tire.errors().count();
     read_size(tire, into);
     const double nominal_radius = into.unloaded_radius;
     for (const Key& key : keys) {
-        into.*key.member = tire.quantity(key.key, key.wanted).value_or(into.*key.member);
+        into.*key.member = tire.quantity(key.key, key.spec).value_or(into.*key.member);
     }
     if (!tire.has("loaded_radius_at_zero")) {
         into.loaded_radius_at_zero = into.unloaded_radius;
     }
-    read_modulus(tire, draft.problem.handling);
-    read_property_file(tire, draft.problem.handling);
+    read_modulus(tire, builder.problem.handling);
+    read_property_file(tire, builder.problem.handling);
     std::vector<std::string> borrowed;
     for (const Law& law : laws) {
-        into.*law.member = read_curve(tire, law.table, wanted::load, law.value);
+        into.*law.member = read_curve(tire, law.table, quantity_specs::load, law.value);
         if (!tire.has(law.table) && !tire.has(law.numbers)) {
             borrowed.emplace_back(law.table);
         }
     }
-    if (tire.mistakes().count() > before) {
+    if (tire.errors().count() > before) {
         return;
     }
     check(tire, into, nominal_radius);
     const bool thesis_size = into.name.starts_with("225/50 R17") || into.name.starts_with("225/50R17");
     if (!thesis_size && !borrowed.empty()) {
-        tire.mistakes().warn(tire.place(),
-                             fmt::format("{} of the {} taken from the thesis's 225/50 R17: give {}", listed(borrowed),
-                                         into.name + (borrowed.size() > 1 ? " are" : " is"),
-                                         borrowed.size() > 1 ? "its own laws" : "its own law"));
+        tire.errors().warn(tire.place(),
+                           fmt::format("{} of the {} taken from the thesis's 225/50 R17: give {}", listed(borrowed),
+                                       into.name + (borrowed.size() > 1 ? " are" : " is"),
+                                       borrowed.size() > 1 ? "its own laws" : "its own law"));
     }
 }
 

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include "input/parameters/hot_spots.hpp"
 #include "input/measurements/runs.hpp"
+#include "input/parameters/hot_spots.hpp"
 #include "input/parameters/study_key.hpp"
 #include "input/parameters/study_value.hpp"
-#include "input/text/wanted.hpp"
-#include "input/text/words.hpp"
+#include "input/text/quantity_specs.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
@@ -19,20 +19,19 @@ constexpr double zero_celsius = 273.15;
 /// The names of a key, each of which the mesh must have. @returns whether a name is meant; all are where none is given
 class Chosen {
 public:
-    Chosen(Section& section, std::string_view key, std::string_view plural, const std::vector<std::string>& known,
+    Chosen(TomlTable& table, std::string_view key, std::string_view plural, const std::vector<std::string>& known,
            bool has_mesh) {
-        if (const Node* list = section.value(key);
-            list != nullptr && list->kind == Node::Kind::array && list->items.empty()) {
-            section.mistake(key, fmt::format("{} is an empty list", key), "name one, or leave the key out for all");
+        if (const TomlValue* list = table.value(key);
+            list != nullptr && list->kind == TomlValue::Kind::array && list->items.empty()) {
+            table.add_error(key, fmt::format("{} is an empty list", key), "name one, or leave the key out for all");
             sound_ = false;
         }
-        for (const Word& word : section.texts(key)) {
+        for (const LocatedString& word : table.texts(key)) {
             names_.push_back(word.text);
             if (has_mesh && std::ranges::find(known, word.text) == known.end()) {
-                section.mistakes().add(word.place,
-                                       fmt::format("the mesh has no {} \"{}\"", singular(plural), word.text),
-                                       known.empty() ? fmt::format("this mesh has no {}: leave the key out", plural)
-                                                     : suggest(word.text, known, plural));
+                table.errors().add(word.place, fmt::format("the mesh has no {} \"{}\"", singular(plural), word.text),
+                                   known.empty() ? fmt::format("this mesh has no {}: leave the key out", plural)
+                                                 : suggest(word.text, known, plural));
                 sound_ = false;
             }
         }
@@ -62,8 +61,8 @@ std::string part_in_words(const Chosen& layers, const Chosen& zones, const Chose
 }
 
 /// The reading that is held beside the hot spot: a sensor of a temperature, or the mean of the outer surface.
-void read_surface(Section& section, const solver::Problem& problem, bool has_mesh, solver::Critical& into) {
-    const std::optional<std::string> name = section.text("surface");
+void read_surface(TomlTable& table, const solver::Problem& problem, bool has_mesh, solver::Critical& into) {
+    const std::optional<std::string> name = table.text("surface");
     if (!has_mesh) {
         return;
     }
@@ -77,7 +76,7 @@ void read_surface(Section& section, const solver::Problem& problem, bool has_mes
     }
     const auto found = std::ranges::find(problem.channels, *name, &solver::Channel::name);
     if (found == problem.channels.end() || found->quantity != solver::Quantity::temperature) {
-        section.mistake("surface", fmt::format("no sensor of a temperature is called \"{}\"", *name),
+        table.add_error("surface", fmt::format("no sensor of a temperature is called \"{}\"", *name),
                         suggest(*name, names_of(problem.channels), "sensors"));
         return;
     }
@@ -94,24 +93,25 @@ double hottest_surroundings(const solver::Problem& problem, const std::vector<in
         }
     }
     for (const int node : nodes) {
-        if (const auto i = static_cast<std::size_t>(node); i < problem.initial.size()) {  // not after a mistake in it
+        if (const auto i = static_cast<std::size_t>(node); i < problem.initial.size()) {  // not after an error in it
             hottest = std::max(hottest, problem.initial[i]);
         }
     }
     return hottest;
 }
 
-solver::Critical read_one(Section& section, const solver::Problem& problem, bool has_mesh) {
+solver::Critical read_one(TomlTable& table, const solver::Problem& problem, bool has_mesh) {
     const mesh::Mesh& mesh = problem.mesh;
     solver::Critical critical;
-    critical.name = section.name("name", Need::required).value_or("");
-    const std::optional<double> temperature = section.quantity("temperature", wanted::temperature, Need::required);
+    critical.name = table.name("name", Need::required).value_or("");
+    const std::optional<double> temperature =
+        table.quantity("temperature", quantity_specs::temperature, Need::required);
     critical.temperature = temperature.value_or(0.0);
-    const Chosen layers(section, "layers", "layers", mesh.layers, has_mesh);
-    const Chosen zones(section, "zones", "zones", mesh.zones, has_mesh);
-    const Chosen materials(section, "materials", "materials", unique(names_of(problem.materials)), has_mesh);
+    const Chosen layers(table, "layers", "layers", mesh.layers, has_mesh);
+    const Chosen zones(table, "zones", "zones", mesh.zones, has_mesh);
+    const Chosen materials(table, "materials", "materials", unique(names_of(problem.materials)), has_mesh);
     critical.part = part_in_words(layers, zones, materials);
-    read_surface(section, problem, has_mesh, critical);
+    read_surface(table, problem, has_mesh, critical);
     if (!has_mesh || !layers.sound() || !zones.sound() || !materials.sound() ||
         problem.materials.size() != mesh.layers.size()) {
         return critical;
@@ -126,13 +126,13 @@ solver::Critical read_one(Section& section, const solver::Problem& problem, bool
         }
     }
     if (critical.nodes.empty()) {
-        section.mistake("", fmt::format("the mesh has nothing that is {}", critical.part),
+        table.add_error("", fmt::format("the mesh has nothing that is {}", critical.part),
                         "name layers, materials and zones that meet");
         return critical;
     }
     const double surroundings = hottest_surroundings(problem, critical.nodes);
     if (temperature && *temperature <= surroundings) {
-        section.mistake("temperature",
+        table.add_error("temperature",
                         fmt::format("{:.6g} degC is passed before anything heats the tire: its start or its air is at "
                                     "{:.6g} degC",
                                     *temperature - zero_celsius, surroundings - zero_celsius),
@@ -143,12 +143,12 @@ solver::Critical read_one(Section& section, const solver::Problem& problem, bool
 
 }  // namespace
 
-std::vector<solver::Critical> read_critical(Section& root, const solver::Problem& problem, bool has_mesh) {
+std::vector<solver::Critical> read_critical(TomlTable& root, const solver::Problem& problem, bool has_mesh) {
     std::vector<solver::Critical> found;
-    root.each("critical", [&](Section& section) {
-        solver::Critical critical = read_one(section, problem, has_mesh);
+    root.each("critical", [&](TomlTable& table) {
+        solver::Critical critical = read_one(table, problem, has_mesh);
         if (std::ranges::find(found, critical.name, &solver::Critical::name) != found.end() && !critical.name.empty()) {
-            section.mistake("name", fmt::format("a second critical temperature is called \"{}\"", critical.name),
+            table.add_error("name", fmt::format("a second critical temperature is called \"{}\"", critical.name),
                             "rename one");
         }
         found.push_back(std::move(critical));
@@ -156,15 +156,15 @@ std::vector<solver::Critical> read_critical(Section& root, const solver::Problem
     return found;
 }
 
-std::vector<UncertainKey> read_uncertain(Section& root) {
+std::vector<UncertainKey> read_uncertain(TomlTable& root) {
     std::vector<UncertainKey> found;
-    root.each("uncertain", [&](Section& section) {
-        const std::optional<std::string> key = section.text("key", Need::required);
-        const std::optional<Measure> deviation = read_measure(section, "standard_deviation", Need::required);
-        const Node* value = key ? find_at(root.table(), {*key, section.place("key")}) : nullptr;
+    root.each("uncertain", [&](TomlTable& table) {
+        const std::optional<std::string> key = table.text("key", Need::required);
+        const std::optional<Measure> deviation = read_measure(table, "standard_deviation", Need::required);
+        const TomlValue* value = key ? find_at(root.content(), {*key, table.place("key")}) : nullptr;
         const StudyValue shown_value = value != nullptr ? study_value(*value) : StudyValue{};
         if (key && (value == nullptr || !std::isfinite(shown_value.number))) {
-            section.mistake("key",
+            table.add_error("key",
                             value == nullptr ? fmt::format("the case says nothing at \"{}\"", *key)
                                              : fmt::format("\"{}\" is {}, not a number", *key, shown(*value)),
                             "name a value that the case gives, such as \"drive.air_temperature\"");
@@ -173,17 +173,15 @@ std::vector<UncertainKey> read_uncertain(Section& root) {
         if (!key || !deviation) {
             return;
         }
-        UncertainKey uncertain{.key = {*key, section.place("key")},
-                               .value = *value,
-                               .number = shown_value.number,
-                               .unit = unit_of(*value)};
-        const auto in = in_unit(*deviation, uncertain.unit, true, "standard_deviation", section.mistakes());
+        UncertainKey uncertain{
+            .key = {*key, table.place("key")}, .value = *value, .number = shown_value.number, .unit = unit_of(*value)};
+        const auto in = in_unit(*deviation, uncertain.unit, true, "standard_deviation", table.errors());
         uncertain.standard_deviation = in.value_or(1.0);
         if (!(uncertain.standard_deviation > 0.0)) {
-            section.mistake("standard_deviation", "a standard deviation is positive", "give one above 0");
+            table.add_error("standard_deviation", "a standard deviation is positive", "give one above 0");
         }
         if (std::ranges::any_of(found, [&](const UncertainKey& other) { return other.key.text == *key; })) {
-            section.mistake("key", fmt::format("\"{}\" is uncertain twice", *key), "remove one");
+            table.add_error("key", fmt::format("\"{}\" is uncertain twice", *key), "remove one");
         }
         found.push_back(std::move(uncertain));
     });

@@ -10,10 +10,10 @@
 
 #include <fmt/format.h>
 
-#include "input/text/document.hpp"
 #include "input/parameters/fitted_effects.hpp"
+#include "input/text/document.hpp"
+#include "input/text/suggestions.hpp"
 #include "input/text/toml_text.hpp"
-#include "input/text/words.hpp"
 
 namespace tiretherm::input {
 
@@ -66,10 +66,10 @@ std::string law_text(const physics::Curve& law, const std::vector<double>& knots
 using Laws = std::map<std::string, std::string>;
 
 /// Whether the original case gives a material's key.
-bool gives(const Node& original, const std::string& material, std::string_view key) {
-    const Node* list = original.find("material");
-    for (const Node& entry : list != nullptr ? list->items : std::vector<Node>{}) {
-        const Node* name = entry.find("name");
+bool gives(const TomlValue& original, const std::string& material, std::string_view key) {
+    const TomlValue* list = original.find("material");
+    for (const TomlValue& entry : list != nullptr ? list->items : std::vector<TomlValue>{}) {
+        const TomlValue* name = entry.find("name");
         if (name != nullptr && name->text == material) {
             return entry.find(key) != nullptr;
         }
@@ -77,7 +77,7 @@ bool gives(const Node& original, const std::string& material, std::string_view k
     return false;
 }
 
-std::string materials_text(const FittedCase& fitted, const Node& original) {
+std::string materials_text(const FittedCase& fitted, const TomlValue& original) {
     std::map<std::string, Laws> materials;
     for (const solver::Adjustable& number : fitted.parameters) {
         if (number.kind != Kind::conductivity && number.kind != Kind::heat_capacity) {
@@ -136,8 +136,8 @@ std::vector<std::string> initial_lines(const solver::Problem& problem) {
 }
 
 /// The runs that start at fitted temperatures, and those whose files were given beside the case.
-std::string runs_text(const FittedCase& fitted, const Node& original, const fs::path& folder) {
-    const Node* data = original.find("data");  // how columns of files beside the case are read
+std::string runs_text(const FittedCase& fitted, const TomlValue& original, const fs::path& folder) {
+    const TomlValue* data = original.find("data");  // how columns of files beside the case are read
     std::set<int> moved;
     for (const solver::Adjustable& number : fitted.parameters) {
         if (number.kind == Kind::initial) {
@@ -193,11 +193,12 @@ std::string heading(const FittedCase& fitted) {
 }  // namespace
 
 std::string fitted_case(const FittedCase& fitted, const fs::path& folder) {
-    Mistakes mistakes;
-    const std::optional<Node> original = read_document(fitted.original, mistakes);
+    InputErrors errors;
+    const std::optional<TomlValue> original = read_document(fitted.original, errors);
     return heading(fitted) + fmt::format("include = [{}]\n", toml_text::path(fitted.original, folder)) +
            effects_text(*fitted.before, *fitted.fitted, fitted.parameters, fitted.own) + link_text(fitted) +
-           materials_text(fitted, original.value_or(Node{})) + runs_text(fitted, original.value_or(Node{}), folder);
+           materials_text(fitted, original.value_or(TomlValue{})) +
+           runs_text(fitted, original.value_or(TomlValue{}), folder);
 }
 
 void write_fitted_case(const FittedCase& fitted, const fs::path& file) {

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "input/effects/own_effects.hpp"
+#include "input/text/suggestions.hpp"
 #include "input/text/toml_text.hpp"
-#include "input/text/words.hpp"
 #include "physics/camera.hpp"
 #include "physics/own_place.hpp"
 

@@ -10,38 +10,38 @@ namespace tiretherm::input {
 
 std::optional<HotSpotCase> HotSpotCase::read(const std::filesystem::path& file) {
     HotSpotCase found;
-    std::optional<Node> document = read_document(file, found.mistakes_);
+    std::optional<TomlValue> document = read_document(file, found.errors_);
     if (!document || document->find("critical") == nullptr) {
         return std::nullopt;
     }
     found.document_ = std::move(*document);
     found.name_ = case_name(file);
-    Mistakes mistakes = found.mistakes_;
-    const Runs runs = read_runs(found.document_, found.name_, {}, Occasion::measured, mistakes);
+    InputErrors errors = found.errors_;
+    const Runs runs = read_runs(found.document_, found.name_, {}, ReadMode::measured, errors);
     for (const solver::Adjustable& number : runs.experiment.parameters) {
         if (std::isfinite(number.standard_deviation)) {
             found.known.push_back(number);
         }
     }
-    Section root(found.document_, "the case", mistakes);
-    root.forgive();
+    TomlTable root(found.document_, "the case", errors);
+    root.allow_unknown_keys();
     found.critical = read_critical(root, runs.problem, true);
     found.uncertain = read_uncertain(root);
     return found;
 }
 
-std::optional<solver::Problem> HotSpotCase::problem_of(const Node& document) const {
-    Mistakes mistakes = mistakes_;
-    Runs runs = read_runs(document, name_, {}, Occasion::measured, mistakes);
-    return mistakes.count() == 0 ? std::optional(std::move(runs.problem)) : std::nullopt;
+std::optional<solver::Problem> HotSpotCase::problem_of(const TomlValue& document) const {
+    InputErrors errors = errors_;
+    Runs runs = read_runs(document, name_, {}, ReadMode::measured, errors);
+    return errors.count() == 0 ? std::optional(std::move(runs.problem)) : std::nullopt;
 }
 
 std::optional<solver::Problem> HotSpotCase::moved(const UncertainKey& uncertain_key, double deviations) const {
-    Node document = document_;
-    Mistakes mistakes = mistakes_;
+    TomlValue document = document_;
+    InputErrors errors = errors_;
     const double number = uncertain_key.number + deviations * uncertain_key.standard_deviation;
     const StudyValue value = study_value(number, uncertain_key.unit, false, uncertain_key.value.place);
-    if (!write_at(document, uncertain_key.key, value.node, mistakes)) {
+    if (!write_at(document, uncertain_key.key, value.node, errors)) {
         return std::nullopt;
     }
     return problem_of(document);

@@ -5,31 +5,32 @@
 #include <string>
 #include <vector>
 
-#include "input/model/draft.hpp"
-#include "solver/sensitivity/adjustable.hpp"
+#include "input/model/problem_builder.hpp"
 #include "solver/hot_spot/hot_spot.hpp"
+#include "solver/sensitivity/adjustable.hpp"
 
 /// What a case says of its hot spots: the lists [[critical]] and [[uncertain]].
 namespace tiretherm::input {
 
 /// A value of the case that is known with a standard deviation only, by its path: "drive.air_temperature".
 struct UncertainKey {
-    Word key{};
-    Node value{};                     ///< as the case has it
+    LocatedString key{};
+    TomlValue value{};                ///< as the case has it
     double number = 0.0;              ///< in `unit`
     std::string unit{};               ///< as the case writes it; empty for a pure number
     double standard_deviation = 0.0;  ///< in `unit`, > 0
 };
 
-/// The list [[critical]]. Asks for a case that has been read; of a mesh with mistakes only the numbers are judged.
-[[nodiscard]] std::vector<solver::Critical> read_critical(Section& root, const solver::Problem& problem, bool has_mesh);
+/// The list [[critical]]. Needs a case that has been read; of a mesh with errors only the numbers are checked.
+[[nodiscard]] std::vector<solver::Critical> read_critical(TomlTable& root, const solver::Problem& problem,
+                                                          bool has_mesh);
 /// The list [[uncertain]].
-[[nodiscard]] std::vector<UncertainKey> read_uncertain(Section& root);
+[[nodiscard]] std::vector<UncertainKey> read_uncertain(TomlTable& root);
 
 /// A sound case that asks for its hot spots, and the cases beside it that the answer takes.
 class HotSpotCase {
 public:
-    /// @returns nothing where the case has no [[critical]]  @pre read_case found no mistake in the file
+    /// @returns nothing where the case has no [[critical]]  @pre read_case found no error in the file
     [[nodiscard]] static std::optional<HotSpotCase> read(const std::filesystem::path& file);
 
     std::vector<solver::Critical> critical{};
@@ -39,12 +40,12 @@ public:
     /// The case with one value some standard deviations off; nothing where that is no sound case.
     [[nodiscard]] std::optional<solver::Problem> moved(const UncertainKey& uncertain_key, double deviations) const;
     /// The case with another document, such as one that goes on longer; nothing where that is no sound case.
-    [[nodiscard]] std::optional<solver::Problem> problem_of(const Node& document) const;
-    [[nodiscard]] const Node& document() const { return document_; }
+    [[nodiscard]] std::optional<solver::Problem> problem_of(const TomlValue& document) const;
+    [[nodiscard]] const TomlValue& document() const { return document_; }
 
 private:
-    Node document_;
-    Mistakes mistakes_;  ///< knows the files
+    TomlValue document_;
+    InputErrors errors_;  ///< knows the files
     std::string name_;
 };
 

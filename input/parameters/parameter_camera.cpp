@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "input/parameters/parameter_kinds.hpp"
-#include "input/text/wanted.hpp"
-#include "input/text/words.hpp"
+#include "input/text/quantity_specs.hpp"
+#include "input/text/suggestions.hpp"
 #include "physics/camera.hpp"
 
 namespace tiretherm::input {
@@ -12,32 +12,33 @@ namespace tiretherm::input {
 namespace {
 
 /// Whether the case's table of a camera has a key, rightly or wrongly written.
-bool states(const Node& document, const std::string& camera, const std::string& key) {
-    const Node* list = document.find("camera");
-    return list != nullptr && std::ranges::any_of(list->items, [&](const Node& table) {
-               const Node* name = table.find("name");
+bool states(const TomlValue& document, const std::string& camera, const std::string& key) {
+    const TomlValue* list = document.find("camera");
+    return list != nullptr && std::ranges::any_of(list->items, [&](const TomlValue& table) {
+               const TomlValue* name = table.find("name");
                return name != nullptr && name->text == camera && table.find(key) != nullptr;
            });
 }
 
 }  // namespace
 
-std::optional<Freed> free_camera(Section& parameter, const Draft& draft, const Node& document) {
+std::optional<FreeParameters> free_camera(TomlTable& parameter, const ProblemBuilder& builder,
+                                          const TomlValue& document) {
     const std::optional<std::string> name = parameter.text("camera");
     const std::optional<std::string> key = parameter.text("key", Need::required);
     if (!name || !key) {
         return std::nullopt;
     }
-    if (std::ranges::find(draft.cameras, *name, &Camera::name) == draft.cameras.end()) {
-        parameter.mistake("camera", fmt::format("there is no camera \"{}\"", *name),
-                          draft.cameras.empty() ? "add [[camera]] with this name"
-                                                : suggest(*name, names_of(draft.cameras), "cameras"));
+    if (std::ranges::find(builder.cameras, *name, &Camera::name) == builder.cameras.end()) {
+        parameter.add_error("camera", fmt::format("there is no camera \"{}\"", *name),
+                            builder.cameras.empty() ? "add [[camera]] with this name"
+                                                    : suggest(*name, names_of(builder.cameras), "cameras"));
         return std::nullopt;
     }
     // A camera's numbers are those of the effects that carry its name.
     std::vector<std::string> known;
-    for (std::size_t e = 0; e < draft.problem.effects.size(); ++e) {
-        const physics::ActiveEffect& active = draft.problem.effects[e];
+    for (std::size_t e = 0; e < builder.problem.effects.size(); ++e) {
+        const physics::ActiveEffect& active = builder.problem.effects[e];
         if (active.name != *name || !(active.effect == &physics::camera_pose() || active.effect->on_channels)) {
             continue;
         }
@@ -56,13 +57,13 @@ std::optional<Freed> free_camera(Section& parameter, const Draft& draft, const N
                 number.parameter = p;
                 number.low = found.low;
                 number.high = found.high;
-                return Freed{.numbers = {std::move(number)}, .wanted = wanted::of(found)};
+                return FreeParameters{.numbers = {std::move(number)}, .spec = quantity_specs::of(found)};
             }
         }
     }
     const bool is_grey = *key == "emissivity" || *key == "reflected_temperature";
-    if (draft.has_mesh && !(is_grey && states(document, *name, *key))) {
-        parameter.mistake(
+    if (builder.has_mesh && !(is_grey && states(document, *name, *key))) {
+        parameter.add_error(
             "key",
             is_grey ? fmt::format("the [[camera]] {} does not state {}", *name, *key)
                     : fmt::format("a camera has no number \"{}\"", *key),

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "input/parameters/parameter_kinds.hpp"
-#include "input/text/wanted.hpp"
-#include "input/text/words.hpp"
+#include "input/text/quantity_specs.hpp"
+#include "input/text/suggestions.hpp"
 #include "physics/own_place.hpp"
 #include "solver/own_effect.hpp"
 
@@ -25,8 +25,8 @@ struct PlaceKey {
 constexpr std::array places{PlaceKey{"patch", "patches", Scope::patch}, PlaceKey{"layer", "layers", Scope::layer},
                             PlaceKey{"zone", "zones", Scope::zone}, PlaceKey{"channel", "sensors", Scope::channel}};
 
-/// Index of the parameter that a key names, or a mistake.
-std::optional<std::size_t> read_key(const Section& section, const Effect& effect,
+/// Index of the parameter that a key names, or an error.
+std::optional<std::size_t> read_key(const TomlTable& table, const Effect& effect,
                                     const std::optional<std::string>& given) {
     if (!given) {
         return std::nullopt;
@@ -36,7 +36,7 @@ std::optional<std::size_t> read_key(const Section& section, const Effect& effect
         return static_cast<std::size_t>(found);
     }
     if (physics::find_choice(effect, key) >= 0 || physics::find_table(effect, key) >= 0) {
-        section.mistake("key",
+        table.add_error("key",
                         fmt::format("{}.{} is {}, not a number", effect.id, key,
                                     physics::find_choice(effect, key) >= 0 ? "a word" : "a table"),
                         fmt::format("`tiretherm effects {}` lists its numbers", effect.id));
@@ -46,7 +46,7 @@ std::optional<std::size_t> read_key(const Section& section, const Effect& effect
     for (const physics::Parameter& parameter : effect.parameters) {
         known.emplace_back(parameter.key);
     }
-    section.mistake("key", fmt::format("{} has no parameter \"{}\"", effect.id, key),
+    table.add_error("key", fmt::format("{} has no parameter \"{}\"", effect.id, key),
                     suggest(key, known, "parameters"));
     return std::nullopt;
 }
@@ -62,8 +62,8 @@ struct Known {
     std::vector<int> acting;
 };
 
-Known known_places(const Draft& draft, const ActiveEffect& active, Scope scope) {
-    const mesh::Mesh& mesh = draft.problem.mesh;
+Known known_places(const ProblemBuilder& builder, const ActiveEffect& active, Scope scope) {
+    const mesh::Mesh& mesh = builder.problem.mesh;
     Known known;
     const auto all = [&] {
         for (std::size_t i = 0; i < known.names.size(); ++i) {
@@ -75,8 +75,8 @@ Known known_places(const Draft& draft, const ActiveEffect& active, Scope scope) 
             known = {names_of(mesh.patches), active.patches};
             return known;
         case Scope::channel:
-            known = {names_of(draft.problem.channels), active.channels};
-            known.names.resize(draft.cameras.empty() ? known.names.size() : draft.cameras.front().first_channel);
+            known = {names_of(builder.problem.channels), active.channels};
+            known.names.resize(builder.cameras.empty() ? known.names.size() : builder.cameras.front().first_channel);
             return known;
         case Scope::zone:
             known.names = mesh.zones;
@@ -95,12 +95,13 @@ Known known_places(const Draft& draft, const ActiveEffect& active, Scope scope) 
 }
 
 /// A camera as that place: it is many channels, so that the effect must act on nothing else.
-bool read_camera(Section& section, const Camera& camera, const ActiveEffect& active, solver::Adjustable& number) {
+bool read_camera(TomlTable& table, const Camera& camera, const ActiveEffect& active, solver::Adjustable& number) {
     const bool alone = std::ranges::all_of(active.channels, [&](int channel) { return camera.has(channel); });
     if (!alone || active.channels.empty() || !active.overrides.empty()) {
-        section.mistake("channel",
-                        alone ? fmt::format("{} does not act on the camera {}", active.title(), camera.name)
-                              : fmt::format("{} acts on other sensors beside the camera {}", active.title(), camera.name),
+        table.add_error("channel",
+                        alone
+                            ? fmt::format("{} does not act on the camera {}", active.title(), camera.name)
+                            : fmt::format("{} acts on other sensors beside the camera {}", active.title(), camera.name),
                         "let it act on the camera alone, everywhere with one value");
         return false;
     }
@@ -109,47 +110,48 @@ bool read_camera(Section& section, const Camera& camera, const ActiveEffect& act
     return true;
 }
 
-/// The place where alone the number is free, if the table names one. @returns false after a mistake
-bool read_place(Section& section, const Draft& draft, const ActiveEffect& active, solver::Adjustable& number) {
+/// The place where alone the number is free, if the table names one. @returns false after an error
+bool read_place(TomlTable& table, const ProblemBuilder& builder, const ActiveEffect& active,
+                solver::Adjustable& number) {
     const Effect& effect = *active.effect;
     bool sound = true;
     for (const PlaceKey& place : places) {
-        const std::optional<std::string> name = section.text(place.key);
+        const std::optional<std::string> name = table.text(place.key);
         if (!name) {
             continue;
         }
         if (!number.everywhere) {
-            section.mistake(place.key, "a number is free at one place, and here are two", "keep one of them");
+            table.add_error(place.key, "a number is free at one place, and here are two", "keep one of them");
             return false;
         }
         number.everywhere = false;
         number.scope = place.scope;
         if (!may_differ(effect, place.scope)) {
-            section.mistake(place.key, fmt::format("{} has the same values in all {}", active.title(), place.plural),
+            table.add_error(place.key, fmt::format("{} has the same values in all {}", active.title(), place.plural),
                             fmt::format("leave {} out: the value is free everywhere", place.key));
             sound = false;
             continue;
         }
-        if (!draft.has_mesh) {
+        if (!builder.has_mesh) {
             return false;
         }
-        const auto camera = std::ranges::find(draft.cameras, *name, &Camera::name);
-        if (place.scope == Scope::channel && camera != draft.cameras.end()) {
-            sound = read_camera(section, *camera, active, number) && sound;
+        const auto camera = std::ranges::find(builder.cameras, *name, &Camera::name);
+        if (place.scope == Scope::channel && camera != builder.cameras.end()) {
+            sound = read_camera(table, *camera, active, number) && sound;
             continue;
         }
-        const Known known = known_places(draft, active, place.scope);
+        const Known known = known_places(builder, active, place.scope);
         const auto found = std::find(known.names.begin(), known.names.end(), *name);
         number.place = static_cast<int>(found - known.names.begin());
         if (found == known.names.end()) {
             const std::string what = place.scope == Scope::channel
                                          ? fmt::format("there is no sensor \"{}\"", *name)
                                          : fmt::format("the mesh has no {} \"{}\"", place.key, *name);
-            section.mistake(place.key, what, suggest(*name, known.names, place.plural));
+            table.add_error(place.key, what, suggest(*name, known.names, place.plural));
             sound = false;
         } else if (std::find(known.acting.begin(), known.acting.end(), number.place) == known.acting.end()) {
             const bool is_channel = place.scope == Scope::channel;
-            section.mistake(
+            table.add_error(
                 place.key,
                 fmt::format("{} does not act on the {} \"{}\"", effect.id, is_channel ? "sensor" : place.key, *name),
                 fmt::format("name it in {} of [effects.{}]", is_channel ? "channels" : place.plural, effect.id));
@@ -161,7 +163,7 @@ bool read_place(Section& section, const Draft& draft, const ActiveEffect& active
     return sound;
 }
 
-void report_unknown(const Section& section, const std::string& id, const Node& document) {
+void report_unknown(const TomlTable& table, const std::string& id, const TomlValue& document) {
     std::vector<std::string> known;
     for (const Effect* effect : physics::catalogue()) {
         if (!physics::is_own(*effect)) {
@@ -172,14 +174,14 @@ void report_unknown(const Section& section, const std::string& id, const Node& d
     for (const OwnKind& kind : {own_source, own_exchange}) {
         std::ranges::copy(own_names(document, kind.list), std::back_inserter(known));
     }
-    section.mistake("effect", fmt::format("there is no effect \"{}\"", id),
+    table.add_error("effect", fmt::format("there is no effect \"{}\"", id),
                     nearest(id, known).empty()
                         ? fmt::format("`tiretherm effects` lists all {} of them", of_the_catalogue)
                         : suggest(id, known, "effects"));
 }
 
 /// The kind of an effect of the user's own, null where the document has none of this name.
-const OwnKind* kind_of(const Node& document, const std::string& name) {
+const OwnKind* kind_of(const TomlValue& document, const std::string& name) {
     for (const OwnKind* kind : {&own_source, &own_exchange}) {
         if (std::ranges::count(own_names(document, kind->list), name) > 0) {
             return kind;
@@ -189,8 +191,8 @@ const OwnKind* kind_of(const Node& document, const std::string& name) {
 }
 
 /// A number of an effect as it may be moved.
-solver::Adjustable number_of(const Draft& draft, std::size_t effect, std::size_t parameter) {
-    const ActiveEffect& active = draft.problem.effects[effect];
+solver::Adjustable number_of(const ProblemBuilder& builder, std::size_t effect, std::size_t parameter) {
+    const ActiveEffect& active = builder.problem.effects[effect];
     const physics::Parameter& found = active.effect->parameters[parameter];
     solver::Adjustable number;
     number.name = fmt::format("{}.{}", active.title(), found.key);
@@ -204,47 +206,50 @@ solver::Adjustable number_of(const Draft& draft, std::size_t effect, std::size_t
 }
 
 /// The one number of an effect of the user's own that is called `name`.
-std::optional<Freed> free_number(Section& parameter, const Draft& draft, const std::string& name, const OwnKind& kind) {
+std::optional<FreeParameters> free_number(TomlTable& parameter, const ProblemBuilder& builder, const std::string& name,
+                                          const OwnKind& kind) {
     const Effect& effect = *physics::find_effect(kind.effect);
     const std::string key = parameter.text("key").value_or(std::string(kind.number));
     if (key != kind.number) {
-        parameter.mistake("key", fmt::format("[[{}]] {} has no number \"{}\" to fit", kind.list, name, key),
-                          fmt::format("its number is {}", kind.number));
+        parameter.add_error("key", fmt::format("[[{}]] {} has no number \"{}\" to fit", kind.list, name, key),
+                            fmt::format("its number is {}", kind.number));
         return std::nullopt;
     }
-    const std::size_t index = solver::find_own_effect(draft.problem, name);
-    if (index == draft.problem.effects.size()) {
-        return std::nullopt;  // it has been complained about
+    const std::size_t index = solver::find_own_effect(builder.problem, name);
+    if (index == builder.problem.effects.size()) {
+        return std::nullopt;  // it has been reported
     }
-    solver::Adjustable number = number_of(draft, index, 0);
-    if (!read_place(parameter, draft, draft.problem.effects[index], number)) {
+    solver::Adjustable number = number_of(builder, index, 0);
+    if (!read_place(parameter, builder, builder.problem.effects[index], number)) {
         return std::nullopt;
     }
-    return Freed{.numbers = {std::move(number)}, .wanted = wanted::of(effect.parameters.front())};
+    return FreeParameters{.numbers = {std::move(number)}, .spec = quantity_specs::of(effect.parameters.front())};
 }
 
 }  // namespace
 
-std::optional<Freed> free_own(Section& parameter, const Draft& draft, const Node& document, const OwnKind& kind) {
-    parameter.know({"key", "patch", "layer", "zone", "channel"});
+std::optional<FreeParameters> free_own(TomlTable& parameter, const ProblemBuilder& builder, const TomlValue& document,
+                                       const OwnKind& kind) {
+    parameter.declare_keys({"key", "patch", "layer", "zone", "channel"});
     const std::optional<std::string> name = parameter.text(kind.list);
     if (!name) {
         return std::nullopt;
     }
     const std::vector<std::string> known = own_names(document, kind.list);
     if (std::ranges::count(known, *name) == 0) {
-        parameter.mistake(kind.list, fmt::format("there is no [[{}]] \"{}\"", kind.list, *name),
-                          suggest(*name, known, kind.list == own_source.list ? "sources" : "exchanges"));
+        parameter.add_error(kind.list, fmt::format("there is no [[{}]] \"{}\"", kind.list, *name),
+                            suggest(*name, known, kind.list == own_source.list ? "sources" : "exchanges"));
         return std::nullopt;
     }
-    return free_number(parameter, draft, *name, kind);
+    return free_number(parameter, builder, *name, kind);
 }
 
-std::optional<Freed> free_effect(Section& parameter, const Draft& draft, const Node& document) {
-    parameter.know({"patch", "layer", "zone", "channel"});
+std::optional<FreeParameters> free_effect(TomlTable& parameter, const ProblemBuilder& builder,
+                                          const TomlValue& document) {
+    parameter.declare_keys({"patch", "layer", "zone", "channel"});
     const std::string id = parameter.text("effect").value_or("");
     if (const OwnKind* own = kind_of(document, id)) {
-        return free_number(parameter, draft, id, *own);
+        return free_number(parameter, builder, id, *own);
     }
     const std::optional<std::string> key = parameter.text("key", Need::required);
     const Effect* effect = physics::find_effect(id);
@@ -253,25 +258,25 @@ std::optional<Freed> free_effect(Section& parameter, const Draft& draft, const N
         return std::nullopt;
     }
     const std::optional<std::size_t> index = read_key(parameter, *effect, key);
-    const std::vector<ActiveEffect>& on = draft.problem.effects;
+    const std::vector<ActiveEffect>& on = builder.problem.effects;
     const auto active = std::find_if(on.begin(), on.end(), [&](const auto& other) { return other.effect->id == id; });
     if (active == on.end()) {
-        const Node* effects = document.find("effects");
+        const TomlValue* effects = document.find("effects");
         const bool named = effects != nullptr && effects->find(id) != nullptr;
-        parameter.mistake("effect", fmt::format("{} is off: its numbers change nothing", id),
-                          named ? fmt::format("switch it on: remove on = false from [effects.{}]", id)
-                                : fmt::format("switch it on: add [effects.{}]", id));
+        parameter.add_error("effect", fmt::format("{} is off: its numbers change nothing", id),
+                            named ? fmt::format("switch it on: remove on = false from [effects.{}]", id)
+                                  : fmt::format("switch it on: add [effects.{}]", id));
         return std::nullopt;
     }
     if (!index) {
         return std::nullopt;
     }
     const physics::Parameter& found = effect->parameters[*index];
-    solver::Adjustable number = number_of(draft, static_cast<std::size_t>(active - on.begin()), *index);
-    if (!read_place(parameter, draft, *active, number)) {
+    solver::Adjustable number = number_of(builder, static_cast<std::size_t>(active - on.begin()), *index);
+    if (!read_place(parameter, builder, *active, number)) {
         return std::nullopt;
     }
-    return Freed{.numbers = {std::move(number)}, .wanted = wanted::of(found)};
+    return FreeParameters{.numbers = {std::move(number)}, .spec = quantity_specs::of(found)};
 }
 
 }  // namespace tiretherm::input

@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 
 #include "input/parameters/parameter_kinds.hpp"
-#include "input/text/words.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
 namespace {
 
 /// A shift of temperatures; bounds are for the user to give.
-constexpr Wanted shift{.unit = "K", .scale = Scale::difference, .low = -1000.0, .high = 1000.0};
+constexpr QuantitySpec shift{.unit = "K", .scale = Scale::difference, .low = -1000.0, .high = 1000.0};
 
 /// Nodes that a word names: all of them, those of a layer with its surfaces, or one such as the gas.
 std::vector<int> nodes_of(const mesh::Mesh& mesh, const std::string& word) {
@@ -28,30 +28,31 @@ std::vector<int> nodes_of(const mesh::Mesh& mesh, const std::string& word) {
 
 }  // namespace
 
-std::optional<Freed> free_initial(Section& parameter, const Draft& draft, const std::vector<std::string>& run_names) {
-    const std::size_t before = parameter.mistakes().count();
-    const std::vector<Word> words = parameter.texts("initial");
-    const mesh::Mesh& mesh = draft.problem.mesh;
-    Freed freed{.numbers = {}, .wanted = shift};
-    if (draft.problem.settings.steady) {
-        parameter.mistake("initial", "a steady state does not follow from where it starts",
-                          "remove this [[parameter]]");
+std::optional<FreeParameters> free_initial(TomlTable& parameter, const ProblemBuilder& builder,
+                                           const std::vector<std::string>& run_names) {
+    const std::size_t before = parameter.errors().count();
+    const std::vector<LocatedString> words = parameter.texts("initial");
+    const mesh::Mesh& mesh = builder.problem.mesh;
+    FreeParameters freed{.numbers = {}, .spec = shift};
+    if (builder.problem.settings.steady) {
+        parameter.add_error("initial", "a steady state does not follow from where it starts",
+                            "remove this [[parameter]]");
         return std::nullopt;
     }
-    if (!draft.has_mesh) {
+    if (!builder.has_mesh) {
         return std::nullopt;
     }
     std::vector<std::string> known{"temperature"};
     known.insert(known.end(), mesh.layers.begin(), mesh.layers.end());
     const std::vector<std::string> appended = names_of(mesh.appended);
     known.insert(known.end(), appended.begin(), appended.end());
-    if (words.empty() && parameter.mistakes().count() == before) {
-        parameter.mistake("initial", "initial names nothing", "write initial = \"temperature\", which is all of it");
+    if (words.empty() && parameter.errors().count() == before) {
+        parameter.add_error("initial", "initial names nothing", "write initial = \"temperature\", which is all of it");
     }
-    for (const Word& word : words) {
+    for (const LocatedString& word : words) {
         if (std::find(known.begin(), known.end(), word.text) == known.end()) {
-            parameter.mistakes().add(word.place, fmt::format("initial cannot be \"{}\"", word.text),
-                                     suggest(word.text, known, "temperatures at the start"));
+            parameter.errors().add(word.place, fmt::format("initial cannot be \"{}\"", word.text),
+                                   suggest(word.text, known, "temperatures at the start"));
             return std::nullopt;
         }
         solver::Adjustable number;

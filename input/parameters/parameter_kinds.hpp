@@ -4,32 +4,34 @@
 #include <string>
 #include <vector>
 
-#include "input/model/draft.hpp"
 #include "input/effects/own_effects.hpp"
+#include "input/model/problem_builder.hpp"
 #include "solver/sensitivity/adjustable.hpp"
 
 namespace tiretherm::input {
 
 /// The numbers that one [[parameter]] frees: where they are in the problem. Prior and bounds are read afterwards.
-struct Freed {
+struct FreeParameters {
     std::vector<solver::Adjustable> numbers;
-    Wanted wanted;  ///< what their values must be
+    QuantitySpec spec;  ///< what their values must be
 };
 
 /// A parameter of an effect that is on, everywhere or at a place: effect, key, and patch, layer, zone or channel. An
 /// effect of the user's own may be named here as well.
-[[nodiscard]] std::optional<Freed> free_effect(Section& parameter, const Draft& draft, const Node& document);
+[[nodiscard]] std::optional<FreeParameters> free_effect(TomlTable& parameter, const ProblemBuilder& builder,
+                                                        const TomlValue& document);
 /// The number of an effect of the user's own: source or exchange, and its key, which may be left out.
-[[nodiscard]] std::optional<Freed> free_own(Section& parameter, const Draft& draft, const Node& document,
-                                            const OwnKind& kind);
+[[nodiscard]] std::optional<FreeParameters> free_own(TomlTable& parameter, const ProblemBuilder& builder,
+                                                     const TomlValue& document, const OwnKind& kind);
 /// A number of a camera: camera, key.
-[[nodiscard]] std::optional<Freed> free_camera(Section& parameter, const Draft& draft, const Node& document);
+[[nodiscard]] std::optional<FreeParameters> free_camera(TomlTable& parameter, const ProblemBuilder& builder,
+                                                        const TomlValue& document);
 /// The law of a material by its values at one to three temperatures: material, law, at.
-[[nodiscard]] std::optional<Freed> free_law(Section& parameter, const Draft& draft);
+[[nodiscard]] std::optional<FreeParameters> free_law(TomlTable& parameter, const ProblemBuilder& builder);
 /// The law of the link between two lumps: link, at.
-[[nodiscard]] std::optional<Freed> free_link(Section& parameter, const Draft& draft);
+[[nodiscard]] std::optional<FreeParameters> free_link(TomlTable& parameter, const ProblemBuilder& builder);
 /// Initial temperatures, of each run: initial, one word or several.
-[[nodiscard]] std::optional<Freed> free_initial(Section& parameter, const Draft& draft,
-                                                const std::vector<std::string>& run_names);
+[[nodiscard]] std::optional<FreeParameters> free_initial(TomlTable& parameter, const ProblemBuilder& builder,
+                                                         const std::vector<std::string>& run_names);
 
 }  // namespace tiretherm::input

@@ -8,8 +8,8 @@
 
 #include "input/effects/own_effects.hpp"
 #include "input/parameters/parameter_kinds.hpp"
-#include "input/text/wanted.hpp"
-#include "input/text/words.hpp"
+#include "input/text/quantity_specs.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
@@ -29,49 +29,49 @@ std::string shown(double value, std::string_view unit) {
 }
 
 /// The key `expected`: one value, or of a law that is free at several temperatures one for each of them.
-void read_expected(Section& section, Freed& freed) {
+void read_expected(TomlTable& table, FreeParameters& freed) {
     std::vector<Adjustable>& numbers = freed.numbers;
     if (!is_law(numbers.front()) || numbers.size() == 1) {
-        if (const auto value = section.quantity("expected", freed.wanted)) {
+        if (const auto value = table.quantity("expected", freed.spec)) {
             for (Adjustable& number : numbers) {
                 number.prior = *value;
             }
         }
         return;
     }
-    const std::vector<Word> words = section.texts("expected");
-    if (!section.has("expected")) {
+    const std::vector<LocatedString> words = table.texts("expected");
+    if (!table.has("expected")) {
         return;
     }
     if (words.size() != numbers.size()) {
-        section.mistake("expected", fmt::format("expected has {} of {} values", words.size(), numbers.size()),
+        table.add_error("expected", fmt::format("expected has {} of {} values", words.size(), numbers.size()),
                         "give one for each temperature of at, in their order");
         return;
     }
     for (std::size_t i = 0; i < words.size(); ++i) {
-        const Judged judged = quantity(words[i].text, freed.wanted, "expected");
-        if (judged.fault) {
-            section.mistakes().add(words[i].place, *judged.fault);
+        const ParsedQuantity parsed = quantity(words[i].text, freed.spec, "expected");
+        if (parsed.error) {
+            table.errors().add(words[i].place, *parsed.error);
         } else {
-            numbers[i].prior = judged.value;
+            numbers[i].prior = parsed.value;
         }
     }
 }
 
 /// What is known of the numbers beforehand, and how far they may go.
-void read_prior(Section& section, const Draft& draft, Freed& freed) {
-    const Wanted deviation{.unit = freed.wanted.unit, .scale = Scale::difference, .low = 0.0, .above = true};
-    const auto sigma = section.quantity("standard_deviation", deviation);
-    const std::size_t before = section.mistakes().count();
+void read_prior(TomlTable& table, const ProblemBuilder& builder, FreeParameters& freed) {
+    const QuantitySpec deviation{.unit = freed.spec.unit, .scale = Scale::difference, .low = 0.0, .above = true};
+    const auto sigma = table.quantity("standard_deviation", deviation);
+    const std::size_t before = table.errors().count();
     std::vector<double> now;
     for (Adjustable& number : freed.numbers) {
-        now.push_back(solver::value_of(draft.problem, number));
+        now.push_back(solver::value_of(builder.problem, number));
         number.prior = now.back();
     }
-    read_expected(section, freed);
-    const auto low = section.quantity("low", freed.wanted);
-    const auto high = section.quantity("high", freed.wanted);
-    const bool sound = section.mistakes().count() == before;
+    read_expected(table, freed);
+    const auto low = table.quantity("low", freed.spec);
+    const auto high = table.quantity("high", freed.spec);
+    const bool sound = table.errors().count() == before;
     for (std::size_t i = 0; i < freed.numbers.size(); ++i) {
         Adjustable& number = freed.numbers[i];
         if (is_law(number)) {  // bounds that the user did not ask for shall not stand in the way of what he expects
@@ -87,23 +87,23 @@ void read_prior(Section& section, const Draft& draft, Freed& freed) {
         const std::string bounds =
             fmt::format("{} to {}", shown(number.low, number.unit), shown(number.high, number.unit));
         if (number.low >= number.high) {
-            section.mistake(high ? "high" : "low", fmt::format("the bounds are {}: they leave no room", bounds),
+            table.add_error(high ? "high" : "low", fmt::format("the bounds are {}: they leave no room", bounds),
                             "let low be smaller than high");
             return;
         }
-        const auto complain = [&](std::string_view key, std::string_view whose, double value) {
-            section.mistake(
+        const auto report_outside = [&](std::string_view key, std::string_view whose, double value) {
+            table.add_error(
                 key, fmt::format("{}, {}, lies outside of the bounds, {}", whose, shown(value, number.unit), bounds),
                 key == "expected" ? "widen the bounds" : "widen the bounds, or change the case's value");
         };
         if (is_below(number.prior, number.low) || is_above(number.prior, number.high)) {
             const std::string_view bound = low && is_below(number.prior, number.low) ? "low" : "high";
-            const bool given = section.has("expected");
-            complain(given ? "expected" : bound, given ? "what is expected" : "the case's value", number.prior);
+            const bool given = table.has("expected");
+            report_outside(given ? "expected" : bound, given ? "what is expected" : "the case's value", number.prior);
             return;
         }
         if (is_below(now[i], number.low) || is_above(now[i], number.high)) {
-            complain(low && is_below(now[i], number.low) ? "low" : "high", "the case's value", now[i]);
+            report_outside(low && is_below(now[i], number.low) ? "low" : "high", "the case's value", now[i]);
             return;
         }
         number.prior = std::clamp(number.prior, number.low, number.high);
@@ -135,13 +135,13 @@ bool same(const Adjustable& a, const Adjustable& b) {
 }
 
 /// Whether a number is free everywhere and again at a place that has no value of its own.
-bool follows(const Draft& draft, const Adjustable& everywhere, const Adjustable& here) {
+bool follows(const ProblemBuilder& builder, const Adjustable& everywhere, const Adjustable& here) {
     if (everywhere.kind != Adjustable::Kind::effect || here.kind != Adjustable::Kind::effect ||
         everywhere.effect != here.effect || everywhere.parameter != here.parameter || !everywhere.everywhere ||
         here.everywhere) {
         return false;
     }
-    const auto& own = draft.problem.effects[here.effect].overrides;
+    const auto& own = builder.problem.effects[here.effect].overrides;
     return std::none_of(own.begin(), own.end(), [&](const auto& value) {
         return value.scope == here.scope && value.index == here.place && value.parameter == here.parameter;
     });
@@ -154,28 +154,27 @@ std::string_view word_of(physics::Scope scope) {
 
 /// Adds the numbers of an entry, unless one of them is free already.
 /// @param places of the entries that freed those before
-void add(const Section& section, const Draft& draft, const Freed& freed, std::vector<Place>& places,
-         std::vector<Adjustable>& into) {
+void add(const TomlTable& table, const ProblemBuilder& builder, const FreeParameters& freed,
+         std::vector<SourceLocation>& places, std::vector<Adjustable>& into) {
     const std::size_t before = into.size();
     const auto refuse = [&](std::string what, std::string remedy) {
-        section.mistakes().add(section.place(), std::move(what), std::move(remedy));
+        table.errors().add(table.place(), std::move(what), std::move(remedy));
     };
     for (const Adjustable& number : freed.numbers) {
         // The values of one law at its temperatures are told apart by its knots.
         for (std::size_t i = 0; i < (is_law(number) ? before : into.size()); ++i) {
             const Adjustable& other = into[i];
-            const std::string where =
-                i < before ? ", at " + section.mistakes().spell(places[i]) : " in this [[parameter]]";
+            const std::string where = i < before ? ", at " + table.errors().spell(places[i]) : " in this [[parameter]]";
             if (same(number, other)) {
                 const bool alike = number.name == other.name;
                 refuse(fmt::format("{} is free already{}{}", number.name, alike ? "" : " with " + other.name, where),
                        is_law(number) ? "name all temperatures of a law in one [[parameter]]" : "remove one");
                 return;
             }
-            const bool general = follows(draft, number, other);
-            if (general || follows(draft, other, number)) {
+            const bool general = follows(builder, number, other);
+            if (general || follows(builder, other, number)) {
                 const Adjustable& here = general ? other : number;
-                const physics::ActiveEffect& active = draft.problem.effects[here.effect];
+                const physics::ActiveEffect& active = builder.problem.effects[here.effect];
                 refuse(
                     fmt::format("{} follows {}: both are free{}", here.name, general ? number.name : other.name, where),
                     fmt::format("give the place a value of its own, {}_by_{} in [effects.{}], or free one of them",
@@ -184,29 +183,29 @@ void add(const Section& section, const Draft& draft, const Freed& freed, std::ve
             }
         }
         into.push_back(number);
-        places.push_back(section.place());
+        places.push_back(table.place());
     }
 }
 
-/// The one of these keys that says what is free, or a mistake.
-std::string_view read_subject(const Section& section) {
-    constexpr std::array<std::string_view, 7> subjects{"effect",   "source", "exchange", "material",
-                                                       "camera",   "link",   "initial"};
+/// The one of these keys that says what is free, or an error.
+std::string_view read_subject(const TomlTable& table) {
+    constexpr std::array<std::string_view, 7> subjects{"effect", "source", "exchange", "material",
+                                                       "camera", "link",   "initial"};
     std::string_view found;
     for (const std::string_view subject : subjects) {
-        if (!section.has(subject)) {
+        if (!table.has(subject)) {
             continue;
         }
         if (!found.empty()) {
-            section.mistake(subject, fmt::format("both {} and {} are given", found, subject),
+            table.add_error(subject, fmt::format("both {} and {} are given", found, subject),
                             "keep one of them: a [[parameter]] for each");
             return {};
         }
         found = subject;
     }
     if (found.empty()) {
-        section.mistakes().add(
-            section.place(), "[[parameter]] does not say what is free",
+        table.errors().add(
+            table.place(), "[[parameter]] does not say what is free",
             "add effect = \"...\", source = \"...\", material = \"...\", link = \"conductivity\" or initial = "
             "\"temperature\"");
     }
@@ -215,48 +214,48 @@ std::string_view read_subject(const Section& section) {
 
 }  // namespace
 
-void read_parameters(Section& root, const Draft& draft, const std::vector<std::string>& run_names,
+void read_parameters(TomlTable& root, const ProblemBuilder& builder, const std::vector<std::string>& run_names,
                      std::vector<Adjustable>& into) {
-    std::vector<Place> places;
-    root.each("parameter", [&](Section& section) {
-        section.know({"expected", "standard_deviation", "low", "high"});
-        const std::string_view subject = read_subject(section);
-        std::optional<Freed> freed;
+    std::vector<SourceLocation> places;
+    root.each("parameter", [&](TomlTable& table) {
+        table.declare_keys({"expected", "standard_deviation", "low", "high"});
+        const std::string_view subject = read_subject(table);
+        std::optional<FreeParameters> freed;
         if (subject == "effect") {
-            freed = free_effect(section, draft, root.table());
+            freed = free_effect(table, builder, root.content());
         } else if (subject == "source") {
-            freed = free_own(section, draft, root.table(), own_source);
+            freed = free_own(table, builder, root.content(), own_source);
         } else if (subject == "exchange") {
-            freed = free_own(section, draft, root.table(), own_exchange);
+            freed = free_own(table, builder, root.content(), own_exchange);
         } else if (subject == "camera") {
-            freed = free_camera(section, draft, root.table());
+            freed = free_camera(table, builder, root.content());
         } else if (subject == "material") {
-            freed = free_law(section, draft);
+            freed = free_law(table, builder);
         } else if (subject == "link") {
-            freed = free_link(section, draft);
+            freed = free_link(table, builder);
         } else if (subject == "initial") {
-            freed = free_initial(section, draft, run_names);
+            freed = free_initial(table, builder, run_names);
         } else {
-            section.forgive();
+            table.allow_unknown_keys();
         }
         if (freed) {
-            read_prior(section, draft, *freed);
-            add(section, draft, *freed, places, into);
+            read_prior(table, builder, *freed);
+            add(table, builder, *freed, places, into);
         }
     });
 }
 
-void read_identify(Section& root, Experiment& into) {
+void read_identify(TomlTable& root, Experiment& into) {
     constexpr std::array<std::string_view, 2> models{"correlated", "white"};
-    Section section = root.section("identify");
-    if (const auto noise = section.choice("noise", models)) {
+    TomlTable table = root.subtable("identify");
+    if (const auto noise = table.choice("noise", models)) {
         into.noise = models[*noise];
     }
-    into.robust = section.flag("robust").value_or(into.robust);
+    into.robust = table.flag("robust").value_or(into.robust);
 }
 
-void read_diagnose(Section& root, const solver::Problem& problem, Experiment& into) {
-    Section section = root.section("diagnose");
+void read_diagnose(TomlTable& root, const solver::Problem& problem, Experiment& into) {
+    TomlTable table = root.subtable("diagnose");
     std::vector<std::string> known;
     for (const physics::Effect* effect : physics::catalogue()) {
         known.emplace_back(effect->id);
@@ -268,9 +267,9 @@ void read_diagnose(Section& root, const solver::Problem& problem, Experiment& in
             }
         }
     }
-    for (const Word& word : section.texts("candidates")) {
+    for (const LocatedString& word : table.texts("candidates")) {
         if (std::ranges::find(known, word.text) == known.end()) {
-            root.mistakes().add(
+            root.errors().add(
                 word.place,
                 fmt::format("there is no effect \"{}\" that may be missing or have a wrong number", word.text),
                 suggest(word.text, known, "effects"));

@@ -3,21 +3,21 @@
 #include <string>
 #include <vector>
 
-#include "input/model/draft.hpp"
 #include "input/measurements/experiment.hpp"
+#include "input/model/problem_builder.hpp"
 
 namespace tiretherm::input {
 
-/// The list [[parameter]]: the numbers of the case that may be fitted, what is known of them and their bounds. Asks for
-/// a case that has been read; what is missing from one with mistakes is not missed a second time.
+/// The list [[parameter]]: the numbers of the case that may be fitted, what is known of them and their bounds. Needs
+/// a case that has been read; what is missing from one with errors is not reported a second time.
 /// @param run_names of the measured runs, in their order: an initial temperature is another number in each of them.
 ///        With none there is one that belongs to all
-void read_parameters(Section& root, const Draft& draft, const std::vector<std::string>& run_names,
+void read_parameters(TomlTable& root, const ProblemBuilder& builder, const std::vector<std::string>& run_names,
                      std::vector<solver::Adjustable>& into);
 
 /// The table [identify]: how the noise is modelled.
-void read_identify(Section& root, Experiment& into);
+void read_identify(TomlTable& root, Experiment& into);
 /// [diagnose]: which effects a diagnosis may name. @param problem the case's, whose effects are on
-void read_diagnose(Section& root, const solver::Problem& problem, Experiment& into);
+void read_diagnose(TomlTable& root, const solver::Problem& problem, Experiment& into);
 
 }  // namespace tiretherm::input

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "input/text/document.hpp"
-#include "input/text/section.hpp"
+#include "input/text/toml_table.hpp"
 
 namespace tiretherm::input {
 
@@ -10,10 +10,10 @@ namespace tiretherm::input {
 /// missing are made, as if the user had written the value there: whether a key exists is for the reader of the case to
 /// say, and it says so at the key's place in the path.
 /// @param path as written, with its place  @param value with the place that messages about it show
-/// @returns false after a mistake: the path meets a value, or a table that is not in its list
-bool write_at(Node& document, const Word& path, const Node& value, Mistakes& mistakes);
+/// @returns false after an error: the path meets a value, or a table that is not in its list
+bool write_at(TomlValue& document, const LocatedString& path, const TomlValue& value, InputErrors& errors);
 
 /// The value to which such a path leads, null where the case does not say it.
-[[nodiscard]] const Node* find_at(const Node& document, const Word& path);
+[[nodiscard]] const TomlValue* find_at(const TomlValue& document, const LocatedString& path);
 
 }  // namespace tiretherm::input

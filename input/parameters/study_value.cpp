@@ -19,28 +19,29 @@ std::string spelt(std::string_view unit) { return spelt_out(unit); }
 
 }  // namespace
 
-std::optional<Measure> read_measure(Section& section, std::string_view key, Need need) {
-    const Node* node = section.value(key, need, fmt::format("{} = \"...\", a number with its unit", key));
+std::optional<Measure> read_measure(TomlTable& table, std::string_view key, Need need) {
+    const TomlValue* node = table.value(key, need, fmt::format("{} = \"...\", a number with its unit", key));
     if (node == nullptr) {
         return std::nullopt;
     }
     Measure measure{
-        .number = node->number, .unit = {}, .whole = node->kind == Node::Kind::integer, .place = node->place};
-    const std::optional<Number> number = node->kind == Node::Kind::text ? leading_number(node->text) : std::nullopt;
+        .number = node->number, .unit = {}, .whole = node->kind == TomlValue::Kind::integer, .place = node->place};
+    const std::optional<Number> number =
+        node->kind == TomlValue::Kind::text ? leading_number(node->text) : std::nullopt;
     if (number) {
         measure.number = number->value;
         measure.unit = std::string(number->rest);
     } else if (!node->is_number()) {
-        section.mistake(key, fmt::format("{} is {}; a number with its unit is wanted", key, shown(*node)),
+        table.add_error(key, fmt::format("{} is {}; a number with its unit is wanted", key, shown(*node)),
                         "write such as \"80 km/h\", or 0.6 for a pure number");
         return std::nullopt;
     }
     if (!std::isfinite(measure.number)) {
-        section.mistake(key, fmt::format("{} is {}, not a finite number", key, shown(*node)));
+        table.add_error(key, fmt::format("{} is {}, not a finite number", key, shown(*node)));
         return std::nullopt;
     }
     if (!is_unit(measure.unit)) {
-        section.mistake(key, fmt::format("{} is {}: \"{}\" is not a unit", key, shown(*node), measure.unit),
+        table.add_error(key, fmt::format("{} is {}: \"{}\" is not a unit", key, shown(*node), measure.unit),
                         "write such as \"80 km/h\", or 0.6 for a pure number");
         return std::nullopt;
     }
@@ -48,41 +49,41 @@ std::optional<Measure> read_measure(Section& section, std::string_view key, Need
 }
 
 std::optional<double> in_unit(const Measure& measure, const std::string& unit, bool difference, std::string_view name,
-                              Mistakes& mistakes) {
+                              InputErrors& errors) {
     const Scale scale = difference ? Scale::difference : Scale::absolute;
     const auto result = conversion(measure.unit, spelt(unit), scale);
     if (const auto* found = std::get_if<Conversion>(&result)) {
         return measure.unit == unit ? measure.number : found->to_si(measure.number);
     }
-    mistakes.add(measure.place,
-                 fmt::format("{} is {}, but the quantity is {}", name, dimension(spelt(measure.unit), scale).name,
-                             dimension(spelt(unit), scale).name),
-                 unit.empty() ? "write a pure number" : fmt::format("write it in {}", unit));
+    errors.add(measure.place,
+               fmt::format("{} is {}, but the quantity is {}", name, dimension(spelt(measure.unit), scale).name,
+                           dimension(spelt(unit), scale).name),
+               unit.empty() ? "write a pure number" : fmt::format("write it in {}", unit));
     return std::nullopt;
 }
 
-StudyValue study_value(double number, const std::string& unit, bool whole, const Place& place) {
+StudyValue study_value(double number, const std::string& unit, bool whole, const SourceLocation& place) {
     StudyValue value;
     value.text = fmt::format("{:.9g}", number);
     value.number = leading_number(value.text)->value;
     value.node.place = place;
     if (unit.empty()) {
-        value.node.kind = whole ? Node::Kind::integer : Node::Kind::real;
+        value.node.kind = whole ? TomlValue::Kind::integer : TomlValue::Kind::real;
         value.node.number = value.number;
         return value;
     }
     value.text += " " + unit;
-    value.node.kind = Node::Kind::text;
+    value.node.kind = TomlValue::Kind::text;
     value.node.text = value.text;
     return value;
 }
 
-StudyValue study_value(const Node& node) {
+StudyValue study_value(const TomlValue& node) {
     StudyValue value{.node = node, .text = node.text, .number = nan};
     if (node.is_number()) {
         value.text = fmt::format("{}", node.number);
         value.number = node.number;
-    } else if (node.kind == Node::Kind::boolean) {
+    } else if (node.kind == TomlValue::Kind::boolean) {
         value.text = node.truth ? "true" : "false";
     } else if (const std::optional<Number> number = leading_number(node.text)) {
         value.number = number->value;
@@ -92,8 +93,8 @@ StudyValue study_value(const Node& node) {
 
 bool is_unit(const std::string& text) { return !has_number(spelt(text)) && !signature(spelt(text)).empty(); }
 
-std::string unit_of(const Node& node) {
-    const std::optional<Number> number = node.kind == Node::Kind::text ? leading_number(node.text) : std::nullopt;
+std::string unit_of(const TomlValue& node) {
+    const std::optional<Number> number = node.kind == TomlValue::Kind::text ? leading_number(node.text) : std::nullopt;
     return number ? std::string(number->rest) : std::string();
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "input/text/section.hpp"
+#include "input/text/toml_table.hpp"
 
 namespace tiretherm::input {
 
@@ -13,34 +13,34 @@ struct Measure {
     double number = 0.0;
     std::string unit;    ///< as written; empty for a pure number
     bool whole = false;  ///< written as a whole number without a unit
-    Place place;
+    SourceLocation place;
 };
 
-/// A number of a study. @returns nothing after a mistake, or where the key is absent
-[[nodiscard]] std::optional<Measure> read_measure(Section& section, std::string_view key, Need need);
+/// A number of a study. @returns nothing after an error, or where the key is absent
+[[nodiscard]] std::optional<Measure> read_measure(TomlTable& table, std::string_view key, Need need);
 
 /// The number of `measure` in another unit. @param difference of two values: no offset of a scale
-/// @returns nothing after a mistake: another dimension
+/// @returns nothing after an error: another dimension
 [[nodiscard]] std::optional<double> in_unit(const Measure& measure, const std::string& unit, bool difference,
-                                            std::string_view name, Mistakes& mistakes);
+                                            std::string_view name, InputErrors& errors);
 
 /// A value to be written into a case, and its number as the study shows it.
 struct StudyValue {
-    Node node;
+    TomlValue node;
     std::string text;     ///< "80 km/h", "0.6", "mechanistic"
     double number = 0.0;  ///< in the unit of its quantity; NaN for a word
 };
 
 /// A number with its unit as a case has it. Nine digits, so that the shown value is the one that is run.
-[[nodiscard]] StudyValue study_value(double number, const std::string& unit, bool whole, const Place& place);
+[[nodiscard]] StudyValue study_value(double number, const std::string& unit, bool whole, const SourceLocation& place);
 
 /// A value as it is written.
-[[nodiscard]] StudyValue study_value(const Node& node);
+[[nodiscard]] StudyValue study_value(const TomlValue& node);
 
 /// Whether a text is a unit, or empty.
 [[nodiscard]] bool is_unit(const std::string& text);
 
 /// The unit of a value as written; empty for a pure number and for a word.
-[[nodiscard]] std::string unit_of(const Node& node);
+[[nodiscard]] std::string unit_of(const TomlValue& node);
 
 }  // namespace tiretherm::input

@@ -225,7 +225,7 @@ const SheetMeasured* table_instead(const SheetContent& content, std::string_view
     return found == content.measured.end() ? nullptr : &*found;
 }
 
-SheetBody make_sheet_body(const SheetContent& content, SheetCase& result, Mistakes& mistakes) {
+SheetBody make_sheet_body(const SheetContent& content, SheetCase& result, InputErrors& errors) {
     SheetBody body;
     Filling filling(content, body, result);
     for (const SheetParameter& parameter : sheet_parameters()) {
@@ -237,8 +237,8 @@ SheetBody make_sheet_body(const SheetContent& content, SheetCase& result, Mistak
               .places = {{}},
               .remark = "",
               .called = "sources"});
-    add_sheet_law(content, "heat_capacity", body, result, mistakes);
-    add_sheet_law(content, "conductivity", body, result, mistakes);
+    add_sheet_law(content, "heat_capacity", body, result, errors);
+    add_sheet_law(content, "conductivity", body, result, errors);
     filling.measured();
     filling.fill_up();
     return body;

@@ -17,9 +17,9 @@ public:
         std::string table;
         std::string key;
         std::vector<std::string> lines;
-        std::vector<Place> places;  ///< one of each line; file -1: of nothing in the sheets
-        std::string remark;         ///< behind the first line
-        std::string called;         ///< what messages call it
+        std::vector<SourceLocation> places;  ///< one of each line; file -1: of nothing in the sheets
+        std::string remark;                  ///< behind the first line
+        std::string called;                  ///< what messages call it
     };
     void add(Entry entry) { entries_.push_back(std::move(entry)); }
 
@@ -27,13 +27,13 @@ public:
     [[nodiscard]] std::string text() const;
     /// What stands in a line of the text, from 1; null for a heading.
     [[nodiscard]] const Entry* entry_at(int line) const;
-    [[nodiscard]] Place place_at(int line) const;
+    [[nodiscard]] SourceLocation place_at(int line) const;
 
 private:
     struct Line {
         std::string text;
         const Entry* entry = nullptr;
-        Place place;
+        SourceLocation place;
     };
     [[nodiscard]] std::vector<Line> lines() const;
 
@@ -41,11 +41,11 @@ private:
 };
 
 /// Fills the tables with what the sheets say and, where they are silent, with the defaults, and lists both.
-[[nodiscard]] SheetBody make_sheet_body(const SheetContent& content, SheetCase& result, Mistakes& mistakes);
+[[nodiscard]] SheetBody make_sheet_body(const SheetContent& content, SheetCase& result, InputErrors& errors);
 
 /// A law k or c = A T^2 + B T + C, of its three coefficients.
 void add_sheet_law(const SheetContent& content, std::string_view law, SheetBody& body, SheetCase& result,
-                   Mistakes& mistakes);
+                   InputErrors& errors);
 
 /// The parameters of a law and whether the sheets give any of them.
 [[nodiscard]] bool gives_law(const SheetContent& content, std::string_view law);

@@ -75,10 +75,10 @@ const SheetBody::Entry* SheetBody::entry_at(int line) const {
                                                                     : nullptr;
 }
 
-Place SheetBody::place_at(int line) const {
+SourceLocation SheetBody::place_at(int line) const {
     const std::vector<Line> all = lines();
     return line > 0 && static_cast<std::size_t>(line) <= all.size() ? all[static_cast<std::size_t>(line) - 1].place
-                                                                    : Place{};
+                                                                    : SourceLocation{};
 }
 
 }  // namespace tiretherm::input

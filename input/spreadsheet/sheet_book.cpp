@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "input/spreadsheet/sheet_formats.hpp"
-#include "input/text/words.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
@@ -31,9 +31,9 @@ std::string letters(int column) {
     return text;
 }
 
-/// Gives the cells of a workbook their places: a file for each sheet, so that mistakes stay in its order.
-Sheet placed(RawSheet raw, const std::string& shown, Mistakes& mistakes) {
-    const int file = mistakes.add_file(fmt::format("{}, {}", shown, raw.name), "");
+/// Gives the cells of a workbook their places: a file for each sheet, so that errors stay in its order.
+Sheet placed(RawSheet raw, const std::string& shown, InputErrors& errors) {
+    const int file = errors.add_file(fmt::format("{}, {}", shown, raw.name), "");
     Sheet sheet{.name = std::move(raw.name), .place = {.file = file}, .rows = {}};
     for (std::size_t r = 0; r < raw.rows.size(); ++r) {
         std::vector<SheetCell>& row = sheet.rows.emplace_back();
@@ -53,13 +53,13 @@ RawBook read_workbook(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
     if (!file) {
         return {.sheets = {},
-                .fault = Fault{fmt::format("the file cannot be read: {}", std::system_category().message(errno)),
-                               errno == ENOENT ? std::string(remedy) : ""}};
+                .error = ErrorText{fmt::format("the file cannot be read: {}", std::system_category().message(errno)),
+                                   errno == ENOENT ? std::string(remedy) : ""}};
     }
     file.read(head.data(), head.size());
     const std::string_view start(head.data(), static_cast<std::size_t>(file.gcount()));
     if (start.empty()) {
-        return {.sheets = {}, .fault = Fault{"the file is empty", std::string(remedy)}};
+        return {.sheets = {}, .error = ErrorText{"the file is empty", std::string(remedy)}};
     }
     if (start.starts_with("PK")) {
         return read_xlsx(path);
@@ -69,10 +69,10 @@ RawBook read_workbook(const fs::path& path) {
     }
     if (path.extension() == ".csv") {
         return {.sheets = {},
-                .fault = Fault{"a single CSV file is not the whole spreadsheet",
-                               "put one CSV file for each sheet into a folder and give the folder"}};
+                .error = ErrorText{"a single CSV file is not the whole spreadsheet",
+                                   "put one CSV file for each sheet into a folder and give the folder"}};
     }
-    return {.sheets = {}, .fault = Fault{"the file is not a spreadsheet", std::string(remedy)}};
+    return {.sheets = {}, .error = ErrorText{"the file is not a spreadsheet", std::string(remedy)}};
 }
 
 }  // namespace
@@ -89,45 +89,44 @@ const Sheet* SheetBook::find(std::string_view name) const {
 
 std::string cell_text(double number) { return fmt::format("{}", number); }
 
-std::optional<SheetBook> read_sheet_book(const fs::path& path, Mistakes& mistakes) {
+std::optional<SheetBook> read_sheet_book(const fs::path& path, InputErrors& errors) {
     SheetBook book{.shown = path.generic_string(), .is_folder = false, .sheets = {}};
     std::error_code error;
     if (fs::is_directory(path, error)) {
         book.is_folder = true;
-        const std::size_t before = mistakes.count();
-        book.sheets = read_csv_sheets(path, mistakes);
-        if (book.sheets.empty() && mistakes.count() == before) {
-            mistakes.add({.file = mistakes.add_file(book.shown, "")}, "there is no CSV file in the folder",
-                         std::string(remedy));
+        const std::size_t before = errors.count();
+        book.sheets = read_csv_sheets(path, errors);
+        if (book.sheets.empty() && errors.count() == before) {
+            errors.add({.file = errors.add_file(book.shown, "")}, "there is no CSV file in the folder",
+                       std::string(remedy));
             return std::nullopt;
         }
         return book;
     }
     RawBook raw = read_workbook(path);
-    if (raw.fault) {
-        mistakes.add({.file = mistakes.add_file(book.shown, "")}, *raw.fault);
+    if (raw.error) {
+        errors.add({.file = errors.add_file(book.shown, "")}, *raw.error);
         return std::nullopt;
     }
     for (RawSheet& sheet : raw.sheets) {
-        book.sheets.push_back(placed(std::move(sheet), book.shown, mistakes));
+        book.sheets.push_back(placed(std::move(sheet), book.shown, errors));
         book.sheets.back().hides_formulas = raw.hides_formulas;
     }
     return book;
 }
 
-std::string spell(const SheetBook& book, const Sheet& sheet, const Place& place, const Mistakes& mistakes) {
-    return book.is_folder ? mistakes.spell(place)
-                          : fmt::format("{}!{}{}", sheet.name, letters(place.column), place.line);
+std::string spell(const SheetBook& book, const Sheet& sheet, const SourceLocation& place, const InputErrors& errors) {
+    return book.is_folder ? errors.spell(place) : fmt::format("{}!{}{}", sheet.name, letters(place.column), place.line);
 }
 
-std::vector<Mistake> with_cells(std::vector<Mistake> mistakes, const SheetBook& book) {
-    for (Mistake& mistake : mistakes) {
-        if (!book.is_folder && mistake.line > 0) {
-            mistake.file += fmt::format("!{}{}", letters(mistake.column), mistake.line);
-            mistake.line = mistake.column = mistake.length = 0;
+std::vector<InputError> with_cells(std::vector<InputError> errors, const SheetBook& book) {
+    for (InputError& error : errors) {
+        if (!book.is_folder && error.line > 0) {
+            error.file += fmt::format("!{}{}", letters(error.column), error.line);
+            error.line = error.column = error.length = 0;
         }
     }
-    return mistakes;
+    return errors;
 }
 
 }  // namespace tiretherm::input

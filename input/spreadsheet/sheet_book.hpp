@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "input/text/mistake.hpp"
+#include "input/text/input_error.hpp"
 
 /// The thesis's spreadsheet of ten sheets, and how it becomes a case.
 namespace tiretherm::input {
@@ -14,13 +14,13 @@ namespace tiretherm::input {
 /// What a cell shows: a text, or a number with all its digits. An empty cell has no text.
 struct SheetCell {
     std::string text;
-    Place place;  ///< in a workbook line and column are those of the cell
+    SourceLocation place;  ///< in a workbook line and column are those of the cell
 };
 
 /// One sheet, row by row; trailing empty cells may be missing.
 struct Sheet {
     std::string name;
-    Place place;  ///< the sheet as a whole
+    SourceLocation place;  ///< the sheet as a whole
     std::vector<std::vector<SheetCell>> rows;
     bool hides_formulas = false;  ///< an empty cell may hold a formula, whose value the format's library does not give
 
@@ -39,14 +39,14 @@ struct SheetBook {
 };
 
 /// Reads a folder of CSV files, an .xls (Excel 97 to 2003) or an .xlsx workbook; which of them it is, its content says.
-/// @returns nothing after a mistake
-[[nodiscard]] std::optional<SheetBook> read_sheet_book(const std::filesystem::path& path, Mistakes& mistakes);
+/// @returns nothing after an error
+[[nodiscard]] std::optional<SheetBook> read_sheet_book(const std::filesystem::path& path, InputErrors& errors);
 
 /// "SEL!B4" of a workbook, "SEL.csv:4" of a folder: a place for a sentence.
-[[nodiscard]] std::string spell(const SheetBook& book, const Sheet& sheet, const Place& place,
-                                const Mistakes& mistakes);
+[[nodiscard]] std::string spell(const SheetBook& book, const Sheet& sheet, const SourceLocation& place,
+                                const InputErrors& errors);
 
-/// Mistakes in a workbook with the cell in the place of line and column: `tire.xls, SEL!B4`.
-[[nodiscard]] std::vector<Mistake> with_cells(std::vector<Mistake> mistakes, const SheetBook& book);
+/// Errors in a workbook with the cell in the place of line and column: `tire.xls, SEL!B4`.
+[[nodiscard]] std::vector<InputError> with_cells(std::vector<InputError> errors, const SheetBook& book);
 
 }  // namespace tiretherm::input

@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "input/text/document.hpp"
 #include "input/measurements/runs.hpp"
 #include "input/spreadsheet/sheet_body.hpp"
 #include "input/spreadsheet/sheet_remarks.hpp"
-#include "input/text/words.hpp"
+#include "input/text/document.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::string_view whole_case = "the case";
 
-/// Reads all sheets; those that are missing or that nobody knows are mistakes.
-SheetContent read_content(const SheetBook& book, SheetCase& result, Mistakes& mistakes) {
+/// Reads all sheets; those that are missing or that nobody knows are errors.
+SheetContent read_content(const SheetBook& book, SheetCase& result, InputErrors& errors) {
     SheetContent content;
     std::vector<std::string> strange;
     for (const Sheet& sheet : book.sheets) {
@@ -26,46 +26,46 @@ SheetContent read_content(const SheetBook& book, SheetCase& result, Mistakes& mi
             std::ranges::any_of(sheet_names(), [&](std::string_view name) { return is_called(sheet.name, name, ""); });
         if (known) {
             result.sheets.push_back(sheet.name);
-            scan_sheet(book, sheet, content, mistakes);
+            scan_sheet(book, sheet, content, errors);
         } else {
             strange.push_back(sheet.name);
         }
     }
     const std::string ending = book.is_folder ? ".csv" : "";
-    const int whole = mistakes.add_file(book.shown, "");
+    const int whole = errors.add_file(book.shown, "");
     if (result.sheets.empty()) {
         const std::vector<std::string> wanted(sheet_names().begin(), sheet_names().end());
-        mistakes.add({.file = whole}, fmt::format("none of the ten sheets is there; there is {}", listed(strange)),
-                     fmt::format("the sheets are {}: cases/convert/README.md describes them", listed(wanted)));
+        errors.add({.file = whole}, fmt::format("none of the ten sheets is there; there is {}", listed(strange)),
+                   fmt::format("the sheets are {}: cases/convert/README.md describes them", listed(wanted)));
         return content;
     }
     for (const std::string_view name : sheet_names()) {
         const auto is = [&](const Sheet& sheet) { return is_called(sheet.name, name, ""); };
         const auto count = std::ranges::count_if(book.sheets, is);
         if (count > 1) {
-            mistakes.add({.file = whole}, fmt::format("there are {} sheets {}", count, name), "keep one of them");
+            errors.add({.file = whole}, fmt::format("there are {} sheets {}", count, name), "keep one of them");
         }
         if (count == 0) {
             const std::string near = nearest(name, strange);
-            mistakes.add({.file = whole}, fmt::format("there is no sheet {}{}", name, ending),
-                         near.empty() ? fmt::format("add it; one with a title alone takes all defaults of {}", name)
-                                      : fmt::format("rename {}{}?", near, ending));
+            errors.add({.file = whole}, fmt::format("there is no sheet {}{}", name, ending),
+                       near.empty() ? fmt::format("add it; one with a title alone takes all defaults of {}", name)
+                                    : fmt::format("rename {}{}?", near, ending));
             std::erase(strange, near);
         }
     }
     for (const std::string& name : strange) {
-        mistakes.warn({.file = whole}, fmt::format("the sheet {} is none of the ten and is not read", name));
+        errors.warn({.file = whole}, fmt::format("the sheet {} is none of the ten and is not read", name));
     }
     return content;
 }
 
 /// The sheets must name the tire: nothing else can be assumed.
-bool check_size(const SheetBook& book, const SheetContent& content, Mistakes& mistakes) {
+bool check_size(const SheetBook& book, const SheetContent& content, InputErrors& errors) {
     const SheetParameter& size = *find_sheet_parameter("INFO", "Size");
     const Sheet* info = book.find("INFO");
     const bool given = content.find(size) != nullptr;
     if (!given && info != nullptr && info->place.file >= 0) {
-        mistakes.add(info->place, "the sheet has no Size", "add a row: Size, 225/50 R17");
+        errors.add(info->place, "the sheet has no Size", "add a row: Size, 225/50 R17");
     }
     return given;
 }
@@ -76,19 +76,20 @@ std::string called(const SheetBody::Entry& entry, const std::string& sentence) {
                                            : fmt::format("{}: {}", entry.called, sentence);
 }
 
-/// Tells the mistakes that the reader of cases finds in the body where they stand in the sheets.
-void judge(const SheetBody& body, const SheetBook& book, const Mistakes& judged, Mistakes& mistakes) {
-    const std::vector<Mistake> found = judged.in_order();
-    const int whole = found.empty() ? -1 : mistakes.add_file(book.shown, "");
-    for (const Mistake& mistake : found) {
-        const SheetBody::Entry* entry = body.entry_at(mistake.line);
-        std::string what = entry != nullptr ? called(*entry, mistake.what) : mistake.what;
-        Place place = body.place_at(mistake.line);
+/// Reports the errors that the reader of cases finds in the body at their places in the sheets.
+void report_in_sheets(const SheetBody& body, const SheetBook& book, const InputErrors& case_errors,
+                      InputErrors& errors) {
+    const std::vector<InputError> found = case_errors.in_order();
+    const int whole = found.empty() ? -1 : errors.add_file(book.shown, "");
+    for (const InputError& error : found) {
+        const SheetBody::Entry* entry = body.entry_at(error.line);
+        std::string what = entry != nullptr ? called(*entry, error.what) : error.what;
+        SourceLocation place = body.place_at(error.line);
         if (place.file < 0) {
             place = {.file = whole};
             what += entry != nullptr ? fmt::format(" ({} is assumed, the sheets do not say it)", entry->key) : "";
         }
-        mistakes.add(place, what, mistake.remedy);
+        errors.add(place, what, error.remedy);
     }
 }
 
@@ -155,36 +156,36 @@ std::string preamble(const SheetCase& result) {
 
 SheetCase convert_sheet(const std::filesystem::path& path) {
     SheetCase result;
-    Mistakes mistakes;
-    const std::optional<SheetBook> book = read_sheet_book(path, mistakes);
+    InputErrors errors;
+    const std::optional<SheetBook> book = read_sheet_book(path, errors);
     if (!book) {
-        result.mistakes = mistakes.in_order();
+        result.errors = errors.in_order();
         return result;
     }
-    const SheetContent content = read_content(*book, result, mistakes);
-    const bool has_size = check_size(*book, content, mistakes);
-    SheetBody body = make_sheet_body(content, result, mistakes);
-    if (!has_size) {  // so that the rest is judged all the same
+    const SheetContent content = read_content(*book, result, errors);
+    const bool has_size = check_size(*book, content, errors);
+    SheetBody body = make_sheet_body(content, result, errors);
+    if (!has_size) {  // so that the rest is checked all the same
         body.add(
             {.table = "tire", .key = "size", .lines = {"\"225/50 R17\""}, .places = {{}}, .remark = "", .called = ""});
     }
-    Mistakes judged;
-    TextFile file{.number = judged.add_file(std::string(whole_case), body.text()), .text = body.text()};
+    InputErrors case_errors;
+    TextFile file{.number = case_errors.add_file(std::string(whole_case), body.text()), .text = body.text()};
     std::optional<solver::Problem> problem;
-    if (const std::optional<Node> document = parse_toml(file, judged)) {
-        Runs runs = read_runs(*document, path.stem().string(), {}, Occasion::measured, judged);
-        if (judged.count() == 0) {
+    if (const std::optional<TomlValue> document = parse_toml(file, case_errors)) {
+        Runs runs = read_runs(*document, path.stem().string(), {}, ReadMode::measured, case_errors);
+        if (case_errors.count() == 0) {
             problem = std::move(runs.problem);
         }
     }
-    judge(body, *book, judged, mistakes);
-    result.warnings = mistakes.warnings();
+    report_in_sheets(body, *book, case_errors, errors);
+    result.warnings = errors.warnings();
     warn_of_borrowed_laws(content, *book, result);
-    for (const std::string& warning : judged.warnings()) {
+    for (const std::string& warning : case_errors.warnings()) {
         result.warnings.push_back(moved(warning, body, *book));
     }
-    if (mistakes.count() > 0) {
-        result.mistakes = with_cells(mistakes.in_order(), *book);
+    if (errors.count() > 0) {
+        result.errors = with_cells(errors.in_order(), *book);
         return result;
     }
     compare_with_sheet(content, *problem, result);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "input/text/mistake.hpp"
+#include "input/text/input_error.hpp"
 
 namespace tiretherm::input {
 
@@ -36,14 +36,14 @@ struct SheetMissing {
     std::string parameter;
 };
 
-/// The case that a spreadsheet makes. There is a text exactly when there is no mistake.
+/// The case that a spreadsheet makes. There is a text exactly when there is no error.
 struct SheetCase {
     std::string text;
     std::vector<std::string> sheets;
     std::vector<SheetMapped> mapped;
     std::vector<SheetUnmapped> unmapped;
     std::vector<SheetMissing> missing;
-    std::vector<Mistake> mistakes;
+    std::vector<InputError> errors;
     std::vector<std::string> warnings;
 };
 

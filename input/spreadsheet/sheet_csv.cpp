@@ -2,9 +2,9 @@
 #include <array>
 #include <system_error>
 
-#include "input/tables/csv.hpp"
 #include "input/spreadsheet/sheet_formats.hpp"
-#include "input/text/words.hpp"
+#include "input/tables/csv.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
@@ -51,7 +51,7 @@ Sheet sheet_of(const TextFile& file, std::string name) {
 
 }  // namespace
 
-std::vector<Sheet> read_csv_sheets(const fs::path& folder, Mistakes& mistakes) {
+std::vector<Sheet> read_csv_sheets(const fs::path& folder, InputErrors& errors) {
     std::vector<fs::path> files;
     std::error_code error;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
@@ -61,13 +61,13 @@ std::vector<Sheet> read_csv_sheets(const fs::path& folder, Mistakes& mistakes) {
         }
     }
     if (error) {
-        mistakes.add({.file = mistakes.add_file(folder.generic_string(), "")},
-                     "the folder cannot be read: " + error.message());
+        errors.add({.file = errors.add_file(folder.generic_string(), "")},
+                   "the folder cannot be read: " + error.message());
     }
     std::sort(files.begin(), files.end());
     std::vector<Sheet> sheets;
     for (const fs::path& path : files) {
-        if (const std::optional<TextFile> file = read_text(path, {}, mistakes)) {
+        if (const std::optional<TextFile> file = read_text(path, {}, errors)) {
             sheets.push_back(sheet_of(*file, path.stem().string()));
         } else {
             // What is wrong with the file has been said; it is not missing as well.

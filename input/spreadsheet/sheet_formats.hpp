@@ -20,7 +20,7 @@ struct RawSheet {
 /// What came of reading a workbook: its sheets, or why there are none.
 struct RawBook {
     std::vector<RawSheet> sheets;
-    std::optional<Fault> fault;
+    std::optional<ErrorText> error;
     bool hides_formulas = false;  ///< their cells read as empty ones
 };
 
@@ -31,14 +31,14 @@ struct RawBook {
 [[nodiscard]] RawBook read_xlsx(const std::filesystem::path& path);
 
 /// The sheets of a folder, one from each *.csv in it, in the order of their names.
-[[nodiscard]] std::vector<Sheet> read_csv_sheets(const std::filesystem::path& folder, Mistakes& mistakes);
+[[nodiscard]] std::vector<Sheet> read_csv_sheets(const std::filesystem::path& folder, InputErrors& errors);
 
 /// Gives the parts of a ZIP archive by name; nothing for one that is not there.
 using ZipParts = std::function<std::optional<std::string>(const std::string& name)>;
 
 /// Opens an archive for as long as `use` takes. @returns why it could not be read
-[[nodiscard]] std::optional<Fault> with_zip(const std::filesystem::path& path,
-                                            const std::function<std::optional<Fault>(const ZipParts&)>& use);
+[[nodiscard]] std::optional<ErrorText> with_zip(const std::filesystem::path& path,
+                                                const std::function<std::optional<ErrorText>(const ZipParts&)>& use);
 
 /// The number as a cell's text, with all its digits.
 [[nodiscard]] std::string cell_text(double number);

@@ -57,7 +57,7 @@ Given given(const SheetContent& content, std::string_view law) {
 }  // namespace
 
 void add_sheet_law(const SheetContent& content, std::string_view law, SheetBody& body, SheetCase& result,
-                   Mistakes& mistakes) {
+                   InputErrors& errors) {
     if (table_instead(content, law) != nullptr) {
         return;
     }
@@ -73,8 +73,8 @@ void add_sheet_law(const SheetContent& content, std::string_view law, SheetBody&
     if (!gives_law(content, law) || !found.sound || C == nullptr) {
         if (gives_law(content, law) && C == nullptr) {
             const SheetValue& other = A != nullptr ? *A : *B;
-            mistakes.add(other.name_place, fmt::format("{} is given without coeff. C", other.parameter->name),
-                         "give all three, a 0 where there is none");
+            errors.add(other.name_place, fmt::format("{} is given without coeff. C", other.parameter->name),
+                       "give all three, a 0 where there is none");
         } else if (found.sound) {
             result.missing.push_back({fmt::format("material.{}", law), std::string(standard.text),
                                       std::string(standard.ground), std::string(found.parameters[2]->sheet),

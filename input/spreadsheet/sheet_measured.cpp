@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include "input/tables/columns.hpp"
-#include "input/text/complaints.hpp"
-#include "input/text/quantity.hpp"
 #include "input/spreadsheet/sheet_rows.hpp"
-#include "input/text/words.hpp"
+#include "input/tables/columns.hpp"
+#include "input/text/error_limiter.hpp"
+#include "input/text/quantity.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
@@ -17,7 +17,7 @@ namespace {
 struct Over {
     std::size_t column;
     Heading heading;
-    Place place;
+    SourceLocation place;
 };
 
 const Over* column_called(const std::vector<Over>& heads, std::string_view name, std::string_view aliases) {
@@ -26,24 +26,24 @@ const Over* column_called(const std::vector<Over>& heads, std::string_view name,
     return found == heads.end() ? nullptr : &*found;
 }
 
-/// The number of a cell; nothing for an empty one or after a mistake.
-std::optional<double> number_in(const SheetCell& cell, std::string_view name, Complaints& complaints) {
+/// The number of a cell; nothing for an empty one or after an error.
+std::optional<double> number_in(const SheetCell& cell, std::string_view name, ErrorLimiter& limiter) {
     if (cell.text.empty()) {
         return std::nullopt;
     }
     const std::optional<Number> number = leading_number(cell.text);
     if (!number || !number->rest.empty() || !std::isfinite(number->value)) {
-        complaints.add(cell.place, not_a_number(name, cell.text));
+        limiter.add(cell.place, not_a_number(name, cell.text));
         return std::nullopt;
     }
     return number->value;
 }
 
-std::string sound_unit(const Over& head, std::string_view wanted, Mistakes& mistakes) {
+std::string sound_unit(const Over& head, std::string_view wanted, InputErrors& errors) {
     const std::string unit = plain_unit(head.heading.unit.value_or(""));
-    if (std::optional<Fault> fault = unit_fault(unit, wanted, head.heading.name)) {
-        fault->remedy = fmt::format("write {} [{}]", head.heading.name, wanted);
-        mistakes.add(head.place, std::move(*fault));
+    if (std::optional<ErrorText> error = unit_error(unit, wanted, head.heading.name)) {
+        error->remedy = fmt::format("write {} [{}]", head.heading.name, wanted);
+        errors.add(head.place, std::move(*error));
         return {};
     }
     return unit;
@@ -54,7 +54,7 @@ constexpr std::string_view temperature_aliases = "T|Temperature Vector for later
 }  // namespace
 
 std::size_t scan_tables(const Sheet& sheet, std::string_view name, std::size_t row, SheetContent& content,
-                        Mistakes& mistakes) {
+                        InputErrors& errors) {
     std::vector<Over> heads;
     for (std::size_t c = 0; c < sheet.rows[row].size(); ++c) {
         const SheetCell& cell = sheet.at(row, c);
@@ -85,8 +85,8 @@ std::size_t scan_tables(const Sheet& sheet, std::string_view name, std::size_t r
                    (table->also_temperature && is_called(head.heading.name, "Temperature", temperature_aliases));
         });
         if (!read) {
-            mistakes.add(head.place, fmt::format("{} has no column \"{}\"", name, head.heading.name),
-                         suggest(head.heading.name, known, "columns"));
+            errors.add(head.place, fmt::format("{} has no column \"{}\"", name, head.heading.name),
+                       suggest(head.heading.name, known, "columns"));
         }
     }
     std::size_t end = row + 1;
@@ -105,12 +105,12 @@ std::size_t scan_tables(const Sheet& sheet, std::string_view name, std::size_t r
             continue;
         }
         if (std::ranges::any_of(content.measured, [&](const SheetMeasured& m) { return m.table == table; })) {
-            mistakes.add(value->place, fmt::format("a second column {}", table->value), "keep one of them");
+            errors.add(value->place, fmt::format("a second column {}", table->value), "keep one of them");
             continue;
         }
         SheetMeasured measured{.table = table,
-                               .variable_unit = sound_unit(*variable, table->variable_unit, mistakes),
-                               .value_unit = sound_unit(*value, table->value_unit, mistakes),
+                               .variable_unit = sound_unit(*variable, table->variable_unit, errors),
+                               .value_unit = sound_unit(*value, table->value_unit, errors),
                                .temperature_unit = {},
                                .variable = {},
                                .temperature = {},
@@ -119,30 +119,28 @@ std::size_t scan_tables(const Sheet& sheet, std::string_view name, std::size_t r
         const Over* temperature =
             table->also_temperature ? column_called(heads, "Temperature", temperature_aliases) : nullptr;
         if (table->also_temperature && temperature == nullptr) {
-            mistakes.add(value->place, fmt::format("{} needs a column Temperature", table->value),
-                         "write Temperature [degC]");
+            errors.add(value->place, fmt::format("{} needs a column Temperature", table->value),
+                       "write Temperature [degC]");
             continue;
         }
         if (temperature != nullptr) {
-            measured.temperature_unit = sound_unit(*temperature, "degC", mistakes);
+            measured.temperature_unit = sound_unit(*temperature, "degC", errors);
         }
-        Complaints complaints(mistakes);
+        ErrorLimiter limiter(errors);
         for (std::size_t r = row + 1; r < end; ++r) {
             const SheetCell& cell = sheet.at(r, value->column);
-            const auto x = number_in(sheet.at(r, variable->column), table->variable, complaints);
-            const auto y = number_in(cell, table->value, complaints);
-            const auto T = temperature != nullptr
-                               ? number_in(sheet.at(r, temperature->column), "Temperature", complaints)
-                               : std::optional(0.0);
+            const auto x = number_in(sheet.at(r, variable->column), table->variable, limiter);
+            const auto y = number_in(cell, table->value, limiter);
+            const auto T = temperature != nullptr ? number_in(sheet.at(r, temperature->column), "Temperature", limiter)
+                                                  : std::optional(0.0);
             if (x && !y && cell.text.empty() && sheet.hides_formulas) {
-                complaints.add(
-                    sheet.at(r, variable->column).place,
-                    {fmt::format("the {} of this row is empty or a formula, which an .xls does not give away",
-                                 table->value),
-                     formula_remedy});
+                limiter.add(sheet.at(r, variable->column).place,
+                            {fmt::format("the {} of this row is empty or a formula, which an .xls does not give away",
+                                         table->value),
+                             formula_remedy});
             }
             if (y && !x && sheet.at(r, variable->column).text.empty()) {
-                complaints.add(cell.place, {fmt::format("{} is given without {}", table->value, table->variable), ""});
+                limiter.add(cell.place, {fmt::format("{} is given without {}", table->value, table->variable), ""});
             }
             if (x && y && T) {
                 measured.variable.push_back(*x);
@@ -151,7 +149,7 @@ std::size_t scan_tables(const Sheet& sheet, std::string_view name, std::size_t r
                 measured.places.push_back(cell.place);
             }
         }
-        complaints.close(std::string(table->value));
+        limiter.close(std::string(table->value));
         if (!measured.value.empty() && !measured.variable_unit.empty() && !measured.value_unit.empty()) {
             content.measured.push_back(std::move(measured));
         }

@@ -21,7 +21,7 @@ enum class SheetUse : std::uint8_t {
     scale,        ///< the scale on which such a law counts temperature, degC or K
     rate,         ///< 1/K, which the case gives as the width of a transition
     sensor,       ///< ON or OFF: a sensor of the case
-    computed,     ///< follows from others: the program computes it, and the value is held against that
+    computed,     ///< follows from others: the program computes it, and the value is compared with that
     none          ///< nothing in the program corresponds
 };
 
@@ -58,7 +58,7 @@ struct SheetTable {
     std::string_view value;  ///< name of the other
     std::string_view value_aliases;
     std::string_view value_unit;
-    std::string_view table;  ///< of the case; empty: it is held against the model alone
+    std::string_view table;  ///< of the case; empty: it is only compared with the model
     std::string_view key;
     std::string_view law;
     std::string_view meaning;

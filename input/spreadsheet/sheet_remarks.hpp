@@ -6,8 +6,8 @@
 
 namespace tiretherm::input {
 
-/// Holds what the program computes itself against what the sheets say of it: masses, areas, and measured tables beside a
-/// law. Each becomes an entry of `unmapped` with both numbers.
+/// Compares what the program computes itself with what the sheets say of it: masses, areas, and measured tables
+/// beside a law. Each becomes an entry of `unmapped` with both numbers.
 void compare_with_sheet(const SheetContent& content, const solver::Problem& problem, SheetCase& result);
 
 }  // namespace tiretherm::input

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "input/text/quantity.hpp"
-#include "input/text/words.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
@@ -24,15 +24,15 @@ bool is_heading_word(std::string_view text) {
 /// Reads the rows of one sheet.
 class Scan {
 public:
-    Scan(const SheetBook& book, const Sheet& sheet, std::string_view name, SheetContent& content, Mistakes& mistakes)
-        : book_(book), sheet_(sheet), name_(name), content_(content), mistakes_(mistakes) {}
+    Scan(const SheetBook& book, const Sheet& sheet, std::string_view name, SheetContent& content, InputErrors& errors)
+        : book_(book), sheet_(sheet), name_(name), content_(content), errors_(errors) {}
 
     void rows() {
         for (std::size_t r = 0; r < sheet_.rows.size(); ++r) {
             if (is_remark(r)) {
                 continue;
             }
-            if (const std::size_t taken = scan_tables(sheet_, name_, r, content_, mistakes_); taken > 0) {
+            if (const std::size_t taken = scan_tables(sheet_, name_, r, content_, errors_); taken > 0) {
                 r += taken - 1;
             } else {
                 row(r);
@@ -95,8 +95,8 @@ private:
             std::all_of(cells.begin() + static_cast<std::ptrdiff_t>(c) + 1, cells.end(),
                         [](const SheetCell& other) { return other.text.empty() || is_heading_word(other.text); });
         if (const std::optional<Number> number = leading_number(cell.text); number && number->rest.empty()) {
-            mistakes_.add(cell.place, fmt::format("{} stands in the place of a parameter's name", cell.text),
-                          "begin a remark with #");
+            errors_.add(cell.place, fmt::format("{} stands in the place of a parameter's name", cell.text),
+                        "begin a remark with #");
             return;
         }
         if (alone) {
@@ -104,8 +104,8 @@ private:
         }
         for (const SheetParameter& other : sheet_parameters()) {
             if (other.sheet != name_ && is_called(cell.text, other.name, other.aliases)) {
-                mistakes_.add(cell.place, fmt::format("{} has no parameter \"{}\"", name_, cell.text),
-                              fmt::format("it belongs into the sheet {}", other.sheet));
+                errors_.add(cell.place, fmt::format("{} has no parameter \"{}\"", name_, cell.text),
+                            fmt::format("it belongs into the sheet {}", other.sheet));
                 return;
             }
         }
@@ -116,9 +116,9 @@ private:
             }
         }
         const std::string label = c > 0 && labels_.contains(c - 1) ? labels_.at(c - 1) + " " : "";
-        mistakes_.add(cell.place, fmt::format("{} has no parameter \"{}{}\"", name_, label, cell.text),
-                      suggest(label + cell.text, known, "parameters") +
-                          (nearest(label + cell.text, known).empty() ? "; begin a remark with #" : ""));
+        errors_.add(cell.place, fmt::format("{} has no parameter \"{}{}\"", name_, label, cell.text),
+                    suggest(label + cell.text, known, "parameters") +
+                        (nearest(label + cell.text, known).empty() ? "; begin a remark with #" : ""));
     }
 
     /// The parameter whose name stands at r, c with its value and its unit to the right.
@@ -128,20 +128,20 @@ private:
         if (value.text.empty()) {
             // As good as not there, unless there may be a formula.
             if (sheet_.hides_formulas) {
-                mistakes_.add(name.place,
-                              fmt::format("the value of {} is empty or a formula, which an .xls does not give away",
-                                          parameter.name),
-                              formula_remedy);
+                errors_.add(name.place,
+                            fmt::format("the value of {} is empty or a formula, which an .xls does not give away",
+                                        parameter.name),
+                            formula_remedy);
             }
             return;
         }
         if (const SheetValue* same = content_.find(parameter)) {
             const bool alias = !is_called(name.text, parameter.name, "");
-            mistakes_.add(name.place,
-                          fmt::format("{} stands twice{}, first at {}", parameter.name,
-                                      alias ? fmt::format(", here as \"{}\"", name.text) : "",
-                                      spell(book_, sheet_, same->name_place, mistakes_)),
-                          "remove one of them");
+            errors_.add(name.place,
+                        fmt::format("{} stands twice{}, first at {}", parameter.name,
+                                    alias ? fmt::format(", here as \"{}\"", name.text) : "",
+                                    spell(book_, sheet_, same->name_place, errors_)),
+                        "remove one of them");
             return;
         }
         SheetValue found{.parameter = &parameter,
@@ -156,8 +156,8 @@ private:
 
     void read(SheetValue& found, const SheetCell& value, const SheetCell& unit) {
         const SheetParameter& parameter = *found.parameter;
-        const auto refuse = [&](const SheetCell& cell, Fault fault) {
-            mistakes_.add(cell.place, std::move(fault));
+        const auto refuse = [&](const SheetCell& cell, ErrorText error) {
+            errors_.add(cell.place, std::move(error));
             found.sound = false;
         };
         switch (parameter.use) {
@@ -201,8 +201,8 @@ private:
         if (parameter.unit == "1" && found.unit.empty()) {
             found.unit = "1";
         }
-        if (std::optional<Fault> fault = unit_fault(found.unit, parameter.unit, parameter.name)) {
-            refuse(unit.text.empty() ? value : unit, std::move(*fault));
+        if (std::optional<ErrorText> error = unit_error(found.unit, parameter.unit, parameter.name)) {
+            refuse(unit.text.empty() ? value : unit, std::move(*error));
         } else if (found.unit == "-") {
             found.unit = "1";
         } else if (parameter.use == SheetUse::computed && found.number <= 0.0) {
@@ -227,7 +227,7 @@ private:
     const Sheet& sheet_;
     std::string_view name_;
     SheetContent& content_;
-    Mistakes& mistakes_;
+    InputErrors& errors_;
     std::map<std::size_t, std::string> labels_;  ///< by column; a label holds for the rows below it
 };
 
@@ -239,10 +239,10 @@ const SheetValue* SheetContent::find(const SheetParameter& parameter) const {
     return found == values.end() ? nullptr : &*found;
 }
 
-void scan_sheet(const SheetBook& book, const Sheet& sheet, SheetContent& content, Mistakes& mistakes) {
+void scan_sheet(const SheetBook& book, const Sheet& sheet, SheetContent& content, InputErrors& errors) {
     const auto name =
         std::ranges::find_if(sheet_names(), [&](std::string_view known) { return is_called(sheet.name, known, ""); });
-    Scan(book, sheet, *name, content, mistakes).rows();
+    Scan(book, sheet, *name, content, errors).rows();
 }
 
 }  // namespace tiretherm::input

@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include "input/text/quantity.hpp"
 #include "input/spreadsheet/sheet_rows.hpp"
+#include "input/text/quantity.hpp"
+#include "input/text/suggestions.hpp"
 #include "input/text/unit_text.hpp"
-#include "input/text/words.hpp"
 
 namespace tiretherm::input {
 
@@ -43,21 +43,21 @@ std::string plain_unit(std::string_view written) {
     return unit;
 }
 
-std::optional<Fault> unit_fault(std::string_view unit, std::string_view wanted, std::string_view name) {
+std::optional<ErrorText> unit_error(std::string_view unit, std::string_view wanted, std::string_view name) {
     const std::string remedy = fmt::format("write {}", wanted == "1" ? "-" : wanted);
     if (unit.empty()) {
-        return Fault{fmt::format("{} has no unit", name), remedy};
+        return ErrorText{fmt::format("{} has no unit", name), remedy};
     }
     const std::string si = spelt_out(wanted);
     // The scale on which a unit counts does not matter for its dimension.
-    UnitRead read = read_unit(unit, Wanted{.unit = si}, fmt::format("{} is in \"{}\"", name, unit));
-    if (read.fault) {
-        read.fault->remedy = remedy;
+    UnitRead read = read_unit(unit, QuantitySpec{.unit = si}, fmt::format("{} is in \"{}\"", name, unit));
+    if (read.error) {
+        read.error->remedy = remedy;
     }
-    return read.fault;
+    return read.error;
 }
 
-Fault not_a_number(std::string_view name, std::string_view text) {
+ErrorText not_a_number(std::string_view name, std::string_view text) {
     const std::optional<Number> number = leading_number(text);
     if (number && number->rest.starts_with(',')) {
         return {fmt::format("{} is \"{}\", with a comma in the number", name, text), "write a decimal point"};

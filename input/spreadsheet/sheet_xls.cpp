@@ -58,7 +58,7 @@ std::optional<RawSheet> read_worksheet(const void* book, unsigned short number) 
 
 RawBook read_xls(const std::filesystem::path& path) {
     const auto broken = [](std::string_view why, std::string remedy = "save it anew, as .xls or .xlsx") {
-        return RawBook{.sheets = {}, .fault = Fault{fmt::format("the .xls workbook {}", why), std::move(remedy)}};
+        return RawBook{.sheets = {}, .error = ErrorText{fmt::format("the .xls workbook {}", why), std::move(remedy)}};
     };
     const void* opened = nullptr;
     const int status = freexl_open(path.c_str(), &opened);

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
-#include "input/text/quantity.hpp"
 #include "input/spreadsheet/sheet_formats.hpp"
+#include "input/text/quantity.hpp"
 
 namespace tiretherm::input {
 
@@ -127,11 +127,12 @@ std::map<std::string, std::string, std::less<>> targets(const ZipParts& parts) {
     return found;
 }
 
-std::optional<Fault> read_parts(const ZipParts& parts, std::vector<RawSheet>& sheets) {
+std::optional<ErrorText> read_parts(const ZipParts& parts, std::vector<RawSheet>& sheets) {
     pugi::xml_document workbook;
     const std::optional<std::string> xml = parts("xl/workbook.xml");
     if (!xml || !workbook.load_buffer(xml->data(), xml->size())) {
-        return Fault{"the file is a ZIP archive, but not an .xlsx workbook", "save the spreadsheet as .xlsx or .xls"};
+        return ErrorText{"the file is a ZIP archive, but not an .xlsx workbook",
+                         "save the spreadsheet as .xlsx or .xls"};
     }
     const std::vector<std::string> strings = shared_strings(parts);
     const auto files = targets(parts);
@@ -147,9 +148,9 @@ std::optional<Fault> read_parts(const ZipParts& parts, std::vector<RawSheet>& sh
         const std::optional<std::string> part = file != files.end() ? parts(file->second) : std::nullopt;
         pugi::xml_document document;
         if (!part || !document.load_buffer(part->data(), part->size(), pugi::parse_default | pugi::parse_ws_pcdata)) {
-            return Fault{fmt::format("the .xlsx workbook is damaged: its sheet {} cannot be read",
-                                     entry.attribute("name").value()),
-                         "save it anew"};
+            return ErrorText{fmt::format("the .xlsx workbook is damaged: its sheet {} cannot be read",
+                                         entry.attribute("name").value()),
+                             "save it anew"};
         }
         sheets.push_back(read_worksheet(document.document_element(), entry.attribute("name").value(), strings));
     }
@@ -160,7 +161,7 @@ std::optional<Fault> read_parts(const ZipParts& parts, std::vector<RawSheet>& sh
 
 RawBook read_xlsx(const std::filesystem::path& path) {
     RawBook book;
-    book.fault = with_zip(path, [&](const ZipParts& parts) { return read_parts(parts, book.sheets); });
+    book.error = with_zip(path, [&](const ZipParts& parts) { return read_parts(parts, book.sheets); });
     return book;
 }
 

@@ -34,16 +34,16 @@ std::optional<std::string> part(zip_t* archive, const std::string& name) {
 
 }  // namespace
 
-std::optional<Fault> with_zip(const std::filesystem::path& path,
-                              const std::function<std::optional<Fault>(const ZipParts&)>& use) {
+std::optional<ErrorText> with_zip(const std::filesystem::path& path,
+                                  const std::function<std::optional<ErrorText>(const ZipParts&)>& use) {
     int status = 0;
     const std::unique_ptr<zip_t, Discarded> archive(zip_open(path.c_str(), ZIP_RDONLY, &status));
     if (!archive) {
         zip_error_t error;
         zip_error_init_with_code(&error, status);
-        Fault fault{fmt::format("the .xlsx workbook is damaged: {}", zip_error_strerror(&error)), "save it anew"};
+        ErrorText reason{fmt::format("the .xlsx workbook is damaged: {}", zip_error_strerror(&error)), "save it anew"};
         zip_error_fini(&error);
-        return fault;
+        return reason;
     }
     return use([&](const std::string& name) { return part(archive.get(), name); });
 }

@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "input/model/reader.hpp"
 #include "input/measurements/runs.hpp"
-#include "input/studies/study_fingerprint.hpp"
+#include "input/model/reader.hpp"
 #include "input/parameters/study_key.hpp"
-#include "input/text/wanted.hpp"
+#include "input/studies/study_fingerprint.hpp"
+#include "input/text/quantity_specs.hpp"
 
 namespace tiretherm::input {
 
@@ -19,27 +19,27 @@ namespace {
 constexpr std::size_t most_runs = 100'000;
 
 /// Adds what is not known yet: most runs of a study say the same.
-void add_new(std::vector<Mistake>& known, const std::vector<Mistake>& found) {
-    for (const Mistake& mistake : found) {
-        const auto same = [&](const Mistake& other) {
-            return other.file == mistake.file && other.line == mistake.line && other.what == mistake.what;
+void add_new(std::vector<InputError>& known, const std::vector<InputError>& found) {
+    for (const InputError& error : found) {
+        const auto same = [&](const InputError& other) {
+            return other.file == error.file && other.line == error.line && other.what == error.what;
         };
         if (std::none_of(known.begin(), known.end(), same)) {
-            known.push_back(mistake);
+            known.push_back(error);
         }
     }
 }
 
-/// Files as they were first complained about, the study's before all; each from its first line down.
-void put_in_order(std::vector<Mistake>& mistakes, const std::string& study) {
+/// Files in the order of their first errors, the study's before all; each from its first line down.
+void put_in_order(std::vector<InputError>& errors, const std::string& study) {
     std::vector<std::string> files{study};
-    for (const Mistake& mistake : mistakes) {
-        if (std::find(files.begin(), files.end(), mistake.file) == files.end()) {
-            files.push_back(mistake.file);
+    for (const InputError& error : errors) {
+        if (std::find(files.begin(), files.end(), error.file) == files.end()) {
+            files.push_back(error.file);
         }
     }
-    std::stable_sort(mistakes.begin(), mistakes.end(), [&](const Mistake& a, const Mistake& b) {
-        const auto rank = [&](const Mistake& m) {
+    std::stable_sort(errors.begin(), errors.end(), [&](const InputError& a, const InputError& b) {
+        const auto rank = [&](const InputError& m) {
             return std::tuple(std::find(files.begin(), files.end(), m.file), m.line, m.column);
         };
         return rank(a) < rank(b);
@@ -55,25 +55,25 @@ bool same_channels(const std::vector<solver::Channel>& a, const std::vector<solv
 
 }  // namespace
 
-/// Reads a study step by step; every step goes on behind mistakes, so that all are told.
+/// Reads a study step by step; every step goes on after errors, so that all are reported.
 class StudyReader {
 public:
     [[nodiscard]] StudyReading read(const std::filesystem::path& file) {
         study_.file = file;
-        const std::optional<Node> document = read_document(file, study_.mistakes_);
+        const std::optional<TomlValue> document = read_document(file, study_.errors_);
         bool has_case = false;
         if (document) {
-            Section root(*document, "the study", study_.mistakes_);
+            TomlTable root(*document, "the study", study_.errors_);
             has_case = read_root(root);
         }
         StudyReading reading{
-            .study = std::nullopt, .mistakes = study_.mistakes_.in_order(), .warnings = study_.mistakes_.warnings()};
+            .study = std::nullopt, .errors = study_.errors_.in_order(), .warnings = study_.errors_.warnings()};
         if (has_case && document) {
             read_runs_into(reading);
         }
-        put_in_order(reading.mistakes, file.generic_string());
+        put_in_order(reading.errors, file.generic_string());
         reading.warnings = unique(reading.warnings);
-        if (reading.mistakes.empty()) {
+        if (reading.errors.empty()) {
             reading.study = std::move(study_);
         }
         return reading;
@@ -81,10 +81,10 @@ public:
 
 private:
     /// @returns whether there is a case to be read
-    bool read_root(Section& root) {
-        root.know({"include"});
+    bool read_root(TomlTable& root) {
+        root.declare_keys({"include"});
         study_.title = root.text("title").value_or(study_.file.stem().string());
-        study_.critical = root.quantity("critical", wanted::temperature);
+        study_.critical = root.quantity("critical", quantity_specs::temperature);
         const std::optional<std::string> path = root.text("case", Need::required);
         study_.inputs = read_study_inputs(root, study_.samples, study_.seed);
         if (path) {
@@ -96,27 +96,27 @@ private:
             n = std::min(n, most_runs + 1);
         }
         if (n > most_runs) {
-            root.mistake("case", fmt::format("the study has more than {} runs", most_runs),
-                         "vary fewer values, or draw samples");
+            root.add_error("case", fmt::format("the study has more than {} runs", most_runs),
+                           "vary fewer values, or draw samples");
             return false;
         }
         lay_out_runs(n);
-        return study_.document_.kind == Node::Kind::table;
+        return study_.document_.kind == TomlValue::Kind::table;
     }
 
-    void read_base(const std::string& path, const Place& mentioned) {
+    void read_base(const std::string& path, const SourceLocation& mentioned) {
         study_.case_file = (study_.file.parent_path() / path).lexically_normal();
         study_.case_name = case_name(study_.case_file);
-        Mistakes& mistakes = study_.mistakes_;
+        InputErrors& errors = study_.errors_;
         std::error_code error;
         if (!std::filesystem::is_regular_file(study_.case_file, error)) {
-            static_cast<void>(read_text(study_.case_file, mentioned, mistakes));
+            static_cast<void>(read_text(study_.case_file, mentioned, errors));
             return;
         }
-        std::optional<Node> document = read_document(study_.case_file, mistakes);
+        std::optional<TomlValue> document = read_document(study_.case_file, errors);
         if (document && document->find("run") != nullptr) {
-            mistakes.add(mentioned, fmt::format("{} has measured runs, each with inputs of its own", path),
-                         "give a case without [[run]], whose [drive] says how it is driven");
+            errors.add(mentioned, fmt::format("{} has measured runs, each with inputs of its own", path),
+                       "give a case without [[run]], whose [drive] says how it is driven");
         } else if (document) {
             study_.document_ = std::move(*document);
         }
@@ -139,20 +139,20 @@ private:
     void read_runs_into(StudyReading& reading) {
         Fingerprints fingerprints;
         for (std::size_t r = 0; r < study_.runs.size(); ++r) {
-            Mistakes mistakes = study_.mistakes_;
-            const Node document = study_.document_of(r, mistakes);
+            InputErrors errors = study_.errors_;
+            const TomlValue document = study_.document_of(r, errors);
             const solver::Problem problem =
-                read_runs(document, study_.case_name, {}, Occasion::measured, mistakes).problem;
+                read_runs(document, study_.case_name, {}, ReadMode::measured, errors).problem;
             if (r == 0) {
                 study_.channels = problem.channels;
-            } else if (mistakes.count() == 0 && !same_channels(study_.channels, problem.channels)) {
-                mistakes.add({.file = 0}, fmt::format("run {} has other channels than the first run", r + 1),
-                             "vary no names of sensors");
+            } else if (errors.count() == 0 && !same_channels(study_.channels, problem.channels)) {
+                errors.add({.file = 0}, fmt::format("run {} has other channels than the first run", r + 1),
+                           "vary no names of sensors");
             }
-            add_new(reading.mistakes, mistakes.in_order());
-            reading.warnings.insert(reading.warnings.end(), mistakes.warnings().begin(), mistakes.warnings().end());
+            add_new(reading.errors, errors.in_order());
+            reading.warnings.insert(reading.warnings.end(), errors.warnings().begin(), errors.warnings().end());
             reading.warnings = unique(reading.warnings);
-            study_.runs[r].fingerprint = fingerprints.of(document, mistakes);
+            study_.runs[r].fingerprint = fingerprints.of(document, errors);
         }
     }
 
@@ -163,19 +163,19 @@ bool Study::is_sampled() const {
     return std::any_of(inputs.begin(), inputs.end(), [](const StudyInput& input) { return input.is_drawn; });
 }
 
-Node Study::document_of(std::size_t run, Mistakes& mistakes) const {
-    Node document = document_;
+TomlValue Study::document_of(std::size_t run, InputErrors& errors) const {
+    TomlValue document = document_;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         if (!inputs[i].values.empty()) {
-            static_cast<void>(write_at(document, inputs[i].key, value(run, i).node, mistakes));
+            static_cast<void>(write_at(document, inputs[i].key, value(run, i).node, errors));
         }
     }
     return document;
 }
 
 solver::Problem Study::problem(std::size_t run) const {
-    Mistakes mistakes = mistakes_;
-    return read_runs(document_of(run, mistakes), case_name, {}, Occasion::measured, mistakes).problem;
+    InputErrors errors = errors_;
+    return read_runs(document_of(run, errors), case_name, {}, ReadMode::measured, errors).problem;
 }
 
 StudyReading read_study(const std::filesystem::path& file) { return StudyReader().read(file); }

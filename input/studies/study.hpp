@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "input/text/document.hpp"
-#include "input/text/mistake.hpp"
-#include "input/studies/study_draw.hpp"
 #include "input/parameters/study_value.hpp"
+#include "input/studies/study_draw.hpp"
+#include "input/text/document.hpp"
+#include "input/text/input_error.hpp"
 #include "solver/problem.hpp"
 
 /// Studies: one case run many times, with some of its values varied on a grid or drawn at random.
@@ -17,7 +17,7 @@ namespace tiretherm::input {
 
 /// A value of the case that a study changes.
 struct StudyInput {
-    Word key;                        ///< its path in the case
+    LocatedString key;               ///< its path in the case
     std::string unit;                ///< as written, of the first value; empty for a pure number and for words
     bool is_number = true;           ///< false: words, or true and false
     bool is_drawn = false;           ///< at random; otherwise a side of the grid
@@ -54,16 +54,16 @@ public:
 
 private:
     friend class StudyReader;
-    [[nodiscard]] Node document_of(std::size_t run, Mistakes& mistakes) const;
+    [[nodiscard]] TomlValue document_of(std::size_t run, InputErrors& errors) const;
 
-    Node document_;      ///< of the case
-    Mistakes mistakes_;  ///< knows the files
+    TomlValue document_;  ///< of the case
+    InputErrors errors_;  ///< knows the files
 };
 
-/// A study that has been read, with every case that it makes. There is a study exactly when there is no mistake.
+/// A study that has been read, with every case that it makes. There is a study exactly when there is no error.
 struct StudyReading {
     std::optional<Study> study;
-    std::vector<Mistake> mistakes;  ///< of the study, of its case and of the runs, each once
+    std::vector<InputError> errors;  ///< of the study, of its case and of the runs, each once
     std::vector<std::string> warnings;
 };
 
@@ -72,6 +72,6 @@ struct StudyReading {
 [[nodiscard]] StudyReading read_study(const std::filesystem::path& file);
 
 /// The inputs of a study: [[vary]], [[draw]] and [sample]. @param samples, seed out
-[[nodiscard]] std::vector<StudyInput> read_study_inputs(Section& root, std::size_t& samples, std::uint64_t& seed);
+[[nodiscard]] std::vector<StudyInput> read_study_inputs(TomlTable& root, std::size_t& samples, std::uint64_t& seed);
 
 }  // namespace tiretherm::input

@@ -36,55 +36,54 @@ const std::string& Fingerprints::of_file(const std::string& path) {
     return place->second;
 }
 
-void Fingerprints::spell(const Node& node, const Mistakes& mistakes, std::string& into) {
+void Fingerprints::spell(const TomlValue& node, const InputErrors& errors, std::string& into) {
     switch (node.kind) {
-        case Node::Kind::nothing:
-        case Node::Kind::date:
+        case TomlValue::Kind::nothing:
+        case TomlValue::Kind::date:
             into += '?';
             break;
-        case Node::Kind::text: {
+        case TomlValue::Kind::text: {
             into += fmt::format("t{}:{}", node.text.size(), node.text);
             // Whichever key it stands at: a path is taken from the folder of the file where it is written.
             if (node.place.file >= 0 && node.text.size() < 1000 && !node.text.empty()) {
-                const std::filesystem::path folder =
-                    std::filesystem::path(mistakes.file(node.place.file)).parent_path();
+                const std::filesystem::path folder = std::filesystem::path(errors.file(node.place.file)).parent_path();
                 into += of_file((folder / node.text).lexically_normal().string());
             }
             break;
         }
-        case Node::Kind::integer:
-        case Node::Kind::real:
+        case TomlValue::Kind::integer:
+        case TomlValue::Kind::real:
             into += fmt::format("n{:a}", node.number);
             break;
-        case Node::Kind::boolean:
+        case TomlValue::Kind::boolean:
             into += node.truth ? "b1" : "b0";
             break;
-        case Node::Kind::array:
+        case TomlValue::Kind::array:
             into += '[';
-            for (const Node& item : node.items) {
-                spell(item, mistakes, into);
+            for (const TomlValue& item : node.items) {
+                spell(item, errors, into);
                 into += ',';
             }
             into += ']';
             break;
-        case Node::Kind::table:
+        case TomlValue::Kind::table:
             into += '{';
             for (const Entry& entry : node.entries) {
                 into += fmt::format("{}:{}=", entry.key.size(), entry.key);
-                spell(entry.value, mistakes, into);
+                spell(entry.value, errors, into);
             }
             into += '}';
             break;
     }
 }
 
-std::string Fingerprints::of(const Node& document, const Mistakes& mistakes) {
+std::string Fingerprints::of(const TomlValue& document, const InputErrors& errors) {
     constexpr std::array<std::string_view, 3> words{"title", "sources", "measured"};
     std::string text;
     for (const Entry& entry : document.entries) {
         if (std::find(words.begin(), words.end(), entry.key) == words.end()) {
             text += fmt::format("{}:{}=", entry.key.size(), entry.key);
-            spell(entry.value, mistakes, text);
+            spell(entry.value, errors, text);
         }
     }
     return fmt::format("{:016x}", hash(text));

@@ -12,13 +12,13 @@ class Fingerprints {
 public:
     /// Over all that a case says, without its title, sources and measured numbers, and the content of the files that it
     /// names. Comments, layout and the division into included files do not count.
-    /// @param document merged  @param mistakes knows the names of its files
-    [[nodiscard]] std::string of(const Node& document, const Mistakes& mistakes);
+    /// @param document merged  @param errors knows the names of its files
+    [[nodiscard]] std::string of(const TomlValue& document, const InputErrors& errors);
 
 private:
     /// Of a file's content; empty where no file is called that.
     const std::string& of_file(const std::string& path);
-    void spell(const Node& node, const Mistakes& mistakes, std::string& into);
+    void spell(const TomlValue& node, const InputErrors& errors, std::string& into);
 
     std::map<std::string, std::string> files_;
 };

@@ -4,23 +4,23 @@
 
 #include <fmt/format.h>
 
-#include "input/text/words.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
-ColumnReader::ColumnReader(const Head& head, const ColumnRequest& request, Mistakes& mistakes)
-    : request_(&request), complaints_(mistakes), unit_(head.heading.unit.value_or("")) {
+ColumnReader::ColumnReader(const ColumnHead& head, const ColumnRequest& request, InputErrors& errors)
+    : request_(&request), limiter_(errors), unit_(head.heading.unit.value_or("")) {
     if (request.purpose == Purpose::unused) {
         return;
     }
-    UnitRead read = read_heading_unit(head.heading, request.wanted);
+    UnitRead read = read_heading_unit(head.heading, request.spec);
     conversion_ = read.conversion;
-    has_unit_ = !read.fault;
-    if (read.fault) {
+    has_unit_ = !read.error;
+    if (read.error) {
         if (!request.unit_remedy.empty()) {
-            read.fault->remedy = request.unit_remedy;
+            read.error->remedy = request.unit_remedy;
         }
-        mistakes.add(head.unit_place.file >= 0 ? head.unit_place : head.place, *read.fault);
+        errors.add(head.unit_place.file >= 0 ? head.unit_place : head.place, *read.error);
     }
 }
 
@@ -42,7 +42,7 @@ bool ColumnReader::accept(std::string_view field, const std::optional<Number>& n
         case Purpose::input:
             break;
     }
-    const bool inside = value >= request_->wanted.low && value <= request_->wanted.high && std::isfinite(value);
+    const bool inside = value >= request_->spec.low && value <= request_->spec.high && std::isfinite(value);
     const bool late = (request_->purpose != Purpose::clock || value > last_) &&
                       (request_->purpose != Purpose::frame || value >= last_);
     return whole && (!has_unit_ || (inside && late));
@@ -50,7 +50,7 @@ bool ColumnReader::accept(std::string_view field, const std::optional<Number>& n
 
 void ColumnReader::remember() { last_ = std::isfinite(values.back()) ? values.back() : last_; }
 
-Fault ColumnReader::fault(std::string_view field, const std::optional<Number>& number) const {
+ErrorText ColumnReader::error_text(std::string_view field, const std::optional<Number>& number) const {
     const std::string& name = request_->name;
     const bool clock = request_->purpose == Purpose::clock;
     const bool may_miss = request_->purpose == Purpose::measured;
@@ -69,22 +69,23 @@ Fault ColumnReader::fault(std::string_view field, const std::optional<Number>& n
         return {fmt::format("{} is \"{}\"; a number is wanted", name, field), empty_it};
     }
     const std::string shown = unit_.empty() || unit_ == "-" ? std::string(field) : fmt::format("{} {}", field, unit_);
-    if (Judged judged = judge(number->value, conversion_, unit_, request_->wanted, name, shown); judged.fault) {
-        if (may_miss && (judged.fault->remedy.empty() || !std::isfinite(number->value))) {
+    if (ParsedQuantity parsed = check_quantity(number->value, conversion_, unit_, request_->spec, name, shown);
+        parsed.error) {
+        if (may_miss && (parsed.error->remedy.empty() || !std::isfinite(number->value))) {
             const double turned = conversion_.to_si(-number->value);
-            const bool other_sign = turned >= request_->wanted.low && turned <= request_->wanted.high;
-            judged.fault->remedy = other_sign && request_->wanted.low == 0.0 && request_->wanted.unit != "K"
+            const bool other_sign = turned >= request_->spec.low && turned <= request_->spec.high;
+            parsed.error->remedy = other_sign && request_->spec.low == 0.0 && request_->spec.unit != "K"
                                        ? "turn the sign of the column, or " + empty_it
                                        : empty_it;
         }
-        return *judged.fault;
+        return *parsed.error;
     }
     return conversion_.to_si(number->value) == last_ && clock
-               ? Fault{fmt::format("{} stands still at {}", name, shown), "remove one of the lines"}
-               : Fault{fmt::format("{} goes backwards to {}", name, shown),
-                       request_->purpose == Purpose::frame
-                           ? "write the frames in ascending order, each with all its points"
-                           : "sort the lines, or split the file where its clock was set"};
+               ? ErrorText{fmt::format("{} stands still at {}", name, shown), "remove one of the lines"}
+               : ErrorText{fmt::format("{} goes backwards to {}", name, shown),
+                           request_->purpose == Purpose::frame
+                               ? "write the frames in ascending order, each with all its points"
+                               : "sort the lines, or split the file where its clock was set"};
 }
 
 }  // namespace tiretherm::input

@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "input/tables/columns.hpp"
-#include "input/text/complaints.hpp"
+#include "input/text/error_limiter.hpp"
 
 namespace tiretherm::input {
 
 /// The head of a column of a file, and where it stands.
-struct Head {
+struct ColumnHead {
     Heading heading;
-    Place place;
-    Place unit_place{};  ///< of the unit, where it stands on its own; file -1: within `place`
+    SourceLocation place;
+    SourceLocation unit_place{};  ///< of the unit, where it stands on its own; file -1: within `place`
 };
 
 /// What a column of a file is read for.
@@ -31,48 +31,48 @@ enum class Purpose : std::uint8_t {
 struct ColumnRequest {
     int column = 0;
     std::string name;  ///< what messages call it
-    Wanted wanted;
+    QuantitySpec spec;
     Purpose purpose = Purpose::input;
     std::string_view
         unit_remedy{};  ///< what to do about a unit that is missing or wrong; empty: to write it into the heading
 };
 
-/// One column being read: turns its fields into SI values and complains about those that are wrong.
+/// One column being read: turns its fields into SI values and reports those that are wrong.
 class ColumnReader {
 public:
     /// @param request must outlive the reader
-    ColumnReader(const Head& head, const ColumnRequest& request, Mistakes& mistakes);
+    ColumnReader(const ColumnHead& head, const ColumnRequest& request, InputErrors& errors);
 
     /// Where a field stands.
-    struct Spot {
-        Place place;
+    struct FieldLocation {
+        SourceLocation place;
         std::string aside{};  ///< ends the sentence of a file that has no lines
     };
-    /// Takes the next field. @param where gives its Spot; asked only for a field that is wrong
+    /// Takes the next field. @param where gives its FieldLocation; called only for a field that is wrong
     template <typename Where>
     void take(std::string_view field, const Where& where) {
         const std::optional<Number> number = leading_number(field);
         if (!accept(field, number)) {
-            Fault wrong = fault(field, number);
-            const Spot spot = where();
+            ErrorText wrong = error_text(field, number);
+            const FieldLocation spot = where();
             wrong.what += spot.aside;
-            complaints_.add(spot.place, std::move(wrong));
+            limiter_.add(spot.place, std::move(wrong));
         }
         remember();
     }
-    /// Reports how many more complaints there were.
-    void close() { complaints_.close(request_->name); }
+    /// Reports how many more errors there were.
+    void close() { limiter_.close(request_->name); }
 
     std::vector<double> values;  ///< SI
 
 private:
     /// Appends the value. @returns false for a wrong one
     bool accept(std::string_view field, const std::optional<Number>& number);
-    [[nodiscard]] Fault fault(std::string_view field, const std::optional<Number>& number) const;
+    [[nodiscard]] ErrorText error_text(std::string_view field, const std::optional<Number>& number) const;
     void remember();
 
     const ColumnRequest* request_;
-    Complaints complaints_;
+    ErrorLimiter limiter_;
     std::string unit_;
     Conversion conversion_;
     bool has_unit_ = false;

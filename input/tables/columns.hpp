@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "input/text/section.hpp"
+#include "input/text/toml_table.hpp"
 
 namespace tiretherm::input {
 
@@ -19,17 +19,17 @@ struct Heading {
 /// One column of a table in a case: { columns = ["load [N]", "length [mm]"], rows = [[0, 0], [4000, 97]] }.
 struct Column {
     Heading heading;
-    Place place;  ///< of the heading
-    std::vector<const Node*> cells;
+    SourceLocation place;  ///< of the heading
+    std::vector<const TomlValue*> cells;
 };
 
-/// The columns of a section's keys `columns` and `rows`; none after a mistake.
-[[nodiscard]] std::vector<Column> read_columns(Section& section);
+/// The columns of a table's keys `columns` and `rows`; none after an error.
+[[nodiscard]] std::vector<Column> read_columns(TomlTable& table);
 
 /// How a heading's numbers become values, or what is wrong with its unit.
-[[nodiscard]] UnitRead read_heading_unit(const Heading& heading, const Wanted& wanted);
+[[nodiscard]] UnitRead read_heading_unit(const Heading& heading, const QuantitySpec& spec);
 
-/// The numbers of a column; as many as cells, or none after a mistake.
-[[nodiscard]] std::vector<double> read_numbers(const Column& column, const Wanted& wanted, Mistakes& mistakes);
+/// The numbers of a column; as many as cells, or none after an error.
+[[nodiscard]] std::vector<double> read_numbers(const Column& column, const QuantitySpec& spec, InputErrors& errors);
 
 }  // namespace tiretherm::input

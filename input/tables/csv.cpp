@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "input/text/words.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
@@ -75,7 +75,7 @@ void split_fields(std::string_view line, char separator, std::vector<std::string
     }
 }
 
-Place Csv::place(const Line& line, std::string_view field) const {
+SourceLocation Csv::place(const Line& line, std::string_view field) const {
     const std::string_view before = line.text.substr(0, static_cast<std::size_t>(field.data() - line.text.data()));
     return {.file = file_,
             .line = line.number,
@@ -94,7 +94,7 @@ void Csv::read_heads(const Line& names, const Line& units) {
     }
     split_fields(units.text, separator_, fields);
     for (std::size_t i = 0; i < std::min(fields.size(), heads_.size()); ++i) {
-        Head& head = heads_[i];
+        ColumnHead& head = heads_[i];
         // An empty unit in a line of units is as good as none: the pure numbers of loggers are mostly unknown units.
         if (!head.heading.unit && !fields[i].empty()) {
             const Heading bracketed = read_heading(fields[i]);
@@ -104,7 +104,7 @@ void Csv::read_heads(const Line& names, const Line& units) {
     }
 }
 
-std::optional<Csv> Csv::open(const TextFile& file, Mistakes& mistakes) {
+std::optional<Csv> Csv::open(const TextFile& file, InputErrors& errors) {
     Csv csv;
     csv.file_ = file.number;
     std::string_view text = file.text;
@@ -117,14 +117,14 @@ std::optional<Csv> Csv::open(const TextFile& file, Mistakes& mistakes) {
     csv.separator_ = separator_of(lines.names.text);
     csv.read_heads(lines.names, lines.units);
     if (leading_number(csv.heads_.front().heading.name)) {
-        mistakes.add(csv.heads_.front().place, "the first line holds numbers; it must name the columns",
-                     "write a first line such as time [s],speed [km/h]");
+        errors.add(csv.heads_.front().place, "the first line holds numbers; it must name the columns",
+                   "write a first line such as time [s],speed [km/h]");
         return std::nullopt;
     }
     return csv;
 }
 
-Place Csv::row(std::size_t index) const {
+SourceLocation Csv::row(std::size_t index) const {
     std::string_view rest = body_;
     Line line{{}, first_line_ - 1};
     for (std::size_t i = 0; i <= index; ++i) {
@@ -141,7 +141,7 @@ Place Csv::row(std::size_t index) const {
 
 int Csv::find(std::string_view name) const {
     const auto found =
-        std::find_if(heads_.begin(), heads_.end(), [&](const Head& head) { return head.heading.name == name; });
+        std::find_if(heads_.begin(), heads_.end(), [&](const ColumnHead& head) { return head.heading.name == name; });
     return found == heads_.end() ? -1 : static_cast<int>(found - heads_.begin());
 }
 

@@ -16,26 +16,26 @@ namespace tiretherm::input {
 /// Keeps no text of its own: the file must outlive it.
 class Csv {
 public:
-    /// Reads the headings; nothing after a mistake.
-    [[nodiscard]] static std::optional<Csv> open(const TextFile& file, Mistakes& mistakes);
+    /// Reads the headings; nothing after an error.
+    [[nodiscard]] static std::optional<Csv> open(const TextFile& file, InputErrors& errors);
 
-    [[nodiscard]] const std::vector<Head>& heads() const { return heads_; }
-    [[nodiscard]] std::vector<Head>& heads() { return heads_; }
+    [[nodiscard]] const std::vector<ColumnHead>& heads() const { return heads_; }
+    [[nodiscard]] std::vector<ColumnHead>& heads() { return heads_; }
     [[nodiscard]] int find(std::string_view name) const;  ///< index of a heading, -1 when absent
 
-    /// @returns the values of each request, all of one length; none after a mistake
+    /// @returns the values of each request, all of one length; none after an error
     [[nodiscard]] std::vector<std::vector<double>> read(const std::vector<ColumnRequest>& requests,
-                                                        Mistakes& mistakes) const;
+                                                        InputErrors& errors) const;
 
     /// Where a row of values stands; the first is 0.
-    [[nodiscard]] Place row(std::size_t index) const;
+    [[nodiscard]] SourceLocation row(std::size_t index) const;
 
     /// A line of the file, without its end.
     struct Line {
         std::string_view text;
         int number = 0;
     };
-    [[nodiscard]] Place place(const Line& line, std::string_view field) const;
+    [[nodiscard]] SourceLocation place(const Line& line, std::string_view field) const;
     [[nodiscard]] bool has_commas() const { return separator_ == ','; }
 
 private:
@@ -45,7 +45,7 @@ private:
     int first_line_ = 0;
     int file_ = -1;
     char separator_ = ',';
-    std::vector<Head> heads_;
+    std::vector<ColumnHead> heads_;
 };
 
 /// Takes the next line off a text; nothing at its end.

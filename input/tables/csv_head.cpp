@@ -2,7 +2,7 @@
 #include <deque>
 
 #include "input/tables/csv.hpp"
-#include "input/text/words.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 

@@ -1,19 +1,19 @@
 #include <fmt/format.h>
 
-#include "input/text/complaints.hpp"
 #include "input/tables/csv.hpp"
-#include "input/text/words.hpp"
+#include "input/text/error_limiter.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
-std::vector<std::vector<double>> Csv::read(const std::vector<ColumnRequest>& requests, Mistakes& mistakes) const {
-    const std::size_t before = mistakes.count();
+std::vector<std::vector<double>> Csv::read(const std::vector<ColumnRequest>& requests, InputErrors& errors) const {
+    const std::size_t before = errors.count();
     std::vector<ColumnReader> readings;
     readings.reserve(requests.size());
     for (const ColumnRequest& request : requests) {
-        readings.emplace_back(heads_[static_cast<std::size_t>(request.column)], request, mistakes);
+        readings.emplace_back(heads_[static_cast<std::size_t>(request.column)], request, errors);
     }
-    Complaints ragged(mistakes);
+    ErrorLimiter ragged(errors);
     std::vector<std::string_view> fields;
     std::string_view rest = body_;
     bool empty = true;
@@ -36,11 +36,11 @@ std::vector<std::vector<double>> Csv::read(const std::vector<ColumnRequest>& req
         }
         for (std::size_t i = 0; i < requests.size(); ++i) {
             const std::string_view field = fields[static_cast<std::size_t>(requests[i].column)];
-            readings[i].take(field, [&] { return ColumnReader::Spot{place(line, field)}; });
+            readings[i].take(field, [&] { return ColumnReader::FieldLocation{place(line, field)}; });
         }
     }
     if (empty) {
-        mistakes.add({.file = file_}, "the file has headings but no numbers");
+        errors.add({.file = file_}, "the file has headings but no numbers");
     }
     ragged.close("the number of values");
     std::vector<std::vector<double>> values;
@@ -48,7 +48,7 @@ std::vector<std::vector<double>> Csv::read(const std::vector<ColumnRequest>& req
         reading.close();
         values.push_back(std::move(reading.values));
     }
-    return mistakes.count() == before ? values : std::vector<std::vector<double>>{};
+    return errors.count() == before ? values : std::vector<std::vector<double>>{};
 }
 
 }  // namespace tiretherm::input

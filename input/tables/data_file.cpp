@@ -18,10 +18,11 @@ bool is_hdf5(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::optional<DataFile> DataFile::open(const std::filesystem::path& path, const Place& mentioned, Mistakes& mistakes) {
+std::optional<DataFile> DataFile::open(const std::filesystem::path& path, const SourceLocation& mentioned,
+                                       InputErrors& errors) {
     DataFile file;
     if (is_hdf5(path)) {
-        std::optional<Hdf5Columns> columns = Hdf5Columns::open(path, mentioned, mistakes);
+        std::optional<Hdf5Columns> columns = Hdf5Columns::open(path, mentioned, errors);
         if (!columns) {
             return std::nullopt;
         }
@@ -29,13 +30,13 @@ std::optional<DataFile> DataFile::open(const std::filesystem::path& path, const 
         file.columns_ = std::move(*columns);
         return file;
     }
-    std::optional<TextFile> text = read_text(path, mentioned, mistakes);
+    std::optional<TextFile> text = read_text(path, mentioned, errors);
     if (!text) {
         return std::nullopt;
     }
     file.text_ = std::make_unique<TextFile>(std::move(*text));
     file.number_ = file.text_->number;
-    std::optional<Csv> csv = Csv::open(*file.text_, mistakes);
+    std::optional<Csv> csv = Csv::open(*file.text_, errors);
     if (!csv) {
         return std::nullopt;
     }
@@ -43,18 +44,18 @@ std::optional<DataFile> DataFile::open(const std::filesystem::path& path, const 
     return file;
 }
 
-const std::vector<Head>& DataFile::heads() const {
-    return std::visit([](const auto& columns) -> const std::vector<Head>& { return columns.heads(); }, columns_);
+const std::vector<ColumnHead>& DataFile::heads() const {
+    return std::visit([](const auto& columns) -> const std::vector<ColumnHead>& { return columns.heads(); }, columns_);
 }
 
-std::vector<Head>& DataFile::heads() {
-    return std::visit([](auto& columns) -> std::vector<Head>& { return columns.heads(); }, columns_);
+std::vector<ColumnHead>& DataFile::heads() {
+    return std::visit([](auto& columns) -> std::vector<ColumnHead>& { return columns.heads(); }, columns_);
 }
 
-std::string DataFile::unit_remedy(const Head& head, const Wanted& wanted) const {
-    const std::string example = dimension(wanted.unit, wanted.scale).example;
+std::string DataFile::unit_remedy(const ColumnHead& head, const QuantitySpec& spec) const {
+    const std::string example = dimension(spec.unit, spec.scale).example;
     const std::size_t blank = example.find(' ');
-    const std::string unit = blank == std::string::npos ? std::string(wanted.unit) : example.substr(blank + 1);
+    const std::string unit = blank == std::string::npos ? std::string(spec.unit) : example.substr(blank + 1);
     const std::string& name = head.heading.name;
     const bool bare =
         name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") == std::string::npos;
@@ -65,15 +66,15 @@ std::string DataFile::unit_remedy(const Head& head, const Wanted& wanted) const 
     return fmt::format("{}, or say it in the case: units = {{ {} = \"{}\" }}", there, key, unit);
 }
 
-ColumnReader::Spot DataFile::spot(std::size_t row) const {
+ColumnReader::FieldLocation DataFile::spot(std::size_t row) const {
     if (const Csv* csv = std::get_if<Csv>(&columns_)) {
         return {.place = csv->row(row)};
     }
     return {.place = {.file = number_}, .aside = fmt::format(" (value {})", row + 1)};
 }
 
-std::vector<std::vector<double>> DataFile::read(const std::vector<ColumnRequest>& requests, Mistakes& mistakes) const {
-    return std::visit([&](const auto& columns) { return columns.read(requests, mistakes); }, columns_);
+std::vector<std::vector<double>> DataFile::read(const std::vector<ColumnRequest>& requests, InputErrors& errors) const {
+    return std::visit([&](const auto& columns) { return columns.read(requests, errors); }, columns_);
 }
 
 }  // namespace tiretherm::input

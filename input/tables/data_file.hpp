@@ -13,21 +13,21 @@ namespace tiretherm::input {
 class DataFile {
 public:
     /// @param mentioned where the case names it; file -1 when it was given beside the case
-    /// @returns nothing after a mistake
-    [[nodiscard]] static std::optional<DataFile> open(const std::filesystem::path& path, const Place& mentioned,
-                                                      Mistakes& mistakes);
+    /// @returns nothing after an error
+    [[nodiscard]] static std::optional<DataFile> open(const std::filesystem::path& path,
+                                                      const SourceLocation& mentioned, InputErrors& errors);
 
-    [[nodiscard]] const std::vector<Head>& heads() const;
-    [[nodiscard]] std::vector<Head>& heads();
-    [[nodiscard]] int number() const { return number_; }  ///< of the file in the mistakes
+    [[nodiscard]] const std::vector<ColumnHead>& heads() const;
+    [[nodiscard]] std::vector<ColumnHead>& heads();
+    [[nodiscard]] int number() const { return number_; }  ///< of the file in the errors
     /// What to do about a column whose unit is missing or wrong.
-    [[nodiscard]] std::string unit_remedy(const Head& head, const Wanted& wanted) const;
+    [[nodiscard]] std::string unit_remedy(const ColumnHead& head, const QuantitySpec& spec) const;
     /// Where a row of values stands; the first is 0.
-    [[nodiscard]] ColumnReader::Spot spot(std::size_t row) const;
+    [[nodiscard]] ColumnReader::FieldLocation spot(std::size_t row) const;
     [[nodiscard]] bool is_text() const { return std::holds_alternative<Csv>(columns_); }
-    /// @returns the values of each request, all of one length; none after a mistake
+    /// @returns the values of each request, all of one length; none after an error
     [[nodiscard]] std::vector<std::vector<double>> read(const std::vector<ColumnRequest>& requests,
-                                                        Mistakes& mistakes) const;
+                                                        InputErrors& errors) const;
 
 private:
     int number_ = -1;

@@ -11,7 +11,7 @@ namespace tiretherm::input {
 /// A column, or dataset, that a field of a structural code may have.
 struct FieldColumn {
     std::string_view name;
-    Wanted wanted;
+    QuantitySpec spec;
     std::string_view usual_unit;
     Purpose purpose = Purpose::point;
 };

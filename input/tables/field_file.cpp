@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "input/tables/field_columns.hpp"
-#include "input/text/words.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
@@ -20,53 +20,54 @@ constexpr double turn = 2.0 * std::numbers::pi;
 
 class FieldReader {
 public:
-    FieldReader(std::shared_ptr<const DataFile> file, FieldOf of, bool watts, bool along_meridian, Mistakes& mistakes)
-        : file_(std::move(file)), of_(of), watts_(watts), along_meridian_(along_meridian), mistakes_(&mistakes) {}
+    FieldReader(std::shared_ptr<const DataFile> file, FieldOf of, bool watts, bool along_meridian, InputErrors& errors)
+        : file_(std::move(file)), of_(of), watts_(watts), along_meridian_(along_meridian), errors_(&errors) {}
 
     std::optional<FieldFile> read() {
-        const std::size_t before = mistakes_->count();
+        const std::size_t before = errors_->count();
         check_names();
         request_places();
         request_values();
-        if (mistakes_->count() != before) {
+        if (errors_->count() != before) {
             // What is in the columns that are there is looked at all the same.
-            static_cast<void>(file_->read(requests_, *mistakes_));
+            static_cast<void>(file_->read(requests_, *errors_));
             return std::nullopt;
         }
-        values_ = file_->read(requests_, *mistakes_);
+        values_ = file_->read(requests_, *errors_);
         if (values_.empty()) {
             return std::nullopt;
         }
         FieldFile field{.file = file_, .against = against_, .frames = {}};
         split(field);
-        if (mistakes_->count() == before) {
+        if (errors_->count() == before) {
             check_sizes(field);
             check_revolution(field);
             check_cells();
             check_areas(field);
         }
-        return mistakes_->count() == before ? std::optional(std::move(field)) : std::nullopt;
+        return errors_->count() == before ? std::optional(std::move(field)) : std::nullopt;
     }
 
 private:
     [[nodiscard]] int find(std::string_view name) const {
         const auto& heads = file_->heads();
-        const auto found = std::ranges::find_if(heads, [&](const Head& head) { return head.heading.name == name; });
+        const auto found =
+            std::ranges::find_if(heads, [&](const ColumnHead& head) { return head.heading.name == name; });
         return found == heads.end() ? -1 : static_cast<int>(found - heads.begin());
     }
     [[nodiscard]] bool has(std::string_view name) const { return find(name) >= 0; }
-    [[nodiscard]] Place top() const { return {.file = file_->number()}; }
+    [[nodiscard]] SourceLocation top() const { return {.file = file_->number()}; }
 
     void check_names() {
         const std::vector<std::string> known = names_of(field_columns());
         std::vector<std::string> seen;
-        for (const Head& head : file_->heads()) {
+        for (const ColumnHead& head : file_->heads()) {
             const std::string& name = head.heading.name;
             if (std::ranges::find(known, name) == known.end()) {
-                mistakes_->add(head.place, fmt::format("a field has no column \"{}\"", name),
-                               suggest(name, known, "columns"));
+                errors_->add(head.place, fmt::format("a field has no column \"{}\"", name),
+                             suggest(name, known, "columns"));
             } else if (std::ranges::find(seen, name) != seen.end()) {
-                mistakes_->add(head.place, fmt::format("a second column is called {}", name), "remove one of them");
+                errors_->add(head.place, fmt::format("a second column is called {}", name), "remove one of them");
             }
             seen.push_back(name);
         }
@@ -78,16 +79,16 @@ private:
         if (column >= 0) {
             requests_.push_back({.column = column,
                                  .name = std::string(name),
-                                 .wanted = known.wanted,
+                                 .spec = known.spec,
                                  .purpose = known.purpose,
                                  .unit_remedy = remedies_.emplace_back(unit_remedy(known, file_->is_text()))});
         }
     }
     void request_places() {
         if (has("time") && has("wheel_angle")) {
-            mistakes_->add(file_->heads()[static_cast<std::size_t>(find("wheel_angle"))].place,
-                           "a field is given against time or against the wheel angle, not both",
-                           "remove one of the columns");
+            errors_->add(file_->heads()[static_cast<std::size_t>(find("wheel_angle"))].place,
+                         "a field is given against time or against the wheel angle, not both",
+                         "remove one of the columns");
         }
         against_ = has("time")          ? FieldFile::Against::time
                    : has("wheel_angle") ? FieldFile::Against::wheel_angle
@@ -98,8 +99,8 @@ private:
         request("cell");
         if (!has("cell")) {
             if (!has("y") && along_meridian_) {
-                mistakes_->add(top(), "the field says of no point where it is: it has neither y nor cell",
-                               "add y, the arc length along the meridian from the centre plane");
+                errors_->add(top(), "the field says of no point where it is: it has neither y nor cell",
+                             "add y, the arc length along the meridian from the centre plane");
             }
             request("y");
             if (contact) {
@@ -107,9 +108,9 @@ private:
             } else {
                 request("depth");
                 if (has("x")) {
-                    mistakes_->add(file_->heads()[static_cast<std::size_t>(find("x"))].place,
-                                   "loss_density turns with the tire: x is no place of it",
-                                   "give it against wheel_angle, or as a mean around the tire without x");
+                    errors_->add(file_->heads()[static_cast<std::size_t>(find("x"))].place,
+                                 "loss_density turns with the tire: x is no place of it",
+                                 "give it against wheel_angle, or as a mean around the tire without x");
                 }
             }
         }
@@ -132,9 +133,9 @@ private:
         }
         const bool by_stress = has("shear_stress") && has("sliding_velocity");
         if (!by_stress && watts_) {
-            mistakes_->add(top(), "the field gives no power of friction",
-                           "add friction_power [W/m2], or shear_stress [kPa] and sliding_velocity [m/s]; with use = "
-                           "\"shape\" pressure and sliding_velocity do");
+            errors_->add(top(), "the field gives no power of friction",
+                         "add friction_power [W/m2], or shear_stress [kPa] and sliding_velocity [m/s]; with use = "
+                         "\"shape\" pressure and sliding_velocity do");
             return;
         }
         require("sliding_velocity");
@@ -142,8 +143,8 @@ private:
     }
     void require(std::string_view name) {
         if (!has(name)) {
-            mistakes_->add(top(), fmt::format("the field has no {} {}", file_->is_text() ? "column" : "dataset", name),
-                           fmt::format("add it, {}", unit_remedy(field_column(name), file_->is_text())));
+            errors_->add(top(), fmt::format("the field has no {} {}", file_->is_text() ? "column" : "dataset", name),
+                         fmt::format("add it, {}", unit_remedy(field_column(name), file_->is_text())));
         }
         request(name);
     }
@@ -193,11 +194,11 @@ private:
     void check_sizes(const FieldFile& field) const {
         for (const FieldFrame& frame : field.frames) {
             if (frame.points.size() != field.frames.front().points.size()) {
-                const ColumnReader::Spot spot = file_->spot(frame.first_row);
-                mistakes_->add(spot.place,
-                               fmt::format("this frame has {} points, the first has {}{}", frame.points.size(),
-                                           field.frames.front().points.size(), spot.aside),
-                               "write every point in every frame; the file may be cut off");
+                const ColumnReader::FieldLocation spot = file_->spot(frame.first_row);
+                errors_->add(spot.place,
+                             fmt::format("this frame has {} points, the first has {}{}", frame.points.size(),
+                                         field.frames.front().points.size(), spot.aside),
+                             "write every point in every frame; the file may be cut off");
                 return;
             }
         }
@@ -206,10 +207,10 @@ private:
     void check_revolution(const FieldFile& field) const {
         if (against_ == FieldFile::Against::wheel_angle && field.shares_of_revolution().empty()) {
             const double degree = turn / 360.0;
-            mistakes_->add(file_->heads()[static_cast<std::size_t>(find("wheel_angle"))].place,
-                           fmt::format("wheel_angle goes from {:.4g} to {:.4g} deg, which is not a whole revolution",
-                                       field.frames.front().at / degree, field.frames.back().at / degree),
-                           "give frames from 0 to 360 deg, the last one 360 or a step before it");
+            errors_->add(file_->heads()[static_cast<std::size_t>(find("wheel_angle"))].place,
+                         fmt::format("wheel_angle goes from {:.4g} to {:.4g} deg, which is not a whole revolution",
+                                     field.frames.front().at / degree, field.frames.back().at / degree),
+                         "give frames from 0 to 360 deg, the last one 360 or a step before it");
         }
     }
 
@@ -217,9 +218,8 @@ private:
         if (const std::vector<double>* cells = values("cell")) {
             const auto broken = std::ranges::find_if(*cells, [](double c) { return c != std::floor(c); });
             if (broken != cells->end()) {
-                const ColumnReader::Spot spot = file_->spot(static_cast<std::size_t>(broken - cells->begin()));
-                mistakes_->add(spot.place,
-                               fmt::format("cell is {:g}{}; a whole number is wanted", *broken, spot.aside));
+                const ColumnReader::FieldLocation spot = file_->spot(static_cast<std::size_t>(broken - cells->begin()));
+                errors_->add(spot.place, fmt::format("cell is {:g}{}; a whole number is wanted", *broken, spot.aside));
             }
         }
     }
@@ -232,10 +232,10 @@ private:
         }
         const auto widths = physics::spacings(points);
         if (widths.alone || (watts_ && widths.rows < 2)) {
-            mistakes_->add(top(),
-                           widths.alone ? "the points do not stand in rows: some y has one x only"
-                                        : "all points stand at one y: the width of the contact is unknown",
-                           "add area [mm2], what each point stands for");
+            errors_->add(top(),
+                         widths.alone ? "the points do not stand in rows: some y has one x only"
+                                      : "all points stand at one y: the width of the contact is unknown",
+                         "add area [mm2], what each point stands for");
         }
     }
 
@@ -243,7 +243,7 @@ private:
     FieldOf of_;
     bool watts_;
     bool along_meridian_;
-    Mistakes* mistakes_;
+    InputErrors* errors_;
     FieldFile::Against against_ = FieldFile::Against::nothing;
     std::vector<ColumnRequest> requests_;
     std::deque<std::string> remedies_;
@@ -273,13 +273,13 @@ std::vector<double> FieldFile::shares_of_revolution() const {
     return shares;
 }
 
-std::optional<FieldFile> read_field_file(const std::filesystem::path& path, const Place& mentioned, FieldOf of,
-                                         bool watts, bool along_meridian, Mistakes& mistakes) {
-    std::optional<DataFile> file = DataFile::open(path, mentioned, mistakes);
+std::optional<FieldFile> read_field_file(const std::filesystem::path& path, const SourceLocation& mentioned, FieldOf of,
+                                         bool watts, bool along_meridian, InputErrors& errors) {
+    std::optional<DataFile> file = DataFile::open(path, mentioned, errors);
     if (!file) {
         return std::nullopt;
     }
-    return FieldReader(std::make_shared<const DataFile>(std::move(*file)), of, watts, along_meridian, mistakes).read();
+    return FieldReader(std::make_shared<const DataFile>(std::move(*file)), of, watts, along_meridian, errors).read();
 }
 
 }  // namespace tiretherm::input

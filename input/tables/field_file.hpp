@@ -34,9 +34,9 @@ struct FieldFile {
 };
 
 /// @param mentioned where the case names it  @param watts whether the values are to be powers, not only a shape
-/// @param along_meridian whether places along the meridian count on the mesh  @returns nothing after a mistake
-[[nodiscard]] std::optional<FieldFile> read_field_file(const std::filesystem::path& path, const Place& mentioned,
-                                                       physics::FieldOf of, bool watts, bool along_meridian,
-                                                       Mistakes& mistakes);
+/// @param along_meridian whether places along the meridian count on the mesh  @returns nothing after an error
+[[nodiscard]] std::optional<FieldFile> read_field_file(const std::filesystem::path& path,
+                                                       const SourceLocation& mentioned, physics::FieldOf of, bool watts,
+                                                       bool along_meridian, InputErrors& errors);
 
 }  // namespace tiretherm::input

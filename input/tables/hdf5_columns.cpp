@@ -5,33 +5,33 @@
 #include <fmt/format.h>
 
 #include "input/tables/hdf5_datasets.hpp"
-#include "input/text/words.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
-std::optional<Hdf5Columns> Hdf5Columns::open(const std::filesystem::path& path, const Place& mentioned,
-                                             Mistakes& mistakes) {
+std::optional<Hdf5Columns> Hdf5Columns::open(const std::filesystem::path& path, const SourceLocation& mentioned,
+                                             InputErrors& errors) {
     const std::string shown = path.generic_string();
-    if (const Fault fault = hdf5_defect(path); !fault.what.empty()) {
+    if (const ErrorText error = hdf5_defect(path); !error.what.empty()) {
         if (mentioned.file < 0) {
-            mistakes.add({.file = mistakes.add_file(shown, "")}, "the file " + fault.what, fault.remedy);
+            errors.add({.file = errors.add_file(shown, "")}, "the file " + error.what, error.remedy);
         } else {
-            mistakes.add(mentioned, fmt::format("the file {} {}", shown, fault.what), fault.remedy);
+            errors.add(mentioned, fmt::format("the file {} {}", shown, error.what), error.remedy);
         }
         return std::nullopt;
     }
     Hdf5Columns columns;
-    columns.number_ = mistakes.add_file(shown, "");
-    const Place place{.file = columns.number_};
+    columns.number_ = errors.add_file(shown, "");
+    const SourceLocation place{.file = columns.number_};
     auto [found, groups] = read_datasets(path);
     if (groups.size() > 1) {
-        mistakes.add(place, fmt::format("several groups of the file hold datasets: {}", listed(groups)),
-                     "keep the run's datasets in the root or in one group");
+        errors.add(place, fmt::format("several groups of the file hold datasets: {}", listed(groups)),
+                   "keep the run's datasets in the root or in one group");
         return std::nullopt;
     }
     if (found.empty()) {
-        mistakes.add(place, "the file holds no datasets of numbers in one dimension",
-                     "write one for the time and one for each signal, in the root or in one group");
+        errors.add(place, "the file holds no datasets of numbers in one dimension",
+                   "write one for the time and one for each signal, in the root or in one group");
         return std::nullopt;
     }
     // The time says how long the others must be; without one, the first does.
@@ -41,10 +41,10 @@ std::optional<Hdf5Columns> Hdf5Columns::open(const std::filesystem::path& path, 
     bool equal = true;
     for (const Dataset& dataset : found) {
         if (dataset.values.size() != first.values.size()) {
-            mistakes.add(place,
-                         fmt::format("the dataset {} has {} values, {} has {}", dataset.heading.name,
-                                     dataset.values.size(), first.heading.name, first.values.size()),
-                         "let all datasets of the run have one length");
+            errors.add(place,
+                       fmt::format("the dataset {} has {} values, {} has {}", dataset.heading.name,
+                                   dataset.values.size(), first.heading.name, first.values.size()),
+                       "let all datasets of the run have one length");
             equal = false;
         }
     }
@@ -59,16 +59,16 @@ std::optional<Hdf5Columns> Hdf5Columns::open(const std::filesystem::path& path, 
 }
 
 std::vector<std::vector<double>> Hdf5Columns::read(const std::vector<ColumnRequest>& requests,
-                                                   Mistakes& mistakes) const {
-    const std::size_t before = mistakes.count();
+                                                   InputErrors& errors) const {
+    const std::size_t before = errors.count();
     std::vector<std::vector<double>> values;
     for (const ColumnRequest& request : requests) {
         const auto column = static_cast<std::size_t>(request.column);
-        ColumnReader reader(heads_[column], request, mistakes);
+        ColumnReader reader(heads_[column], request, errors);
         const std::vector<double>& written = written_[column];
         for (std::size_t i = 0; i < written.size(); ++i) {
             const auto where = [&] {
-                return ColumnReader::Spot{heads_[column].place, fmt::format(" (value {})", i + 1)};
+                return ColumnReader::FieldLocation{heads_[column].place, fmt::format(" (value {})", i + 1)};
             };
             reader.take(fmt::format("{}", written[i]), where);
         }
@@ -76,9 +76,9 @@ std::vector<std::vector<double>> Hdf5Columns::read(const std::vector<ColumnReque
         values.push_back(std::move(reader.values));
     }
     if (!written_.empty() && written_.front().empty()) {
-        mistakes.add({.file = number_}, "the datasets are empty");
+        errors.add({.file = number_}, "the datasets are empty");
     }
-    return mistakes.count() == before ? values : std::vector<std::vector<double>>{};
+    return errors.count() == before ? values : std::vector<std::vector<double>>{};
 }
 
 }  // namespace tiretherm::input

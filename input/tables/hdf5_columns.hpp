@@ -13,20 +13,20 @@ namespace tiretherm::input {
 /// attribute `units`, all in the root or all in one group. Of a file that tiretherm wrote, its channels.
 class Hdf5Columns {
 public:
-    /// @returns nothing after a mistake
-    [[nodiscard]] static std::optional<Hdf5Columns> open(const std::filesystem::path& path, const Place& mentioned,
-                                                         Mistakes& mistakes);
+    /// @returns nothing after an error
+    [[nodiscard]] static std::optional<Hdf5Columns> open(const std::filesystem::path& path,
+                                                         const SourceLocation& mentioned, InputErrors& errors);
 
-    [[nodiscard]] const std::vector<Head>& heads() const { return heads_; }
-    [[nodiscard]] std::vector<Head>& heads() { return heads_; }
+    [[nodiscard]] const std::vector<ColumnHead>& heads() const { return heads_; }
+    [[nodiscard]] std::vector<ColumnHead>& heads() { return heads_; }
     [[nodiscard]] int number() const { return number_; }
-    /// @returns the values of each request, all of one length; none after a mistake
+    /// @returns the values of each request, all of one length; none after an error
     [[nodiscard]] std::vector<std::vector<double>> read(const std::vector<ColumnRequest>& requests,
-                                                        Mistakes& mistakes) const;
+                                                        InputErrors& errors) const;
 
 private:
     int number_ = -1;
-    std::vector<Head> heads_;
+    std::vector<ColumnHead> heads_;
     std::vector<std::vector<double>> written_;  ///< [n_heads][n_samples] in the file's units
 };
 

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 
-#include "input/text/words.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
@@ -128,8 +128,8 @@ std::vector<Dataset> datasets(hid_t group) {
 
 }  // namespace
 
-Fault hdf5_defect(const std::filesystem::path& path) {
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // reasons go into mistakes, not to stderr
+ErrorText hdf5_defect(const std::filesystem::path& path) {
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // reasons go into errors, not to stderr
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file) {
         return {fmt::format("cannot be read: {}", std::system_category().message(errno)), ""};

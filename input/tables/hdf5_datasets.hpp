@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "input/tables/columns.hpp"
-#include "input/text/mistake.hpp"
+#include "input/text/input_error.hpp"
 
 namespace tiretherm::input {
 
@@ -24,7 +24,7 @@ struct Datasets {
 };
 
 /// Why a file cannot be opened as HDF5; empty for one that can.
-[[nodiscard]] Fault hdf5_defect(const std::filesystem::path& path);
+[[nodiscard]] ErrorText hdf5_defect(const std::filesystem::path& path);
 
 /// @pre hdf5_defect says nothing. Of a file that tiretherm wrote only the channels are looked at.
 [[nodiscard]] Datasets read_datasets(const std::filesystem::path& path);

@@ -11,37 +11,38 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string* text_of(const Node& node, std::string_view key) {
-    const Node* text = node.kind == Node::Kind::table ? node.find(key) : nullptr;
-    return text != nullptr && text->kind == Node::Kind::text ? &text->text : nullptr;
+const std::string* text_of(const TomlValue& node, std::string_view key) {
+    const TomlValue* text = node.kind == TomlValue::Kind::table ? node.find(key) : nullptr;
+    return text != nullptr && text->kind == TomlValue::Kind::text ? &text->text : nullptr;
 }
 
-bool all_named(const Node& array) {
-    return array.kind == Node::Kind::array && std::all_of(array.items.begin(), array.items.end(), [](const Node& item) {
-               return text_of(item, "name") != nullptr;
-           });
+bool all_named(const TomlValue& array) {
+    return array.kind == TomlValue::Kind::array &&
+           std::all_of(array.items.begin(), array.items.end(),
+                       [](const TomlValue& item) { return text_of(item, "name") != nullptr; });
 }
 
 /// The name of a table that is in a list, by its own word or, as a run may leave it, by its file's.
-std::string name_of(const Node& node) {
+std::string name_of(const TomlValue& node) {
     const std::string* name = text_of(node, "name");
     const std::string* file = text_of(node, "file");
     return name != nullptr ? *name : file != nullptr ? fs::path(*file).stem().string() : std::string();
 }
 
-bool all_can_be_named(const Node& array) {
-    return array.kind == Node::Kind::array &&
-           std::all_of(array.items.begin(), array.items.end(), [](const Node& item) { return !name_of(item).empty(); });
+bool all_can_be_named(const TomlValue& array) {
+    return array.kind == TomlValue::Kind::array &&
+           std::all_of(array.items.begin(), array.items.end(),
+                       [](const TomlValue& item) { return !name_of(item).empty(); });
 }
 
-void merge(Node& into, Node&& over, int depth);
+void merge(TomlValue& into, TomlValue&& over, int depth);
 
 /// Tables of the same name become one, in the place of the first; the others follow.
-void merge_by_name(Node& into, Node&& over) {
-    for (Node& item : over.items) {
+void merge_by_name(TomlValue& into, TomlValue&& over) {
+    for (TomlValue& item : over.items) {
         const auto same = std::find_if(into.items.begin(), into.items.end(),
-                                       [&](const Node& known) { return name_of(known) == name_of(item); });
-        // A name that the same file uses twice is left for the reader to complain about.
+                                       [&](const TomlValue& known) { return name_of(known) == name_of(item); });
+        // A name that the same file uses twice is reported by the reader.
         const bool mine = same != into.items.end() && same->place.file == item.place.file;
         if (same == into.items.end() || mine) {
             into.items.push_back(std::move(item));
@@ -53,13 +54,13 @@ void merge_by_name(Node& into, Node&& over) {
 }
 
 /// Puts the values of `over` over those of `into`.
-void merge(Node& into, Node&& over, int depth) {
-    if (into.kind != Node::Kind::table || over.kind != Node::Kind::table || over.in_braces) {
+void merge(TomlValue& into, TomlValue&& over, int depth) {
+    if (into.kind != TomlValue::Kind::table || over.kind != TomlValue::Kind::table || over.in_braces) {
         into = std::move(over);
         return;
     }
-    const Node* old_kind = into.find("kind");
-    const Node* new_kind = over.find("kind");
+    const TomlValue* old_kind = into.find("kind");
+    const TomlValue* new_kind = over.find("kind");
     if (old_kind != nullptr && new_kind != nullptr && old_kind->text != new_kind->text) {
         into = std::move(over);  // another kind has other keys
         return;
@@ -80,43 +81,43 @@ void merge(Node& into, Node&& over, int depth) {
 }
 
 /// Reads a file under the files that are open above it.
-std::optional<Node> read(const fs::path& path, const Place& mentioned, std::vector<fs::path>& open,
-                         Mistakes& mistakes) {
+std::optional<TomlValue> read(const fs::path& path, const SourceLocation& mentioned, std::vector<fs::path>& open,
+                              InputErrors& errors) {
     std::error_code error;
     const fs::path real = fs::weakly_canonical(path, error);
     if (std::find(open.begin(), open.end(), real) != open.end()) {
-        mistakes.add(mentioned, fmt::format("{} includes itself", path.generic_string()), "remove one of the includes");
+        errors.add(mentioned, fmt::format("{} includes itself", path.generic_string()), "remove one of the includes");
         return std::nullopt;
     }
-    const std::optional<TextFile> file = read_text(path, mentioned, mistakes);
-    std::optional<Node> own = file ? parse_toml(*file, mistakes) : std::nullopt;
+    const std::optional<TextFile> file = read_text(path, mentioned, errors);
+    std::optional<TomlValue> own = file ? parse_toml(*file, errors) : std::nullopt;
     if (!own) {
         return std::nullopt;
     }
-    const Node* include = own->find("include");
+    const TomlValue* include = own->find("include");
     if (include == nullptr) {
         return own;
     }
-    const bool one = include->kind == Node::Kind::text;
-    const std::vector<Node> list = one ? std::vector<Node>{*include} : include->items;
-    if (!one && include->kind != Node::Kind::array) {
-        mistakes.add(include->place, fmt::format("include is {}; a list of files is wanted", shown(*include)),
-                     "write include = [\"../tires/some_tire.toml\"]");
+    const bool one = include->kind == TomlValue::Kind::text;
+    const std::vector<TomlValue> list = one ? std::vector<TomlValue>{*include} : include->items;
+    if (!one && include->kind != TomlValue::Kind::array) {
+        errors.add(include->place, fmt::format("include is {}; a list of files is wanted", shown(*include)),
+                   "write include = [\"../tires/some_tire.toml\"]");
         return std::nullopt;
     }
     std::erase_if(own->entries, [](const Entry& entry) { return entry.key == "include"; });
     open.push_back(real);
-    Node merged;
-    merged.kind = Node::Kind::table;
+    TomlValue merged;
+    merged.kind = TomlValue::Kind::table;
     bool complete = true;
-    for (const Node& item : list) {
-        if (item.kind != Node::Kind::text) {
-            mistakes.add(item.place, fmt::format("include has {}; the path of a file is wanted", shown(item)));
+    for (const TomlValue& item : list) {
+        if (item.kind != TomlValue::Kind::text) {
+            errors.add(item.place, fmt::format("include has {}; the path of a file is wanted", shown(item)));
             complete = false;
             continue;
         }
-        std::optional<Node> included =
-            read((path.parent_path() / item.text).lexically_normal(), item.place, open, mistakes);
+        std::optional<TomlValue> included =
+            read((path.parent_path() / item.text).lexically_normal(), item.place, open, errors);
         if (included) {
             merge(merged, std::move(*included), 0);
         } else {
@@ -130,37 +131,37 @@ std::optional<Node> read(const fs::path& path, const Place& mentioned, std::vect
 
 }  // namespace
 
-const Node* Node::find(std::string_view key) const {
+const TomlValue* TomlValue::find(std::string_view key) const {
     const auto found =
         std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.key == key; });
     return found == entries.end() ? nullptr : &found->value;
 }
 
-std::string shown(const Node& node) {
+std::string shown(const TomlValue& node) {
     switch (node.kind) {
-        case Node::Kind::nothing:
+        case TomlValue::Kind::nothing:
             return "nothing";
-        case Node::Kind::text:
+        case TomlValue::Kind::text:
             return fmt::format("\"{}\"", node.text);
-        case Node::Kind::integer:
+        case TomlValue::Kind::integer:
             return fmt::format("{:.0f}", node.number);
-        case Node::Kind::real:
+        case TomlValue::Kind::real:
             return fmt::format("{}", node.number);
-        case Node::Kind::boolean:
+        case TomlValue::Kind::boolean:
             return node.truth ? "true" : "false";
-        case Node::Kind::date:
+        case TomlValue::Kind::date:
             return "a date";
-        case Node::Kind::array:
+        case TomlValue::Kind::array:
             return "a list";
-        case Node::Kind::table:
+        case TomlValue::Kind::table:
             return "a table";
     }
     return {};
 }
 
-void lay_over(Node& document, const Node& over, std::span<const std::string_view> names) {
-    Node tables;
-    tables.kind = Node::Kind::table;
+void override_tables(TomlValue& document, const TomlValue& over, std::span<const std::string_view> names) {
+    TomlValue tables;
+    tables.kind = TomlValue::Kind::table;
     tables.place = document.place;
     for (const Entry& entry : over.entries) {
         if (std::find(names.begin(), names.end(), entry.key) != names.end()) {
@@ -171,9 +172,9 @@ void lay_over(Node& document, const Node& over, std::span<const std::string_view
     merge(document, std::move(tables), 0);
 }
 
-std::optional<Node> read_document(const std::filesystem::path& path, Mistakes& mistakes) {
+std::optional<TomlValue> read_document(const std::filesystem::path& path, InputErrors& errors) {
     std::vector<fs::path> open;
-    return read(path, {}, open, mistakes);
+    return read(path, {}, open, errors);
 }
 
 }  // namespace tiretherm::input

@@ -8,61 +8,61 @@
 #include <string_view>
 #include <vector>
 
-#include "input/text/mistake.hpp"
+#include "input/text/input_error.hpp"
 
 namespace tiretherm::input {
 
 struct Entry;
 
-/// A value of a case file and where it stands. Independent of the parser: a table merged from several files still knows
+/// A value of a case file and its place there. Independent of the parser: a table merged from several files still knows
 /// the file of each of its values.
-struct Node {
+struct TomlValue {
     enum class Kind : std::uint8_t { nothing, text, integer, real, boolean, date, array, table };
 
     Kind kind = Kind::nothing;
-    Place place;
-    std::string text;            ///< of a text
-    double number = 0.0;         ///< of an integer or a real
-    bool truth = false;          ///< of a boolean
-    bool in_braces = false;      ///< of a table: { ... }, which is one value; others are merged key by key
-    std::vector<Node> items;     ///< of an array
-    std::vector<Entry> entries;  ///< of a table
+    SourceLocation place;
+    std::string text;              ///< of a text
+    double number = 0.0;           ///< of an integer or a real
+    bool truth = false;            ///< of a boolean
+    bool in_braces = false;        ///< of a table: { ... }, which is one value; others are merged key by key
+    std::vector<TomlValue> items;  ///< of an array
+    std::vector<Entry> entries;    ///< of a table
 
     [[nodiscard]] bool is_number() const { return kind == Kind::integer || kind == Kind::real; }
-    [[nodiscard]] const Node* find(std::string_view key) const;  ///< null when absent
+    [[nodiscard]] const TomlValue* find(std::string_view key) const;  ///< null when absent
 };
 
 /// A key of a table, with the place of the key itself.
 struct Entry {
     std::string key;
-    Place place;
-    Node value;
+    SourceLocation place;
+    TomlValue value;
 };
 
 /// The value as messages show it: `"abc"`, `8`, `a table`.
-[[nodiscard]] std::string shown(const Node& node);
+[[nodiscard]] std::string shown(const TomlValue& node);
 
 /// The text of a file.
 /// @param mentioned where the path was written; its file is -1 for the one that the user named
-/// @returns the file's number in `mistakes` and its text, or nothing after a mistake
+/// @returns the file's number in `errors` and its text, or nothing after an error
 struct TextFile {
     int number = -1;
     std::string text;
 };
-[[nodiscard]] std::optional<TextFile> read_text(const std::filesystem::path& path, const Place& mentioned,
-                                                Mistakes& mistakes);
+[[nodiscard]] std::optional<TextFile> read_text(const std::filesystem::path& path, const SourceLocation& mentioned,
+                                                InputErrors& errors);
 
-/// The tables of one TOML file, or nothing after a mistake.
-[[nodiscard]] std::optional<Node> parse_toml(const TextFile& file, Mistakes& mistakes);
+/// The tables of one TOML file, or nothing after an error.
+[[nodiscard]] std::optional<TomlValue> parse_toml(const TextFile& file, InputErrors& errors);
 
 /// A case file and what it includes, merged: tables key by key, the including file's values win, a later included
 /// file wins over an earlier one. Lists and tables in braces are values and replaced as a whole; only the lists at the
 /// top of a file whose tables have a `name` ([[material]], [[sensor]], [[run]]) are merged by it. A table that changes
 /// its `kind` is replaced as well. Nothing when a file could not be read.
-[[nodiscard]] std::optional<Node> read_document(const std::filesystem::path& path, Mistakes& mistakes);
+[[nodiscard]] std::optional<TomlValue> read_document(const std::filesystem::path& path, InputErrors& errors);
 
 /// The tables `names` of `over` laid over those of a document as an including file's are, also where they stand in
 /// braces.
-void lay_over(Node& document, const Node& over, std::span<const std::string_view> names);
+void override_tables(TomlValue& document, const TomlValue& over, std::span<const std::string_view> names);
 
 }  // namespace tiretherm::input

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "input/text/words.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
@@ -20,15 +20,16 @@ std::string spell(double si, const Conversion& unit_conversion, std::string_view
     return unit.empty() || unit == "1" || unit == "-" ? number : fmt::format("{} {}", number, unit);
 }
 
-std::string range(const Wanted& wanted, double low, double high, const Conversion& conversion, std::string_view unit) {
+std::string range(const QuantitySpec& spec, double low, double high, const Conversion& conversion,
+                  std::string_view unit) {
     const bool below = std::isfinite(low);
     const bool over = std::isfinite(high);
     const std::string from = below ? spell(low, conversion, unit) : "";
     const std::string to = over ? spell(high, conversion, unit) : "";
-    const std::string_view least = wanted.above && low == wanted.low ? "above" : "at least";
+    const std::string_view least = spec.above && low == spec.low ? "above" : "at least";
     if (below && over) {
-        return wanted.above && low == wanted.low ? fmt::format("above {} and at most {}", from, to)
-                                                 : fmt::format("between {} and {}", from, to);
+        return spec.above && low == spec.low ? fmt::format("above {} and at most {}", from, to)
+                                             : fmt::format("between {} and {}", from, to);
     }
     return below ? fmt::format("{} {}", least, from) : fmt::format("at most {}", to);
 }
@@ -54,76 +55,75 @@ std::optional<Number> leading_number(std::string_view text) {
     return Number{value, trim(text.substr(static_cast<std::size_t>(end - text.data())))};
 }
 
-std::string spell_example(const Wanted& wanted) {
-    const std::string example = dimension(wanted.unit, wanted.scale).example;
-    return wanted.is_pure() ? example
-                            : fmt::format("\"{}\"", example.empty() ? "1 " + std::string(wanted.unit) : example);
+std::string spell_example(const QuantitySpec& spec) {
+    const std::string example = dimension(spec.unit, spec.scale).example;
+    return spec.is_pure() ? example : fmt::format("\"{}\"", example.empty() ? "1 " + std::string(spec.unit) : example);
 }
 
-std::string write_like(const Wanted& wanted) {
-    return fmt::format("write {}, such as {}", dimension(wanted.unit, wanted.scale).name, spell_example(wanted));
+std::string write_like(const QuantitySpec& spec) {
+    return fmt::format("write {}, such as {}", dimension(spec.unit, spec.scale).name, spell_example(spec));
 }
 
-UnitRead read_unit(std::string_view unit, const Wanted& wanted, std::string_view subject) {
-    const auto result = conversion(unit, wanted.unit, wanted.scale);
+UnitRead read_unit(std::string_view unit, const QuantitySpec& spec, std::string_view subject) {
+    const auto result = conversion(unit, spec.unit, spec.scale);
     if (const auto* found = std::get_if<Conversion>(&result)) {
         return {*found, std::nullopt};
     }
-    const std::string remedy = write_like(wanted);
-    switch (std::get<UnitFault>(result)) {
-        case UnitFault::unknown:
-            return {{}, Fault{fmt::format("{}: \"{}\" is not a unit", subject, unit), remedy}};
-        case UnitFault::number_inside:
-            return {{}, Fault{fmt::format("{}, with a number inside the unit \"{}\"", subject, unit), remedy}};
-        case UnitFault::other_dimension:
+    const std::string remedy = write_like(spec);
+    switch (std::get<UnitError>(result)) {
+        case UnitError::unknown:
+            return {{}, ErrorText{fmt::format("{}: \"{}\" is not a unit", subject, unit), remedy}};
+        case UnitError::number_inside:
+            return {{}, ErrorText{fmt::format("{}, with a number inside the unit \"{}\"", subject, unit), remedy}};
+        case UnitError::other_dimension:
             break;
     }
-    const bool is_temperature = signature(wanted.unit) == "K";
+    const bool is_temperature = signature(spec.unit) == "K";
     std::string_view aside;
     if (is_temperature && (unit == "C" || unit == "F")) {
         aside = unit == "C" ? " (C is the coulomb)" : " (F is the farad)";
     }
     return {{},
-            Fault{fmt::format("{}, {}{}; {} is wanted", subject, dimension(unit, Scale::absolute).name, aside,
-                              dimension(wanted.unit, wanted.scale).name),
-                  remedy}};
+            ErrorText{fmt::format("{}, {}{}; {} is wanted", subject, dimension(unit, Scale::absolute).name, aside,
+                                  dimension(spec.unit, spec.scale).name),
+                      remedy}};
 }
 
-Judged judge(double written, const Conversion& unit_conversion, std::string_view unit, const Wanted& wanted,
-             std::string_view name, std::string_view shown) {
-    Judged judged{.value = unit_conversion.to_si(written), .fault = {}, .remark = {}};
+ParsedQuantity check_quantity(double written, const Conversion& unit_conversion, std::string_view unit,
+                              const QuantitySpec& spec, std::string_view name, std::string_view shown) {
+    ParsedQuantity parsed{.value = unit_conversion.to_si(written), .error = {}, .remark = {}};
     const auto refuse = [&](std::string what, std::string remedy = {}) {
-        judged.fault = Fault{std::move(what), std::move(remedy)};
-        return judged;
+        parsed.error = ErrorText{std::move(what), std::move(remedy)};
+        return parsed;
     };
     if (!std::isfinite(written)) {
-        return refuse(fmt::format("{} is {}, not a finite number", name, shown), write_like(wanted));
+        return refuse(fmt::format("{} is {}, not a finite number", name, shown), write_like(spec));
     }
     // A constant of a law may lie below zero on the scale of temperatures; it says so by its bounds.
-    const bool only_a_place = std::isfinite(wanted.low) && wanted.low < 0.0;
-    if (wanted.unit == "K" && wanted.scale == Scale::absolute && !only_a_place && judged.value < 0.0) {
+    const bool only_a_place = std::isfinite(spec.low) && spec.low < 0.0;
+    if (spec.unit == "K" && spec.scale == Scale::absolute && !only_a_place && parsed.value < 0.0) {
         return refuse(fmt::format("{} is {}, below absolute zero", name, shown));
     }
-    if (judged.value < wanted.low || judged.value > wanted.high || (wanted.above && judged.value == wanted.low)) {
-        const bool forgotten = wanted.unit == "K" && wanted.scale == Scale::absolute && unit == "K" &&
-                               written + 273.15 >= wanted.low && written + 273.15 <= wanted.high;
+    if (parsed.value < spec.low || parsed.value > spec.high || (spec.above && parsed.value == spec.low)) {
+        const bool forgotten = spec.unit == "K" && spec.scale == Scale::absolute && unit == "K" &&
+                               written + 273.15 >= spec.low && written + 273.15 <= spec.high;
         return refuse(fmt::format("{} is {}; it must be {}", name, shown,
-                                  range(wanted, wanted.low, wanted.high, unit_conversion, unit)),
+                                  range(spec, spec.low, spec.high, unit_conversion, unit)),
                       forgotten ? fmt::format("did you mean \"{:.6g} degC\"?", written) : "");
     }
-    if (judged.value < wanted.usual_low || judged.value > wanted.usual_high) {
-        judged.remark = fmt::format("{} is {}, which is unusual: it is mostly {}", name, shown,
-                                    range(wanted, wanted.usual_low, wanted.usual_high, unit_conversion, unit));
+    if (parsed.value < spec.usual_low || parsed.value > spec.usual_high) {
+        parsed.remark = fmt::format("{} is {}, which is unusual: it is mostly {}", name, shown,
+                                    range(spec, spec.usual_low, spec.usual_high, unit_conversion, unit));
     }
-    return judged;
+    return parsed;
 }
 
-Judged quantity(std::string_view text, const Wanted& wanted, std::string_view name) {
+ParsedQuantity quantity(std::string_view text, const QuantitySpec& spec, std::string_view name) {
     const std::string shown = fmt::format("\"{}\"", text);
     const std::string subject = fmt::format("{} is {}", name, shown);
     const std::optional<Number> number = leading_number(text);
     if (!number) {
-        return {0.0, Fault{fmt::format("{}, which does not start with a number", subject), write_like(wanted)}, {}};
+        return {0.0, ErrorText{fmt::format("{}, which does not start with a number", subject), write_like(spec)}, {}};
     }
     if (decimal_comma(number->rest)) {
         std::string point(text);
@@ -132,20 +132,20 @@ Judged quantity(std::string_view text, const Wanted& wanted, std::string_view na
         const bool thousands = text.find_first_not_of("0123456789", comma + 1) == comma + 4;
         std::string none(text);
         none.erase(comma, 1);
-        return {
-            0.0,
-            Fault{fmt::format("{}, with a comma in the number", subject),
-                  thousands ? fmt::format("write \"{}\" or \"{}\"", none, point) : fmt::format("write \"{}\"", point)},
-            {}};
+        return {0.0,
+                ErrorText{fmt::format("{}, with a comma in the number", subject),
+                          thousands ? fmt::format("write \"{}\" or \"{}\"", none, point)
+                                    : fmt::format("write \"{}\"", point)},
+                {}};
     }
-    if (number->rest.empty() && !wanted.is_pure()) {
-        return {0.0, Fault{fmt::format("{}, without a unit", subject), write_like(wanted)}, {}};
+    if (number->rest.empty() && !spec.is_pure()) {
+        return {0.0, ErrorText{fmt::format("{}, without a unit", subject), write_like(spec)}, {}};
     }
-    const UnitRead unit = read_unit(number->rest, wanted, subject);
-    if (unit.fault) {
-        return {0.0, unit.fault, {}};
+    const UnitRead unit = read_unit(number->rest, spec, subject);
+    if (unit.error) {
+        return {0.0, unit.error, {}};
     }
-    return judge(number->value, unit.conversion, number->rest, wanted, name, shown);
+    return check_quantity(number->value, unit.conversion, number->rest, spec, name, shown);
 }
 
 }  // namespace tiretherm::input

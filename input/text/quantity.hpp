@@ -5,13 +5,13 @@
 #include <string>
 #include <string_view>
 
-#include "input/text/mistake.hpp"
+#include "input/text/input_error.hpp"
 #include "input/text/units.hpp"
 
 namespace tiretherm::input {
 
 /// What a quantity must be: its unit, the range that physics allows and the range in which it is usually found.
-struct Wanted {
+struct QuantitySpec {
     std::string_view unit;  ///< UDUNITS, SI with kelvin
     Scale scale = Scale::absolute;
     double low = -std::numeric_limits<double>::infinity();  ///< in `unit`
@@ -23,28 +23,28 @@ struct Wanted {
     [[nodiscard]] bool is_pure() const { return unit == "1"; }
 };
 
-/// A value in the wanted unit, or what is wrong with it; possibly a remark on an unusual size.
-struct Judged {
+/// A value in the unit of its spec, or what is wrong with it; possibly a remark on an unusual size.
+struct ParsedQuantity {
     double value = 0.0;
-    std::optional<Fault> fault;
+    std::optional<ErrorText> error;
     std::string remark;
 };
 
 /// Reads "25 degC". @param name what messages call it
-[[nodiscard]] Judged quantity(std::string_view text, const Wanted& wanted, std::string_view name);
+[[nodiscard]] ParsedQuantity quantity(std::string_view text, const QuantitySpec& spec, std::string_view name);
 
-/// Judges a number whose unit is known, such as a cell of a table.
+/// Converts and checks a number whose unit is known, such as a cell of a table.
 /// @param shown the value as messages show it, such as `"-5 mm"` or 900 km/h  @param unit as written
-[[nodiscard]] Judged judge(double written, const Conversion& unit_conversion, std::string_view unit,
-                           const Wanted& wanted, std::string_view name, std::string_view shown);
+[[nodiscard]] ParsedQuantity check_quantity(double written, const Conversion& unit_conversion, std::string_view unit,
+                                            const QuantitySpec& spec, std::string_view name, std::string_view shown);
 
 /// The conversion from a unit as written, or what is wrong with it.
 /// @param subject start of the sentence: speed is "100 km"
 struct UnitRead {
     Conversion conversion;
-    std::optional<Fault> fault;
+    std::optional<ErrorText> error;
 };
-[[nodiscard]] UnitRead read_unit(std::string_view unit, const Wanted& wanted, std::string_view subject);
+[[nodiscard]] UnitRead read_unit(std::string_view unit, const QuantitySpec& spec, std::string_view subject);
 
 /// A number at the start of a text. `rest` is what follows, blanks taken off. Empty when the text starts with none.
 struct Number {
@@ -54,9 +54,9 @@ struct Number {
 [[nodiscard]] std::optional<Number> leading_number(std::string_view text);
 
 /// `"8 mm"`, or `0.6` for a pure number.
-[[nodiscard]] std::string spell_example(const Wanted& wanted);
+[[nodiscard]] std::string spell_example(const QuantitySpec& spec);
 
 /// "write a length, such as "8 mm"".
-[[nodiscard]] std::string write_like(const Wanted& wanted);
+[[nodiscard]] std::string write_like(const QuantitySpec& spec);
 
 }  // namespace tiretherm::input

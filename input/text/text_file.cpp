@@ -6,14 +6,14 @@
 #include <fmt/format.h>
 
 #include "input/text/document.hpp"
-#include "input/text/words.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
 namespace {
 
 /// What keeps bytes from being a text, with the remedy; empty for a text.
-Fault defect(const std::string& bytes) {
+ErrorText defect(const std::string& bytes) {
     if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) {
         return {"is written in UTF-16", "save it as UTF-8"};
     }
@@ -42,16 +42,17 @@ std::string neighbour(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::optional<TextFile> read_text(const std::filesystem::path& path, const Place& mentioned, Mistakes& mistakes) {
+std::optional<TextFile> read_text(const std::filesystem::path& path, const SourceLocation& mentioned,
+                                  InputErrors& errors) {
     const std::string shown = path.generic_string();
     const auto refuse = [&](std::string_view what, std::string remedy) {
         // The user's own argument has no place in a file but itself.
-        Place place = mentioned;
+        SourceLocation place = mentioned;
         if (place.file < 0) {
-            place = {.file = mistakes.add_file(shown, "")};
-            mistakes.add(place, fmt::format("the file {}", what), std::move(remedy));
+            place = {.file = errors.add_file(shown, "")};
+            errors.add(place, fmt::format("the file {}", what), std::move(remedy));
         } else {
-            mistakes.add(place, fmt::format("the file {} {}", shown, what), std::move(remedy));
+            errors.add(place, fmt::format("the file {} {}", shown, what), std::move(remedy));
         }
         return std::nullopt;
     };
@@ -73,10 +74,10 @@ std::optional<TextFile> read_text(const std::filesystem::path& path, const Place
     if (std::ferror(file.get()) != 0) {
         return refuse(fmt::format("cannot be read: {}", std::system_category().message(errno)), "");
     }
-    if (const Fault fault = defect(bytes); !fault.what.empty()) {
-        return refuse(fault.what, fault.remedy);
+    if (const ErrorText reason = defect(bytes); !reason.what.empty()) {
+        return refuse(reason.what, reason.remedy);
     }
-    const int number = mistakes.add_file(shown, bytes);
+    const int number = errors.add_file(shown, bytes);
     return TextFile{number, std::move(bytes)};
 }
 

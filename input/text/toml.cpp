@@ -4,13 +4,13 @@
 #include <toml++/toml.h>
 
 #include "input/text/document.hpp"
-#include "input/text/words.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
 namespace {
 
-Place place_of(const toml::source_region& region, int file) {
+SourceLocation place_of(const toml::source_region& region, int file) {
     const auto line = static_cast<int>(region.begin.line);
     const auto column = static_cast<int>(region.begin.column);
     const bool one_line = region.end.line == region.begin.line;
@@ -20,15 +20,15 @@ Place place_of(const toml::source_region& region, int file) {
             .length = one_line ? std::max(1, static_cast<int>(region.end.column) - column) : 1};
 }
 
-bool follows(const Place& later, const Place& earlier) {
+bool follows(const SourceLocation& later, const SourceLocation& earlier) {
     return std::pair(later.line, later.column) > std::pair(earlier.line, earlier.column);
 }
 
-Node convert(const toml::node& from, int file) {
-    Node to;
+TomlValue convert(const toml::node& from, int file) {
+    TomlValue to;
     to.place = place_of(from.source(), file);
     from.visit([&](const auto& value) {
-        using Kind = Node::Kind;
+        using Kind = TomlValue::Kind;
         using Value = std::remove_cvref_t<decltype(value)>;
         if constexpr (std::is_same_v<Value, toml::table>) {
             to.kind = Kind::table;
@@ -38,7 +38,7 @@ Node convert(const toml::node& from, int file) {
                 entry.value.in_braces = entry.value.kind == Kind::table && follows(entry.value.place, entry.place);
                 to.entries.push_back(std::move(entry));
             }
-            // The parser sorts by name; a case is read, and its mistakes are listed, in the order it was written.
+            // The parser sorts by name; a case is read, and its errors are listed, in the order it was written.
             std::stable_sort(to.entries.begin(), to.entries.end(),
                              [](const Entry& a, const Entry& b) { return follows(b.place, a.place); });
         } else if constexpr (std::is_same_v<Value, toml::array>) {
@@ -84,16 +84,16 @@ std::string remedy_for(const toml::parse_error& error, std::string_view text) {
 
 }  // namespace
 
-std::optional<Node> parse_toml(const TextFile& file, Mistakes& mistakes) {
+std::optional<TomlValue> parse_toml(const TextFile& file, InputErrors& errors) {
     try {
-        Node root = convert(toml::parse(std::string_view(file.text)), file.number);
+        TomlValue root = convert(toml::parse(std::string_view(file.text)), file.number);
         root.place = {.file = file.number};  // what a file lacks stands in no line of it
         return root;
     } catch (const toml::parse_error& error) {
         std::string what(error.description());
         what.erase(0, what.starts_with("Error while parsing ") ? 20 : 0);
-        mistakes.add(place_of(error.source(), file.number), fmt::format("not valid TOML: {}", what),
-                     remedy_for(error, file.text));
+        errors.add(place_of(error.source(), file.number), fmt::format("not valid TOML: {}", what),
+                   remedy_for(error, file.text));
         return std::nullopt;
     }
 }

@@ -43,23 +43,23 @@ std::string temperature(double kelvin) {
     return celsius + zero == kelvin ? quantity(celsius, "degC") : quantity(kelvin, "K");
 }
 
-std::string value(const Node& node) {
+std::string value(const TomlValue& node) {
     switch (node.kind) {
-        case Node::Kind::text:
-        case Node::Kind::date:
-        case Node::Kind::nothing:
+        case TomlValue::Kind::text:
+        case TomlValue::Kind::date:
+        case TomlValue::Kind::nothing:
             return in_quotes(node.text);
-        case Node::Kind::integer:
-        case Node::Kind::real:
+        case TomlValue::Kind::integer:
+        case TomlValue::Kind::real:
             return fmt::format("{}", node.number);
-        case Node::Kind::boolean:
+        case TomlValue::Kind::boolean:
             return node.truth ? "true" : "false";
-        case Node::Kind::array: {
+        case TomlValue::Kind::array: {
             std::vector<std::string> items;
             std::transform(node.items.begin(), node.items.end(), std::back_inserter(items), value);
             return fmt::format("[{}]", fmt::join(items, ", "));
         }
-        case Node::Kind::table: {
+        case TomlValue::Kind::table: {
             std::vector<std::string> entries;
             std::transform(
                 node.entries.begin(), node.entries.end(), std::back_inserter(entries),

@@ -18,7 +18,7 @@ namespace tiretherm::input::toml_text {
 /// "90 degC" where that is exactly the temperature, otherwise in kelvin. @param kelvin K
 [[nodiscard]] std::string temperature(double kelvin);
 /// A value of a case as it was written, in one line.
-[[nodiscard]] std::string value(const Node& node);
+[[nodiscard]] std::string value(const TomlValue& node);
 /// A file as a text in a folder names it: from there, or whole where no way leads there.
 [[nodiscard]] std::string path(const std::filesystem::path& file, const std::filesystem::path& folder);
 

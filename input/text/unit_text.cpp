@@ -4,7 +4,7 @@
 #include <array>
 #include <cctype>
 
-#include "input/text/words.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 

@@ -99,10 +99,10 @@ std::string signature(std::string_view unit) {
     return system.find(spelt_out(unit)).signature;
 }
 
-std::variant<Conversion, UnitFault> conversion(std::string_view written, std::string_view wanted, Scale scale) {
+std::variant<Conversion, UnitError> conversion(std::string_view written, std::string_view wanted, Scale scale) {
     const std::string text = spelt_out(written);
     if (has_number(text)) {
-        return UnitFault::number_inside;
+        return UnitError::number_inside;
     }
     System& system = System::get();
     const std::lock_guard guard(system.lock);
@@ -112,10 +112,10 @@ std::variant<Conversion, UnitFault> conversion(std::string_view written, std::st
         throw std::logic_error("\"" + std::string(wanted) + "\" is not a unit of UDUNITS");
     }
     if (from.signature.empty()) {
-        return UnitFault::unknown;
+        return UnitError::unknown;
     }
     if (from.signature != to.signature) {
-        return UnitFault::other_dimension;
+        return UnitError::other_dimension;
     }
     const ut_unit* metre = system.find("m").unit.get();
     const Conversion result{.factor = ratio(from.unit.get(), to.unit.get(), metre),

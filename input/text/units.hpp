@@ -22,7 +22,7 @@ struct Conversion {
     [[nodiscard]] double from_si(double si) const { return (si - offset) / factor; }
 };
 
-enum class UnitFault : std::uint8_t { unknown, number_inside, other_dimension };
+enum class UnitError : std::uint8_t { unknown, number_inside, other_dimension };
 
 /// How to turn numbers of one unit into another. UDUNITS after the aliases below; units of angle are not pure numbers,
 /// and reciprocal units (s and Hz) are not converted into each other.
@@ -30,7 +30,7 @@ enum class UnitFault : std::uint8_t { unknown, number_inside, other_dimension };
 /// and a slash `mK`, `m2K`, `m3K`, `kgK` are products (W/mK, W/m2K, J/kgK); `mK` by itself stays a millikelvin.
 /// @param wanted SI unit with kelvin
 /// @errors std::runtime_error when the units' data base cannot be read
-[[nodiscard]] std::variant<Conversion, UnitFault> conversion(std::string_view written, std::string_view wanted,
+[[nodiscard]] std::variant<Conversion, UnitError> conversion(std::string_view written, std::string_view wanted,
                                                              Scale scale);
 
 /// The product of base units that tells the dimension: "m.s-1", "1", "rad". Empty for what is not a unit.

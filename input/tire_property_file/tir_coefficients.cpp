@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "input/text/suggestions.hpp"
 #include "input/tire_property_file/tir_keys.hpp"
-#include "input/text/words.hpp"
 
 namespace tiretherm::input {
 
@@ -65,42 +65,42 @@ std::vector<std::string> known_keys() {
     return keys;
 }
 
-void check_key(const TirLines& lines, const TirLines::Entry& entry, const Law& law, Mistakes& mistakes) {
+void check_key(const TirLines& lines, const TirLines::Entry& entry, const Law& law, InputErrors& errors) {
     const std::optional<Use> use = use_of(entry.key);
     if (!use) {
         if (concerns_pure_slip(entry)) {
             const std::string near = nearest(entry.key, known_keys());
-            mistakes.warn(entry.key_place, fmt::format("{} is unknown and not used{}", entry.key,
-                                                       near.empty() ? "" : fmt::format("; did you mean {}?", near)));
+            errors.warn(entry.key_place, fmt::format("{} is unknown and not used{}", entry.key,
+                                                     near.empty() ? "" : fmt::format("; did you mean {}?", near)));
         }
     } else if (const TirLines::Entry* first = lines.find(entry.key); first != &entry) {
-        mistakes.add(entry.key_place,
-                     fmt::format("{} stands in two sections, first at {}", entry.key, mistakes.spell(first->place)),
-                     "remove one of the lines");
+        errors.add(entry.key_place,
+                   fmt::format("{} stands in two sections, first at {}", entry.key, errors.spell(first->place)),
+                   "remove one of the lines");
     } else if (!used(*use, law)) {
-        mistakes.warn(entry.key_place, fmt::format("{} is not used by MF {}, the version of the file", entry.key,
-                                                   *use == Use::only_52 ? "6.1" : "5.2"));
+        errors.warn(entry.key_place, fmt::format("{} is not used by MF {}, the version of the file", entry.key,
+                                                 *use == Use::only_52 ? "6.1" : "5.2"));
     }
 }
 
 }  // namespace
 
-void require_tir_key(const TirLines& lines, const Place& whole, std::string_view key, std::string_view section,
-                     Mistakes& mistakes) {
+void require_tir_key(const TirLines& lines, const SourceLocation& whole, std::string_view key, std::string_view section,
+                     InputErrors& errors) {
     if (lines.find(key) == nullptr) {
-        mistakes.add(whole, fmt::format("{} is missing", key),
-                     fmt::format("write {} = a number in [{}]", key, section));
+        errors.add(whole, fmt::format("{} is missing", key), fmt::format("write {} = a number in [{}]", key, section));
     }
 }
 
-void read_tir_coefficients(const TirLines& lines, const Place& whole, physics::MagicFormula& law, Mistakes& mistakes) {
+void read_tir_coefficients(const TirLines& lines, const SourceLocation& whole, physics::MagicFormula& law,
+                           InputErrors& errors) {
     for (const auto& [key, member, use] : coefficients) {
-        if (const std::optional<double> value = lines.number(key, mistakes); value && used(use, law)) {
+        if (const std::optional<double> value = lines.number(key, errors); value && used(use, law)) {
             law.*member = *value;
         }
     }
     for (const auto& [key, member, use] : scaling_factors) {
-        if (const std::optional<double> value = lines.number(key, mistakes); value && used(use, law)) {
+        if (const std::optional<double> value = lines.number(key, errors); value && used(use, law)) {
             law.lambda.*member = *value;
         }
     }
@@ -109,21 +109,21 @@ void read_tir_coefficients(const TirLines& lines, const Place& whole, physics::M
         if (entry.section == "UNITS" || entry.value.empty()) {
             continue;
         }
-        check_key(lines, entry, law, mistakes);
+        check_key(lines, entry, law, errors);
         longitudinal = longitudinal || (is_of(entry.key, 'P', "CDEKHV") && entry.key[2] == 'X');
     }
     if (longitudinal) {
         for (const std::string_view key : {"PCX1", "PDX1", "PKX1"}) {
-            require_tir_key(lines, whole, key, "LONGITUDINAL_COEFFICIENTS", mistakes);
+            require_tir_key(lines, whole, key, "LONGITUDINAL_COEFFICIENTS", errors);
         }
     } else {
-        mistakes.warn(whole, "there are no longitudinal coefficients: the longitudinal force is 0");
+        errors.warn(whole, "there are no longitudinal coefficients: the longitudinal force is 0");
     }
     for (const std::string_view key : {"PCY1", "PDY1", "PKY1", "PKY2"}) {
-        require_tir_key(lines, whole, key, "LATERAL_COEFFICIENTS", mistakes);
+        require_tir_key(lines, whole, key, "LATERAL_COEFFICIENTS", errors);
     }
     if (lines.find("PKY2") != nullptr && law.pKy2 == 0.0) {
-        mistakes.add(lines.find("PKY2")->place, "PKY2 is 0; the cornering stiffness is a law of the load over it");
+        errors.add(lines.find("PKY2")->place, "PKY2 is 0; the cornering stiffness is a law of the load over it");
     }
 }
 

@@ -20,13 +20,13 @@ using Version = physics::MagicFormulaVersion;
 /// Reads one file; every function reports what is wrong with its part.
 class TirReader {
 public:
-    TirReader(const TextFile& file, Mistakes& mistakes)
-        : lines_(file, mistakes), whole_{.file = file.number}, mistakes_(&mistakes) {}
+    TirReader(const TextFile& file, InputErrors& errors)
+        : lines_(file, errors), whole_{.file = file.number}, errors_(&errors) {}
 
     [[nodiscard]] TirFile read() {
         read_units();
         read_version();
-        read_tir_coefficients(lines_, whole_, tire_.law, *mistakes_);
+        read_tir_coefficients(lines_, whole_, tire_.law, *errors_);
         read_dimensions();
         check_pressure();
         return tire_;
@@ -45,14 +45,14 @@ private:
         std::string word = entry->value;
         std::transform(word.begin(), word.end(), word.begin(),
                        [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
-        const Wanted wanted{.unit = si};
+        const QuantitySpec spec{.unit = si};
         const std::string subject = fmt::format("{} is '{}'", key, entry->value);
-        UnitRead read = read_unit(word, wanted, subject);
-        if (read.fault && word != entry->value) {
-            read = read_unit(entry->value, wanted, subject);
+        UnitRead read = read_unit(word, spec, subject);
+        if (read.error && word != entry->value) {
+            read = read_unit(entry->value, spec, subject);
         }
-        if (read.fault) {
-            mistakes_->add(entry->place, read.fault->what, fmt::format("write a unit, such as '{}'", usual));
+        if (read.error) {
+            errors_->add(entry->place, read.error->what, fmt::format("write a unit, such as '{}'", usual));
         }
         return read.conversion.factor;
     }
@@ -61,10 +61,10 @@ private:
         length_ = factor("LENGTH", "m", "meter");
         force_ = factor("FORCE", "N", "newton");
         time_ = factor("TIME", "s", "second");
-        (void)factor("MASS", "kg", "kg");  // no mass is read, but a wrong word is a mistake all the same
+        (void)factor("MASS", "kg", "kg");  // no mass is read, but a wrong word is an error all the same
         if (factor("ANGLE", "rad", "radian") != 1.0) {
-            mistakes_->warn(lines_.find("ANGLE", "UNITS")->place,
-                            "the coefficients of the Magic Formula are taken per radian nevertheless");
+            errors_->warn(lines_.find("ANGLE", "UNITS")->place,
+                          "the coefficients of the Magic Formula are taken per radian nevertheless");
         }
     }
 
@@ -74,7 +74,7 @@ private:
         if (entry == nullptr) {
             const Entry* format = lines_.find("PROPERTY_FILE_FORMAT");
             if (format == nullptr || format->value != "PAC2002") {
-                mistakes_->add(whole_, "FITTYP is missing", fmt::format("write FITTYP in [MODEL]; {}", supported));
+                errors_->add(whole_, "FITTYP is missing", fmt::format("write FITTYP in [MODEL]; {}", supported));
             }
             return;
         }
@@ -83,36 +83,35 @@ private:
         if (value == 61.0 || value == 62.0) {
             tire_.law.version = Version::mf61;
         } else if (value != 5.0 && value != 6.0 && value != 21.0) {
-            mistakes_->add(entry->place, fmt::format("FITTYP {} is not supported", entry->value),
-                           std::string(supported));
+            errors_->add(entry->place, fmt::format("FITTYP {} is not supported", entry->value), std::string(supported));
         }
     }
 
     /// A size that must be above 0, in SI units.
     void positive(std::string_view key, double to_si, double& target) {
-        const std::optional<double> value = lines_.number(key, *mistakes_);
+        const std::optional<double> value = lines_.number(key, *errors_);
         if (value && *value <= 0.0) {
-            mistakes_->add(lines_.find(key)->place,
-                           fmt::format("{} is {}; it must be above 0", key, lines_.find(key)->value));
+            errors_->add(lines_.find(key)->place,
+                         fmt::format("{} is {}; it must be above 0", key, lines_.find(key)->value));
         }
         target = value ? *value * to_si : target;
     }
 
     void read_dimensions() {
-        require_tir_key(lines_, whole_, "UNLOADED_RADIUS", "DIMENSION", *mistakes_);
-        require_tir_key(lines_, whole_, "WIDTH", "DIMENSION", *mistakes_);
-        require_tir_key(lines_, whole_, "FNOMIN", "VERTICAL", *mistakes_);
+        require_tir_key(lines_, whole_, "UNLOADED_RADIUS", "DIMENSION", *errors_);
+        require_tir_key(lines_, whole_, "WIDTH", "DIMENSION", *errors_);
+        require_tir_key(lines_, whole_, "FNOMIN", "VERTICAL", *errors_);
         positive("UNLOADED_RADIUS", length_, tire_.unloaded_radius);
         positive("WIDTH", length_, tire_.width);
         positive("FNOMIN", force_, tire_.law.nominal_load);
         positive("LONGVL", length_ / time_, tire_.law.reference_speed);
         positive("LFZO", 1.0, tire_.law.lambda.Fz0);
-        const std::optional<double> low = lines_.number("FZMIN", *mistakes_);
-        const std::optional<double> high = lines_.number("FZMAX", *mistakes_);
+        const std::optional<double> low = lines_.number("FZMIN", *errors_);
+        const std::optional<double> high = lines_.number("FZMAX", *errors_);
         if (low && high && *low >= *high) {
-            mistakes_->add(lines_.find("FZMAX")->place,
-                           fmt::format("FZMAX is {}, not above FZMIN = {}", lines_.find("FZMAX")->value,
-                                       lines_.find("FZMIN")->value));
+            errors_->add(lines_.find("FZMAX")->place,
+                         fmt::format("FZMAX is {}, not above FZMIN = {}", lines_.find("FZMAX")->value,
+                                     lines_.find("FZMIN")->value));
         }
         if (low && high) {
             tire_.vertical_range = {*low * force_, *high * force_};
@@ -121,18 +120,18 @@ private:
 
     /// MF 6.1 knows the inflation pressure; here it is evaluated at the nominal one.
     void check_pressure() {
-        const std::optional<double> own = lines_.number("INFLPRES", *mistakes_);
-        const std::optional<double> nominal = lines_.number("NOMPRES", *mistakes_);
+        const std::optional<double> own = lines_.number("INFLPRES", *errors_);
+        const std::optional<double> nominal = lines_.number("NOMPRES", *errors_);
         if (tire_.law.version == Version::mf61 && own && nominal && *own != *nominal) {
-            mistakes_->warn(lines_.find("INFLPRES")->place,
-                            fmt::format("INFLPRES is not used: the forces are those at NOMPRES = {}",
-                                        lines_.find("NOMPRES")->value));
+            errors_->warn(lines_.find("INFLPRES")->place,
+                          fmt::format("INFLPRES is not used: the forces are those at NOMPRES = {}",
+                                      lines_.find("NOMPRES")->value));
         }
     }
 
     TirLines lines_;
-    Place whole_;
-    Mistakes* mistakes_;
+    SourceLocation whole_;
+    InputErrors* errors_;
     TirFile tire_;
     double length_ = 1.0;
     double force_ = 1.0;
@@ -141,14 +140,15 @@ private:
 
 }  // namespace
 
-std::optional<TirFile> read_tir_file(const std::filesystem::path& path, const Place& mentioned, Mistakes& mistakes) {
-    const std::size_t before = mistakes.count();
-    const std::optional<TextFile> text = read_text(path, mentioned, mistakes);
+std::optional<TirFile> read_tir_file(const std::filesystem::path& path, const SourceLocation& mentioned,
+                                     InputErrors& errors) {
+    const std::size_t before = errors.count();
+    const std::optional<TextFile> text = read_text(path, mentioned, errors);
     if (!text) {
         return std::nullopt;
     }
-    const TirFile tire = TirReader(*text, mistakes).read();
-    return mistakes.count() == before ? std::optional(tire) : std::nullopt;
+    const TirFile tire = TirReader(*text, errors).read();
+    return errors.count() == before ? std::optional(tire) : std::nullopt;
 }
 
 }  // namespace tiretherm::input

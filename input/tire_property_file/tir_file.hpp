@@ -27,8 +27,8 @@ struct TirFile {
 /// coefficients of pure slip that are unknown or that the version does not use. Those of combined slip, moments and
 /// pressure are passed over. Without longitudinal coefficients F_x is 0, with a warning.
 /// @param mentioned where the path was written; its file is -1 for one that the user named
-/// @returns nothing after a mistake; all mistakes of the file are reported
-[[nodiscard]] std::optional<TirFile> read_tir_file(const std::filesystem::path& path, const Place& mentioned,
-                                                   Mistakes& mistakes);
+/// @returns nothing after an error; all errors of the file are reported
+[[nodiscard]] std::optional<TirFile> read_tir_file(const std::filesystem::path& path, const SourceLocation& mentioned,
+                                                   InputErrors& errors);
 
 }  // namespace tiretherm::input

@@ -8,7 +8,7 @@
 
 #include "input/tables/csv.hpp"
 #include "input/text/quantity.hpp"
-#include "input/text/words.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
@@ -44,7 +44,7 @@ struct Line {
     int file = -1;
     int number = 0;
 
-    [[nodiscard]] Place place(std::string_view part) const {
+    [[nodiscard]] SourceLocation place(std::string_view part) const {
         const auto before = static_cast<std::size_t>(part.data() - text.data());
         return {.file = file,
                 .line = number,
@@ -53,13 +53,13 @@ struct Line {
     }
 };
 
-/// Reads `KEY = value`; no key after a mistake.
-TirLines::Entry read_entry(const Line& line, std::string_view written, Mistakes& mistakes) {
+/// Reads `KEY = value`; no key after an error.
+TirLines::Entry read_entry(const Line& line, std::string_view written, InputErrors& errors) {
     const std::size_t equals = written.find('=');
     const std::string_view key = trim(written.substr(0, std::min(equals, written.size())));
     if (equals == std::string_view::npos || key.empty()) {
-        mistakes.add(line.place(written), "the line is neither [SECTION] nor KEY = value nor a comment",
-                     "start a comment with $ or !");
+        errors.add(line.place(written), "the line is neither [SECTION] nor KEY = value nor a comment",
+                   "start a comment with $ or !");
         return {};
     }
     std::string_view value = trim(written.substr(equals + 1));
@@ -70,8 +70,8 @@ TirLines::Entry read_entry(const Line& line, std::string_view written, Mistakes&
                           .place = line.place(value.empty() ? key : value)};
     if (!value.empty() && is_quote(value.front())) {
         if (value.size() < 2 || value.back() != value.front()) {
-            mistakes.add(entry.place, fmt::format("the quotes round {} are not closed", entry.key),
-                         fmt::format("write {} = 'text'", entry.key));
+            errors.add(entry.place, fmt::format("the quotes round {} are not closed", entry.key),
+                       fmt::format("write {} = 'text'", entry.key));
             return {};
         }
         value = trim(value.substr(1, value.size() - 2));
@@ -82,7 +82,7 @@ TirLines::Entry read_entry(const Line& line, std::string_view written, Mistakes&
 
 }  // namespace
 
-TirLines::TirLines(const TextFile& file, Mistakes& mistakes) {
+TirLines::TirLines(const TextFile& file, InputErrors& errors) {
     std::string_view rest = file.text;
     if (rest.starts_with("\xEF\xBB\xBF")) {
         rest.remove_prefix(3);
@@ -100,7 +100,7 @@ TirLines::TirLines(const TextFile& file, Mistakes& mistakes) {
         if (written.front() == '[') {
             in_table = false;
             if (written.back() != ']') {
-                mistakes.add(line.place(written), "the section's name does not end with ]");
+                errors.add(line.place(written), "the section's name does not end with ]");
             }
             section = capitals(written.substr(1, std::min(written.find(']'), written.size()) - 1));
             continue;
@@ -109,7 +109,7 @@ TirLines::TirLines(const TextFile& file, Mistakes& mistakes) {
         if (in_table && written.find('=') == std::string_view::npos) {
             continue;
         }
-        Entry entry = read_entry(line, written, mistakes);
+        Entry entry = read_entry(line, written, errors);
         if (entry.key.empty()) {
             continue;
         }
@@ -118,9 +118,9 @@ TirLines::TirLines(const TextFile& file, Mistakes& mistakes) {
             return other.key == entry.key && other.section == section;
         });
         if (same != entries_.end()) {
-            mistakes.add(
+            errors.add(
                 entry.key_place,
-                fmt::format("{} stands twice in [{}], first at {}", entry.key, section, mistakes.spell(same->place)),
+                fmt::format("{} stands twice in [{}], first at {}", entry.key, section, errors.spell(same->place)),
                 "remove one of the lines");
             continue;
         }
@@ -136,7 +136,7 @@ const TirLines::Entry* TirLines::find(std::string_view key, std::string_view sec
     return found == entries_.end() ? nullptr : &*found;
 }
 
-std::optional<double> TirLines::number(std::string_view key, Mistakes& mistakes) const {
+std::optional<double> TirLines::number(std::string_view key, InputErrors& errors) const {
     const Entry* entry = find(key);
     if (entry == nullptr) {
         return std::nullopt;
@@ -144,8 +144,8 @@ std::optional<double> TirLines::number(std::string_view key, Mistakes& mistakes)
     const std::optional<Number> read = leading_number(entry->value);
     if (!read || !read->rest.empty() || !std::isfinite(read->value)) {
         const bool comma = read && read->rest.starts_with(',');
-        mistakes.add(entry->place, fmt::format("{} is {}; a number is wanted", key, entry->value),
-                     comma ? "write a decimal point" : "");
+        errors.add(entry->place, fmt::format("{} is {}; a number is wanted", key, entry->value),
+                   comma ? "write a decimal point" : "");
         return std::nullopt;
     }
     return read->value;

@@ -96,21 +96,22 @@ std::vector<std::string> Validation::keep(const std::vector<std::string>& wanted
 }
 
 ValidationReading read_validation(const std::filesystem::path& file) {
-    Mistakes mistakes;
-    CaseShelf shelf(file.parent_path());
-    Validation table;
-    if (const std::optional<Node> document = read_document(file, mistakes)) {
-        Section root(*document, "the table", mistakes);
-        root.know({"include"});
-        table.title = root.text("title").value_or("Validation");
+    InputErrors errors;
+    CaseCache cache(file.parent_path());
+    Validation validation;
+    if (const std::optional<TomlValue> document = read_document(file, errors)) {
+        TomlTable root(*document, "the table", errors);
+        root.declare_keys({"include"});
+        validation.title = root.text("title").value_or("Validation");
         root.each(
-            "number", [&](Section& section) { table.numbers.push_back(read_number(section, shelf)); }, Need::required);
+            "number", [&](TomlTable& table) { validation.numbers.push_back(read_number(table, cache)); },
+            Need::required);
     }
-    ValidationReading reading{.table = std::nullopt, .mistakes = mistakes.in_order(), .warnings = mistakes.warnings()};
-    shelf.append_complaints(reading);
-    if (reading.mistakes.empty()) {
-        table.runs = shelf.take_runs();
-        reading.table = std::move(table);
+    ValidationReading reading{.table = std::nullopt, .errors = errors.in_order(), .warnings = errors.warnings()};
+    cache.append_messages(reading);
+    if (reading.errors.empty()) {
+        validation.runs = cache.take_runs();
+        reading.table = std::move(validation);
     }
     return reading;
 }

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "input/text/mistake.hpp"
+#include "input/text/input_error.hpp"
 #include "input/validation/trace.hpp"
 #include "solver/problem.hpp"
 
@@ -83,10 +83,10 @@ struct Validation {
     [[nodiscard]] std::vector<std::string> ids() const;
 };
 
-/// A table that has been read, with all of its cases. There is a table exactly when there is no mistake.
+/// A table that has been read, with all of its cases. There is a table exactly when there is no error.
 struct ValidationReading {
     std::optional<Validation> table;
-    std::vector<Mistake> mistakes;  ///< of the table, then of the cases
+    std::vector<InputError> errors;  ///< of the table, then of the cases
     std::vector<std::string> warnings;
 };
 

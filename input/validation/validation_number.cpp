@@ -3,19 +3,19 @@
 
 #include <fmt/format.h>
 
+#include "input/text/quantity_specs.hpp"
+#include "input/text/suggestions.hpp"
 #include "input/validation/validation_reader.hpp"
-#include "input/text/wanted.hpp"
-#include "input/text/words.hpp"
 
 namespace tiretherm::input {
 
 namespace {
 
-Wanted wanted_of(const Reckoning& reckoning, solver::Quantity quantity) {
-    switch (reckoning.meaning) {
+QuantitySpec wanted_of(const Evaluation& evaluation, solver::Quantity quantity) {
+    switch (evaluation.meaning) {
         case Meaning::value:
-            return quantity == solver::Quantity::temperature ? wanted::temperature
-                                                             : Wanted{.unit = solver::unit_of(quantity)};
+            return quantity == solver::Quantity::temperature ? quantity_specs::temperature
+                                                             : QuantitySpec{.unit = solver::unit_of(quantity)};
         case Meaning::difference:
             return {.unit = solver::unit_of(quantity), .scale = Scale::difference};
         case Meaning::ratio:
@@ -26,88 +26,87 @@ Wanted wanted_of(const Reckoning& reckoning, solver::Quantity quantity) {
     return {};
 }
 
-void read_range(Section& section, const Wanted& wanted, ValidationNumber& number) {
-    const std::vector<Word> ends = section.texts("range");
+void read_range(TomlTable& table, const QuantitySpec& spec, ValidationNumber& number) {
+    const std::vector<LocatedString> ends = table.texts("range");
     if (ends.size() != 2) {
-        section.mistake("range", "a range has two ends",
-                        fmt::format("write range = [{0}, {0}]", spell_example(wanted)));
+        table.add_error("range", "a range has two ends", fmt::format("write range = [{0}, {0}]", spell_example(spec)));
         return;
     }
-    const std::array judged{quantity(ends[0].text, wanted, "range"), quantity(ends[1].text, wanted, "range")};
+    const std::array parsed{quantity(ends[0].text, spec, "range"), quantity(ends[1].text, spec, "range")};
     for (std::size_t i = 0; i < 2; ++i) {
-        if (judged[i].fault) {
-            section.mistakes().add(ends[i].place, *judged[i].fault);
+        if (parsed[i].error) {
+            table.errors().add(ends[i].place, *parsed[i].error);
         }
     }
-    number.low = judged[0].value;
-    number.high = judged[1].value;
-    if (!judged[0].fault && !judged[1].fault && number.low > number.high) {
-        section.mistake("range", "the range begins with its upper end", "swap the two ends");
+    number.low = parsed[0].value;
+    number.high = parsed[1].value;
+    if (!parsed[0].error && !parsed[1].error && number.low > number.high) {
+        table.add_error("range", "the range begins with its upper end", "swap the two ends");
     }
 }
 
 /// Standard uncertainty: one quantity, or its independent parts by name.
-void read_uncertainty(Section& section, Wanted wanted, ValidationNumber& number) {
-    wanted.scale = Scale::difference;
-    wanted.low = 0.0;
-    wanted.above = true;
-    wanted.usual_low = -std::numeric_limits<double>::infinity();
-    wanted.usual_high = std::numeric_limits<double>::infinity();
-    const Node* node = section.value("uncertainty");
-    if (node != nullptr && node->kind == Node::Kind::table) {
-        Section parts = section.section("uncertainty");
+void read_uncertainty(TomlTable& table, QuantitySpec spec, ValidationNumber& number) {
+    spec.scale = Scale::difference;
+    spec.low = 0.0;
+    spec.above = true;
+    spec.usual_low = -std::numeric_limits<double>::infinity();
+    spec.usual_high = std::numeric_limits<double>::infinity();
+    const TomlValue* node = table.value("uncertainty");
+    if (node != nullptr && node->kind == TomlValue::Kind::table) {
+        TomlTable parts = table.subtable("uncertainty");
         for (const Entry& part : node->entries) {
-            number.uncertainty.emplace_back(part.key, parts.quantity(part.key, wanted).value_or(0.0));
+            number.uncertainty.emplace_back(part.key, parts.quantity(part.key, spec).value_or(0.0));
         }
         if (node->entries.empty()) {
-            section.mistake("uncertainty", "the uncertainty has no part", "write { sensor = ... }");
+            table.add_error("uncertainty", "the uncertainty has no part", "write { sensor = ... }");
         }
         return;
     }
-    const bool needed = section.has("value") || section.has("range");
-    if (const auto one = section.quantity("uncertainty", wanted, needed ? Need::required : Need::optional)) {
+    const bool needed = table.has("value") || table.has("range");
+    if (const auto one = table.quantity("uncertainty", spec, needed ? Need::required : Need::optional)) {
         number.uncertainty.emplace_back("whole", *one);
     }
 }
 
-void read_measured(Section& section, const Wanted& wanted, ValidationNumber& number) {
+void read_measured(TomlTable& table, const QuantitySpec& spec, ValidationNumber& number) {
     constexpr std::array<const char*, 4> keys{"value", "range", "above", "below"};
-    section.know({"value", "range", "above", "below"});
+    table.declare_keys({"value", "range", "above", "below"});
     const char* given = nullptr;
     for (const char* key : keys) {
-        if (section.has(key) && given != nullptr) {
-            section.mistake(key, fmt::format("both {} and {} are given", given, key), "keep one of them");
+        if (table.has(key) && given != nullptr) {
+            table.add_error(key, fmt::format("both {} and {} are given", given, key), "keep one of them");
         }
-        given = section.has(key) ? key : given;
+        given = table.has(key) ? key : given;
     }
     number.is_measured = given != nullptr;
-    if (const std::optional<double> value = section.quantity("value", wanted)) {
+    if (const std::optional<double> value = table.quantity("value", spec)) {
         number.low = number.high = *value;
     }
-    if (section.has("range")) {
-        read_range(section, wanted, number);
+    if (table.has("range")) {
+        read_range(table, spec, number);
     }
-    number.low = section.quantity("above", wanted).value_or(number.low);
-    number.high = section.quantity("below", wanted).value_or(number.high);
-    read_uncertainty(section, wanted, number);
+    number.low = table.quantity("above", spec).value_or(number.low);
+    number.high = table.quantity("below", spec).value_or(number.high);
+    read_uncertainty(table, spec, number);
 }
 
 }  // namespace
 
-ValidationNumber read_number(Section& section, CaseShelf& shelf) {
+ValidationNumber read_number(TomlTable& table, CaseCache& cache) {
     ValidationNumber number;
-    number.id = section.text("id", Need::required).value_or("");
-    number.what = section.text("what", Need::required).value_or("");
-    Reckoning reckoning = read_reckoning(section, shelf);
-    number.meaning = reckoning.meaning;
-    if (reckoning.quantity) {
-        number.quantity = *reckoning.quantity;
-        read_measured(section, wanted_of(reckoning, number.quantity), number);
+    number.id = table.text("id", Need::required).value_or("");
+    number.what = table.text("what", Need::required).value_or("");
+    Evaluation evaluation = read_evaluation(table, cache);
+    number.meaning = evaluation.meaning;
+    if (evaluation.quantity) {
+        number.quantity = *evaluation.quantity;
+        read_measured(table, wanted_of(evaluation, number.quantity), number);
     } else {
-        section.know({"value", "range", "above", "below", "uncertainty"});
+        table.declare_keys({"value", "range", "above", "below", "uncertainty"});
     }
-    number.source = section.text("source", number.is_measured ? Need::required : Need::optional).value_or("");
-    number.models = std::move(reckoning.models);
+    number.source = table.text("source", number.is_measured ? Need::required : Need::optional).value_or("");
+    number.models = std::move(evaluation.models);
     return number;
 }
 

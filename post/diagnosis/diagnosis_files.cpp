@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include "input/parameters/fitted_case.hpp"
 #include "input/model/reader.hpp"
+#include "input/parameters/fitted_case.hpp"
 #include "post/diagnosis/diagnosis_report.hpp"
 #include "post/diagnosis/diagnosis_words.hpp"
-#include "solver/channel_unit.hpp"
 #include "post/report/file.hpp"
 #include "post/report/table.hpp"
+#include "solver/channel_unit.hpp"
 
 namespace tiretherm::post {
 
@@ -105,7 +105,7 @@ std::vector<std::filesystem::path> write_diagnosis(DiagnosisRecord& record, cons
         files.push_back(extended);
         replace_file(extended, extended_toml(record, directory));
         if (const input::Reading reading = input::read_case(extended); !reading.problem) {
-            record.warnings.push_back("the extended case cannot be run as it is: " + reading.mistakes.front().what);
+            record.warnings.push_back("the extended case cannot be run as it is: " + reading.errors.front().what);
         }
     } else {
         std::filesystem::remove(extended, error);  // of an earlier diagnosis: it would pass for this one's

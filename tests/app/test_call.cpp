@@ -53,7 +53,7 @@ TEST(Call, SecondCaseIsRefused) {
     EXPECT_EQ(wrong.err, "tiretherm: one argument too many: \"other.toml\"; see tiretherm run --help\n");
 }
 
-TEST(Call, MissingCaseAndMissingCommandAreMistakes) {
+TEST(Call, MissingCaseAndMissingCommandAreErrors) {
     EXPECT_EQ(call("run").exit_code, 1);
     EXPECT_EQ(call("run").err, "tiretherm: CASE is required; see tiretherm run --help\n");
     EXPECT_EQ(call("").exit_code, 1);
@@ -67,7 +67,7 @@ TEST(Check, SoundCaseIsToldInAFewLines) {
     const Call check = call("check " + two_node);
     EXPECT_EQ(check.exit_code, 0);
     EXPECT_EQ(check.err, "");
-    EXPECT_TRUE(check.out.starts_with("two_node/4000N_100kmh: no mistakes\n")) << check.out;
+    EXPECT_TRUE(check.out.starts_with("two_node/4000N_100kmh: no errors\n")) << check.out;
     EXPECT_NE(check.out.find("channels  surface_temperature, bulk_temperature\n"), std::string::npos) << check.out;
     const Json json = Json::parse(call("check --json " + two_node).out);
     EXPECT_EQ(json["mistakes"], Json::array());
@@ -80,11 +80,11 @@ TEST(Check, RunsNothing) {
     EXPECT_TRUE(std::filesystem::is_empty(scratch.path()));
 }
 
-TEST(Check, CaseWithMistakesCannotBeRun) {
-    const Call check = call("check many_mistakes.toml", TIRETHERM_SOURCE_DIR "/tests/bad_cases");
+TEST(Check, CaseWithErrorsCannotBeRun) {
+    const Call check = call("check many_errors.toml", TIRETHERM_SOURCE_DIR "/tests/bad_cases");
     EXPECT_EQ(check.exit_code, 1);
-    EXPECT_NE(check.err.find("many_mistakes.toml:"), std::string::npos);
-    EXPECT_NE(check.err.find(" mistakes; the case cannot be run\n"), std::string::npos) << check.err;
+    EXPECT_NE(check.err.find("many_errors.toml:"), std::string::npos);
+    EXPECT_NE(check.err.find(" errors; the case cannot be run\n"), std::string::npos) << check.err;
 }
 
 TEST(Effects, ListNamesTheWholeCatalogue) {

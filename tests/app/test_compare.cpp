@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/app/program.hpp"
-#include "tests/support/written.hpp"
 #include "tests/diagnosis/compare/compared_bench.hpp"
+#include "tests/support/written.hpp"
 
 namespace tiretherm::app_test {
 namespace {
@@ -63,7 +63,7 @@ TEST(Compare, OtherRunsTakeThePlaceOfTheCasesOwn) {
     EXPECT_NEAR(json["channels"][0]["bias"].get<double>(), 3.0, 1e-9);
 }
 
-TEST(Compare, MistakesAreToldAndEndWith1) {
+TEST(Compare, ErrorsAreReportedAndEndWith1) {
     const Bench bench;
     const std::string log = bench.written.add("wrong.csv", "time [s],speed [km/h]\n0,1\n0,2\n").string();
     const Call wrong = bench.compare("--data " + log);

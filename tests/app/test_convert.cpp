@@ -69,7 +69,7 @@ TEST(Convert, JsonSaysWhatBecameOfEachParameter) {
     EXPECT_EQ(json["missing"][0]["value"], "\"4000 N\"");
 }
 
-TEST(Convert, MistakesAreToldAtOnceAndNothingIsWritten) {
+TEST(Convert, ErrorsAreReportedAtOnceAndNothingIsWritten) {
     const sample::Scratch scratch;
     std::filesystem::copy(example, scratch / "tire");
     std::string radius = post::read_text(scratch / "tire/Radius.csv");
@@ -86,7 +86,7 @@ TEST(Convert, MistakesAreToldAtOnceAndNothingIsWritten) {
               "    remedy: write m\n"
               "tire: there is no sheet SWITCH.csv\n"
               "    remedy: add it; one with a title alone takes all defaults of SWITCH\n"
-              "2 mistakes; no case was written\n");
+              "2 errors; no case was written\n");
     EXPECT_FALSE(std::filesystem::exists(scratch / "tire.toml"));
     const Json json = Json::parse(call("convert tire --json", scratch.path()).out);
     EXPECT_EQ(json["mistakes"].size(), 2U);

@@ -136,7 +136,7 @@ TEST(Diagnose, ACaseThatMeasuresNothingIsRefused) {
     const Call none = call("diagnose " + two_node);
     EXPECT_EQ(none.exit_code, 1);
     EXPECT_TRUE(has(none.err, two_node + ": the case has no measured run\n    remedy: add [[run]]")) << none.err;
-    EXPECT_TRUE(has(none.err, "1 mistake; nothing was diagnosed\n")) << none.err;
+    EXPECT_TRUE(has(none.err, "1 error; nothing was diagnosed\n")) << none.err;
 }
 
 TEST(Diagnose, MissingFilesAreToldAndEndWith1) {

@@ -257,7 +257,7 @@ TEST(HotSpots, HelpSpeaksOfThem) {
     EXPECT_NE(help.out.find("hot_spots.csv"), std::string::npos);
 }
 
-TEST(HotSpots, MistakesOfCriticalTemperaturesAreAnObjectToo) {
+TEST(HotSpots, ErrorsOfCriticalTemperaturesAreAnObjectToo) {
     const sample::Scratch scratch;
     const Call done = run(scratch, warming_plate + critical("15 degC") + three_steps, "--json");
     EXPECT_EQ(done.exit_code, 1);

@@ -115,7 +115,7 @@ TEST(Identify, TheFittedCaseRunsAsItIs) {
     const std::string identified = fits.file("out/identified.toml");
     const Call check = call("check " + identified);
     EXPECT_EQ(check.exit_code, 0) << check.err;
-    EXPECT_TRUE(check.out.starts_with("identified: no mistakes\n")) << check.out;
+    EXPECT_TRUE(check.out.starts_with("identified: no errors\n")) << check.out;
     const Call compare = call("compare " + identified + " --json --out " + fits.file("again"));
     ASSERT_EQ(compare.exit_code, 0) << compare.err;
     const Json compared = Json::parse(compare.out);
@@ -184,7 +184,7 @@ TEST(Identify, ACaseThatMeasuresNothingIsRefused) {
     EXPECT_EQ(fit.exit_code, 1);
     EXPECT_EQ(fit.err, two_node +
                            ": the case has no measured run\n    remedy: add [[run]] with file = \"....csv\", or give "
-                           "files beside the case: --data run.csv\n1 mistake; nothing was fitted\n");
+                           "files beside the case: --data run.csv\n1 error; nothing was fitted\n");
 }
 
 TEST(Identify, WrongDataAreToldAndEndWith1) {
@@ -200,7 +200,7 @@ TEST(Identify, WrongDataAreToldAndEndWith1) {
     EXPECT_EQ(unit.exit_code, 1);
     EXPECT_EQ(unit.out, "");
     EXPECT_NE(unit.err.find("watts.csv:1:123: " + message), std::string::npos) << unit.err;
-    EXPECT_NE(unit.err.find("1 mistake; nothing was fitted"), std::string::npos) << unit.err;
+    EXPECT_NE(unit.err.find("1 error; nothing was fitted"), std::string::npos) << unit.err;
     const Call json = fits.identify(bench, "--json --data " + watts);
     EXPECT_EQ(json.exit_code, 1);
     EXPECT_EQ(Json::parse(json.out)["mistakes"][0]["message"], message);

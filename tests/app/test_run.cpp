@@ -87,7 +87,7 @@ TEST(Run, StoresFieldsAsOftenAsTold) {
     EXPECT_EQ(call("run --fields -1 " + two_node).exit_code, 1);
 }
 
-TEST(Run, UnwritableDirectoryIsAMistakeBeforeTheRun) {
+TEST(Run, UnwritableDirectoryIsAnErrorBeforeTheRun) {
     const sample::Scratch scratch;
     post::replace_file(scratch / "file", "");
     const std::string directory = (scratch / "file/results").string();
@@ -100,29 +100,28 @@ TEST(Run, UnwritableDirectoryIsAMistakeBeforeTheRun) {
                           directory));
 }
 
-TEST(Run, MistakesAreAllToldAtOnceAndCounted) {
-    const std::string bad = TIRETHERM_SOURCE_DIR "/tests/bad_cases/many_mistakes.toml";
+TEST(Run, ErrorsAreAllReportedAtOnceAndCounted) {
+    const std::string bad = TIRETHERM_SOURCE_DIR "/tests/bad_cases/many_errors.toml";
     const Call text = call("run " + bad);
     EXPECT_EQ(text.exit_code, 1);
     EXPECT_EQ(text.out, "");
     const Json json = Json::parse(call("run --json " + bad).out);
     const std::size_t n = json["mistakes"].size();
     EXPECT_GT(n, 5u);
-    EXPECT_TRUE(text.err.ends_with(fmt::format("{} mistakes; nothing was run\n", n))) << text.err;
-    EXPECT_EQ(json["error"], fmt::format("{} mistakes; nothing was run", n));
-    for (const Json& mistake : json["mistakes"]) {
-        EXPECT_NE(text.err.find(mistake["message"].get<std::string>()), std::string::npos) << mistake;
-        EXPECT_GT(mistake["line"], 0);
-        EXPECT_GT(mistake["column"], 0);
-        EXPECT_TRUE(mistake.contains("file") && mistake.contains("remedy"));
+    EXPECT_TRUE(text.err.ends_with(fmt::format("{} errors; nothing was run\n", n))) << text.err;
+    EXPECT_EQ(json["error"], fmt::format("{} errors; nothing was run", n));
+    for (const Json& error : json["mistakes"]) {
+        EXPECT_NE(text.err.find(error["message"].get<std::string>()), std::string::npos) << error;
+        EXPECT_GT(error["line"], 0);
+        EXPECT_GT(error["column"], 0);
+        EXPECT_TRUE(error.contains("file") && error.contains("remedy"));
     }
 }
 
-TEST(Run, MissingFileIsAMistake) {
+TEST(Run, MissingFileIsAnError) {
     const Call text = call("run nowhere.toml");
     EXPECT_EQ(text.exit_code, 1);
-    EXPECT_EQ(text.err,
-              "nowhere.toml: the file cannot be read: No such file or directory\n1 mistake; nothing was run\n");
+    EXPECT_EQ(text.err, "nowhere.toml: the file cannot be read: No such file or directory\n1 error; nothing was run\n");
     const Call json = call("run nowhere.toml --json");
     EXPECT_EQ(json.exit_code, 1);
     EXPECT_EQ(json.err, "");

@@ -208,13 +208,13 @@ TEST(Study, QuantityThatNothingLooksAtIsToldOf) {
     EXPECT_NE(study.out.find("\"drive.camber\" changed nothing"), std::string::npos) << study.out;
 }
 
-TEST(Study, MistakesOfStudyAndCaseAreToldAtOnceAndNothingIsWritten) {
+TEST(Study, ErrorsOfStudyAndCaseAreReportedAtOnceAndNothingIsWritten) {
     const sample::Scratch scratch;
-    const std::string bad = TIRETHERM_SOURCE_DIR "/tests/bad_cases/study/many_mistakes.toml";
+    const std::string bad = TIRETHERM_SOURCE_DIR "/tests/bad_cases/study/many_errors.toml";
     const Call text = call("study " + bad, scratch.path());
     EXPECT_EQ(text.exit_code, 1);
     EXPECT_EQ(text.out, "");
-    EXPECT_TRUE(text.err.ends_with("7 mistakes; nothing was run\n")) << text.err;
+    EXPECT_TRUE(text.err.ends_with("7 errors; nothing was run\n")) << text.err;
     const Json json = Json::parse(call("study --json " + bad, scratch.path()).out);
     EXPECT_EQ(json["mistakes"].size(), 7U);
     EXPECT_TRUE(std::filesystem::is_empty(scratch.path()));

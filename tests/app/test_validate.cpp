@@ -106,14 +106,14 @@ TEST(Validate, RunThatFailsIsToldInItsRowAndTheOthersStand) {
     EXPECT_NE(failed.out.find("Runs that failed\n  exploding: "), std::string::npos) << failed.out;
 }
 
-TEST(Validate, MistakesOfTheTableAndItsCasesAreToldAtOnce) {
+TEST(Validate, ErrorsOfTheTableAndItsCasesAreReportedAtOnce) {
     const Call wrong = call("validate cases.toml", TIRETHERM_SOURCE_DIR "/tests/bad_cases/validation");
     EXPECT_EQ(wrong.exit_code, 1);
     EXPECT_EQ(wrong.out, "");
     EXPECT_NE(wrong.err.find("cases.toml:5:8: there is no case standrad_two_node.toml"), std::string::npos)
         << wrong.err;
     EXPECT_NE(wrong.err.find("bare_number.toml:6:9: "), std::string::npos) << wrong.err;
-    EXPECT_NE(wrong.err.find(" mistakes; nothing was run\n"), std::string::npos) << wrong.err;
+    EXPECT_NE(wrong.err.find(" errors; nothing was run\n"), std::string::npos) << wrong.err;
 }
 
 TEST(Validate, ShippedTableIsSoughtInTheCurrentFolder) {

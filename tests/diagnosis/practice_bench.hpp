@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "input/measurements/measured_bench.hpp"
 #include "diagnosis/fit/identification.hpp"
+#include "input/measurements/measured_bench.hpp"
 
 namespace tiretherm::diagnosis::sample {
 
@@ -62,7 +62,7 @@ inline std::vector<Log> practice_logs() {
 inline input::Experiment read_bench(const std::filesystem::path& file,
                                     const std::vector<std::filesystem::path>& data = {}) {
     input::ExperimentReading reading = input::read_experiment(file, data);
-    EXPECT_TRUE(reading.experiment) << input::complaints(reading);
+    EXPECT_TRUE(reading.experiment) << input::error_report(reading);
     return reading.experiment ? std::move(*reading.experiment) : input::Experiment{};
 }
 

@@ -70,7 +70,7 @@ tiretherm::input::Experiment read_with(const std::filesystem::path& file,
     }
     input::ExperimentReading reading = input::read_experiment(file, data);
     if (!reading.experiment) {
-        throw std::runtime_error(input::complaints(reading));
+        throw std::runtime_error(input::error_report(reading));
     }
     return std::move(*reading.experiment);
 }

@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include "input/measurements/measured_bench.hpp"
 #include "diagnosis/assess/diagnosis.hpp"
 #include "diagnosis/assess/findings.hpp"
 #include "hidden_effects/exam/exam_sitting.hpp"
 #include "hidden_effects/made_up_bench.hpp"
+#include "input/measurements/measured_bench.hpp"
 
 namespace hidden_effects {
 
@@ -244,7 +244,7 @@ TEST(DiagnosisBench, RefusesAGridThatCouldPassForACause) {
     const std::filesystem::path file = scratch.add("coarse.toml", text);
     const std::vector<std::filesystem::path> data{folder / "layers_run1.csv"};
     const auto read = [&](int finer) {
-        return *tiretherm::input::read_experiment(file, data, tiretherm::input::Occasion::measured, finer).experiment;
+        return *tiretherm::input::read_experiment(file, data, tiretherm::input::ReadMode::measured, finer).experiment;
     };
     const Experiment experiment = read(1);
     const Experiment finer = read(2);

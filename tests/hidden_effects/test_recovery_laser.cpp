@@ -14,13 +14,13 @@
 #include <gtest/gtest.h>
 #include <Eigen/Cholesky>
 
-#include "input/measurements/measured_bench.hpp"
 #include "diagnosis/fit/fit.hpp"
 #include "diagnosis/fit/identification.hpp"
+#include "input/measurements/measured_bench.hpp"
 #include "laser/laser_truth.hpp"
 #include "numerics/random_truth.hpp"
-#include "two_node/shipped_truth.hpp"
 #include "support/coverage.hpp"
+#include "two_node/shipped_truth.hpp"
 
 namespace hidden_effects {
 
@@ -56,7 +56,7 @@ class LaserBench {
 public:
     LaserBench() {
         input::ExperimentReading reading = input::read_experiment(input::source_folder() / "cases/laser/identify.toml");
-        EXPECT_TRUE(reading.experiment) << input::complaints(reading);
+        EXPECT_TRUE(reading.experiment) << input::error_report(reading);
         experiment_ = std::move(*reading.experiment);
         const std::size_t n = experiment_.parameters.size();
         truth_.resize(static_cast<Eigen::Index>(n));

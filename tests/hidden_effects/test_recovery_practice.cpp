@@ -3,8 +3,8 @@
 // (BenchRecoveryLong).
 #include <gtest/gtest.h>
 
-#include "input/measurements/measured_bench.hpp"
 #include "diagnosis/fit/identification.hpp"
+#include "input/measurements/measured_bench.hpp"
 
 namespace hidden_effects {
 
@@ -18,7 +18,7 @@ void expect_recovered(const std::string& name, const std::vector<double>& truth)
     SCOPED_TRACE(name);
     const input::ExperimentReading reading =
         input::read_experiment(input::source_folder() / "cases/practice" / (name + ".toml"));
-    ASSERT_TRUE(reading.experiment) << input::complaints(reading);
+    ASSERT_TRUE(reading.experiment) << input::error_report(reading);
     const input::Experiment& experiment = *reading.experiment;
     const diagnosis::Identification fit = diagnosis::identify(experiment, diagnosis::observe(experiment));
     ASSERT_TRUE(fit.status.ok()) << fit.status.message;

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "input/measurements/experiment.hpp"
-#include "two_node/shipped_truth.hpp"
 #include "solver/time_integration/march.hpp"
+#include "two_node/shipped_truth.hpp"
 
 namespace hidden_effects {
 
@@ -22,11 +22,11 @@ constexpr double celsius = 273.15;
 input::Experiment experiment(const std::string& name) {
     const input::ExperimentReading reading =
         input::read_experiment(std::string(TIRETHERM_SOURCE_DIR) + "/cases/" + name + ".toml");
-    for (const input::Mistake& mistake : reading.mistakes) {
-        ADD_FAILURE() << input::render(mistake);
+    for (const input::InputError& error : reading.errors) {
+        ADD_FAILURE() << input::render(error);
     }
     EXPECT_TRUE(reading.warnings.empty()) << reading.warnings.front();
-    EXPECT_TRUE(reading.findings.empty()) << reading.findings.front();
+    EXPECT_TRUE(reading.data_warnings.empty()) << reading.data_warnings.front();
     return reading.experiment ? *reading.experiment : input::Experiment{};
 }
 

@@ -24,7 +24,7 @@ class BadCase : public testing::TestWithParam<std::string> {};
 TEST_P(BadCase, IsExplainedToTheCharacter) {
     const Reading reading = read_case(folder() / (GetParam() + ".toml"));
     EXPECT_FALSE(reading.problem.has_value());
-    EXPECT_FALSE(reading.mistakes.empty());
+    EXPECT_FALSE(reading.errors.empty());
     EXPECT_EQ(relative(render(reading)), expected::text_of(folder() / (GetParam() + ".txt")));
 }
 
@@ -42,7 +42,7 @@ TEST(GoodCase, WhatTheBadOnesIncludeIsSound) {
 
 TEST(BadFile, ThatIsNotThere) {
     const Reading reading = read_case("/no/such/case.toml");
-    ASSERT_EQ(reading.mistakes.size(), 1U);
+    ASSERT_EQ(reading.errors.size(), 1U);
     EXPECT_EQ(render(reading), "/no/such/case.toml: the file cannot be read: No such file or directory\n");
 }
 

@@ -63,8 +63,8 @@ kind = "point"
 depth = "0 mm"
 )";
 
-/// Everything a reading complains about, for the message of an assertion.
-inline std::string complaints(const Reading& reading) { return render(reading); }
+/// All errors and warnings of a reading, for the message of an assertion.
+inline std::string error_report(const Reading& reading) { return render(reading); }
 
 inline std::filesystem::path source_folder() { return TIRETHERM_SOURCE_DIR; }
 

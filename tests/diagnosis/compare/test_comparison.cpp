@@ -21,7 +21,7 @@ struct Idle {
         written.add("first.csv", sample::first_log);
         written.add("second.csv", sample::second_log);
         const input::ExperimentReading reading = input::read_experiment(written.add("idle.toml", sample::idle_bench));
-        EXPECT_TRUE(reading.experiment.has_value()) << input::complaints(reading);
+        EXPECT_TRUE(reading.experiment.has_value()) << input::error_report(reading);
         if (reading.experiment) {
             comparison = compare(*reading.experiment, "idle");
         }
@@ -195,7 +195,7 @@ TEST(Comparison, ARunThatFailsIsNamed) {
     const input::Written written;
     written.add("first.csv", sample::first_log);
     const input::ExperimentReading reading = input::read_experiment(written.add("hot.toml", sample::burning_bench));
-    ASSERT_TRUE(reading.experiment.has_value()) << input::complaints(reading);
+    ASSERT_TRUE(reading.experiment.has_value()) << input::error_report(reading);
     const Comparison comparison = compare(*reading.experiment, "hot");
     EXPECT_FALSE(comparison.status.ok());
     EXPECT_EQ(comparison.status.message.find("run \"first\": "), 0u) << comparison.status.message;

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "diagnosis/fit/observations.hpp"
 #include "input/measurements/experiment.hpp"
 #include "support/written.hpp"
-#include "diagnosis/fit/observations.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -95,8 +95,8 @@ inline input::Experiment camera_experiment(std::string_view tables = camera_case
     const input::Written written;
     written.add("frames.csv", text + "\n");
     input::ExperimentReading reading = input::read_experiment(written.add("case.toml", tables));
-    for (const input::Mistake& mistake : reading.mistakes) {
-        ADD_FAILURE() << render(mistake);
+    for (const input::InputError& error : reading.errors) {
+        ADD_FAILURE() << render(error);
     }
     return reading.experiment.value_or(input::Experiment{});
 }

@@ -64,9 +64,9 @@ tiretherm::input::Experiment read_paper(const Paper& paper, int finer) {
         data.push_back(scratch.add("run" + std::to_string(data.size() + 1) + ".csv", written(log)));
     }
     input::ExperimentReading reading = input::read_experiment(
-        input::source_folder() / "cases/practice" / paper.runs.rig->case_file, data, input::Occasion::measured, finer);
+        input::source_folder() / "cases/practice" / paper.runs.rig->case_file, data, input::ReadMode::measured, finer);
     if (!reading.experiment) {
-        throw std::runtime_error(input::complaints(reading));
+        throw std::runtime_error(input::error_report(reading));
     }
     return std::move(*reading.experiment);
 }

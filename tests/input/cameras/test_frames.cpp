@@ -19,8 +19,8 @@ ExperimentReading read_csv(const std::string& frames, std::string_view camera = 
 
 std::string what_is_wrong(const ExperimentReading& reading) {
     std::string text;
-    for (const Mistake& mistake : reading.mistakes) {
-        text += mistake.what + " | " + mistake.remedy + "\n";
+    for (const InputError& error : reading.errors) {
+        text += error.what + " | " + error.remedy + "\n";
     }
     return text;
 }
@@ -29,7 +29,7 @@ std::string what_is_wrong(const ExperimentReading& reading) {
 
 TEST(Frames, OfACsvAreReadPixelByPixel) {
     const ExperimentReading reading = read_csv(frames_csv());
-    ASSERT_TRUE(reading.experiment) << complaints(reading);
+    ASSERT_TRUE(reading.experiment) << error_report(reading);
     const MeasuredRun& run = reading.experiment->runs.front();
     ASSERT_EQ(run.frames.size(), 1U);
     const MeasuredFrames& frames = run.frames.front();
@@ -62,22 +62,22 @@ TEST(Frames, AreNoBusinessOfAPlainRun) {
 // r1c2 is missing in one frame: it is left out of all, and told.
 TEST(Frames, LeaveADeadPixelOut) {
     const ExperimentReading reading = read_csv(frames_csv("nan"));
-    ASSERT_TRUE(reading.experiment) << complaints(reading);
+    ASSERT_TRUE(reading.experiment) << error_report(reading);
     const MeasuredFrames& frames = reading.experiment->runs.front().frames.front();
     EXPECT_EQ(frames.pixels.size(), 11U);
     EXPECT_EQ(frames.dead, 1);
     EXPECT_EQ(frames.value.size(), 22U);
-    ASSERT_EQ(reading.findings.size(), 1U);
-    EXPECT_NE(reading.findings.front().find("1 of 12 detectors have no value in some frame and count as dead"),
+    ASSERT_EQ(reading.data_warnings.size(), 1U);
+    EXPECT_NE(reading.data_warnings.front().find("1 of 12 detectors have no value in some frame and count as dead"),
               std::string::npos)
-        << reading.findings.front();
+        << reading.data_warnings.front();
 }
 
 // The image's four corners lie at (3, 2) mm from its centre. Moved by 16 mm, the columns at 13, 15, 17 and 19 mm: the last
 // one's corners are at 20 mm and beyond, those of the third at 18 mm and up to 3 mm beside it, 18.2 mm.
 TEST(Frames, LeaveOutWhatLooksBesideTheSpecimen) {
     const ExperimentReading reading = read_csv(frames_csv(), std::string(one_camera) + "x = \"16 mm\"\n");
-    ASSERT_TRUE(reading.experiment) << complaints(reading);
+    ASSERT_TRUE(reading.experiment) << error_report(reading);
     const MeasuredFrames& frames = reading.experiment->runs.front().frames.front();
     EXPECT_EQ(frames.beside, 3);
     EXPECT_EQ(frames.pixels.size(), 9U);
@@ -87,7 +87,7 @@ TEST(Frames, LeaveOutWhatLooksBesideTheSpecimen) {
 TEST(Frames, AreBinnedAndWindowed) {
     const ExperimentReading binned =
         read_csv(frames_csv(), std::string(one_camera) + "bin = 2\nstandard_deviation = \"0.1 K\"\n");
-    ASSERT_TRUE(binned.experiment) << complaints(binned);
+    ASSERT_TRUE(binned.experiment) << error_report(binned);
     const MeasuredFrames& frames = binned.experiment->runs.front().frames.front();
     ASSERT_EQ(frames.pixels.size(), 4U);
     EXPECT_NEAR(frames.value[0], (20 + 21 + 24 + 25) / 4.0 + 273.15, 1e-9);
@@ -95,7 +95,7 @@ TEST(Frames, AreBinnedAndWindowed) {
     EXPECT_NEAR(*frames.standard_deviation, 0.05, 1e-12);
     const ExperimentReading window =
         read_csv(frames_csv(), std::string(one_camera) + "rows = [1, 2]\ncolumns = [0, 1]\n");
-    ASSERT_TRUE(window.experiment) << complaints(window);
+    ASSERT_TRUE(window.experiment) << error_report(window);
     const MeasuredFrames& part = window.experiment->runs.front().frames.front();
     ASSERT_EQ(part.pixels.size(), 4U);
     EXPECT_NEAR(part.value[0], 24.0 + 273.15, 1e-9);
@@ -115,7 +115,7 @@ TEST(Frames, OfACsvWithoutAPixelAreRefused) {
 }
 
 // Everything wrong with a camera and its frames at once, each with what to do.
-TEST(Frames, AreComplainedOfTogetherWithTheirCamera) {
+TEST(Frames, AreReportedTogetherWithTheirCamera) {
     const ExperimentReading reading =
         read_csv(frames_csv(),
                  "[[camera]]\nname = \"camera\"\nsurface = \"rim\"\nblur = \"2 s\"\nbin = 0\nrows = [5, 1]\n"
@@ -131,13 +131,13 @@ TEST(Frames, AreComplainedOfTogetherWithTheirCamera) {
           "the [[camera]] camera does not state emissivity | add emissivity = 0.95 to it: there the search begins"}) {
         EXPECT_NE(found.find(what), std::string::npos) << what << "\nin\n" << found;
     }
-    for (const Mistake& mistake : reading.mistakes) {
-        EXPECT_GT(mistake.line, 0) << mistake.what;
+    for (const InputError& error : reading.errors) {
+        EXPECT_GT(error.line, 0) << error.what;
     }
 }
 
 // A number that is wrongly written is not missed a second time where it is free.
-TEST(Frames, OfACameraWithAWrongNumberAreComplainedOfOnce) {
+TEST(Frames, OfACameraWithAWrongNumberAreReportedOnce) {
     const ExperimentReading reading =
         read_csv(frames_csv(), std::string(one_camera) + "emissivity = 1.2\n",
                  std::string(one_run) + "[[parameter]]\ncamera = \"camera\"\nkey = \"emissivity\"\n");
@@ -165,13 +165,13 @@ TEST(Frames, ThatLookSaturatedAreAFinding) {
         }
     }
     const ExperimentReading reading = read_csv(text + "\n");
-    ASSERT_TRUE(reading.experiment) << complaints(reading);
-    ASSERT_FALSE(reading.findings.empty());
+    ASSERT_TRUE(reading.experiment) << error_report(reading);
+    ASSERT_FALSE(reading.data_warnings.empty());
     EXPECT_NE(
-        reading.findings.front().find("its hottest value, 31.00 degC, stands 20 times, several times in each of 2 "
-                                      "frames: the camera may be saturated there"),
+        reading.data_warnings.front().find("its hottest value, 31.00 degC, stands 20 times, several times in each of 2 "
+                                           "frames: the camera may be saturated there"),
         std::string::npos)
-        << reading.findings.front();
+        << reading.data_warnings.front();
 }
 
 }  // namespace tiretherm::input

@@ -47,8 +47,8 @@ ExperimentReading read_hdf5(const Write& write, std::string_view camera = one_ca
 
 std::string what_is_wrong(const ExperimentReading& reading) {
     std::string text;
-    for (const Mistake& mistake : reading.mistakes) {
-        text += mistake.what + " | " + mistake.remedy + "\n";
+    for (const InputError& error : reading.errors) {
+        text += error.what + " | " + error.remedy + "\n";
     }
     return text;
 }
@@ -70,7 +70,7 @@ TEST(Hdf5Frames, AreUnpackedAndBringTheirPixelSize) {
             file.write("/time", Values{0.0, 10.0}, 0, units("s"));
         },
         "[[camera]]\nname = \"camera\"\n");
-    ASSERT_TRUE(reading.experiment) << complaints(reading);
+    ASSERT_TRUE(reading.experiment) << error_report(reading);
     const MeasuredFrames& frames = reading.experiment->runs.front().frames.front();
     EXPECT_NEAR(frames.detectors.pitch_x, 1.5e-3, 1e-15);
     EXPECT_NEAR(frames.value.front(), 21.5 + 273.15, 1e-9);
@@ -83,7 +83,7 @@ TEST(Hdf5Frames, InMinutesAndFahrenheitAreConverted) {
         add_frames(file, Values(24, 77.0), "degF");
         file.write("/time", Values{0.0, 0.2}, 0, units("min"));
     });
-    ASSERT_TRUE(reading.experiment) << complaints(reading);
+    ASSERT_TRUE(reading.experiment) << error_report(reading);
     const MeasuredFrames& frames = reading.experiment->runs.front().frames.front();
     EXPECT_NEAR(frames.value.front(), 25.0 + 273.15, 1e-9);
     EXPECT_NEAR(frames.time.back(), 12.0, 1e-12);

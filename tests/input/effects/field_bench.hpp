@@ -35,8 +35,8 @@ inline std::string said(const std::string& tables, const std::string& field) {
     const Reading reading = read_case(written.add("case.toml", cornering(tables)));
     EXPECT_FALSE(reading.problem.has_value());
     std::string text;
-    for (const Mistake& mistake : reading.mistakes) {
-        text += render(mistake);
+    for (const InputError& error : reading.errors) {
+        text += render(error);
     }
     const std::string prefix = written.folder().string() + "/";
     for (std::size_t at = 0; (at = text.find(prefix, at)) != std::string::npos;) {

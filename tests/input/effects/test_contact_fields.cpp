@@ -8,9 +8,9 @@
 
 #include "input/effects/brush_fields.hpp"
 #include "input/tables/field_file.hpp"
-#include "support/written.hpp"
-#include "solver/time_integration/march.hpp"
 #include "solver/system.hpp"
+#include "solver/time_integration/march.hpp"
+#include "support/written.hpp"
 
 namespace tiretherm::input {
 
@@ -35,9 +35,9 @@ std::string text_of(const fs::path& file) {
 }
 
 FieldFile read_field(const fs::path& file, physics::FieldOf of, bool watts) {
-    Mistakes mistakes;
-    auto field = read_field_file(file, {}, of, watts, true, mistakes);
-    EXPECT_TRUE(field.has_value()) << (mistakes.in_order().empty() ? "" : render(mistakes.in_order().front()));
+    InputErrors errors;
+    auto field = read_field_file(file, {}, of, watts, true, errors);
+    EXPECT_TRUE(field.has_value()) << (errors.in_order().empty() ? "" : render(errors.in_order().front()));
     return field ? std::move(*field) : FieldFile{};
 }
 

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "input/parameters/fitted_case.hpp"
 #include "input/effects/own_signals.hpp"
+#include "input/parameters/fitted_case.hpp"
 #include "solver/time_integration/march.hpp"
 #include "tests/input/measurements/measured_bench.hpp"
 
@@ -32,7 +32,7 @@ std::string two_runs(std::string_view more) {
 
 Experiment read_sound(const fs::path& file, const std::vector<fs::path>& data = {}) {
     ExperimentReading reading = read_experiment(file, data);
-    EXPECT_TRUE(reading.mistakes.empty()) << complaints(reading);
+    EXPECT_TRUE(reading.errors.empty()) << error_report(reading);
     return reading.experiment.value_or(Experiment{});
 }
 
@@ -44,13 +44,13 @@ const physics::Curve& course(const solver::Problem& problem, std::string_view ow
 double evaluate(const std::string& text, std::vector<double> values) {
     Formula::Wrong wrong;
     const std::optional<Formula> formula = Formula::read(text, "follows", wrong);
-    EXPECT_TRUE(formula.has_value()) << wrong.fault.what;
+    EXPECT_TRUE(formula.has_value()) << wrong.error.what;
     return formula ? (*formula)(values) : std::nan("");
 }
 
-std::string fault_of(const std::string& text) {
+std::string error_of(const std::string& text) {
     Formula::Wrong wrong;
-    return Formula::read(text, "follows", wrong) ? "" : wrong.fault.what;
+    return Formula::read(text, "follows", wrong) ? "" : wrong.error.what;
 }
 
 std::string text_of(const fs::path& file) {
@@ -77,12 +77,12 @@ TEST(Formula, KnowsArithmeticFunctionsAndCases) {
 }
 
 TEST(Formula, SaysWhatIsNone) {
-    EXPECT_EQ(fault_of(" "), "follows is empty");
-    EXPECT_EQ(fault_of("a = 3"), "follows assigns a value");
-    EXPECT_EQ(fault_of("a <= 3 && a != 2"), "");
-    EXPECT_EQ(fault_of("0,5"), "follows has 2 values, separated by commas");
-    EXPECT_TRUE(fault_of("speed * ").starts_with("follows is no formula: ")) << fault_of("speed * ");
-    EXPECT_TRUE(fault_of("abs(speed").starts_with("follows is no formula: ")) << fault_of("abs(speed");
+    EXPECT_EQ(error_of(" "), "follows is empty");
+    EXPECT_EQ(error_of("a = 3"), "follows assigns a value");
+    EXPECT_EQ(error_of("a <= 3 && a != 2"), "");
+    EXPECT_EQ(error_of("0,5"), "follows has 2 values, separated by commas");
+    EXPECT_TRUE(error_of("speed * ").starts_with("follows is no formula: ")) << error_of("speed * ");
+    EXPECT_TRUE(error_of("abs(speed").starts_with("follows is no formula: ")) << error_of("abs(speed");
 }
 
 // Per cent of a pedal are hundredths, each run has its own; the column stays one that the model does not use otherwise.

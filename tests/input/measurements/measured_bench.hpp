@@ -53,10 +53,10 @@ inline std::string replaced(std::string text, const std::string& what, const std
     return text;
 }
 
-inline std::string complaints(const ExperimentReading& reading) {
+inline std::string error_report(const ExperimentReading& reading) {
     std::string text;
-    for (const Mistake& mistake : reading.mistakes) {
-        text += render(mistake);
+    for (const InputError& error : reading.errors) {
+        text += render(error);
     }
     for (const std::string& warning : reading.warnings) {
         text += "warning: " + warning + "\n";

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "tests/input/model/expected.hpp"
 #include "tests/input/measurements/measured_bench.hpp"
+#include "tests/input/model/expected.hpp"
 
 // Each file tests/bad_cases/data/NAME.toml has a measured run that is wrong in one way, or in many; NAME.txt holds what
 // the user must then read, to the character.
@@ -18,8 +18,8 @@ class BadData : public testing::TestWithParam<std::string> {};
 TEST_P(BadData, IsExplainedToTheCharacter) {
     const ExperimentReading reading = read_experiment(data_folder() / (GetParam() + ".toml"));
     EXPECT_FALSE(reading.experiment.has_value());
-    EXPECT_FALSE(reading.mistakes.empty());
-    EXPECT_EQ(expected::relative(complaints(reading)), expected::text_of(data_folder() / (GetParam() + ".txt")));
+    EXPECT_FALSE(reading.errors.empty());
+    EXPECT_EQ(expected::relative(error_report(reading)), expected::text_of(data_folder() / (GetParam() + ".txt")));
 }
 
 // `tiretherm check` and `run` read the same case and must refuse it with the same words.
@@ -38,9 +38,9 @@ TEST(GoodData, WhatTheBadOnesUseIsSound) {
     const std::string log = (data_folder() / "good.csv").generic_string();
     const ExperimentReading reading = read_experiment(
         written.add("case.toml", "include = [\"" + bench_of_them + "\"]\n[[run]]\nfile = \"" + log + "\"\n"));
-    EXPECT_TRUE(reading.experiment.has_value()) << complaints(reading);
-    EXPECT_TRUE(reading.warnings.empty()) << complaints(reading);
-    EXPECT_TRUE(reading.findings.empty());
+    EXPECT_TRUE(reading.experiment.has_value()) << error_report(reading);
+    EXPECT_TRUE(reading.warnings.empty()) << error_report(reading);
+    EXPECT_TRUE(reading.data_warnings.empty());
 }
 
 }  // namespace tiretherm::input

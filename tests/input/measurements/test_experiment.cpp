@@ -23,8 +23,8 @@ double input(const MeasuredRun& run, double t, double physics::Inputs::*member) 
 /// log_of_five, however it was written.
 void expect_five(const ExperimentReading& reading, const std::string& how) {
     SCOPED_TRACE(how);
-    ASSERT_TRUE(reading.experiment.has_value()) << complaints(reading);
-    EXPECT_TRUE(reading.warnings.empty()) << complaints(reading);
+    ASSERT_TRUE(reading.experiment.has_value()) << error_report(reading);
+    EXPECT_TRUE(reading.warnings.empty()) << error_report(reading);
     ASSERT_EQ(reading.experiment->runs.size(), 1U);
     const MeasuredRun& run = reading.experiment->runs.front();
     EXPECT_EQ(run.name, "run1");

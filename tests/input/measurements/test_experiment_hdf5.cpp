@@ -49,7 +49,7 @@ void write_sound(Writer& writer, const std::string& folder) {
 }
 
 void expect_sound(const ExperimentReading& reading) {
-    ASSERT_TRUE(reading.experiment.has_value()) << complaints(reading);
+    ASSERT_TRUE(reading.experiment.has_value()) << error_report(reading);
     const MeasuredRun& run = reading.experiment->runs.front();
     EXPECT_EQ(run.name, "run");
     EXPECT_EQ(run.time, (Values{0, 10, 20}));
@@ -63,10 +63,10 @@ void expect_sound(const ExperimentReading& reading) {
     EXPECT_EQ(run.unused[0].value, (Values{0.1, 0.2, 0.3}));
 }
 
-std::string only_mistake(const ExperimentReading& reading) {
+std::string only_error(const ExperimentReading& reading) {
     EXPECT_FALSE(reading.experiment.has_value());
-    EXPECT_EQ(reading.mistakes.size(), 1U) << complaints(reading);
-    return reading.mistakes.empty() ? "" : reading.mistakes[0].what + " | " + reading.mistakes[0].remedy;
+    EXPECT_EQ(reading.errors.size(), 1U) << error_report(reading);
+    return reading.errors.empty() ? "" : reading.errors[0].what + " | " + reading.errors[0].remedy;
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ TEST(Hdf5, DatasetsMayStandInOneGroup) {
 }
 
 TEST(Hdf5, InSeveralGroupsNobodyKnowsWhich) {
-    EXPECT_EQ(only_mistake(read_hdf5([](Writer& writer) {
+    EXPECT_EQ(only_error(read_hdf5([](Writer& writer) {
                   for (const char* group : {"/warm_up", "/test"}) {
                       writer.file().add_group(group);
                       write_sound(writer, group);
@@ -116,7 +116,7 @@ TEST(Hdf5, WhatTirethermWroteIsReadBack) {
         written.add("case.toml", std::string(bench) + "[drive]\nspeed = \"80 km/h\"\nvertical_load = \"4000 N\"\n"
                                                       "air_temperature = \"23 degC\"\nroad_temperature = \"23 degC\"\n"
                                                       "[[run]]\nfile = \"results.h5\"\n"));
-    ASSERT_TRUE(reading.experiment.has_value()) << complaints(reading);
+    ASSERT_TRUE(reading.experiment.has_value()) << error_report(reading);
     const MeasuredRun& run = reading.experiment->runs.front();
     EXPECT_EQ(run.time, (Values{0, 1, 5}));
     ASSERT_EQ(run.series.size(), 1U);
@@ -125,7 +125,7 @@ TEST(Hdf5, WhatTirethermWroteIsReadBack) {
 }
 
 TEST(Hdf5, ADatasetWithoutUnitIsNamed) {
-    EXPECT_EQ(only_mistake(read_hdf5([](Writer& writer) {
+    EXPECT_EQ(only_error(read_hdf5([](Writer& writer) {
                   write_sound(writer, "");
                   writer.add("/camber", {0, 1, 0}, "");
               })),
@@ -134,7 +134,7 @@ TEST(Hdf5, ADatasetWithoutUnitIsNamed) {
 }
 
 TEST(Hdf5, DatasetsOfOtherLengthsAreNamed) {
-    EXPECT_EQ(only_mistake(read_hdf5([](Writer& writer) {
+    EXPECT_EQ(only_error(read_hdf5([](Writer& writer) {
                   write_sound(writer, "");
                   writer.add("/camber", {0, 1}, "deg");
               })),
@@ -142,7 +142,7 @@ TEST(Hdf5, DatasetsOfOtherLengthsAreNamed) {
 }
 
 TEST(Hdf5, AWrongValueIsFoundByItsNumber) {
-    EXPECT_EQ(only_mistake(read_hdf5([](Writer& writer) {
+    EXPECT_EQ(only_error(read_hdf5([](Writer& writer) {
                   write_sound(writer, "");
                   writer.add("/slip_angle", {0, 1, 100}, "deg");
               })),
@@ -158,16 +158,16 @@ TEST(Hdf5, AFileThatWasCutOffIsRefused) {
         write_sound(writer, "");
     }
     std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
-    const std::string mistake =
-        only_mistake(read_experiment(written.add("case.toml", std::string(bench) + "[[run]]\nfile = \"run.h5\"\n")));
-    EXPECT_NE(mistake.find("run.h5 is HDF5, but cannot be opened: it is cut off, damaged or still being written | "),
+    const std::string error =
+        only_error(read_experiment(written.add("case.toml", std::string(bench) + "[[run]]\nfile = \"run.h5\"\n")));
+    EXPECT_NE(error.find("run.h5 is HDF5, but cannot be opened: it is cut off, damaged or still being written | "),
               std::string::npos)
-        << mistake;
+        << error;
 }
 
 TEST(Hdf5, AFileOfNothingButTextHasNoColumns) {
     EXPECT_EQ(
-        only_mistake(read_hdf5([](Writer& writer) { writer.file().write("/note", std::string("nothing"), {}); })),
+        only_error(read_hdf5([](Writer& writer) { writer.file().write("/note", std::string("nothing"), {}); })),
         "the file holds no datasets of numbers in one dimension | write one for the time and one for each signal, "
         "in the root or in one group");
 }

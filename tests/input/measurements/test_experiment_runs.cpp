@@ -54,7 +54,7 @@ private:
 /// The runs of a reading; without them the test ends.
 const std::vector<MeasuredRun>& runs_of(const ExperimentReading& reading, std::size_t n) {
     if (!reading.experiment || reading.experiment->runs.size() != n) {
-        throw std::runtime_error("not " + std::to_string(n) + " runs\n" + complaints(reading));
+        throw std::runtime_error("not " + std::to_string(n) + " runs\n" + error_report(reading));
     }
     return reading.experiment->runs;
 }
@@ -154,9 +154,9 @@ TEST(Runs, WithoutAirNothingCanStartAtItsTemperature) {
     const Written written;
     const fs::path file = written.add("case.toml", replaced(std::string(slab), "\"23 degC\"", "\"air_temperature\""));
     const Reading reading = read_case(file);
-    ASSERT_EQ(reading.mistakes.size(), 1U) << render(reading);
-    EXPECT_EQ(reading.mistakes[0].what, "temperature is that of the air, and no air_temperature is given");
-    EXPECT_EQ(reading.mistakes[0].remedy, "add air_temperature to [drive], or write a temperature");
+    ASSERT_EQ(reading.errors.size(), 1U) << render(reading);
+    EXPECT_EQ(reading.errors[0].what, "temperature is that of the air, and no air_temperature is given");
+    EXPECT_EQ(reading.errors[0].remedy, "add air_temperature to [drive], or write a temperature");
 }
 
 TEST(Runs, NumbersStandBesideAFileOrInsteadOfOne) {
@@ -210,11 +210,11 @@ TEST(Runs, FilesBesideTheCaseTakeThePlaceOfItsRuns) {
     EXPECT_NEAR(input(runs[2], 50.0, &Inputs::speed), 20.0, 1e-12);
     EXPECT_EQ(runs[2].time.front(), 20.0);
     const ExperimentReading without = rig.read();
-    ASSERT_EQ(without.mistakes.size(), 1U) << complaints(without);
-    EXPECT_NE(without.mistakes[0].what.find("not_there.csv cannot be read"), std::string::npos);
+    ASSERT_EQ(without.errors.size(), 1U) << error_report(without);
+    EXPECT_NE(without.errors[0].what.find("not_there.csv cannot be read"), std::string::npos);
     const ExperimentReading twice = rig.read({"a/log.csv", "a/log.csv"});
-    ASSERT_EQ(twice.mistakes.size(), 1U) << complaints(twice);
-    EXPECT_EQ(twice.mistakes[0].remedy, "give each file once, under a name of its own");
+    ASSERT_EQ(twice.errors.size(), 1U) << error_report(twice);
+    EXPECT_EQ(twice.errors[0].remedy, "give each file once, under a name of its own");
 }
 
 TEST(Runs, ACaseWithRunsIsAlsoACaseToRun) {
@@ -228,8 +228,8 @@ TEST(Runs, ACaseWithoutRunsHasNone) {
     const Written written;
     const ExperimentReading reading = read_experiment(written.add("case.toml", slab));
     EXPECT_FALSE(reading.experiment.has_value());
-    ASSERT_EQ(reading.mistakes.size(), 1U) << complaints(reading);
-    EXPECT_EQ(reading.mistakes[0].what, "the case has no measured run");
+    ASSERT_EQ(reading.errors.size(), 1U) << error_report(reading);
+    EXPECT_EQ(reading.errors[0].what, "the case has no measured run");
 }
 
 TEST(Runs, ACaseOfNumbersAloneIsOneRun) {
@@ -258,7 +258,7 @@ TEST(Runs, MissingSamplesAreLeftOutOfInputsAndStayMissingInSensors) {
     EXPECT_EQ(runs[0].time.size(), 12U);
     EXPECT_TRUE(std::isnan(runs[0].series[0].value[2]));
     EXPECT_NEAR(runs[0].series[0].value[3], 273.15 + 26.0, 1e-9);
-    ASSERT_EQ(reading.warnings.size(), 1U) << complaints(reading);
+    ASSERT_EQ(reading.warnings.size(), 1U) << error_report(reading);
     EXPECT_TRUE(
         reading.warnings[0].ends_with("holes.csv:1: speed is missing in 1 of 12 samples, for at most 20 s from "
                                       "10 s on: it is taken as straight between its neighbours"))
@@ -269,7 +269,7 @@ TEST(Runs, AUnitOfTheCaseWinsOverTheHeadingWithAWarning) {
     const ExperimentReading reading = Bench("[[run]]\nfile = \"slow.csv\"\nunits = { speed = \"m/s\" }\n").read();
     const auto& runs = runs_of(reading, 1);
     EXPECT_NEAR(input(runs[0], 50.0, &Inputs::speed), 36.0, 1e-12);
-    ASSERT_EQ(reading.warnings.size(), 1U) << complaints(reading);
+    ASSERT_EQ(reading.warnings.size(), 1U) << error_report(reading);
     EXPECT_TRUE(reading.warnings[0].ends_with("the column speed is in [km/h] by its heading; m/s is taken instead"));
 }
 
@@ -280,7 +280,7 @@ TEST(Runs, ANumberOfTheCaseCountsInEachRunWithAWarning) {
     const auto& runs = runs_of(reading, 2);
     EXPECT_EQ(runs[0].numbers.size(), 1U);
     EXPECT_EQ(runs[1].numbers.size(), 1U);
-    ASSERT_EQ(reading.warnings.size(), 1U) << complaints(reading);
+    ASSERT_EQ(reading.warnings.size(), 1U) << error_report(reading);
     EXPECT_TRUE(
         reading.warnings[0].ends_with("the numbers of the case count in each of 2 runs: give them to the run in "
                                       "which they were measured"));
@@ -300,13 +300,13 @@ TEST(Runs, AFileWinsOverALogOfTheCaseColumnByColumn) {
     EXPECT_EQ(runs[0].problem.settings.end, 100.0) << "the run's file says how long, not the log of the case";
 }
 
-TEST(Runs, MistakesOfAllRunsAreToldAtOnce) {
+TEST(Runs, ErrorsOfAllRunsAreReportedAtOnce) {
     const ExperimentReading reading =
         Bench("[[run]]\nfile = \"slow.csv\"\nfrom = \"500 s\"\n[[run]]\nfile = \"fast.csv\"\nto = \"-1 s\"\n").read();
-    ASSERT_EQ(reading.mistakes.size(), 2U) << complaints(reading);
-    EXPECT_EQ(reading.mistakes[0].what,
+    ASSERT_EQ(reading.errors.size(), 2U) << error_report(reading);
+    EXPECT_EQ(reading.errors[0].what,
               "fewer than two samples lie between from and to: the file goes from 0 s to 100 s");
-    EXPECT_EQ(reading.mistakes[0].line + 3, reading.mistakes[1].line);
+    EXPECT_EQ(reading.errors[0].line + 3, reading.errors[1].line);
 }
 
 }  // namespace tiretherm::input

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "input/measurements/experiment.hpp"
-#include "support/written.hpp"
 #include "solver/system.hpp"
+#include "support/written.hpp"
 
 // The library's cases in SI: the numbers that a user wrote must arrive.
 namespace tiretherm::input {
@@ -64,7 +64,7 @@ std::vector<double> placed_weights(const solver::Problem& problem, std::string_v
 /// A case as it is held against what was measured.
 Experiment read_measured(std::string_view name) {
     ExperimentReading reading = read_experiment(source_folder() / "cases" / (std::string(name) + ".toml"));
-    EXPECT_TRUE(reading.experiment.has_value()) << (reading.mistakes.empty() ? "" : render(reading.mistakes.front()));
+    EXPECT_TRUE(reading.experiment.has_value()) << (reading.errors.empty() ? "" : render(reading.errors.front()));
     EXPECT_TRUE(reading.warnings.empty()) << reading.warnings.front();
     return reading.experiment ? std::move(*reading.experiment) : Experiment{};
 }

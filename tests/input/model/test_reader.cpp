@@ -13,7 +13,7 @@ namespace {
 solver::Problem sound(const std::string& text) {
     const Written written;
     Reading reading = read_case(written.add("case.toml", text));
-    EXPECT_TRUE(reading.problem.has_value()) << complaints(reading);
+    EXPECT_TRUE(reading.problem.has_value()) << error_report(reading);
     return reading.problem ? std::move(*reading.problem) : solver::Problem{};
 }
 
@@ -57,8 +57,8 @@ TEST(Reader, TheExampleOfTheReadmeIsSound) {
     written.add("tires/thesis_225_50_R17.toml", "[tire]\nunloaded_radius = \"330.8 mm\"\n");
     const Reading reading =
         read_case(written.add("drum/case.toml", text.substr(start, text.find("```", start) - start)));
-    ASSERT_TRUE(reading.problem.has_value()) << complaints(reading);
-    EXPECT_TRUE(reading.warnings.empty()) << complaints(reading);
+    ASSERT_TRUE(reading.problem.has_value()) << error_report(reading);
+    EXPECT_TRUE(reading.warnings.empty()) << error_report(reading);
     EXPECT_EQ(reading.problem->mesh.n_cells, 24);
     EXPECT_DOUBLE_EQ(reading.problem->settings.end, 1200.0);
     EXPECT_DOUBLE_EQ(reading.problem->tire.contact_length(4000.0), 0.097);
@@ -152,8 +152,8 @@ TEST(Reader, SizesAsTheyStandOnSidewalls) {
         const Written written;
         const Reading reading =
             read_case(written.add("case.toml", with("[tire]\nsize = \"" + std::string(size) + "\"\n")));
-        for (const Mistake& mistake : reading.mistakes) {
-            EXPECT_EQ(mistake.what.find("size"), std::string::npos) << size << ": " << mistake.what;
+        for (const InputError& error : reading.errors) {
+            EXPECT_EQ(error.what.find("size"), std::string::npos) << size << ": " << error.what;
         }
     }
 }
@@ -244,8 +244,8 @@ TEST(Reader, SurvivesEveryTruncation) {
     const std::string text(slab);
     for (std::size_t length = 0; length < text.size(); ++length) {
         const Reading reading = read_case(written.add("case.toml", text.substr(0, length)));
-        EXPECT_EQ(reading.problem.has_value(), reading.mistakes.empty());
-        EXPECT_EQ(render(reading).empty(), reading.mistakes.empty() && reading.warnings.empty());
+        EXPECT_EQ(reading.problem.has_value(), reading.errors.empty());
+        EXPECT_EQ(render(reading).empty(), reading.errors.empty() && reading.warnings.empty());
     }
 }
 

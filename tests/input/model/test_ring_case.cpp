@@ -3,12 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "support/written.hpp"
 #include "mesh/ring.hpp"
 #include "physics/contact/travelling.hpp"
 #include "solver/time_integration/march.hpp"
+#include "support/written.hpp"
 
-// What a case with a ring, or with a contact that goes round, becomes. Mistakes are in tests/bad_cases/ring*.toml.
+// What a case with a ring, or with a contact that goes round, becomes. Errors are in tests/bad_cases/ring*.toml.
 namespace tiretherm::input {
 
 namespace {

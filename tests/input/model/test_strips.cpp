@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "input/measurements/experiment.hpp"
-#include "support/written.hpp"
 #include "solver/time_integration/march.hpp"
+#include "support/written.hpp"
 
 // Strips of a section's surface, what sensors say of themselves, and measured numbers of any quantity.
 namespace tiretherm::input {
@@ -127,8 +127,8 @@ to = "40 mm"
 [[run]]
 file = "camera.csv"
 )"));
-    for (const Mistake& mistake : reading.mistakes) {
-        ADD_FAILURE() << render(mistake);
+    for (const InputError& error : reading.errors) {
+        ADD_FAILURE() << render(error);
     }
     ASSERT_TRUE(reading.experiment.has_value());
     const MeasuredRun& run = reading.experiment->runs.front();
@@ -150,8 +150,8 @@ to = "40 mm"
 [effects.sensor_depth]
 channels = ["ir"]
 )"));
-    ASSERT_EQ(reading.mistakes.size(), 1U);
-    EXPECT_EQ(reading.mistakes.front().what, "ir is not a temperature at one point, which sensor_depth reads");
+    ASSERT_EQ(reading.errors.size(), 1U);
+    EXPECT_EQ(reading.errors.front().what, "ir is not a temperature at one point, which sensor_depth reads");
 }
 
 // A flat distribution has its width over the root of 12 as standard deviation: 10 K make 2.887 K, with 2.8 K of the

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "input/measurements/experiment.hpp"
-#include "input/text/wanted.hpp"
+#include "input/text/quantity_specs.hpp"
 #include "support/written.hpp"
 
 // What was fitted is written as a case; reading it must give the fitted problem again.
@@ -24,8 +24,8 @@ constexpr double zero = 273.15;
 
 Experiment read(const fs::path& file, const std::vector<fs::path>& data = {}) {
     ExperimentReading reading = read_experiment(file, data);
-    for (const Mistake& mistake : reading.mistakes) {
-        ADD_FAILURE() << render(mistake);
+    for (const InputError& error : reading.errors) {
+        ADD_FAILURE() << render(error);
     }
     return reading.experiment.value_or(Experiment{});
 }
@@ -368,10 +368,10 @@ TEST(FittedCase, UnitsOfAllParametersAreRead) {
         for (const physics::Parameter& parameter : effect->parameters) {
             const double third = parameter.standard / 3.0 + (parameter.standard == 0.0 ? 1.0 / 3.0 : 0.0);
             const double value = std::clamp(third, parameter.low, parameter.high);
-            const Judged judged =
-                quantity(fmt::format("{} {}", value, parameter.unit), wanted::of(parameter), parameter.key);
-            EXPECT_FALSE(judged.fault.has_value()) << effect->id << '.' << parameter.key;
-            EXPECT_EQ(judged.value, value) << effect->id << '.' << parameter.key;
+            const ParsedQuantity parsed =
+                quantity(fmt::format("{} {}", value, parameter.unit), quantity_specs::of(parameter), parameter.key);
+            EXPECT_FALSE(parsed.error.has_value()) << effect->id << '.' << parameter.key;
+            EXPECT_EQ(parsed.value, value) << effect->id << '.' << parameter.key;
         }
     }
 }

@@ -8,7 +8,7 @@
 
 #include "support/written.hpp"
 
-// What a case says may be fitted, and what becomes of it. Mistakes are in tests/bad_cases/parameter_*.toml.
+// What a case says may be fitted, and what becomes of it. Errors are in tests/bad_cases/parameter_*.toml.
 namespace tiretherm::input {
 
 namespace {
@@ -28,8 +28,8 @@ Experiment read(std::string text) {
     text += text.find("[[run]]") == std::string::npos ? measured : "";
     ExperimentReading reading = read_experiment(written.add("case.toml", text));
     if (!reading.experiment) {
-        for (const Mistake& mistake : reading.mistakes) {
-            ADD_FAILURE() << render(mistake);
+        for (const InputError& error : reading.errors) {
+            ADD_FAILURE() << render(error);
         }
         return {};
     }
@@ -233,10 +233,9 @@ TEST(Diagnose, MayDoubtANumberOfAnEffectThatIsOn) {
         const std::string text = including("tire.toml", fmt::format("[diagnose]\ncandidates = [\"{}\"]\n", wrong));
         const ExperimentReading reading = read_experiment(written.add("case.toml", text + std::string(measured)));
         EXPECT_FALSE(reading.experiment) << wrong;
-        ASSERT_EQ(reading.mistakes.size(), 1U) << wrong;
-        EXPECT_NE(render(reading.mistakes.front()).find("that may be missing or have a wrong number"),
-                  std::string::npos)
-            << render(reading.mistakes.front());
+        ASSERT_EQ(reading.errors.size(), 1U) << wrong;
+        EXPECT_NE(render(reading.errors.front()).find("that may be missing or have a wrong number"), std::string::npos)
+            << render(reading.errors.front());
     }
 }
 

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "input/text/document.hpp"
 #include "input/spreadsheet/sheet_case.hpp"
 #include "input/spreadsheet/sheet_parameters.hpp"
+#include "input/text/document.hpp"
 #include "support/written.hpp"
 
 /// Spreadsheets that tests write, and what became of them.
@@ -150,11 +150,11 @@ inline SheetCase convert(const Texts& texts) {
     return convert_sheet(written.folder() / "tire");
 }
 
-/// All mistakes as they are shown, without the folder.
+/// All errors as they are shown, without the folder.
 inline std::string report(const SheetCase& made) {
     std::string text;
-    for (const Mistake& mistake : made.mistakes) {
-        Mistake shown = mistake;
+    for (const InputError& error : made.errors) {
+        InputError shown = error;
         const std::size_t slash = shown.file.rfind('/');
         shown.file = slash == std::string::npos ? shown.file : shown.file.substr(slash + 1);
         text += render(shown);
@@ -163,13 +163,13 @@ inline std::string report(const SheetCase& made) {
 }
 
 /// Every value of a case by the path of its key; of lists without the numbers of their items.
-inline void flatten(const Node& node, const std::string& path, std::multimap<std::string, std::string>& into) {
-    if (node.kind == Node::Kind::table) {
+inline void flatten(const TomlValue& node, const std::string& path, std::multimap<std::string, std::string>& into) {
+    if (node.kind == TomlValue::Kind::table) {
         for (const Entry& entry : node.entries) {
             flatten(entry.value, path.empty() ? entry.key : path + "." + entry.key, into);
         }
-    } else if (node.kind == Node::Kind::array) {
-        for (const Node& item : node.items) {
+    } else if (node.kind == TomlValue::Kind::array) {
+        for (const TomlValue& item : node.items) {
             flatten(item, path, into);
         }
     } else {
@@ -178,9 +178,9 @@ inline void flatten(const Node& node, const std::string& path, std::multimap<std
 }
 
 inline std::multimap<std::string, std::string> keys_of(const std::string& text) {
-    Mistakes mistakes;
-    const TextFile file{.number = mistakes.add_file("case", text), .text = text};
-    const std::optional<Node> document = parse_toml(file, mistakes);
+    InputErrors errors;
+    const TextFile file{.number = errors.add_file("case", text), .text = text};
+    const std::optional<TomlValue> document = parse_toml(file, errors);
     std::multimap<std::string, std::string> keys;
     if (document) {
         flatten(*document, "", keys);

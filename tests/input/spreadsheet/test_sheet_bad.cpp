@@ -24,7 +24,7 @@ std::filesystem::path example(const std::string& ending) {
 
 }  // namespace
 
-TEST(SheetBad, AllMistakesAreToldAtOnceWithTheirPlaces) {
+TEST(SheetBad, AllErrorsAreReportedAtOnceWithTheirPlaces) {
     sheets::Texts texts = sheets::complete();
     texts["PARA"] += "Surface Mass,-1,kg\n";
     sheets::replace(texts["PARA"], "Hc,450,[W/m2K]", "Hc,450,[W/m]");
@@ -52,7 +52,7 @@ TEST(SheetBad, AllMistakesAreToldAtOnceWithTheirPlaces) {
     expect_told(report, "SF.csv: the file is empty\n");
     expect_told(report, ": Switch on/off Air-Tire Exchange is \"perhaps\"\n");
     expect_told(report, "tire: there is no sheet Radius.csv\n    remedy: rename Radus.csv?\n");
-    EXPECT_EQ(sheets::convert(texts).mistakes.size(), 10U) << report;
+    EXPECT_EQ(sheets::convert(texts).errors.size(), 10U) << report;
 }
 
 // Made of tests/input/data/wrong_sheets by cases/convert/make_workbooks. C2 is a formula, =100+1.6: its value stands in the
@@ -78,11 +78,11 @@ TEST(SheetBad, WorkbookIsToldByItsCells) {
         expect_told(report, file + ", ContactPatch!B9: Contact Length is \"9x6\"; a number is wanted\n");
         const bool formula = report.find(", SEL!A9: the value of C2 is empty or a formula") != std::string::npos;
         EXPECT_EQ(formula, ending == ".xls") << report;
-        EXPECT_EQ(made.mistakes.size(), formula ? 7U : 6U) << report;
+        EXPECT_EQ(made.errors.size(), formula ? 7U : 6U) << report;
     }
     // Columns beyond Z have two letters.
     const SheetBook book{.shown = "tire.xls", .is_folder = false, .sheets = {}};
-    const std::vector<Mistake> named = with_cells(
+    const std::vector<InputError> named = with_cells(
         {{.file = "tire.xls, SEL", .line = 1, .column = 28, .length = 1, .what = "wrong", .remedy = "", .source = ""}},
         book);
     EXPECT_EQ(render(named[0]), "tire.xls, SEL!AB1: wrong\n");
@@ -93,9 +93,8 @@ TEST(SheetBad, WorkbookThatWasCutShortIsDamaged) {
     for (const std::string ending : {".xls", ".xlsx"}) {
         const std::string bytes = expected::text_of(example(ending));
         const SheetCase cut = convert_sheet(written.add("cut" + ending, bytes.substr(0, 5000)));
-        ASSERT_EQ(cut.mistakes.size(), 1U);
-        EXPECT_NE(cut.mistakes[0].what.find(ending + " workbook is damaged"), std::string::npos)
-            << cut.mistakes[0].what;
+        ASSERT_EQ(cut.errors.size(), 1U);
+        EXPECT_NE(cut.errors[0].what.find(ending + " workbook is damaged"), std::string::npos) << cut.errors[0].what;
     }
 }
 
@@ -105,7 +104,7 @@ TEST(SheetBad, WhatIsNoSpreadsheetIsRefused) {
     const auto what = [](const std::filesystem::path& path) {
         const SheetCase made = convert_sheet(path);
         EXPECT_TRUE(made.text.empty());
-        return made.mistakes.empty() ? "" : made.mistakes[0].what;
+        return made.errors.empty() ? "" : made.errors[0].what;
     };
     EXPECT_EQ(what(written.add("text.xls", "no workbook")), "the file is not a spreadsheet");
     EXPECT_EQ(what(written.add("empty.xlsx", "")), "the file is empty");
@@ -116,8 +115,8 @@ TEST(SheetBad, WhatIsNoSpreadsheetIsRefused) {
     EXPECT_EQ(what(written.add("archive.xlsx", std::string("PK\x05\x06", 4) + std::string(18, '\0'))),
               "the file is a ZIP archive, but not an .xlsx workbook");
     const SheetCase strange = sheets::convert({{"prices", "bread,3\n"}});
-    ASSERT_EQ(strange.mistakes.size(), 1U);
-    EXPECT_EQ(strange.mistakes[0].what, "none of the ten sheets is there; there is prices");
+    ASSERT_EQ(strange.errors.size(), 1U);
+    EXPECT_EQ(strange.errors[0].what, "none of the ten sheets is there; there is prices");
 }
 
 TEST(SheetBad, ParameterInTheWrongSheetIsSentToItsOwn) {
@@ -168,7 +167,7 @@ TEST(SheetBad, SheetOfAnotherNameIsWarnedOf) {
     sheets::Texts texts = sheets::switched_on();
     texts["Plots"] = "a,b\n";
     const SheetCase made = sheets::convert(texts);
-    EXPECT_TRUE(made.mistakes.empty()) << sheets::report(made);
+    EXPECT_TRUE(made.errors.empty()) << sheets::report(made);
     ASSERT_EQ(made.warnings.size(), 1U);
     EXPECT_NE(made.warnings[0].find("the sheet Plots is none of the ten and is not read"), std::string::npos);
 }

@@ -104,7 +104,7 @@ TEST(SheetPlaces, EveryNameOfTheListInV7IsKnown) {
 TEST(SheetPlaces, ChangingOneParameterChangesItsKeyAndNoOther) {
     const Texts base = sheets::complete();
     const SheetCase before = sheets::convert(base);
-    ASSERT_TRUE(before.mistakes.empty()) << sheets::report(before);
+    ASSERT_TRUE(before.errors.empty()) << sheets::report(before);
     std::size_t tried = 0;
     for (const SheetParameter& parameter : sheet_parameters()) {
         const auto& values = sheets::values(parameter.sheet);
@@ -119,7 +119,7 @@ TEST(SheetPlaces, ChangingOneParameterChangesItsKeyAndNoOther) {
         sheets::replace(texts[std::string(parameter.sheet)], sheets::row(value->first, value->second),
                         sheets::row(value->first, {other(value->second.first), value->second.second}));
         const SheetCase after = sheets::convert(texts);
-        ASSERT_TRUE(after.mistakes.empty()) << parameter.name << "\n" << sheets::report(after);
+        ASSERT_TRUE(after.errors.empty()) << parameter.name << "\n" << sheets::report(after);
         EXPECT_EQ(sheets::changed_keys(before.text, after.text), keys_expected(parameter)) << parameter.name;
         ++tried;
     }
@@ -144,7 +144,7 @@ TEST(SheetPlaces, RateAndShiftOfTheModulusTakeThePlaceOfThoseOfTheCompound) {
     const SheetCase before = sheets::convert(texts);
     texts["LateralStiffness"] += "Modulus slope due to bulk temperature,0.04,1/K\n";
     const SheetCase rate = sheets::convert(texts);
-    ASSERT_TRUE(rate.mistakes.empty()) << sheets::report(rate);
+    ASSERT_TRUE(rate.errors.empty()) << sheets::report(rate);
     EXPECT_EQ(sheets::changed_keys(before.text, rate.text), std::set<std::string>{"tire.modulus.transition_width"});
     // (71): a = -2 ln(0.003)/dT, so dT = 2 * 5.809143/0.04 K = 290.457 K.
     EXPECT_NEAR(sheets::read(rate).handling.modulus.dT, 290.45715, 1e-4);
@@ -177,7 +177,7 @@ TEST(SheetPlaces, MeasuredTableTakesThePlaceOfALawThatIsLeftOut) {
         sheets::drop(texts[sheet], "Temperature scale");
         texts[sheet] += "\n" + table;
         const SheetCase before = sheets::convert(texts);
-        ASSERT_TRUE(before.mistakes.empty()) << sheets::report(before);
+        ASSERT_TRUE(before.errors.empty()) << sheets::report(before);
         EXPECT_EQ(before.missing.size(), 7U) << key;
         sheets::replace(texts[sheet], "," + value + "\n", "," + other(value) + "\n");
         EXPECT_EQ(sheets::changed_keys(before.text, sheets::convert(texts).text), std::set<std::string>{key});
@@ -192,7 +192,7 @@ TEST(SheetPlaces, MeasuredTableBesideALawIsHeldAgainstIt) {
     texts["ContactPatch"] += "\nVertical Load [N],Contact Length [mm]\n4000,120\n";
     texts["LateralStiffness"] += "\nVertical Load [N],Temperature [degC],Lateral Stiffness [N/rad]\n4000,70,1e5\n";
     const SheetCase after = sheets::convert(texts);
-    ASSERT_TRUE(after.mistakes.empty()) << sheets::report(after);
+    ASSERT_TRUE(after.errors.empty()) << sheets::report(after);
     EXPECT_TRUE(sheets::changed_keys(before.text, after.text).empty());
     ASSERT_EQ(after.unmapped.size(), 2U);
     EXPECT_EQ(after.unmapped[0].reason,
@@ -211,7 +211,7 @@ TEST(SheetPlaces, WhatTheProgramComputesIsHeldAgainstTheSheet) {
         "Surface Mass,0.75038,kg\nBulk Mass,5.7779,kg\nArea Ratio,0.18,-\n"
         "Characteristic Length,157.75,mm\nExternal Total Area,0.41827,m2\n";
     const SheetCase after = sheets::convert(texts);
-    ASSERT_TRUE(after.mistakes.empty()) << sheets::report(after);
+    ASSERT_TRUE(after.errors.empty()) << sheets::report(after);
     EXPECT_TRUE(sheets::changed_keys(before.text, after.text).empty());
     ASSERT_EQ(after.unmapped.size(), 5U);
     EXPECT_EQ(after.unmapped[0].reason, "computed by the program: 0.75038 kg, as in the sheet");

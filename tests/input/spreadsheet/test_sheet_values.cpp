@@ -51,7 +51,7 @@ std::vector<double> run(const std::filesystem::path& file) {
 // The numbers of sheets::values() in SI: each beside the one that was written.
 TEST(SheetValues, EveryParameterArrivesInTheRun) {
     const SheetCase made = sheets::convert(sheets::switched_on());
-    ASSERT_TRUE(made.mistakes.empty()) << sheets::report(made);
+    ASSERT_TRUE(made.errors.empty()) << sheets::report(made);
     const solver::Problem problem = sheets::read(made);
     const physics::Tire& tire = problem.tire;
     EXPECT_EQ(problem.title, "Winter tire");
@@ -137,7 +137,7 @@ TEST(SheetValues, LawInKelvinIsTheSameParabola) {
     texts["THRCOND"] =
         fmt::format("Law,\nCoeff A,1e-5,W/mK3\nCoeff B,{},W/mK2\nCoeff C,{},W/mK\nTemperature scale,K,\n", b, c);
     const SheetCase made = sheets::convert(texts);
-    ASSERT_TRUE(made.mistakes.empty()) << sheets::report(made);
+    ASSERT_TRUE(made.errors.empty()) << sheets::report(made);
     const solver::Problem problem = sheets::read(made);
     EXPECT_NEAR(problem.link_laws[0].value(zero), 0.12, 1e-12);
     EXPECT_NEAR(problem.link_laws[0].value(zero + 50.0), 0.545, 1e-12);
@@ -145,11 +145,11 @@ TEST(SheetValues, LawInKelvinIsTheSameParabola) {
 
 TEST(SheetValues, EachFormatGivesTheSameCase) {
     const SheetCase csv = convert_sheet(example(""));
-    ASSERT_TRUE(csv.mistakes.empty()) << sheets::report(csv);
+    ASSERT_TRUE(csv.errors.empty()) << sheets::report(csv);
     EXPECT_EQ(csv.sheets.size(), 10U);
     for (const std::string ending : {".xls", ".xlsx"}) {
         const SheetCase made = convert_sheet(example(ending));
-        ASSERT_TRUE(made.mistakes.empty()) << sheets::report(made);
+        ASSERT_TRUE(made.errors.empty()) << sheets::report(made);
         EXPECT_EQ(made.text, csv.text) << ending;
     }
 }
@@ -197,7 +197,7 @@ TEST(SheetValues, DefaultsAreTheThesissTire) {
     texts["INFO"] += "Size,225/50 R17\n";
     texts["PARA"] += "Unloaded Radius,330.8,mm\n";
     const SheetCase made = sheets::convert(texts);
-    ASSERT_TRUE(made.mistakes.empty()) << sheets::report(made);
+    ASSERT_TRUE(made.errors.empty()) << sheets::report(made);
     // 73 parameters less 2 given, 1 without a place, 7 that may be left out without a word (5 computed, width, height)
     // and 2 that stand for others; three coefficients and a scale of two laws are one entry each: 61 - 8 + 2, and 7 that no
     // sheet holds.

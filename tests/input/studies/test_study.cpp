@@ -6,8 +6,8 @@
 
 #include "input/model/reader.hpp"
 #include "input/studies/study.hpp"
-#include "support/written.hpp"
 #include "solver/time_integration/march.hpp"
+#include "support/written.hpp"
 
 // A study's runs are the case with the values of each run, and nothing else.
 namespace tiretherm::input {
@@ -18,7 +18,7 @@ const std::string two_node = (source_folder() / "cases/two_node/4000N_100kmh.tom
 const std::string section = (source_folder() / "cases/section/4000N_100kmh.toml").string();
 
 std::string told(const StudyReading& reading) {
-    return render(Reading{.problem = {}, .mistakes = reading.mistakes, .warnings = reading.warnings});
+    return render(Reading{.problem = {}, .errors = reading.errors, .warnings = reading.warnings});
 }
 
 /// A study of a case of the library. @param rest its [[vary]] and [[draw]]
@@ -199,15 +199,15 @@ TEST(Study, FingerprintSeesTheContentOfALogThatTheCaseNames) {
     EXPECT_NE(print("time [s],road_temperature [degC]\n0,20\n60,22\n"), before);
 }
 
-TEST(Study, TellsAMistakeOfTheCaseOnceAndAtItsPlace) {
+TEST(Study, ReportsAnErrorOfTheCaseOnceAndAtItsPlace) {
     const Written written;
     written.add("base.toml", std::string(slab) + "[drive]\nair_temperature = \"20 N\"\n");
     const StudyReading reading = read_study(written.add(
         "study.toml",
         "case = \"base.toml\"\n[[vary]]\nkey = \"initial.temperature\"\nvalues = [\"20 degC\", \"30 degC\"]\n"));
     EXPECT_FALSE(reading.study.has_value());
-    ASSERT_EQ(reading.mistakes.size(), 1U) << told(reading);
-    EXPECT_TRUE(reading.mistakes[0].file.ends_with("base.toml"));
+    ASSERT_EQ(reading.errors.size(), 1U) << told(reading);
+    EXPECT_TRUE(reading.errors[0].file.ends_with("base.toml"));
 }
 
 // The correlation of 400 pairs of independent numbers lies within 4/sqrt(400) = 0.2 of 0.

@@ -79,8 +79,8 @@ TEST_P(StudyOfFiles, ChangeIsSeenInTheFingerprint) {
             "study.toml",
             "case = \"case.toml\"\n[[vary]]\nkey = \"initial.temperature\"\nvalues = [\"20 degC\", \"21 degC\"]\n"));
         std::string told;
-        for (const Mistake& mistake : reading.mistakes) {
-            told += render(mistake);
+        for (const InputError& error : reading.errors) {
+            told += render(error);
         }
         EXPECT_TRUE(reading.study.has_value()) << told;
         return reading.study ? reading.study->runs.at(1).fingerprint : std::string();

@@ -17,7 +17,7 @@ Reading read_log(std::string_view log, std::string_view keys = "") {
 
 const solver::Series* find(const Reading& reading, std::string_view name) {
     if (!reading.problem) {
-        ADD_FAILURE() << complaints(reading);
+        ADD_FAILURE() << error_report(reading);
         return nullptr;
     }
     for (const solver::Series& series : reading.problem->drive.series()) {
@@ -89,11 +89,11 @@ TEST(Csv, ColumnsThatAreNoInputsAreNotRead) {
 TEST(Csv, TheRunLastsAsLongAsTheLogUnlessTheCaseSaysMore) {
     const std::string log = "time [s],speed [km/h]\n10,0\n20,36\n";
     const Reading plain = read_log(log);
-    ASSERT_TRUE(plain.problem.has_value()) << complaints(plain);
+    ASSERT_TRUE(plain.problem.has_value()) << error_report(plain);
     EXPECT_DOUBLE_EQ(plain.problem->settings.start, 10.0);
     EXPECT_DOUBLE_EQ(plain.problem->settings.end, 20.0);
     const Reading bounded = read_log(log, "[time]\nstart = \"12 s\"\nend = \"18 s\"\n");
-    ASSERT_TRUE(bounded.problem.has_value()) << complaints(bounded);
+    ASSERT_TRUE(bounded.problem.has_value()) << error_report(bounded);
     EXPECT_DOUBLE_EQ(bounded.problem->settings.start, 12.0);
     EXPECT_DOUBLE_EQ(bounded.problem->settings.end, 18.0);
 }

@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "input/measurements/experiment.hpp"
 #include "input/effects/field_bench.hpp"
-#include "solver/time_integration/march.hpp"
+#include "input/measurements/experiment.hpp"
 #include "solver/system.hpp"
+#include "solver/time_integration/march.hpp"
 
 namespace tiretherm::input {
 
@@ -183,7 +183,7 @@ TEST(FieldFile, LeavesTheNumbersOfTheEffectFree) {
         "case.toml",
         cornering(friction_watts + "[[parameter]]\neffect = \"sliding_friction\"\nkey = \"partition\"\n" +
                   "[[measured]]\nchannel = \"bulk_temperature\"\nvalue = \"40 degC\"\n" + "uncertainty = \"1 K\"\n")));
-    ASSERT_TRUE(reading.experiment.has_value()) << render(reading.mistakes.front());
+    ASSERT_TRUE(reading.experiment.has_value()) << render(reading.errors.front());
     ASSERT_EQ(reading.experiment->parameters.size(), 1U);
     EXPECT_EQ(reading.experiment->parameters[0].name, "sliding_friction.partition");
     EXPECT_EQ(reading.experiment->parameters[0].prior, 0.6);

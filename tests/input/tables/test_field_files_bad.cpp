@@ -29,7 +29,7 @@ TEST(BadFieldFile, ThatIsEmptyMissingOrCut) {
 }
 
 // Several things at once, each with its place and its remedy.
-TEST(BadFieldFile, TellsAllItsMistakesAtOnce) {
+TEST(BadFieldFile, ReportsAllItsErrorsAtOnce) {
     expect_said(
         said(friction, "y [s],presure [kPa],pressure [kPa],sliding_velocity\n-50,1,-3,1\n0,1,nan,x\n"),
         {"field.csv:1:1: the column y is in [s]", "write \"y [mm]\"",

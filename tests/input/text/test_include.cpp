@@ -8,15 +8,15 @@ namespace tiretherm::input {
 namespace {
 
 /// The merged document of "case.toml" in a folder.
-Node document(const Written& written, Mistakes& mistakes) {
-    const std::optional<Node> node = read_document(written.folder() / "case.toml", mistakes);
+TomlValue document(const Written& written, InputErrors& errors) {
+    const std::optional<TomlValue> node = read_document(written.folder() / "case.toml", errors);
     EXPECT_TRUE(node.has_value());
-    return node.value_or(Node{});
+    return node.value_or(TomlValue{});
 }
 
-const Node& at(const Node& node, std::initializer_list<std::string_view> keys) {
-    static const Node nothing;
-    const Node* found = &node;
+const TomlValue& at(const TomlValue& node, std::initializer_list<std::string_view> keys) {
+    static const TomlValue nothing;
+    const TomlValue* found = &node;
     for (const std::string_view key : keys) {
         found = found->find(key);
         if (found == nullptr) {
@@ -27,8 +27,8 @@ const Node& at(const Node& node, std::initializer_list<std::string_view> keys) {
     return *found;
 }
 
-std::string place(const Mistakes& mistakes, const Node& node) {
-    return std::filesystem::path(mistakes.file(node.place.file)).filename().string() + ":" +
+std::string place(const InputErrors& errors, const TomlValue& node) {
+    return std::filesystem::path(errors.file(node.place.file)).filename().string() + ":" +
            std::to_string(node.place.line) + ":" + std::to_string(node.place.column);
 }
 
@@ -38,15 +38,15 @@ TEST(Include, TheIncludingFileWinsKeyByKeyAndEveryValueKnowsItsFile) {
     const Written written;
     written.add("base.toml", "[a]\nx = 1\ny = 2\n[a.b]\nz = 3\n");
     written.add("case.toml", "include = [\"base.toml\"]\n[a]\n  y = 20\nnew = 4\n");
-    Mistakes mistakes;
-    const Node merged = document(written, mistakes);
+    InputErrors errors;
+    const TomlValue merged = document(written, errors);
     EXPECT_EQ(at(merged, {"a", "x"}).number, 1.0);
     EXPECT_EQ(at(merged, {"a", "y"}).number, 20.0);
     EXPECT_EQ(at(merged, {"a", "b", "z"}).number, 3.0);
     EXPECT_EQ(at(merged, {"a", "new"}).number, 4.0);
-    EXPECT_EQ(place(mistakes, at(merged, {"a", "x"})), "base.toml:2:5");
-    EXPECT_EQ(place(mistakes, at(merged, {"a", "y"})), "case.toml:3:7");
-    EXPECT_EQ(place(mistakes, at(merged, {"a", "b", "z"})), "base.toml:5:5");
+    EXPECT_EQ(place(errors, at(merged, {"a", "x"})), "base.toml:2:5");
+    EXPECT_EQ(place(errors, at(merged, {"a", "y"})), "case.toml:3:7");
+    EXPECT_EQ(place(errors, at(merged, {"a", "b", "z"})), "base.toml:5:5");
     EXPECT_EQ(merged.find("include"), nullptr);
 }
 
@@ -56,8 +56,8 @@ TEST(Include, ALaterFileWinsOverAnEarlierOneAndPathsAreRelativeToTheirFile) {
     written.add("parts/two.toml", "include = \"deeper/three.toml\"\ny = 2\n");
     written.add("parts/deeper/three.toml", "w = 3\nz = 3\n");
     written.add("case.toml", "include = [\"parts/one.toml\", \"parts/two.toml\"]\n");
-    Mistakes mistakes;
-    const Node merged = document(written, mistakes);
+    InputErrors errors;
+    const TomlValue merged = document(written, errors);
     EXPECT_EQ(at(merged, {"x"}).number, 1.0);
     EXPECT_EQ(at(merged, {"y"}).number, 2.0);
     EXPECT_EQ(at(merged, {"z"}).number, 3.0);
@@ -71,8 +71,8 @@ TEST(Include, ListsAndTablesInBracesAreValues) {
         "list = [1, 2, 3]\n[t]\nlaw = { at = 1, value = 2 }\n[[t.layer]]\nname = \"a\"\n[[t.layer]]\nname = \"b\"\n");
     written.add("case.toml",
                 "include = \"base.toml\"\nlist = [4]\n[t]\nlaw = { through = 5 }\n[[t.layer]]\nname = \"a\"\n");
-    Mistakes mistakes;
-    const Node merged = document(written, mistakes);
+    InputErrors errors;
+    const TomlValue merged = document(written, errors);
     EXPECT_EQ(at(merged, {"list"}).items.size(), 1U);
     EXPECT_EQ(at(merged, {"t", "law"}).entries.size(), 1U);
     EXPECT_EQ(at(merged, {"t", "layer"}).items.size(), 1U);
@@ -83,24 +83,24 @@ TEST(Include, NamedListsAtTheTopAreMergedByName) {
     written.add("base.toml", "[[material]]\nname = \"a\"\nx = 1\ny = 1\n[[material]]\nname = \"b\"\nx = 1\n");
     written.add("case.toml",
                 "include = \"base.toml\"\n[[material]]\nname = \"c\"\nx = 3\n[[material]]\nname = \"a\"\nx = 2\n");
-    Mistakes mistakes;
-    const Node merged = document(written, mistakes);
-    const std::vector<Node>& list = at(merged, {"material"}).items;
+    InputErrors errors;
+    const TomlValue merged = document(written, errors);
+    const std::vector<TomlValue>& list = at(merged, {"material"}).items;
     ASSERT_EQ(list.size(), 3U);
     EXPECT_EQ(at(list[0], {"name"}).text, "a");
     EXPECT_EQ(at(list[0], {"x"}).number, 2.0);
     EXPECT_EQ(at(list[0], {"y"}).number, 1.0);
     EXPECT_EQ(at(list[1], {"name"}).text, "b");
     EXPECT_EQ(at(list[2], {"name"}).text, "c");
-    EXPECT_EQ(place(mistakes, at(list[0], {"y"})), "base.toml:4:5");
+    EXPECT_EQ(place(errors, at(list[0], {"y"})), "base.toml:4:5");
 }
 
 TEST(Include, ATableThatChangesItsKindIsReplaced) {
     const Written written;
     written.add("base.toml", "[mesh]\nkind = \"block\"\nx = 1\n[other]\nkind = \"same\"\nx = 1\n");
     written.add("case.toml", "include = \"base.toml\"\n[mesh]\nkind = \"layers\"\n[other]\nkind = \"same\"\n");
-    Mistakes mistakes;
-    const Node merged = document(written, mistakes);
+    InputErrors errors;
+    const TomlValue merged = document(written, errors);
     EXPECT_EQ(at(merged, {"mesh"}).find("x"), nullptr);
     EXPECT_NE(at(merged, {"other"}).find("x"), nullptr);
 }
@@ -111,19 +111,19 @@ TEST(Include, OneFileMayBeIncludedTwice) {
     written.add("base.toml", "x = 1\n");
     written.add("one.toml", "include = \"base.toml\"\n");
     written.add("case.toml", "include = [\"one.toml\", \"base.toml\"]\n");
-    Mistakes mistakes;
-    EXPECT_EQ(at(document(written, mistakes), {"x"}).number, 1.0);
-    EXPECT_EQ(mistakes.count(), 0U);
+    InputErrors errors;
+    EXPECT_EQ(at(document(written, errors), {"x"}).number, 1.0);
+    EXPECT_EQ(errors.count(), 0U);
 }
 
 TEST(Toml, PlacesCountCharactersAndSurviveEveryKindOfValue) {
     const Written written;
     written.add("case.toml", "\"\u00B5\" = [1, 2.5, true, \"t\", 2020-01-01, { a = 1 }]\n");
-    Mistakes mistakes;
-    const Node merged = document(written, mistakes);
-    const std::vector<Node>& items = at(merged, {"\u00B5"}).items;
+    InputErrors errors;
+    const TomlValue merged = document(written, errors);
+    const std::vector<TomlValue>& items = at(merged, {"\u00B5"}).items;
     ASSERT_EQ(items.size(), 6U);
-    EXPECT_EQ(place(mistakes, items[0]), "case.toml:1:8");
+    EXPECT_EQ(place(errors, items[0]), "case.toml:1:8");
     const std::vector<std::string> expected{"1", "2.5", "true", "\"t\"", "a date", "a table"};
     for (std::size_t i = 0; i < items.size(); ++i) {
         EXPECT_EQ(shown(items[i]), expected[i]);

@@ -13,7 +13,7 @@ physics::Curve conductivity(std::string_view law) {
     const std::string key = "conductivity = \"0.25 W/mK\"";
     text.replace(text.find(key), key.size(), "conductivity = " + std::string(law));
     const Reading reading = read_case(written.add("case.toml", text));
-    EXPECT_TRUE(reading.problem.has_value()) << complaints(reading);
+    EXPECT_TRUE(reading.problem.has_value()) << error_report(reading);
     return reading.problem ? reading.problem->materials.front().conductivity[2] : physics::Curve();
 }
 
@@ -87,7 +87,7 @@ thickness = "2 mm"
 cells = 1
 material = "cord"
 )"));
-    ASSERT_TRUE(reading.problem.has_value()) << complaints(reading);
+    ASSERT_TRUE(reading.problem.has_value()) << error_report(reading);
     const physics::Material& cord = reading.problem->materials[1];
     EXPECT_EQ(cord.name, "cord");
     EXPECT_DOUBLE_EQ(cord.along(mesh::Axis::through).value(300.0), 0.4);

@@ -16,8 +16,8 @@ double si(double number, std::string_view unit, std::string_view wanted, Scale s
     return found != nullptr ? found->to_si(number) : std::nan("");
 }
 
-UnitFault fault(std::string_view unit, std::string_view wanted, Scale scale = Scale::absolute) {
-    return std::get<UnitFault>(conversion(unit, wanted, scale));
+UnitError unit_error(std::string_view unit, std::string_view wanted, Scale scale = Scale::absolute) {
+    return std::get<UnitError>(conversion(unit, wanted, scale));
 }
 
 }  // namespace
@@ -92,22 +92,22 @@ TEST(Units, ConversionsComeBack) {
 
 // UDUNITS would convert the first two: it inverts, and it takes a radian for a pure number.
 TEST(Units, OtherDimensionsAreRefused) {
-    EXPECT_EQ(fault("s", "Hz"), UnitFault::other_dimension);
-    EXPECT_EQ(fault("deg", "1"), UnitFault::other_dimension);
-    EXPECT_EQ(fault("1", "radian"), UnitFault::other_dimension);
-    EXPECT_EQ(fault("km", "m s-1"), UnitFault::other_dimension);
-    EXPECT_EQ(fault("C", "K"), UnitFault::other_dimension);
-    EXPECT_EQ(fault("W/m K", "W m-1 K-1"), UnitFault::other_dimension);  // UDUNITS: (W/m) K
+    EXPECT_EQ(unit_error("s", "Hz"), UnitError::other_dimension);
+    EXPECT_EQ(unit_error("deg", "1"), UnitError::other_dimension);
+    EXPECT_EQ(unit_error("1", "radian"), UnitError::other_dimension);
+    EXPECT_EQ(unit_error("km", "m s-1"), UnitError::other_dimension);
+    EXPECT_EQ(unit_error("C", "K"), UnitError::other_dimension);
+    EXPECT_EQ(unit_error("W/m K", "W m-1 K-1"), UnitError::other_dimension);  // UDUNITS: (W/m) K
 }
 
 TEST(Units, WhatIsNoUnitIsRefused) {
-    EXPECT_EQ(fault("parsnips", "m s-1"), UnitFault::unknown);
-    EXPECT_EQ(fault("mm mm(", "m"), UnitFault::unknown);
-    EXPECT_EQ(fault("mm 3", "m"), UnitFault::number_inside);
-    EXPECT_EQ(fault("3 mm", "m"), UnitFault::number_inside);
-    EXPECT_EQ(fault("K @ 273.15", "K"), UnitFault::number_inside);
-    EXPECT_EQ(fault("seconds since 2020-01-01", "s"), UnitFault::number_inside);
-    EXPECT_EQ(fault("10", "1"), UnitFault::number_inside);
+    EXPECT_EQ(unit_error("parsnips", "m s-1"), UnitError::unknown);
+    EXPECT_EQ(unit_error("mm mm(", "m"), UnitError::unknown);
+    EXPECT_EQ(unit_error("mm 3", "m"), UnitError::number_inside);
+    EXPECT_EQ(unit_error("3 mm", "m"), UnitError::number_inside);
+    EXPECT_EQ(unit_error("K @ 273.15", "K"), UnitError::number_inside);
+    EXPECT_EQ(unit_error("seconds since 2020-01-01", "s"), UnitError::number_inside);
+    EXPECT_EQ(unit_error("10", "1"), UnitError::number_inside);
     for (const std::string_view unit : {"m2", "m^2", "m**2", "m-2", "1/kN", "1", "1/(km/h)^2", "kg m-3", "m+2"}) {
         EXPECT_FALSE(has_number(unit)) << unit;
     }

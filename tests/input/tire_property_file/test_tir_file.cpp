@@ -14,18 +14,18 @@ std::filesystem::path data(const std::string& name) { return source_folder() / "
 
 struct Read {
     std::optional<TirFile> tire;
-    std::string report;  ///< all mistakes, as they are shown
+    std::string report;  ///< all errors, as they are shown
     std::vector<std::string> warnings;
 };
 
 Read read(const std::filesystem::path& path) {
-    Mistakes mistakes;
+    InputErrors errors;
     Read result;
-    result.tire = read_tir_file(path, {}, mistakes);
-    for (const Mistake& mistake : mistakes.in_order()) {
-        result.report += render(mistake);
+    result.tire = read_tir_file(path, {}, errors);
+    for (const InputError& error : errors.in_order()) {
+        result.report += render(error);
     }
-    result.warnings = mistakes.warnings();
+    result.warnings = errors.warnings();
     return result;
 }
 
@@ -184,7 +184,7 @@ TEST(TirFile, CarriageReturnsAndAByteOrderMarkAreAccepted) {
     EXPECT_TRUE(result.tire) << result.report;
 }
 
-TEST(TirFile, MissingFileIsAMistakeOfItsPlace) {
+TEST(TirFile, MissingFileIsAnErrorOfItsPlace) {
     const Read result = read("no_such_file.tir");
     EXPECT_FALSE(result.tire);
     EXPECT_TRUE(contains(result.report, "no_such_file.tir: the file cannot be read")) << result.report;

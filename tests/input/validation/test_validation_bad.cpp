@@ -19,7 +19,7 @@ class BadTable : public testing::TestWithParam<std::string> {};
 TEST_P(BadTable, IsExplainedToTheCharacter) {
     const ValidationReading reading = read_validation(folder() / (GetParam() + ".toml"));
     EXPECT_FALSE(reading.table.has_value());
-    const std::string told = render(Reading{.problem = {}, .mistakes = reading.mistakes, .warnings = reading.warnings});
+    const std::string told = render(Reading{.problem = {}, .errors = reading.errors, .warnings = reading.warnings});
     EXPECT_EQ(expected::relative(told), expected::text_of(folder() / (GetParam() + ".txt")));
 }
 
@@ -28,8 +28,8 @@ INSTANTIATE_TEST_SUITE_P(All, BadTable, testing::ValuesIn(expected::names(folder
 
 TEST(BadTableFile, ThatIsNotThere) {
     const ValidationReading reading = read_validation("/no/such/table.toml");
-    ASSERT_EQ(reading.mistakes.size(), 1U);
-    EXPECT_EQ(reading.mistakes[0].what, "the file cannot be read: No such file or directory");
+    ASSERT_EQ(reading.errors.size(), 1U);
+    EXPECT_EQ(reading.errors[0].what, "the file cannot be read: No such file or directory");
 }
 
 }  // namespace tiretherm::input

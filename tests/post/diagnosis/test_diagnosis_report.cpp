@@ -10,13 +10,13 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "diagnosis/detect/look_alikes.hpp"
 #include "input/model/reader.hpp"
 #include "post/diagnosis/diagnosis_words.hpp"
-#include "diagnosis/detect/look_alikes.hpp"
-#include "post/report/number_text.hpp"
 #include "post/report/file.hpp"
-#include "tests/support/written.hpp"
+#include "post/report/number_text.hpp"
 #include "tests/diagnosis/made_up_diagnosis.hpp"
+#include "tests/support/written.hpp"
 
 namespace tiretherm::diagnosis {
 namespace {
@@ -329,7 +329,7 @@ TEST(DiagnosisReport, TheExtendedCaseHoldsTheCauseAtItsFittedValue) {
     ASSERT_EQ(files.size(), 4u);
     EXPECT_EQ(files[1], written.folder() / "extended.toml");
     const input::Reading reading = input::read_case(files[1]);
-    ASSERT_TRUE(reading.problem) << input::complaints(reading);
+    ASSERT_TRUE(reading.problem) << input::error_report(reading);
     const auto& effects = reading.problem->effects;
     const auto found =
         std::ranges::find_if(effects, [](const auto& one) { return one.effect->id == "sidewall_convection"; });

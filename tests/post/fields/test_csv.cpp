@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "input/tables/csv.hpp"
-#include "solver/celsius.hpp"
 #include "post/fields/csv_writer.hpp"
+#include "solver/celsius.hpp"
 #include "tests/post/sample.hpp"
 
 namespace tiretherm::post {
@@ -32,19 +32,19 @@ TEST(Csv, ReaderOfCasesTakesTheFileBackInKelvin) {
         writer.take(sample::Moment(problem, 0.0, {296.15, 296.15}, true).snapshot);
         writer.take(sample::Moment(problem, 30.5, {353.15, 303.123456}, true).snapshot);
     }
-    input::Mistakes mistakes;
-    const auto file = input::read_text(scratch / "channels.csv", {}, mistakes);
+    input::InputErrors errors;
+    const auto file = input::read_text(scratch / "channels.csv", {}, errors);
     ASSERT_TRUE(file);
-    const auto csv = input::Csv::open(*file, mistakes);
+    const auto csv = input::Csv::open(*file, errors);
     ASSERT_TRUE(csv);
     const auto values =
         csv->read({{.column = csv->find("time"),
                     .name = "time",
-                    .wanted = {.unit = "s", .low = 0.0, .high = 1e9},
+                    .spec = {.unit = "s", .low = 0.0, .high = 1e9},
                     .purpose = input::Purpose::clock},
-                   {.column = csv->find("liner"), .name = "liner", .wanted = {.unit = "K", .low = 0.0, .high = 1e3}}},
-                  mistakes);
-    ASSERT_EQ(mistakes.count(), 0u);
+                   {.column = csv->find("liner"), .name = "liner", .spec = {.unit = "K", .low = 0.0, .high = 1e3}}},
+                  errors);
+    ASSERT_EQ(errors.count(), 0u);
     EXPECT_EQ(values[0], (std::vector<double>{0.0, 30.5}));
     EXPECT_NEAR(values[1][0], 296.15, 1e-9);
     EXPECT_NEAR(values[1][1], 303.123456, 0.5e-4);  // half of the last decimal

@@ -5,8 +5,8 @@
 
 namespace tiretherm::input {
 
-/// Something that the user must change, and where. Lines and columns count from 1; a column is a character, not a byte.
-struct Mistake {
+/// An error in what the user wrote, and where. Lines and columns count from 1; a column is a character, not a byte.
+struct InputError {
     std::string file;  ///< as the user would type it
     int line = 0;      ///< 0: the file as a whole
     int column = 0;
@@ -16,18 +16,18 @@ struct Mistake {
     std::string source;  ///< the line of the file
 };
 
-/// The mistake as a compiler shows it: `file:line:column: what`, the line, a caret under the place, the remedy.
+/// The error as a compiler shows it: `file:line:column: what`, the line, a caret under the place, the remedy.
 /// @returns lines, each ended by a newline
-[[nodiscard]] std::string render(const Mistake& mistake);
+[[nodiscard]] std::string render(const InputError& error);
 
-/// What is wrong with a piece of text, and what to do.
-struct Fault {
+/// The text of an error: what is wrong, and what to do.
+struct ErrorText {
     std::string what;
     std::string remedy;
 };
 
 /// A piece of a file. `file` counts the files in the order they were read.
-struct Place {
+struct SourceLocation {
     int file = -1;
     int line = 0;
     int column = 0;
@@ -35,21 +35,23 @@ struct Place {
 };
 
 /// Collects everything that is wrong with a case and its files, so that the user sees it all at once.
-class Mistakes {
+class InputErrors {
 public:
     /// @param shown path as the user would type it  @returns the file's number
     int add_file(std::string shown, std::string text);
-    void add(const Place& place, std::string what, std::string remedy = {});
-    void add(const Place& place, Fault fault) { add(place, std::move(fault.what), std::move(fault.remedy)); }
+    void add(const SourceLocation& place, std::string what, std::string remedy = {});
+    void add(const SourceLocation& place, ErrorText error) {
+        add(place, std::move(error.what), std::move(error.remedy));
+    }
     /// Something unusual that a run can still be made of.
-    void warn(const Place& place, const std::string& what);
+    void warn(const SourceLocation& place, const std::string& what);
 
     [[nodiscard]] std::size_t count() const { return found_.size(); }
     [[nodiscard]] const std::string& file(int number) const { return files_[static_cast<std::size_t>(number)].shown; }
     /// "case.toml:12", for a sentence about another place.
-    [[nodiscard]] std::string spell(const Place& place) const;
-    /// All mistakes in the order of the files and of their places in them, none twice.
-    [[nodiscard]] std::vector<Mistake> in_order() const;
+    [[nodiscard]] std::string spell(const SourceLocation& place) const;
+    /// All errors in the order of the files and of their places in them, none twice.
+    [[nodiscard]] std::vector<InputError> in_order() const;
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
 private:
@@ -58,10 +60,10 @@ private:
         std::string text;
     };
     struct Found {
-        Place place;
-        Fault fault;
+        SourceLocation place;
+        ErrorText error;
     };
-    [[nodiscard]] std::string line_of(const Place& place) const;
+    [[nodiscard]] std::string line_of(const SourceLocation& place) const;
 
     std::vector<File> files_;
     std::vector<Found> found_;

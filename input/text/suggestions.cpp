@@ -1,4 +1,4 @@
-#include "input/text/words.hpp"
+#include "input/text/suggestions.hpp"
 
 #include <algorithm>
 #include <cctype>

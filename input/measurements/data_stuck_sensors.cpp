@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "input/measurements/data_findings.hpp"
+#include "input/measurements/data_warnings.hpp"
 
-/// Suspicions that a signal raises which stands still.
+/// What looks suspicious in a signal that stands still.
 namespace tiretherm::input {
 
 namespace {
@@ -69,8 +69,8 @@ double reversals(const std::vector<double>& value, const Stretch& without) {
 }
 
 /// Whether the run has not begun yet: a stretch from its first sample on in which the tire stands.
-bool is_soak(const Recording& recording, const Watched& column, const Stretch& stretch) {
-    const Watched* speed = recording.find("speed");
+bool is_soak(const Recording& recording, const RecordedColumn& column, const Stretch& stretch) {
+    const RecordedColumn* speed = recording.find("speed");
     if (stretch.first != 0 || speed == nullptr) {
         return false;
     }
@@ -87,7 +87,7 @@ bool is_soak(const Recording& recording, const Watched& column, const Stretch& s
 
 }  // namespace
 
-std::string find_stuck(const Recording& recording, const Watched& column) {
+std::string find_stuck(const Recording& recording, const RecordedColumn& column) {
     const std::vector<Stretch> all = stretches(column.value);
     const auto longest = std::max_element(all.begin(), all.end(),
                                           [](const Stretch& a, const Stretch& b) { return a.length < b.length; });

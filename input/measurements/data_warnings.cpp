@@ -1,4 +1,4 @@
-#include "input/measurements/data_findings.hpp"
+#include "input/measurements/data_warnings.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,8 +13,8 @@ namespace {
 
 /// What is looked for in each column, in this order. Where the unit is doubted, that an input is unusual follows.
 struct Rule {
-    std::string (*look)(const Recording& recording, const Watched& column);
-    bool ends = false;  ///< rules after it are not asked when it has found something
+    std::string (*look)(const Recording& recording, const RecordedColumn& column);
+    bool ends = false;  ///< the rules after it are skipped when it has found something
 };
 constexpr std::array rules{Rule{find_stuck}, Rule{find_outliers}, Rule{find_unit_slip, true}, Rule{find_unusual}};
 
@@ -30,11 +30,11 @@ std::string three_digits(double value) {
     return fmt::format("{}", std::strtod(fmt::format("{:.3g}", value).c_str(), nullptr));
 }
 
-double Watched::low(double share) const { return quantile(value, share); }
+double RecordedColumn::low(double share) const { return quantile(value, share); }
 
-double Watched::high(double share) const { return quantile(value, share); }
+double RecordedColumn::high(double share) const { return quantile(value, share); }
 
-double Watched::largest() const {
+double RecordedColumn::largest() const {
     double found = 0.0;
     for (std::size_t i = 0; i < value.size(); ++i) {
         const double before = i > 0 ? std::abs(value[i - 1]) : 0.0;
@@ -44,7 +44,7 @@ double Watched::largest() const {
     return found;
 }
 
-double Watched::resolution() const {
+double RecordedColumn::resolution() const {
     double smallest = 0.0;
     for (std::size_t i = 1; i < value.size(); ++i) {
         const double step = std::abs(value[i] - value[i - 1]);
@@ -53,22 +53,22 @@ double Watched::resolution() const {
     return smallest;
 }
 
-std::string Watched::show(double si_amount) const {
+std::string RecordedColumn::show(double si_amount) const {
     const bool bare = unit.empty() || unit == "-" || unit == "1";
     const std::string number = three_digits(conversion.from_si(si_amount));
     return bare ? number : fmt::format("{} {}", number, unit);
 }
 
-std::string Watched::show_difference(double si_amount) const {
+std::string RecordedColumn::show_difference(double si_amount) const {
     if (is_temperature()) {
         return fmt::format("{} K", three_digits(si_amount));
     }
     return show(si_amount + conversion.offset);
 }
 
-const Watched* Recording::find(std::string_view name) const {
+const RecordedColumn* Recording::find(std::string_view name) const {
     const auto found =
-        std::find_if(columns.begin(), columns.end(), [&](const Watched& column) { return column.name == name; });
+        std::find_if(columns.begin(), columns.end(), [&](const RecordedColumn& column) { return column.name == name; });
     return found == columns.end() ? nullptr : &*found;
 }
 
@@ -77,7 +77,7 @@ std::vector<std::string> find_suspicious(const Recording& recording) {
     if (const std::string jumps = find_time_jumps(recording); !jumps.empty()) {
         sentences.push_back(fmt::format("{}: time {}", recording.file, jumps));
     }
-    for (const Watched& column : recording.columns) {
+    for (const RecordedColumn& column : recording.columns) {
         const std::string aside = column.heading == column.name ? "" : fmt::format(" (column {})", column.heading);
         for (const Rule& rule : rules) {
             const std::string sentence = column.value.empty() ? "" : rule.look(recording, column);

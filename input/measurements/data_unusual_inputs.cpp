@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "input/measurements/data_findings.hpp"
+#include "input/measurements/data_warnings.hpp"
 
-/// Inputs that are possible and yet seldom seen.
+/// Inputs that are possible but unusual.
 namespace tiretherm::input {
 
 namespace {
@@ -38,7 +38,7 @@ constexpr std::array usual{Usual{"speed", -none, 300.0 * km_h},
 
 }  // namespace
 
-std::string find_unusual(const Recording&, const Watched& column) {
+std::string find_unusual(const Recording&, const RecordedColumn& column) {
     const auto range = std::find_if(usual.begin(), usual.end(), [&](const Usual& u) { return u.name == column.name; });
     if (!column.is_input || range == usual.end()) {
         return {};

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "input/model/reader.hpp"
+#include "input/text/suggestions.hpp"
 #include "input/validation/validation_reader.hpp"
-#include "input/text/words.hpp"
 
 namespace tiretherm::input {
 
@@ -26,11 +26,12 @@ std::string neighbour(const fs::path& file) {
 
 }  // namespace
 
-std::optional<std::size_t> CaseShelf::find(const std::string& path, const Place& mentioned, Mistakes& mistakes) {
+std::optional<std::size_t> CaseCache::find(const std::string& path, const SourceLocation& mentioned,
+                                           InputErrors& errors) {
     const fs::path file = (folder_ / path).lexically_normal();
     std::error_code error;
     if (!fs::is_regular_file(file, error)) {
-        mistakes.add(mentioned, fmt::format("there is no case {}", path), neighbour(file));
+        errors.add(mentioned, fmt::format("there is no case {}", path), neighbour(file));
         return std::nullopt;
     }
     const auto known = known_.find(file.generic_string());
@@ -39,7 +40,7 @@ std::optional<std::size_t> CaseShelf::find(const std::string& path, const Place&
     }
     std::optional<std::size_t>& index = known_[file.generic_string()];
     Reading reading = read_case(file);
-    mistakes_.insert(mistakes_.end(), reading.mistakes.begin(), reading.mistakes.end());
+    errors_.insert(errors_.end(), reading.errors.begin(), reading.errors.end());
     warnings_.insert(warnings_.end(), reading.warnings.begin(), reading.warnings.end());
     if (reading.problem) {
         index = runs_.size();
@@ -48,13 +49,13 @@ std::optional<std::size_t> CaseShelf::find(const std::string& path, const Place&
     return index;
 }
 
-void CaseShelf::append_complaints(ValidationReading& reading) const {
-    for (const Mistake& mistake : mistakes_) {
-        const auto same = [&](const Mistake& other) {
-            return other.file == mistake.file && other.line == mistake.line && other.what == mistake.what;
+void CaseCache::append_messages(ValidationReading& reading) const {
+    for (const InputError& error : errors_) {
+        const auto same = [&](const InputError& other) {
+            return other.file == error.file && other.line == error.line && other.what == error.what;
         };
-        if (std::none_of(reading.mistakes.begin(), reading.mistakes.end(), same)) {
-            reading.mistakes.push_back(mistake);
+        if (std::none_of(reading.errors.begin(), reading.errors.end(), same)) {
+            reading.errors.push_back(error);
         }
     }
     for (const std::string& warning : warnings_) {

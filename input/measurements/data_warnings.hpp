@@ -10,7 +10,7 @@
 namespace tiretherm::input {
 
 /// A column of a run's file that the model uses, without its missing samples.
-struct Watched {
+struct RecordedColumn {
     std::string name;          ///< what the model calls it
     std::string heading;       ///< what the file calls it
     std::string unit;          ///< as written
@@ -36,9 +36,9 @@ struct Recording {
     std::string file;
     std::vector<double> time;  ///< s, of all samples
     std::string time_unit;     ///< as written
-    std::vector<Watched> columns;
+    std::vector<RecordedColumn> columns;
 
-    [[nodiscard]] const Watched* find(std::string_view name) const;  ///< null when the file does not have it
+    [[nodiscard]] const RecordedColumn* find(std::string_view name) const;  ///< null when the file does not have it
 };
 
 /// What is suspicious about a recording, a sentence each: jumps of time, stuck sensors, outliers, columns whose unit is
@@ -47,10 +47,10 @@ struct Recording {
 
 /// Parts of it. Each sentence lacks the file's and the column's name; empty: nothing to say.
 [[nodiscard]] std::string find_time_jumps(const Recording& recording);
-[[nodiscard]] std::string find_stuck(const Recording& recording, const Watched& column);
-[[nodiscard]] std::string find_outliers(const Recording& recording, const Watched& column);
-[[nodiscard]] std::string find_unit_slip(const Recording& recording, const Watched& column);
-[[nodiscard]] std::string find_unusual(const Recording& recording, const Watched& column);
+[[nodiscard]] std::string find_stuck(const Recording& recording, const RecordedColumn& column);
+[[nodiscard]] std::string find_outliers(const Recording& recording, const RecordedColumn& column);
+[[nodiscard]] std::string find_unit_slip(const Recording& recording, const RecordedColumn& column);
+[[nodiscard]] std::string find_unusual(const Recording& recording, const RecordedColumn& column);
 
 /// To three digits, without an exponent where it can be helped: 4320, 27.8, 0.0421.
 [[nodiscard]] std::string three_digits(double value);

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "input/measurements/data_findings.hpp"
+#include "input/measurements/data_warnings.hpp"
 
-/// Suspicions that the course of a signal raises, whatever its unit.
+/// What looks suspicious in the course of a signal, whatever its unit.
 namespace tiretherm::input {
 
 namespace {
@@ -40,7 +40,7 @@ std::vector<double> off_median(const std::vector<double>& value) {
 }
 
 /// A robust standard deviation of the differences, not below what the logger resolves and what would matter.
-double scale_of(const Watched& column, const std::vector<double>& off) {
+double scale_of(const RecordedColumn& column, const std::vector<double>& off) {
     std::vector<double> magnitudes(off.size());
     std::transform(off.begin(), off.end(), magnitudes.begin(), [](double v) { return std::abs(v); });
     const double least = column.is_input ? least_of_input : least_scale;
@@ -50,7 +50,7 @@ double scale_of(const Watched& column, const std::vector<double>& off) {
 
 /// Whether an input changes so much between two times that a sensor's jump may be real.
 bool is_eventful(const Recording& recording, double from, double to) {
-    return std::ranges::any_of(recording.columns, [&](const Watched& column) {
+    return std::ranges::any_of(recording.columns, [&](const RecordedColumn& column) {
         const auto first = std::lower_bound(column.time.begin(), column.time.end(), from);
         const auto last = std::upper_bound(first, column.time.end(), to);
         if (!column.is_input || first == last) {
@@ -93,7 +93,7 @@ std::string find_time_jumps(const Recording& recording) {
     return fmt::format("{}, where a sample mostly comes every {:.6g} s: was the logger paused?", how, usual);
 }
 
-std::string find_outliers(const Recording& recording, const Watched& column) {
+std::string find_outliers(const Recording& recording, const RecordedColumn& column) {
     const std::vector<double>& value = column.value;
     if (value.size() < 2 * half_window + 1) {
         return {};

@@ -1,4 +1,4 @@
-#include "input/text/mistake.hpp"
+#include "input/text/input_error.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "input/text/words.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
@@ -15,9 +15,9 @@ namespace {
 constexpr std::size_t widest = 110;  // characters of a source line that are shown
 
 /// The line and a caret under its place. A long line is cut to a window about the place.
-std::string underlined(const Mistake& mistake) {
-    std::vector<std::string> characters = split_characters(mistake.source);
-    auto first = static_cast<std::size_t>(std::max(0, mistake.column - 1));
+std::string underlined(const InputError& error) {
+    std::vector<std::string> characters = split_characters(error.source);
+    auto first = static_cast<std::size_t>(std::max(0, error.column - 1));
     if (first > characters.size()) {
         first = characters.size();
     }
@@ -44,43 +44,42 @@ std::string underlined(const Mistake& mistake) {
         }
     }
     const std::size_t room = characters.size() > first ? characters.size() - first : 1;
-    const auto length = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(1, mistake.length)), 1, room);
+    const auto length = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(1, error.length)), 1, room);
     return line + "\n" + caret + "^" + std::string(length - 1, '~') + "\n";
 }
 
 }  // namespace
 
-std::string render(const Mistake& mistake) {
-    std::string text = mistake.line > 0
-                           ? fmt::format("{}:{}:{}: {}\n", mistake.file, mistake.line, mistake.column, mistake.what)
-                           : fmt::format("{}: {}\n", mistake.file, mistake.what);
-    if (mistake.line > 0 && !mistake.source.empty()) {
-        text += underlined(mistake);
+std::string render(const InputError& error) {
+    std::string text = error.line > 0 ? fmt::format("{}:{}:{}: {}\n", error.file, error.line, error.column, error.what)
+                                      : fmt::format("{}: {}\n", error.file, error.what);
+    if (error.line > 0 && !error.source.empty()) {
+        text += underlined(error);
     }
-    if (!mistake.remedy.empty()) {
-        text += fmt::format("    remedy: {}\n", mistake.remedy);
+    if (!error.remedy.empty()) {
+        text += fmt::format("    remedy: {}\n", error.remedy);
     }
     return text;
 }
 
-int Mistakes::add_file(std::string shown, std::string text) {
+int InputErrors::add_file(std::string shown, std::string text) {
     files_.push_back({std::move(shown), std::move(text)});
     return static_cast<int>(files_.size()) - 1;
 }
 
-void Mistakes::add(const Place& place, std::string what, std::string remedy) {
+void InputErrors::add(const SourceLocation& place, std::string what, std::string remedy) {
     found_.push_back({place, {std::move(what), std::move(remedy)}});
 }
 
-void Mistakes::warn(const Place& place, const std::string& what) {
+void InputErrors::warn(const SourceLocation& place, const std::string& what) {
     warnings_.push_back(place.file >= 0 ? fmt::format("{}: {}", spell(place), what) : what);
 }
 
-std::string Mistakes::spell(const Place& place) const {
+std::string InputErrors::spell(const SourceLocation& place) const {
     return place.line > 0 ? fmt::format("{}:{}", file(place.file), place.line) : file(place.file);
 }
 
-std::string Mistakes::line_of(const Place& place) const {
+std::string InputErrors::line_of(const SourceLocation& place) const {
     const std::string& text = files_[static_cast<std::size_t>(place.file)].text;
     std::size_t start = 0;
     for (int line = 1; line < place.line; ++line) {
@@ -97,7 +96,7 @@ std::string Mistakes::line_of(const Place& place) const {
     return line.starts_with("\xEF\xBB\xBF") ? line.substr(3) : line;
 }
 
-std::vector<Mistake> Mistakes::in_order() const {
+std::vector<InputError> InputErrors::in_order() const {
     std::vector<const Found*> order;
     for (const Found& found : found_) {
         order.push_back(&found);
@@ -106,22 +105,22 @@ std::vector<Mistake> Mistakes::in_order() const {
         return std::tie(a->place.file, a->place.line, a->place.column) <
                std::tie(b->place.file, b->place.line, b->place.column);
     });
-    std::vector<Mistake> result;
+    std::vector<InputError> result;
     for (const Found* found : order) {
-        const Place& place = found->place;
-        Mistake mistake{.file = file(place.file),
-                        .line = place.line,
-                        .column = place.column,
-                        .length = place.length,
-                        .what = found->fault.what,
-                        .remedy = found->fault.remedy,
-                        .source = {}};
-        const auto same = [&](const Mistake& other) {
-            return other.file == mistake.file && other.line == mistake.line && other.what == mistake.what;
+        const SourceLocation& place = found->place;
+        InputError error{.file = file(place.file),
+                         .line = place.line,
+                         .column = place.column,
+                         .length = place.length,
+                         .what = found->error.what,
+                         .remedy = found->error.remedy,
+                         .source = {}};
+        const auto same = [&](const InputError& other) {
+            return other.file == error.file && other.line == error.line && other.what == error.what;
         };
         if (std::none_of(result.begin(), result.end(), same)) {
-            mistake.source = place.line > 0 ? line_of(place) : std::string();
-            result.push_back(std::move(mistake));
+            error.source = place.line > 0 ? line_of(place) : std::string();
+            result.push_back(std::move(error));
         }
     }
     return result;

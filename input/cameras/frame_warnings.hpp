@@ -8,13 +8,13 @@
 namespace tiretherm::input {
 
 /// Looks at a camera's frames as they are read, all detectors of them.
-class FrameWatch {
+class FrameChecks {
 public:
     /// @param kelvin [rows * columns]; NaN: dead
     void take(const std::vector<double>& kelvin);
     /// What is suspicious, and what was left out, a sentence each.
     /// @param outside frames that do not lie within the run
-    [[nodiscard]] std::vector<std::string> findings(const MeasuredFrames& frames, std::size_t outside) const;
+    [[nodiscard]] std::vector<std::string> warnings(const MeasuredFrames& frames, std::size_t outside) const;
 
 private:
     double hottest_ = 0.0;        ///< K

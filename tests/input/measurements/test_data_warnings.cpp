@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "input/measurements/data_findings.hpp"
+#include "input/measurements/data_warnings.hpp"
 #include "input/measurements/measured_bench.hpp"
 
 // What is suspicious about data is told before any fit, in sentences that are held to the letter here. Each test starts
@@ -68,7 +68,7 @@ public:
         column(name).unit = label;
     }
 
-    [[nodiscard]] std::vector<std::string> findings() const {
+    [[nodiscard]] std::vector<std::string> warnings() const {
         std::string log = "time [s]";
         for (const Numbers& written : columns) {
             log += "," + written.name + " [" + written.unit + "]";
@@ -86,9 +86,9 @@ public:
         const ExperimentReading reading = read_experiment(
             files.add("case.toml",
                       std::string(bench) + "[drive]\nroad_temperature = \"25 degC\"\n[[run]]\nfile = \"run1.csv\"\n"));
-        EXPECT_TRUE(reading.experiment.has_value()) << complaints(reading);
+        EXPECT_TRUE(reading.experiment.has_value()) << error_report(reading);
         std::vector<std::string> found;
-        for (const std::string& sentence : reading.findings) {
+        for (const std::string& sentence : reading.data_warnings) {
             found.push_back(replaced(sentence, files.folder().generic_string() + "/", ""));
         }
         return found;
@@ -102,84 +102,84 @@ using Sentences = std::vector<std::string>;
 
 }  // namespace
 
-TEST(Findings, NothingIsSaidAboutSoundData) { EXPECT_EQ(Session().findings(), Sentences{}); }
+TEST(DataWarnings, NothingIsSaidAboutSoundData) { EXPECT_EQ(Session().warnings(), Sentences{}); }
 
-TEST(Findings, APauseOfTheLogger) {
+TEST(DataWarnings, APauseOfTheLogger) {
     Session session;
     for (std::size_t i = 100; i < session.time.size(); ++i) {
         session.time[i] += 120.0;
     }
     EXPECT_EQ(
-        session.findings(),
+        session.warnings(),
         Sentences{"run1.csv: time jumps by 126 s after 594 s, where a sample mostly comes every 6 s: was the logger "
                   "paused?"});
     for (std::size_t i = 200; i < session.time.size(); ++i) {
         session.time[i] += 200.0;
     }
     EXPECT_EQ(
-        session.findings(),
+        session.warnings(),
         Sentences{"run1.csv: time jumps 2 times, at most by 206 s after 1314 s, where a sample mostly comes every 6 "
                   "s: was the logger paused?"});
 }
 
-TEST(Findings, AClockInMilliseconds) {
+TEST(DataWarnings, AClockInMilliseconds) {
     Session session;
     for (double& time : session.time) {
         time *= 1000.0;
     }
-    EXPECT_EQ(session.findings(),
+    EXPECT_EQ(session.warnings(),
               Sentences{"run1.csv: time goes on for 665 h, and 2390000 ms would be 2390 s: is the column in ms?"});
 }
 
-TEST(Findings, ASensorThatHangs) {
+TEST(DataWarnings, ASensorThatHangs) {
     Session session;
     std::vector<double>& bulk = session.column("bulk_temperature").numbers;
     std::fill(bulk.begin() + 100, bulk.begin() + 140, 60.31);
-    EXPECT_EQ(session.findings(),
+    EXPECT_EQ(session.warnings(),
               Sentences{"run1.csv: bulk_temperature stands at 60.3 degC for 40 samples, from 600 s to 834 s, while it "
                         "otherwise changes: was it stuck?"});
     // As long as a fiftieth of the run or twenty samples it may.
     session = Session();
     std::vector<double>& other = session.column("bulk_temperature").numbers;
     std::fill(other.begin() + 100, other.begin() + 120, 60.31);
-    EXPECT_EQ(session.findings(), Sentences{});
+    EXPECT_EQ(session.warnings(), Sentences{});
 }
 
 // A coarse sensor stands on each of its steps; nothing hangs. In whole degrees the bulk, which rises by 50 K in 400
 // samples and slower and slower, stays on one for tens of samples.
-TEST(Findings, ACoarseSensorDoesNotHang) {
+TEST(DataWarnings, ACoarseSensorDoesNotHang) {
     Session session;
     for (int i = 0; i < n_samples; ++i) {
         const double warm = 1.0 - std::exp(-i / 200.0);
         session.column("bulk_temperature").numbers[static_cast<std::size_t>(i)] = std::floor(25.0 + 50.0 * warm);
     }
-    EXPECT_EQ(session.findings(), Sentences{});
+    EXPECT_EQ(session.warnings(), Sentences{});
 }
 
 // Written to 0.1 K, air that hardly changes flickers on the edge of a step for a while and then no more.
-TEST(Findings, AirThatHardlyChangesDoesNotHang) {
+TEST(DataWarnings, AirThatHardlyChangesDoesNotHang) {
     Session session;
     for (std::size_t i = 0; i < 100; ++i) {
         session.column("air_temperature").numbers[i] = i % 3 == 0 ? 25.1 : 25.0;
     }
-    EXPECT_EQ(session.findings(), Sentences{});
+    EXPECT_EQ(session.warnings(), Sentences{});
 }
 
 // Before it rolls, a tire stays as it is; when it rolls, it does not.
-TEST(Findings, ATireThatStandsFromTheStartDoesNotHang) {
+TEST(DataWarnings, ATireThatStandsFromTheStartDoesNotHang) {
     Session session;
     std::vector<double>& speed = session.column("speed").numbers;
     std::fill(speed.begin(), speed.begin() + 60, 0.0);
     std::vector<double>& bulk = session.column("bulk_temperature").numbers;
     std::fill(bulk.begin(), bulk.begin() + 50, 25.0);
-    EXPECT_EQ(session.findings(), Sentences{});
+    EXPECT_EQ(session.warnings(), Sentences{});
     speed[30] = 80.0;
-    EXPECT_EQ(session.findings(),
+    EXPECT_EQ(session.warnings(),
               Sentences{"run1.csv: bulk_temperature stands at 25 degC for 50 samples, from 0 s to 294 "
                         "s, while it otherwise changes: was it stuck?"});
 }
 
-TEST(Findings, AnInputThatHangs) {
+TEST(DataWarnings, AnInputThatHangs) {
     Session session;
     std::mt19937 random(11);
     std::normal_distribution<double> noise(0.0, 20.0);
@@ -187,43 +187,43 @@ TEST(Findings, AnInputThatHangs) {
     for (double& value : load) {
         value += noise(random);
     }
-    EXPECT_EQ(session.findings(), Sentences{});
+    EXPECT_EQ(session.warnings(), Sentences{});
     std::fill(load.begin() + 50, load.begin() + 90, 4017.0);
     EXPECT_EQ(
-        session.findings(),
+        session.warnings(),
         Sentences{"run1.csv: vertical_load stands at 4020 N for 40 samples, from 300 s to 534 s, while it otherwise "
                   "changes: was it stuck?"});
 }
 
-TEST(Findings, Outliers) {
+TEST(DataWarnings, Outliers) {
     Session session;
     std::vector<double>& surface = session.column("surface_temperature").numbers;
     surface[350] = surface[349] + 41.0;
-    EXPECT_EQ(session.findings().size(), 1U);
+    EXPECT_EQ(session.warnings().size(), 1U);
     // Off the median of the eleven about it by 41 K and the noise of two samples.
-    EXPECT_TRUE(session.findings().front().starts_with("run1.csv: surface_temperature has an outlier at 2100 s, 4"));
-    EXPECT_TRUE(session.findings().front().ends_with(" K off the samples about it"));
+    EXPECT_TRUE(session.warnings().front().starts_with("run1.csv: surface_temperature has an outlier at 2100 s, 4"));
+    EXPECT_TRUE(session.warnings().front().ends_with(" K off the samples about it"));
     surface[360] = surface[361] = -10.0;
     EXPECT_TRUE(
-        session.findings().front().starts_with("run1.csv: surface_temperature has 3 outliers, the first at 2100 s, 4"));
+        session.warnings().front().starts_with("run1.csv: surface_temperature has 3 outliers, the first at 2100 s, 4"));
 }
 
 // A pulse that an input explains is no outlier: braking to a standstill within a sample.
-TEST(Findings, WhatAnInputExplainsIsNoOutlier) {
+TEST(DataWarnings, WhatAnInputExplainsIsNoOutlier) {
     Session session;
     session.column("surface_temperature").numbers[350] += 15.0;
-    EXPECT_EQ(session.findings().size(), 1U);
+    EXPECT_EQ(session.warnings().size(), 1U);
     session.column("speed").numbers[350] = 60.0;
     session.column("speed").numbers[351] = 60.0;
-    EXPECT_EQ(session.findings(), Sentences{});
+    EXPECT_EQ(session.warnings(), Sentences{});
 }
 
 // 120 km/h are 33.3 m/s.
-TEST(Findings, ASpeedInMetresPerSecond) {
+TEST(DataWarnings, ASpeedInMetresPerSecond) {
     Session session;
     session.mislabel("speed", 1.0 / 3.6, 0.0, "km/h");
     EXPECT_EQ(
-        session.findings(),
+        session.warnings(),
         Sentences{"run1.csv: speed is at most 33.3 km/h over the whole run, and 33.3 m/s would be 120 km/h: is the "
                   "column in m/s?"});
     // A tire that stays cold may well have rolled so slowly.
@@ -232,47 +232,47 @@ TEST(Findings, ASpeedInMetresPerSecond) {
             number = 25.0 + 0.1 * (number - 25.0);
         }
     }
-    EXPECT_EQ(session.findings(), Sentences{});
+    EXPECT_EQ(session.warnings(), Sentences{});
 }
 
-TEST(Findings, ASpeedInKilometresPerHour) {
+TEST(DataWarnings, ASpeedInKilometresPerHour) {
     Session session;
     session.mislabel("speed", 1.0, 0.0, "m/s");
-    EXPECT_EQ(session.findings(),
+    EXPECT_EQ(session.warnings(),
               Sentences{"run1.csv: speed reaches 120 m/s, and 120 km/h would be 33.3 m/s: is the column in km/h?"});
 }
 
-TEST(Findings, ALoadInKilonewtons) {
+TEST(DataWarnings, ALoadInKilonewtons) {
     Session session;
     session.mislabel("vertical_load", 1e-3, 0.0, "N");
     // With it the lateral force has become huge beside the load, which the load alone explains.
-    EXPECT_EQ(session.findings(),
+    EXPECT_EQ(session.warnings(),
               Sentences{"run1.csv: vertical_load is at most 5 N over the whole run, and 5 kN would be 5000 N: is the "
                         "column in kN?"});
 }
 
-TEST(Findings, ASlipAngleInRadians) {
+TEST(DataWarnings, ASlipAngleInRadians) {
     Session session;
     session.mislabel("slip_angle", M_PI / 180.0, 0.0, "deg");
     // 4 degrees are 0.0698 rad.
-    EXPECT_EQ(session.findings(),
+    EXPECT_EQ(session.warnings(),
               Sentences{"run1.csv: slip_angle is at most 0.0698 deg over the whole run, and 0.0698 rad would be 4 deg: "
                         "is the column in rad?"});
 }
 
-TEST(Findings, ASlipAngleInDegrees) {
+TEST(DataWarnings, ASlipAngleInDegrees) {
     Session session;
     session.mislabel("slip_angle", 0.25, 0.0, "rad");
-    EXPECT_EQ(session.findings(),
+    EXPECT_EQ(session.warnings(),
               Sentences{"run1.csv: slip_angle reaches 1 rad, and 1 deg would be 0.0175 rad: is the column in "
                         "deg?"});
 }
 
-TEST(Findings, PressuresInOtherUnits) {
+TEST(DataWarnings, PressuresInOtherUnits) {
     const auto says = [](double factor, const std::string& label) {
         Session session;
         session.mislabel("inflation_pressure", factor, 0.0, label);
-        return session.findings();
+        return session.warnings();
     };
     EXPECT_EQ(
         says(1.0, "kPa"),
@@ -288,11 +288,11 @@ TEST(Findings, PressuresInOtherUnits) {
                   "kPa: is the column in psi?"});
 }
 
-TEST(Findings, TemperaturesInOtherUnits) {
+TEST(DataWarnings, TemperaturesInOtherUnits) {
     const auto says = [](const std::string& name, double factor, double offset, const std::string& label) {
         Session session;
         session.mislabel(name, factor, offset, label);
-        const Sentences found = session.findings();
+        const Sentences found = session.warnings();
         return found.size() == 1 ? found.front() : std::to_string(found.size()) + " sentences";
     };
     // From 25 degC to 75 degC in kelvin, labelled degC; and in degC, labelled kelvin.
@@ -311,18 +311,18 @@ TEST(Findings, TemperaturesInOtherUnits) {
     EXPECT_TRUE(start.ends_with(": is the column in degF?")) << start;
 }
 
-TEST(Findings, UnusualInputs) {
+TEST(DataWarnings, UnusualInputs) {
     Session session;
     session.mislabel("inflation_pressure", 2.5, 0.0, "bar");
     for (double& number : session.column("air_temperature").numbers) {
         number = 52.0;
     }
-    EXPECT_EQ(session.findings(),
+    EXPECT_EQ(session.warnings(),
               (Sentences{"run1.csv: air_temperature reaches 52 degC, which is unusual: it is mostly at most 50 degC",
                          "run1.csv: inflation_pressure reaches 6 bar, which is unusual: it is mostly at most 5 bar"}));
 }
 
-TEST(Findings, AColumnOfAnotherNameIsShownByBoth) {
+TEST(DataWarnings, AColumnOfAnotherNameIsShownByBoth) {
     Recording recording{.file = "log.csv", .time = {0, 1, 2}, .time_unit = "s", .columns = {}};
     recording.columns.push_back({.name = "camber",
                                  .heading = "IA",
@@ -336,7 +336,7 @@ TEST(Findings, AColumnOfAnotherNameIsShownByBoth) {
               Sentences{"log.csv: camber (column IA) reaches 11.5 deg, which is unusual: it is mostly at most 10 deg"});
 }
 
-TEST(Findings, NumbersAreShownToThreeDigits) {
+TEST(DataWarnings, NumbersAreShownToThreeDigits) {
     EXPECT_EQ(three_digits(4323.5), "4320");
     EXPECT_EQ(three_digits(27.777), "27.8");
     EXPECT_EQ(three_digits(0.042149), "0.0421");

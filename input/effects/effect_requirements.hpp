@@ -1,25 +1,25 @@
 #pragma once
 
-#include "input/model/draft.hpp"
+#include "input/model/problem_builder.hpp"
 
 namespace tiretherm::input {
 
 /// Whether an effect has what it needs: a tire, patches, cells. @param place of what switched it on
 /// @param chosen whether the case names its patches
-void check_needs(Section& root, const physics::ActiveEffect& active, const Place& place, bool chosen,
-                 const Draft& draft);
+void check_requirements(TomlTable& root, const physics::ActiveEffect& active, const SourceLocation& place, bool chosen,
+                        const ProblemBuilder& builder);
 
 /// Weights that are all zero leave nowhere for an effect to act.
-void check_weights(Section& root, const Draft& draft);
+void check_weights(TomlTable& root, const ProblemBuilder& builder);
 
 /// A warning about effects that are on beside the one that they stand for.
-void warn_of_doubles(Section& root, const Draft& draft);
+void warn_of_doubles(TomlTable& root, const ProblemBuilder& builder);
 
 /// Signals that the active effects need and [drive] lacks.
-void check_signals(Section& root, const Draft& draft);
+void check_signals(TomlTable& root, const ProblemBuilder& builder);
 
 /// A warning about signals that neither an effect nor a channel uses.
-void warn_of_unread_signals(Section& root, const Draft& draft);
+void warn_of_unread_signals(TomlTable& root, const ProblemBuilder& builder);
 
 /// Signals from which a quantity follows.
 [[nodiscard]] std::vector<std::string_view> signals_of(solver::Quantity quantity);

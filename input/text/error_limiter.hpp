@@ -2,18 +2,18 @@
 
 #include <fmt/format.h>
 
-#include "input/text/mistake.hpp"
+#include "input/text/input_error.hpp"
 
 namespace tiretherm::input {
 
-/// Mistakes of one kind, such as those of a column: five are reported, the others counted.
-class Complaints {
+/// Errors of one kind, such as those of a column: five are reported, the others counted.
+class ErrorLimiter {
 public:
-    explicit Complaints(Mistakes& mistakes) : mistakes_(&mistakes) {}
+    explicit ErrorLimiter(InputErrors& errors) : errors_(&errors) {}
 
-    void add(const Place& place, Fault fault) {
+    void add(const SourceLocation& place, ErrorText error) {
         if (++count_ <= shown) {
-            mistakes_->add(place, std::move(fault));
+            errors_->add(place, std::move(error));
         } else if (count_ == shown + 1) {
             next_ = place;
         }
@@ -21,15 +21,15 @@ public:
     /// Reports how many more there were. @param subject what they are about, such as a column's name
     void close(const std::string& subject) {
         if (count_ > shown) {
-            mistakes_->add(next_, fmt::format("{}: and {} more like this", subject, count_ - shown));
+            errors_->add(next_, fmt::format("{}: and {} more like this", subject, count_ - shown));
         }
     }
 
 private:
     static constexpr int shown = 5;
-    Mistakes* mistakes_;
+    InputErrors* errors_;
     int count_ = 0;
-    Place next_;
+    SourceLocation next_;
 };
 
 }  // namespace tiretherm::input

@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
-#include "input/text/mistake.hpp"
-#include "input/text/words.hpp"
+#include "input/text/input_error.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
-TEST(Words, DistanceCountsEdits) {
+TEST(Suggestions, DistanceCountsEdits) {
     EXPECT_EQ(distance("speed", "speed"), 0U);
     EXPECT_EQ(distance("Speed", "speed"), 0U);
     EXPECT_EQ(distance("sped", "speed"), 1U);
@@ -17,7 +17,7 @@ TEST(Words, DistanceCountsEdits) {
     EXPECT_EQ(distance("", "abc"), 3U);
 }
 
-TEST(Words, OnlyNearWordsAreSuggested) {
+TEST(Suggestions, OnlyNearWordsAreSuggested) {
     const std::vector<std::string> known{"speed", "vertical_load", "on"};
     EXPECT_EQ(suggest("vertical_laod", known, "inputs"), "did you mean `vertical_load`?");
     EXPECT_EQ(suggest("weather", known, "inputs"), "the inputs are speed, vertical_load and on");
@@ -27,25 +27,25 @@ TEST(Words, OnlyNearWordsAreSuggested) {
 }
 
 TEST(Render, ShowsPlaceLineCaretAndRemedy) {
-    const Mistake mistake{.file = "a.toml",
-                          .line = 3,
-                          .column = 7,
-                          .length = 4,
-                          .what = "no",
-                          .remedy = "yes",
-                          .source = "\tkey = 1234 # x"};
-    EXPECT_EQ(render(mistake), "a.toml:3:7: no\n    \tkey = 1234 # x\n    \t     ^~~~\n    remedy: yes\n");
+    const InputError error{.file = "a.toml",
+                           .line = 3,
+                           .column = 7,
+                           .length = 4,
+                           .what = "no",
+                           .remedy = "yes",
+                           .source = "\tkey = 1234 # x"};
+    EXPECT_EQ(render(error), "a.toml:3:7: no\n    \tkey = 1234 # x\n    \t     ^~~~\n    remedy: yes\n");
 }
 
-TEST(Render, AMistakeOfAWholeFileHasNoLine) {
+TEST(Render, AnErrorOfAWholeFileHasNoLine) {
     EXPECT_EQ(render({.file = "a.toml", .what = "the file is empty", .remedy = {}, .source = {}}),
               "a.toml: the file is empty\n");
 }
 
 TEST(Render, CaretsCountCharactersNotBytes) {
-    const Mistake mistake{
+    const InputError error{
         .file = "a", .line = 1, .column = 4, .length = 2, .what = "w", .remedy = {}, .source = "\u00B5\u00B0\u03A9ab"};
-    EXPECT_EQ(render(mistake), "a:1:4: w\n    \u00B5\u00B0\u03A9ab\n       ^~\n");
+    EXPECT_EQ(render(error), "a:1:4: w\n    \u00B5\u00B0\u03A9ab\n       ^~\n");
 }
 
 // Places from outside of a line must not crash the one who reports them.
@@ -56,16 +56,16 @@ TEST(Render, SurvivesPlacesBeyondTheLine) {
               "a:1:1: w\n");
 }
 
-TEST(Mistakes, AreOrderedByPlaceAndNeverTwice) {
-    Mistakes mistakes;
-    const int a = mistakes.add_file("a.toml", "one\r\ntwo\n");
-    const int b = mistakes.add_file("b.csv", "three\n");
-    mistakes.add({.file = b, .line = 1, .column = 1, .length = 1}, "fourth");
-    mistakes.add({.file = a, .line = 2, .column = 1, .length = 1}, "third");
-    mistakes.add({.file = a, .line = 1, .column = 3, .length = 1}, "second");
-    mistakes.add({.file = a}, "first");
-    mistakes.add({.file = a, .line = 2, .column = 1, .length = 1}, "third");
-    const std::vector<Mistake> found = mistakes.in_order();
+TEST(InputErrors, AreOrderedByPlaceAndNeverTwice) {
+    InputErrors errors;
+    const int a = errors.add_file("a.toml", "one\r\ntwo\n");
+    const int b = errors.add_file("b.csv", "three\n");
+    errors.add({.file = b, .line = 1, .column = 1, .length = 1}, "fourth");
+    errors.add({.file = a, .line = 2, .column = 1, .length = 1}, "third");
+    errors.add({.file = a, .line = 1, .column = 3, .length = 1}, "second");
+    errors.add({.file = a}, "first");
+    errors.add({.file = a, .line = 2, .column = 1, .length = 1}, "third");
+    const std::vector<InputError> found = errors.in_order();
     ASSERT_EQ(found.size(), 4U);
     EXPECT_EQ(found[0].what, "first");
     EXPECT_EQ(found[1].what, "second");

@@ -1,4 +1,4 @@
-#include "input/cameras/frame_findings.hpp"
+#include "input/cameras/frame_warnings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)
 
 }  // namespace
 
-void FrameWatch::take(const std::vector<double>& kelvin) {
+void FrameChecks::take(const std::vector<double>& kelvin) {
     std::size_t here = 0;
     bool higher = false;
     for (const double value : kelvin) {
@@ -45,7 +45,7 @@ void FrameWatch::take(const std::vector<double>& kelvin) {
     ++frames_;
 }
 
-std::vector<std::string> FrameWatch::findings(const MeasuredFrames& frames, std::size_t outside) const {
+std::vector<std::string> FrameChecks::warnings(const MeasuredFrames& frames, std::size_t outside) const {
     std::vector<std::string> found;
     const auto say = [&](const std::string& sentence) {
         found.push_back(fmt::format("{}: {}: {}", frames.file, frames.camera, sentence));

@@ -1,0 +1,125 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "input/cameras/camera.hpp"
+#include "input/effects/own_signals.hpp"
+#include "input/text/toml_table.hpp"
+#include "mesh/builders.hpp"
+#include "solver/problem.hpp"
+
+/// The readers of a case's tables. Each reads one table into the builder, reports what is wrong with it and leaves
+/// something harmless in its place, so that the tables after it are read as well.
+namespace tiretherm::input {
+
+/// A material of the case, whether or not a layer is made of it.
+struct Stock {
+    physics::Material material;
+    const TomlValue* table = nullptr;
+    bool used = false;
+};
+
+/// An input that the file of a measured run gives.
+struct MeasuredInput {
+    const physics::Signal* signal = nullptr;
+    SourceLocation place;  ///< of its heading
+    std::vector<double> time;
+    std::vector<double> value;  ///< [time]; empty after an error
+};
+
+/// What the file of a measured run gives beside the tables of the case. It wins over them, but not over tables of the
+/// run's own.
+struct RunInputs {
+    const TomlValue* table = nullptr;  ///< the run's own; null for a file given beside the case
+    std::string name;
+    SourceLocation place;  ///< where the file is mentioned, or the run
+    bool has_file = false;
+    bool unreadable = false;  ///< which inputs the file would give is unknown: no missing one is reported
+    std::vector<MeasuredInput> inputs{};
+    std::vector<OwnColumn> columns{};     ///< that effects of the user's own follow; without points after an error
+    std::vector<std::string> headings{};  ///< of all columns of the file
+    std::optional<double> first{};        ///< s, first time in the file
+    std::optional<double> last{};         ///< s, last time in the file
+
+    /// Whether the run has a value of its own for the key of a table.
+    [[nodiscard]] bool says(std::string_view of_table, std::string_view key) const;
+    /// Whether a signal that stands in [drive] at this key comes from the file instead.
+    [[nodiscard]] bool overrides(std::string_view key, std::string_view signal) const;
+};
+
+/// Builds the problem: a case as far as it has been read.
+struct ProblemBuilder {
+    solver::Problem problem;
+    bool has_tire = false;
+    bool has_tire_density = false;  ///< given in [tire], not only by a material
+    bool has_valid_effects = false;
+    bool has_mesh = false;  ///< false after an error in [mesh]: names of patches and layers are unknown
+    std::vector<Stock> stock;
+    std::map<std::string, SourceLocation, std::less<>> given;  ///< signals of [drive], rightly or wrongly written
+    std::optional<double> logged_from;                         ///< s, first sample of any log
+    std::optional<double> logged_to;                           ///< s, last sample of any log
+    std::optional<RunInputs> run{};                            ///< the measured run that is being read
+    std::vector<std::string> followed{};  ///< what effects of the user's own speak of: inputs, columns
+    std::vector<OwnColumn> columns{};     ///< of them those that a log of [drive] gives
+
+    std::vector<Camera> cameras{};
+
+    /// Whether the measured run's file gives a signal that stands in [drive] at this key.
+    [[nodiscard]] bool overridden(std::string_view key, std::string_view signal) const {
+        return run && run->overrides(key, signal);
+    }
+};
+
+/// All tables of a case, in the order in which one may speak about another.
+void read_tables(TomlTable& root, ProblemBuilder& builder);
+
+void read_tire(TomlTable& root, ProblemBuilder& builder);
+void read_materials(TomlTable& root, ProblemBuilder& builder);
+void read_mesh(TomlTable& root, ProblemBuilder& builder);
+void read_drive(TomlTable& root, ProblemBuilder& builder);
+void read_effects(TomlTable& root, ProblemBuilder& builder);
+/// Fields of structural codes and measured totals of the effects that are on, when the drive and the run's times are
+/// known.
+void read_fields(TomlTable& root, ProblemBuilder& builder);
+/// The wheel's angle and the moments of contact, where an effect goes round the tire.
+void read_travelling(TomlTable& root, ProblemBuilder& builder);
+/// The lists [[source]] and [[exchange]], when the drive and the run's times are known.
+void read_own_effects(TomlTable& root, ProblemBuilder& builder);
+/// The channels of the effects that are readings; what else they say has been read.
+void bind_readings(TomlTable& root, ProblemBuilder& builder);
+void read_initial(TomlTable& root, ProblemBuilder& builder);
+void read_time_settings(TomlTable& root, ProblemBuilder& builder);
+void read_sensors(TomlTable& root, ProblemBuilder& builder);
+/// The list [[camera]], behind all sensors.
+void read_cameras(TomlTable& root, ProblemBuilder& builder);
+void read_measured(TomlTable& root, ProblemBuilder& builder);
+
+/// Laws must be positive wherever the run is sure to go: between the coldest and the hottest temperature that the case
+/// gives. Where they would fail on the way up to 150 degC, a warning.
+void check_laws(TomlTable& root, const ProblemBuilder& builder);
+
+/// Parts of [mesh], by kind. @returns false after an error
+bool read_two_node(TomlTable& mesh, ProblemBuilder& builder);
+bool read_layers(TomlTable& mesh, ProblemBuilder& builder);
+bool read_block(TomlTable& mesh, ProblemBuilder& builder);
+bool read_axisymmetric(TomlTable& mesh, ProblemBuilder& builder);
+bool read_section(TomlTable& mesh, ProblemBuilder& builder);
+
+/// The list [[mesh.layer]]: name, thickness, cells, ratio, material; fills problem.materials.
+/// @param zones out, the words of each layer's key `zones`; null where a mesh has none
+[[nodiscard]] std::vector<mesh::Layer> read_stack(TomlTable& mesh, ProblemBuilder& builder,
+                                                  std::vector<std::vector<LocatedString>>* zones = nullptr);
+
+/// The material that a key names, null after an error.
+[[nodiscard]] const physics::Material* read_material(TomlTable& table, std::string_view key, ProblemBuilder& builder);
+
+/// One [[drive.file]]: a logger's CSV.
+void read_logged(TomlTable& table, ProblemBuilder& builder);
+
+/// Whether a signal is new; a second one is an error at `place`.
+bool register_signal(std::string_view name, const SourceLocation& place, ProblemBuilder& builder, InputErrors& errors);
+
+}  // namespace tiretherm::input

@@ -1,0 +1,63 @@
+#include <array>
+
+#include <fmt/format.h>
+
+#include "input/model/problem_builder.hpp"
+#include "input/text/quantity_specs.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+constexpr std::array<std::string_view, 2> methods{"tr_bdf2", "backward_euler"};
+constexpr std::array<std::string_view, 3> linear_solvers{"automatic", "cholesky", "conjugate_gradient"};
+constexpr double many_steps = 1e7;
+
+}  // namespace
+
+void read_time_settings(TomlTable& root, ProblemBuilder& builder) {
+    solver::Settings& into = builder.problem.settings;
+    // A measured run lasts as long as its file, unless its own table says otherwise.
+    const bool of_file = builder.run && builder.run->last;
+    const bool own_start = of_file && builder.run->says("time", "start");
+    const bool own_end = of_file && builder.run->says("time", "end");
+    const bool implied = builder.logged_to || (builder.run && builder.run->has_file);
+    TomlTable time = root.subtable("time", implied ? Need::optional : Need::required);
+    into.steady = time.flag("steady").value_or(false);
+    into.start = time.quantity("start", quantity_specs::moment).value_or(builder.logged_from.value_or(0.0));
+    const auto end =
+        time.quantity("end", quantity_specs::moment, implied || into.steady ? Need::optional : Need::required);
+    into.end = end.value_or(builder.logged_to.value_or(into.start));
+    if (of_file) {
+        into.start = own_start ? into.start : *builder.run->first;
+        into.end = own_end ? into.end : *builder.run->last;
+    }
+    builder.problem.drive.start_at(into.start);
+    into.fixed_step = time.quantity("step", quantity_specs::duration);
+    into.tolerance = time.quantity("tolerance", quantity_specs::tolerance).value_or(into.tolerance);
+    into.output_interval = time.quantity("output", quantity_specs::interval).value_or(into.output_interval);
+    into.field_interval = time.quantity("fields", quantity_specs::interval).value_or(into.field_interval);
+    into.method = static_cast<solver::Method>(time.choice("method", methods).value_or(0));
+    into.linear_solver = static_cast<solver::LinearSolver>(time.choice("linear_solver", linear_solvers).value_or(0));
+
+    const double length = into.end - into.start;
+    if ((end || own_start) && !into.steady && !(length > 0.0)) {
+        time.add_error(of_file && !own_end ? "start" : "end",
+                       fmt::format("the run ends at {:.6g} s and starts at {:.6g} s", into.end, into.start),
+                       "let end be later than start");
+        return;
+    }
+    for (const auto& [key, interval] :
+         {std::pair("step", into.fixed_step.value_or(0.0)), std::pair("output", into.output_interval),
+          std::pair("fields", into.field_interval)}) {
+        if (interval > 0.0 && length / interval > many_steps) {
+            time.errors().warn(time.place(key),
+                               fmt::format("{} divides the run into {:.2g} pieces", key, length / interval));
+        }
+    }
+    if (into.fixed_step && time.has("tolerance")) {
+        time.errors().warn(time.place("tolerance"), "tolerance has no effect: the step is fixed");
+    }
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,123 @@
+#include "input/text/toml_table.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "input/text/suggestions.hpp"
+
+namespace tiretherm::input {
+
+TomlTable::TomlTable(const TomlValue& table, std::string name, InputErrors& errors)
+    : table_(&table), name_(std::move(name)), errors_(&errors) {}
+
+TomlTable::TomlTable(const SourceLocation& place, std::string name, InputErrors& errors)
+    : table_(&nothing_), name_(std::move(name)), errors_(&errors) {
+    nothing_.kind = TomlValue::Kind::table;
+    nothing_.place = place;
+}
+
+TomlTable::~TomlTable() {
+    if (unknown_keys_allowed_) {
+        return;
+    }
+    for (const Entry& entry : table_->entries) {
+        if (std::find(known_.begin(), known_.end(), entry.key) == known_.end()) {
+            errors_->add(entry.place, fmt::format("\"{}\" is not a key of {}", entry.key, name_),
+                         suggest(entry.key, known_, "keys"));
+        }
+    }
+}
+
+void TomlTable::declare_keys(std::initializer_list<std::string_view> keys) {
+    for (const std::string_view key : keys) {
+        if (std::find(known_.begin(), known_.end(), key) == known_.end()) {
+            known_.emplace_back(key);
+        }
+    }
+}
+
+SourceLocation TomlTable::place(std::string_view key) const {
+    const TomlValue* node = table_->find(key);
+    return node != nullptr ? node->place : table_->place;
+}
+
+void TomlTable::add_error(std::string_view key, std::string what, std::string remedy) const {
+    errors_->add(place(key), std::move(what), std::move(remedy));
+}
+
+void TomlTable::report_missing(std::string_view key, std::string_view example) const {
+    if (exists()) {
+        const std::string_view missing = example.starts_with('[') ? example : key;
+        errors_->add(place(), fmt::format("{} lacks {}", name_, missing), fmt::format("add {}", example));
+    }
+}
+
+const TomlValue* TomlTable::take(std::string_view key, Need need, std::initializer_list<TomlValue::Kind> kinds,
+                                 std::string_view expected, std::string_view example) {
+    declare_keys({key});
+    const TomlValue* node = table_->find(key);
+    if (node == nullptr) {
+        if (need == Need::required) {
+            report_missing(key, example);
+        }
+        return nullptr;
+    }
+    if (std::find(kinds.begin(), kinds.end(), node->kind) == kinds.end()) {
+        errors_->add(node->place, fmt::format("{} is {}; {} is wanted", key, shown(*node), expected),
+                     fmt::format("write {}", example));
+        return nullptr;
+    }
+    return node;
+}
+
+const TomlValue* TomlTable::value(std::string_view key, Need need, std::string_view example) {
+    declare_keys({key});
+    const TomlValue* node = table_->find(key);
+    if (node == nullptr && need == Need::required) {
+        report_missing(key, example);
+    }
+    return node;
+}
+
+std::string TomlTable::child_name(std::string_view key, bool list) const {
+    std::string path = name_.find('[') == std::string::npos ? std::string() : name_;
+    std::erase_if(path, [](char c) { return c == '[' || c == ']'; });
+    path += path.empty() ? "" : ".";
+    path += key;
+    return list ? fmt::format("[[{}]]", path) : fmt::format("[{}]", path);
+}
+
+TomlTable TomlTable::subtable(std::string_view key, Need need) {
+    const std::string title = child_name(key, false);
+    const TomlValue* node = take(key, need, {TomlValue::Kind::table}, "a table", title);
+    if (node == nullptr) {
+        return {place(key), title, *errors_};
+    }
+    return {*node, title, *errors_};
+}
+
+void TomlTable::each(std::string_view key, const std::function<void(TomlTable&)>& read, Need need,
+                     std::string_view example) {
+    const std::string title = child_name(key, true);
+    const std::string entry(example.empty() ? title : example);
+    const TomlValue* list = take(key, need, {TomlValue::Kind::array}, "a list of tables", entry);
+    if (list == nullptr) {
+        return;
+    }
+    if (list->items.empty() && need == Need::required) {
+        errors_->add(list->place, fmt::format("{} is an empty list", key), fmt::format("write {}", entry));
+    }
+    for (const TomlValue& item : list->items) {
+        if (item.kind != TomlValue::Kind::table) {
+            errors_->add(item.place, fmt::format("{} has {}; a table is wanted", key, shown(item)),
+                         fmt::format("write {}", entry));
+            continue;
+        }
+        TomlTable table(item, title, *errors_);
+        read(table);
+    }
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "input/text/document.hpp"
+#include "input/text/input_error.hpp"
+#include "input/text/quantity.hpp"
+
+namespace tiretherm::input {
+
+enum class Need : std::uint8_t { optional, required };
+
+/// A text and where it stands.
+struct LocatedString {
+    std::string text;
+    SourceLocation place;
+};
+
+/// A table that is being read. Reading a key declares it; a wrong value becomes an error and
+/// is returned as if it were absent; at the end of its life it reports the keys that no reader has declared. So the
+/// calls of a reader are the schema of its table.
+class TomlTable {
+public:
+    /// @param name as messages show it: "[mesh]"; the case itself: "the case"
+    TomlTable(const TomlValue& table, std::string name, InputErrors& errors);
+    /// A table that is missing, which has been reported where it is required: none of its keys is reported again.
+    TomlTable(const SourceLocation& place, std::string name, InputErrors& errors);
+    ~TomlTable();
+    TomlTable(const TomlTable&) = delete;
+    TomlTable& operator=(const TomlTable&) = delete;
+
+    [[nodiscard]] bool exists() const { return table_ != &nothing_; }
+    [[nodiscard]] bool has(std::string_view key) const { return table_->find(key) != nullptr; }
+
+    std::optional<double> quantity(std::string_view key, const QuantitySpec& spec, Need need = Need::optional);
+    std::optional<std::string> text(std::string_view key, Need need = Need::optional);
+    /// A text that later names a column or a data set: not empty, without brackets, quotes, slashes, commas and blanks
+    /// at its ends.
+    std::optional<std::string> name(std::string_view key, Need need = Need::optional);
+    /// One of several words. @returns its index
+    std::optional<std::size_t> choice(std::string_view key, std::span<const std::string_view> options,
+                                      Need need = Need::optional);
+    std::optional<bool> flag(std::string_view key);
+    std::optional<int> count(std::string_view key, int low, int high, Need need = Need::optional);
+    /// A list of texts, or one text.
+    std::vector<LocatedString> texts(std::string_view key, Need need = Need::optional);
+
+    /// The table of this key; one that does not exist when there is none.
+    [[nodiscard]] TomlTable subtable(std::string_view key, Need need = Need::optional);
+    /// Reads each table of a list.
+    /// @param example one entry as the user may write it; empty: its heading [[...]]
+    void each(std::string_view key, const std::function<void(TomlTable&)>& read, Need need = Need::optional,
+              std::string_view example = {});
+    /// The value as it stands, null when absent.
+    const TomlValue* value(std::string_view key, Need need = Need::optional, std::string_view example = {});
+
+    [[nodiscard]] const TomlValue& content() const { return *table_; }
+    [[nodiscard]] const SourceLocation& place() const { return table_->place; }
+    /// Place of a value, or of the table when there is none.
+    [[nodiscard]] SourceLocation place(std::string_view key) const;
+    [[nodiscard]] const std::string& title() const { return name_; }
+    [[nodiscard]] InputErrors& errors() const { return *errors_; }
+
+    void add_error(std::string_view key, std::string what, std::string remedy = {}) const;
+    /// Adds keys to those that are known, without reading them.
+    void declare_keys(std::initializer_list<std::string_view> keys);
+    /// Unknown keys are not reported: after an error it is not known which keys belong here.
+    void allow_unknown_keys() { unknown_keys_allowed_ = true; }
+    [[nodiscard]] const std::vector<std::string>& known() const { return known_; }
+
+private:
+    /// The value when it is of an expected kind; otherwise an error and null.
+    /// @param example what to write, which begins with the key or is the heading of its table
+    const TomlValue* take(std::string_view key, Need need, std::initializer_list<TomlValue::Kind> kinds,
+                          std::string_view expected, std::string_view example);
+    void report_missing(std::string_view key, std::string_view example) const;
+    [[nodiscard]] std::string child_name(std::string_view key, bool list) const;
+
+    TomlValue nothing_;
+    const TomlValue* table_;
+    std::string name_;
+    InputErrors* errors_;
+    std::vector<std::string> known_;
+    bool unknown_keys_allowed_ = false;
+};
+
+}  // namespace tiretherm::input

@@ -1,0 +1,115 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "input/text/suggestions.hpp"
+#include "input/text/toml_table.hpp"
+
+namespace tiretherm::input {
+
+std::optional<double> TomlTable::quantity(std::string_view key, const QuantitySpec& spec, Need need) {
+    declare_keys({key});
+    const TomlValue* node = table_->find(key);
+    if (node == nullptr || (node->kind != TomlValue::Kind::text && !node->is_number())) {
+        if (node != nullptr || need == Need::required) {
+            const Dimension what = dimension(spec.unit, spec.scale);
+            take(key, need, {}, what.name, fmt::format("{} = {}", key, spell_example(spec)));
+        }
+        return std::nullopt;
+    }
+    ParsedQuantity parsed;
+    if (node->kind == TomlValue::Kind::text) {
+        parsed = input::quantity(node->text, spec, key);
+    } else if (spec.is_pure()) {
+        parsed = check_quantity(node->number, {}, "", spec, key, shown(*node));
+    } else {
+        parsed.error = ErrorText{fmt::format("{} is {}, without a unit", key, shown(*node)), write_like(spec)};
+    }
+    if (parsed.error) {
+        errors_->add(node->place, *parsed.error);
+        return std::nullopt;
+    }
+    if (!parsed.remark.empty()) {
+        errors_->warn(node->place, parsed.remark);
+    }
+    return parsed.value;
+}
+
+std::optional<std::string> TomlTable::text(std::string_view key, Need need) {
+    const TomlValue* node = take(key, need, {TomlValue::Kind::text}, "a text", fmt::format("{} = \"...\"", key));
+    return node == nullptr ? std::nullopt : std::optional(node->text);
+}
+
+std::optional<std::string> TomlTable::name(std::string_view key, Need need) {
+    std::optional<std::string> name = text(key, need);
+    if (!name) {
+        return std::nullopt;
+    }
+    const bool control =
+        std::any_of(name->begin(), name->end(), [](char c) { return static_cast<unsigned char>(c) < ' '; });
+    if (name->empty() || trim(*name) != *name || control || name->find_first_of("[]{}\"'`,;/\\") != std::string::npos) {
+        add_error(key, fmt::format("{} is \"{}\", which cannot name a column", key, *name),
+                  "use letters, digits and underscores");
+        return std::nullopt;
+    }
+    return name;
+}
+
+std::optional<std::size_t> TomlTable::choice(std::string_view key, std::span<const std::string_view> options,
+                                             Need need) {
+    const std::vector<std::string> known(options.begin(), options.end());
+    const TomlValue* node =
+        take(key, need, {TomlValue::Kind::text}, "a word", fmt::format("{} = \"{}\"", key, known.front()));
+    if (node == nullptr) {
+        return std::nullopt;
+    }
+    const auto found = std::find(options.begin(), options.end(), node->text);
+    if (found == options.end()) {
+        errors_->add(node->place, fmt::format("{} cannot be \"{}\"", key, node->text),
+                     suggest(node->text, known, "possible words"));
+        return std::nullopt;
+    }
+    return static_cast<std::size_t>(found - options.begin());
+}
+
+std::optional<bool> TomlTable::flag(std::string_view key) {
+    const TomlValue* node =
+        take(key, Need::optional, {TomlValue::Kind::boolean}, "true or false", fmt::format("{} = true", key));
+    return node == nullptr ? std::nullopt : std::optional(node->truth);
+}
+
+std::optional<int> TomlTable::count(std::string_view key, int low, int high, Need need) {
+    const TomlValue* node =
+        take(key, need, {TomlValue::Kind::integer}, "a whole number", fmt::format("{} = {}", key, std::max(low, 8)));
+    if (node == nullptr) {
+        return std::nullopt;
+    }
+    if (node->number < low || node->number > high) {
+        errors_->add(node->place, fmt::format("{} is {}; it must be between {} and {}", key, shown(*node), low, high));
+        return std::nullopt;
+    }
+    return static_cast<int>(node->number);
+}
+
+std::vector<LocatedString> TomlTable::texts(std::string_view key, Need need) {
+    const TomlValue* node = take(key, need, {TomlValue::Kind::text, TomlValue::Kind::array}, "a list of texts",
+                                 fmt::format("{} = [\"...\"]", key));
+    if (node == nullptr) {
+        return {};
+    }
+    if (node->kind == TomlValue::Kind::text) {
+        return {{node->text, node->place}};
+    }
+    std::vector<LocatedString> words;
+    for (const TomlValue& item : node->items) {
+        if (item.kind == TomlValue::Kind::text) {
+            words.push_back({item.text, item.place});
+        } else {
+            errors_->add(item.place, fmt::format("{} has {}; a text is wanted", key, shown(item)));
+        }
+    }
+    return words;
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,126 @@
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "input/text/suggestions.hpp"
+#include "input/validation/validation_reader.hpp"
+#include "input/validation/validation_request.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+/// The reading for one model, or nothing after an error.
+std::optional<Readout> resolve(const ReadoutRequest& request, std::size_t model, const TomlTable& table,
+                               CaseCache& cache) {
+    InputErrors& errors = table.errors();
+    const std::optional<LocatedString>& file = request.case_name ? request.case_name : request.files[model];
+    if (!file || !request.channel) {
+        if (!file && table.exists()) {
+            table.add_error("files", fmt::format("{} has no file for {}", table.title(), model_names[model]),
+                            fmt::format("add {} to files, or leave it out of models", model_names[model]));
+        }
+        return std::nullopt;
+    }
+    const std::string path = request.case_name ? fmt::format("{}_{}.toml", file->text, model_names[model]) : file->text;
+    const std::optional<std::size_t> run = cache.find(path, file->place, errors);
+    if (!run) {
+        return std::nullopt;
+    }
+    const solver::Problem& problem = cache.problem(*run);
+    const std::vector<std::string> channels = names_of(problem.channels);
+    const auto channel = std::find(channels.begin(), channels.end(), request.channel->text);
+    if (channel == channels.end()) {
+        errors.add(request.channel->place, fmt::format("{} has no sensor \"{}\"", path, request.channel->text),
+                   suggest(request.channel->text, channels, "sensors"));
+        return std::nullopt;
+    }
+    const auto [start, end] = std::pair(problem.settings.start, problem.settings.end);
+    const Window window{.take = request.take,
+                        .from = request.from.value_or(start),
+                        .to = request.to.value_or(end),
+                        .share = request.share};
+    if (std::min(window.from, window.to) < start || std::max(window.from, window.to) > end) {
+        errors.add(request.times, fmt::format("{} goes from {:.6g} s to {:.6g} s", path, start, end),
+                   "choose a time within the run");
+    } else if (window.take != Window::Take::at && window.from >= window.to) {
+        errors.add(request.times, "the time ends before it begins", "let from be before to");
+    }
+    return Readout{.run = *run, .channel = static_cast<std::size_t>(channel - channels.begin()), .window = window};
+}
+
+/// The models that a number is read from, as flags.
+std::array<bool, n_models> read_models(TomlTable& table, const ReadoutRequest& request) {
+    std::array<bool, n_models> chosen{};
+    const std::vector<std::string> known(model_names.begin(), model_names.end());
+    for (const LocatedString& word : table.texts("models")) {
+        const auto found = std::find(known.begin(), known.end(), word.text);
+        if (found == known.end()) {
+            table.errors().add(word.place, fmt::format("there is no model \"{}\"", word.text),
+                               suggest(word.text, known, "models"));
+        } else {
+            chosen[static_cast<std::size_t>(found - known.begin())] = true;
+        }
+    }
+    for (std::size_t m = 0; m < n_models && !table.has("models"); ++m) {
+        chosen[m] = request.case_name || request.files[m];
+    }
+    return chosen;
+}
+
+}  // namespace
+
+Evaluation read_evaluation(TomlTable& table, CaseCache& cache) {
+    const ReadoutRequest request = read_request(table, {});
+    if (!table.has("case") && !table.has("files")) {
+        table.text("case", Need::required);
+    }
+    table.text("channel", Need::required);
+    TomlTable minus = table.subtable("minus");
+    const ReadoutRequest request_minus = read_request(minus, request);
+    TomlTable over = table.subtable("over");
+    const ReadoutRequest request_over = read_request(over, request);
+    TomlTable over_minus = over.subtable("minus");
+    const ReadoutRequest request_over_minus = read_request(over_minus, request_over);
+
+    Evaluation evaluation;
+    const bool is_time = request.take == Window::Take::time_to;
+    evaluation.meaning = over.exists()    ? Meaning::ratio
+                         : is_time        ? Meaning::time
+                         : minus.exists() ? Meaning::difference
+                                          : Meaning::value;
+    const auto quantity = [&](const Readout& readout) {
+        return cache.problem(readout.run).channels[readout.channel].quantity;
+    };
+    const auto difference = [&](const ReadoutRequest& first, const TomlTable& at, const ReadoutRequest& second,
+                                const TomlTable& less, std::size_t model) -> std::optional<Difference> {
+        const std::optional<Readout> of = resolve(first, model, at, cache);
+        const std::optional<Readout> by = less.exists() ? resolve(second, model, less, cache) : std::nullopt;
+        if (of && by &&
+            (quantity(*of) != quantity(*by) ||
+             (of->window.take == Window::Take::time_to) != (by->window.take == Window::Take::time_to))) {
+            less.add_error("channel", "this cannot be taken from the reading above it: it has another unit",
+                           "read the same quantity in both");
+        }
+        return of && (by || !less.exists()) ? std::optional(Difference{*of, by}) : std::nullopt;
+    };
+    const std::array<bool, n_models> chosen = read_models(table, request);
+    for (std::size_t m = 0; m < n_models; ++m) {
+        if (!chosen[m]) {
+            continue;
+        }
+        const auto of = difference(request, table, request_minus, minus, m);
+        const auto by =
+            over.exists() ? difference(request_over, over, request_over_minus, over_minus, m) : std::nullopt;
+        if (of) {
+            evaluation.quantity = quantity(of->of);
+        }
+        if (of && (by || !over.exists())) {
+            evaluation.models[m] = Expression{*of, by};
+        }
+    }
+    return evaluation;
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,80 @@
+#include "input/validation/validation_request.hpp"
+
+#include <algorithm>
+
+#include "input/text/quantity_specs.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+void read_files(TomlTable& table, ReadoutRequest& request) {
+    TomlTable files = table.subtable("files");
+    if (!files.exists()) {
+        return;
+    }
+    request.case_name.reset();
+    for (std::size_t m = 0; m < n_models; ++m) {
+        const std::optional<std::string> file = files.text(model_names[m]);
+        request.files[m] = file ? std::optional(LocatedString{*file, files.place(model_names[m])}) : std::nullopt;
+    }
+    if (table.has("case")) {
+        table.add_error("files", "both case and files are given", "keep one of them");
+    }
+}
+
+void read_time_settings(TomlTable& table, ReadoutRequest& request) {
+    constexpr std::array keys{"at", "to", "from", "take", "time_to"};
+    table.declare_keys({"at", "take", "time_to", "from", "to"});
+    const auto first = std::find_if(keys.begin(), keys.end(), [&](const char* key) { return table.has(key); });
+    if (first == keys.end()) {
+        return;
+    }
+    request.times = table.place(*first);
+    request.take = Window::Take::at;
+    const TomlValue* at = table.value("at");
+    const bool at_end = at != nullptr && at->kind == TomlValue::Kind::text && at->text == "end";
+    const std::optional<double> moment = at_end ? std::nullopt : table.quantity("at", quantity_specs::moment);
+    request.from = table.quantity("from", quantity_specs::moment);
+    request.to = table.quantity("to", quantity_specs::moment);
+    constexpr std::array<std::string_view, 3> takes{"mean", "max", "min"};
+    constexpr std::array kinds{Window::Take::mean, Window::Take::max, Window::Take::min};
+    if (const std::optional<std::size_t> take = table.choice("take", takes)) {
+        request.take = kinds[*take];
+    }
+    constexpr QuantitySpec share{.unit = "1", .low = 0.0, .high = 1.0, .above = true};
+    if (const std::optional<double> part = table.quantity("time_to", share)) {
+        request.take = Window::Take::time_to;
+        request.share = *part;
+    }
+    const bool spans = table.has("take") || table.has("time_to");
+    if (table.has("at") && std::any_of(first + 1, keys.end(), [&](const char* key) { return table.has(key); })) {
+        table.add_error("at", "at is one moment, and a span of time is given too", "keep at, or take with from and to");
+    } else if (table.has("take") && table.has("time_to")) {
+        table.add_error("time_to", "both take and time_to are given", "keep one of them");
+    } else if (!table.has("at") && !spans) {
+        table.add_error(*first, "from and to do not say what is taken between them", "add take = \"mean\"");
+    }
+    if (table.has("at")) {
+        request.take = Window::Take::at;
+        request.from = request.to = moment;
+    }
+}
+
+}  // namespace
+
+ReadoutRequest read_request(TomlTable& table, const ReadoutRequest& above) {
+    ReadoutRequest request = above;
+    if (const std::optional<std::string> name = table.text("case")) {
+        request.case_name = LocatedString{*name, table.place("case")};
+        request.files = {};
+    }
+    read_files(table, request);
+    if (const std::optional<std::string> channel = table.text("channel")) {
+        request.channel = LocatedString{*channel, table.place("channel")};
+    }
+    read_time_settings(table, request);
+    return request;
+}
+
+}  // namespace tiretherm::input
