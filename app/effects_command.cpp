@@ -85,7 +85,7 @@ void print_one(const physics::Effect& effect) {
     if (!effect.parameters.empty()) {
         post::Table table({true, false, false, false, true, true});
         table.add({"name", "default", "from", "to", "unit", "meaning"});
-        for (const physics::Parameter& p : effect.parameters) {
+        for (const physics::ParameterSpec& p : effect.parameters) {
             table.add({std::string(p.key), fmt::format("{:g}", p.standard), fmt::format("{:g}", p.low),
                        fmt::format("{:g}", p.high), unit_text(p.unit), std::string(p.meaning)});
         }
@@ -126,7 +126,7 @@ Json as_json(const physics::Effect& effect) {
               {"equation", effect.equation}, {"source", effect.source},         {"meaning", effect.meaning},
               {"parameters", Json::array()}, {"choices", Json::array()},        {"reads", effect.reads},
               {"patches", effect.patches},   {"needs_tire", effect.needs_tire}, {"from_files", field_text(effect)}};
-    for (const physics::Parameter& p : effect.parameters) {
+    for (const physics::ParameterSpec& p : effect.parameters) {
         json["parameters"].push_back({{"key", p.key},
                                       {"unit", p.unit},
                                       {"default", p.standard},

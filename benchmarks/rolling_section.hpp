@@ -48,8 +48,8 @@ inline solver::Problem rolling_section() {
                            "sidewall_convection", "rim_conduction", "inner_gas", "camber_asymmetry"}) {
         solver::switch_on(problem, physics::activate(*physics::find_effect(id), problem.mesh), 296.15);
     }
-    problem.drive.add(*physics::find_signal("air_temperature"), 296.15);
-    problem.drive.add(*physics::find_signal("road_temperature"), 300.15);
+    problem.input_signals.add(*physics::find_signal("air_temperature"), 296.15);
+    problem.input_signals.add(*physics::find_signal("road_temperature"), 300.15);
     problem.initial.assign(static_cast<std::size_t>(problem.mesh.n_nodes), 296.15);
     problem.settings.end = seconds;
     problem.settings.tolerance = 0.05;
@@ -75,15 +75,15 @@ inline void drive_logged(solver::Problem& problem) {
     }
     const char* names[] = {"speed", "vertical_load", "slip_angle", "lateral_force", "camber"};
     for (std::size_t s = 0; s < values.size(); ++s) {
-        problem.drive.add(
+        problem.input_signals.add(
             solver::Series{.signal = physics::find_signal(names[s]), .time = time, .value = values[s], .logged = true});
     }
 }
 
 inline void drive_constant(solver::Problem& problem) {
-    problem.drive.add(*physics::find_signal("speed"), 120.0 / 3.6);
-    problem.drive.add(*physics::find_signal("vertical_load"), 4000.0);
-    problem.drive.add(*physics::find_signal("camber"), -1.0 * deg);
+    problem.input_signals.add(*physics::find_signal("speed"), 120.0 / 3.6);
+    problem.input_signals.add(*physics::find_signal("vertical_load"), 4000.0);
+    problem.input_signals.add(*physics::find_signal("camber"), -1.0 * deg);
 }
 
 }  // namespace tiretherm::benchmarks

@@ -13,19 +13,19 @@ namespace tiretherm::benchmarks {
 
 namespace {
 
-solver::Adjustable number(const solver::Problem& problem, std::string_view effect, std::string_view key) {
-    solver::Adjustable adjustable{.name = std::string(key), .unit = {}, .layers = {}, .knots = {}, .nodes = {}};
+solver::FreeParameter number(const solver::Problem& problem, std::string_view effect, std::string_view key) {
+    solver::FreeParameter parameter{.name = std::string(key), .unit = {}, .layers = {}, .knots = {}, .nodes = {}};
     for (std::size_t e = 0; e < problem.effects.size(); ++e) {
         if (problem.effects[e].effect->id == effect) {
-            adjustable.effect = e;
-            adjustable.parameter = static_cast<std::size_t>(physics::find_parameter(*problem.effects[e].effect, key));
+            parameter.effect = e;
+            parameter.parameter = static_cast<std::size_t>(physics::find_parameter(*problem.effects[e].effect, key));
         }
     }
-    return adjustable;
+    return parameter;
 }
 
-solver::Adjustable law(solver::Adjustable::Kind kind, std::vector<int> layers, std::vector<double> knots,
-                       std::size_t knot) {
+solver::FreeParameter law(solver::FreeParameter::Kind kind, std::vector<int> layers, std::vector<double> knots,
+                          std::size_t knot) {
     return {.name = "law",
             .unit = {},
             .kind = kind,
@@ -36,10 +36,10 @@ solver::Adjustable law(solver::Adjustable::Kind kind, std::vector<int> layers, s
 }
 
 /// Scales of every effect, conductivities and heat capacities of the layers, the start.
-std::vector<solver::Adjustable> sixteen(const solver::Problem& problem) {
-    using Kind = solver::Adjustable::Kind;
+std::vector<solver::FreeParameter> sixteen(const solver::Problem& problem) {
+    using Kind = solver::FreeParameter::Kind;
     const std::vector<double> knots{313.15, 363.15, 413.15};
-    solver::Adjustable start{
+    solver::FreeParameter start{
         .name = "start", .unit = "K", .kind = Kind::initial, .layers = {}, .knots = {}, .nodes = {}};
     for (int node = 0; node < problem.mesh.n_nodes; ++node) {
         start.nodes.push_back(node);
@@ -73,19 +73,19 @@ void run(benchmark::State& state, void (*drive)(solver::Problem&), double end, b
     for (double t = 0.0; t <= end; t += 2.0) {
         times.push_back(t);
     }
-    const std::vector<solver::Adjustable> parameters = sixteen(problem);
+    const std::vector<solver::FreeParameter> parameters = sixteen(problem);
     std::vector<double> values;
-    for (const solver::Adjustable& parameter : parameters) {
+    for (const solver::FreeParameter& parameter : parameters) {
         values.push_back(solver::value_of(problem, parameter));
     }
     const std::vector<double> steps = solver::predict(problem, {.times = times}).step_ends;
-    solver::Question question{.times = times, .step_ends = steps, .tolerance = 1e-3};
+    solver::PredictionRequest request{.times = times, .step_ends = steps, .tolerance = 1e-3};
     if (with_slopes) {
-        question.parameters = parameters;
-        question.values = values;
+        request.parameters = parameters;
+        request.values = values;
     }
     for (auto _ : state) {
-        const solver::Prediction prediction = solver::predict(problem, question);
+        const solver::Prediction prediction = solver::predict(problem, request);
         if (!prediction.status.ok()) {
             state.SkipWithError(prediction.status.message.c_str());
         }

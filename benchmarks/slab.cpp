@@ -47,8 +47,8 @@ solver::Problem slab() {
         }
         problem.effects.push_back(std::move(active));
     }
-    problem.drive.add(*physics::find_signal("laser_power"), 1.0);
-    problem.drive.add(*physics::find_signal("air_temperature"), T_air);
+    problem.input_signals.add(*physics::find_signal("laser_power"), 1.0);
+    problem.input_signals.add(*physics::find_signal("air_temperature"), T_air);
     problem.initial.assign(static_cast<std::size_t>(problem.mesh.n_nodes), T_air);
     problem.settings.end = 600.0;
     problem.settings.tolerance = 0.2;

@@ -8,8 +8,8 @@ namespace tiretherm::mesh {
 
 Meridian::Meridian(double radius, std::vector<Arc> arcs) : radius_(radius), arcs_(std::move(arcs)) {}
 
-Meridian::Place Meridian::at(double s) const {
-    Place place{.lateral = 0.0, .radius = radius_, .turn = 0.0};
+Meridian::ProfilePoint Meridian::at(double s) const {
+    ProfilePoint place{.lateral = 0.0, .radius = radius_, .turn = 0.0};
     double left = std::abs(s);
     for (std::size_t i = 0; i <= arcs_.size() && left > 0.0; ++i) {
         const bool beyond = i == arcs_.size();
@@ -33,8 +33,8 @@ Meridian::Place Meridian::at(double s) const {
     return place;
 }
 
-Meridian::Place Meridian::inside(double s, double depth) const {
-    Place place = at(s);
+Meridian::ProfilePoint Meridian::inside(double s, double depth) const {
+    ProfilePoint place = at(s);
     place.lateral -= depth * std::sin(place.turn);
     place.radius -= depth * std::cos(place.turn);
     return place;

@@ -18,14 +18,14 @@ public:
     ///        last one the profile goes straight on
     Meridian(double radius, std::vector<Arc> arcs);
 
-    struct Place {
+    struct ProfilePoint {
         double lateral = 0.0;  ///< m from the centre plane, negative outboard
         double radius = 0.0;   ///< m from the tire's axis
         double turn = 0.0;     ///< rad between the profile and the axis, 0 at the crown's centre, negative outboard
     };
-    [[nodiscard]] Place at(double s) const;
+    [[nodiscard]] ProfilePoint at(double s) const;
     /// The place `depth` m inside of the profile along its normal.
-    [[nodiscard]] Place inside(double s, double depth) const;
+    [[nodiscard]] ProfilePoint inside(double s, double depth) const;
     /// Mean radius over a stretch; times 2 pi and its length, the area of the ring that it sweeps.
     [[nodiscard]] double mean_radius(double from, double to) const;
 

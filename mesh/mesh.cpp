@@ -80,21 +80,21 @@ int Mesh::add_patch_face(int patch, int cell, double area, double half_distance,
     return node;
 }
 
-int Mesh::append(std::string_view name) {
-    if (const int there = find_appended(name); there >= 0) {
+int Mesh::add_lumped_node(std::string_view name) {
+    if (const int there = find_lumped_node(name); there >= 0) {
         return there;
     }
     volume.push_back(0.0);
     centre.push_back({});
     layer.push_back(-1);
     zone.push_back(-1);
-    appended.push_back({.name = std::string(name), .node = n_nodes});
+    lumped_nodes.push_back({.name = std::string(name), .node = n_nodes});
     regions.push_back({.name = std::string(name), .mean = {{n_nodes}, {1.0}}});
     return n_nodes++;
 }
 
-int Mesh::add_joint(int node, int appended_node, double area) {
-    faces.push_back({.a = node, .b = appended_node, .area = area, .joint = true});
+int Mesh::add_coupling_face(int node, int lumped_node, double area) {
+    faces.push_back({.a = node, .b = lumped_node, .area = area, .is_coupling = true});
     return static_cast<int>(faces.size()) - 1;
 }
 
@@ -103,9 +103,9 @@ int Mesh::find_region(std::string_view name) const { return find_named(regions, 
 int Mesh::find_zone(std::string_view name) const { return find_word(zones, name); }
 int Mesh::find_layer(std::string_view name) const { return find_word(layers, name); }
 
-int Mesh::find_appended(std::string_view name) const {
-    const int index = find_named(appended, name);
-    return index < 0 ? -1 : appended[static_cast<std::size_t>(index)].node;
+int Mesh::find_lumped_node(std::string_view name) const {
+    const int index = find_named(lumped_nodes, name);
+    return index < 0 ? -1 : lumped_nodes[static_cast<std::size_t>(index)].node;
 }
 
 double Mesh::total_volume() const { return std::accumulate(volume.begin(), volume.begin() + n_cells, 0.0); }
@@ -127,7 +127,7 @@ std::vector<std::string> defects(const Mesh& mesh) {
             found.push_back(fmt::format("face {} has area {} m2 and half distances {} and {} m", i, face.area,
                                         face.half_a, face.half_b));
         }
-        if (face.half_a + face.half_b == 0.0 && face.link < 0 && !face.joint) {
+        if (face.half_a + face.half_b == 0.0 && face.link < 0 && !face.is_coupling) {
             found.push_back(fmt::format("face {} joins two lumps without a link: infinite conductance", i));
         }
         joined[static_cast<std::size_t>(face.a)] = true;

@@ -33,8 +33,8 @@ struct Face {
     double half_a = 0.0;  ///< m, >= 0: from node a to the face; 0 for a lump
     double half_b = 0.0;  ///< m, >= 0
     Axis axis = Axis::through;
-    int link = -1;       ///< index into Mesh::links, or -1
-    bool joint = false;  ///< leads to an appended node: nothing is conducted but what an effect says
+    int link = -1;             ///< index into Mesh::links, or -1
+    bool is_coupling = false;  ///< leads to a lumped node: nothing is conducted but what an effect adds
 };
 
 /// An extra resistance between two blocks: `length` / k, with k evaluated at the mean temperature of `region`.
@@ -83,32 +83,32 @@ struct Column {
 };
 
 /// A node of its own beside the cells, such as the gas in the cavity or the rim.
-struct Appended {
+struct LumpedNode {
     std::string name;
     int node = 0;
 };
 
 /// How a cell is drawn.
-enum class Shape : std::uint8_t { vertex = 1, line = 2, quadrilateral = 4, hexahedron = 8 };
+enum class CellShape : std::uint8_t { vertex = 1, line = 2, quadrilateral = 4, hexahedron = 8 };
 
 /// Corner points of every cell, in VTK's order, `corners_per_cell(shape)` each.
 struct Drawing {
-    Shape shape = Shape::vertex;
+    CellShape shape = CellShape::vertex;
     std::vector<Point> points;    ///< m
     std::vector<int> corners;     ///< [n_cells * corners_per_cell]
     std::vector<Point> places{};  ///< of the points of a folded drawing in the mesh's own coordinates; else empty
 };
 
-[[nodiscard]] constexpr int corners_per_cell(Shape shape) { return static_cast<int>(shape); }
+[[nodiscard]] constexpr int corners_per_cell(CellShape shape) { return static_cast<int>(shape); }
 
-/// Nodes are numbered: cells first, then surface nodes (no volume), then appended nodes such as gas and rim.
+/// Nodes are numbered: cells first, then surface nodes (no volume), then lumped nodes such as gas and rim.
 struct Mesh {
     std::string kind;  ///< "two_node", "layers", "section", "patch"
     int n_cells = 0;
     int n_nodes = 0;
     std::vector<double> volume;  ///< [n_nodes] m3; 0 for a surface node
     std::vector<Point> centre;   ///< [n_nodes] m; z is the depth below the outer surface
-    std::vector<int> layer;      ///< [n_nodes] index into layers; a surface node has its cell's, an appended one -1
+    std::vector<int> layer;      ///< [n_nodes] index into layers; a surface node has its cell's, a lumped one -1
     std::vector<std::string> layers;
     std::vector<int> zone;  ///< [n_nodes] index into zones, -1 where there is none
     std::vector<std::string> zones;
@@ -116,7 +116,7 @@ struct Mesh {
     std::vector<Link> links;
     std::vector<Patch> patches;
     std::vector<Region> regions;
-    std::vector<Appended> appended;
+    std::vector<LumpedNode> lumped_nodes;
     std::optional<Grid> grid;     ///< present when the cells are a tensor product
     std::vector<Column> columns;  ///< of a section, from outboard to inboard; of a ring its first sector's
     int sectors = 1;              ///< of a ring: its cells are that many equal sectors one after the other, its surface
@@ -128,16 +128,16 @@ struct Mesh {
     int add_patch_face(int patch, int cell, double area, double half_distance, const Point& place, Axis axis);
     int add_patch(std::string_view name);
     /// A node beside the cells, with a region of the same name; the one that is there when the name is taken.
-    int append(std::string_view name);
-    /// A face by which an effect joins a node to an appended one. @returns its index
-    int add_joint(int node, int appended_node, double area);
+    int add_lumped_node(std::string_view name);
+    /// A face by which an effect couples a node to a lumped one. @returns its index
+    int add_coupling_face(int node, int lumped_node, double area);
 
-    [[nodiscard]] int find_patch(std::string_view name) const;     ///< -1 when absent
-    [[nodiscard]] int find_region(std::string_view name) const;    ///< -1 when absent
-    [[nodiscard]] int find_appended(std::string_view name) const;  ///< node, -1 when absent
-    [[nodiscard]] int find_zone(std::string_view name) const;      ///< -1 when absent
-    [[nodiscard]] int find_layer(std::string_view name) const;     ///< -1 when absent
-    [[nodiscard]] double total_volume() const;                     ///< m3, cells only
+    [[nodiscard]] int find_patch(std::string_view name) const;        ///< -1 when absent
+    [[nodiscard]] int find_region(std::string_view name) const;       ///< -1 when absent
+    [[nodiscard]] int find_lumped_node(std::string_view name) const;  ///< node, -1 when absent
+    [[nodiscard]] int find_zone(std::string_view name) const;         ///< -1 when absent
+    [[nodiscard]] int find_layer(std::string_view name) const;        ///< -1 when absent
+    [[nodiscard]] double total_volume() const;                        ///< m3, cells only
 };
 
 /// What is wrong with a mesh, a sentence each (negative volume, face to itself, unconnected cell); empty when sound.

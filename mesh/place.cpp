@@ -24,9 +24,9 @@ Place place_of(const mesh::Mesh& mesh, int node) {
     if (const int zone = mesh.zone[at]; zone >= 0) {
         place.zone = mesh.zones[static_cast<std::size_t>(zone)];
     }
-    for (const mesh::Appended& appended : mesh.appended) {
-        if (appended.node == node) {
-            place.layer = "the " + appended.name;
+    for (const mesh::LumpedNode& lumped_node : mesh.lumped_nodes) {
+        if (lumped_node.node == node) {
+            place.layer = "the " + lumped_node.name;
             return place;
         }
     }

@@ -14,21 +14,21 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// How the nodes of a ring are numbered: cells sector after sector, then surface nodes sector after sector, then appended.
+/// How the nodes of a ring are numbered: cells sector after sector, then surface nodes sector by sector, then lumped.
 struct Numbering {
     int sectors = 1;
     int cells = 0;  ///< of one sector
-    int appended = 0;
+    int lumped = 0;
     int surfaces = 0;  ///< of one sector
 
     explicit Numbering(const Mesh& ring)
         : sectors(ring.sectors),
           cells(ring.n_cells / ring.sectors),
-          appended(static_cast<int>(ring.appended.size())),
-          surfaces((ring.n_nodes - appended - ring.n_cells) / ring.sectors) {}
+          lumped(static_cast<int>(ring.lumped_nodes.size())),
+          surfaces((ring.n_nodes - lumped - ring.n_cells) / ring.sectors) {}
 
     [[nodiscard]] int total() const { return sectors * (cells + surfaces); }
-    [[nodiscard]] int section_nodes() const { return cells + surfaces + appended; }
+    [[nodiscard]] int section_nodes() const { return cells + surfaces + lumped; }
     /// A node of the section in a sector.
     [[nodiscard]] int node(int of_section, int sector) const {
         if (of_section < cells) {
@@ -160,7 +160,7 @@ private:
     void draw() {
         const Drawing& flat = section_.drawing;
         const auto n = std::ssize(flat.points);
-        ring_.drawing.shape = Shape::hexahedron;
+        ring_.drawing.shape = CellShape::hexahedron;
         for (int border = 0; border < ring_.sectors; ++border) {
             const double where = turn * (border - 0.5) / ring_.sectors;
             for (std::size_t i = 0; i < flat.points.size(); ++i) {
@@ -191,7 +191,7 @@ private:
 }  // namespace
 
 Mesh ring(const Mesh& section, int sectors) {
-    assert(!section.columns.empty() && section.appended.empty() && section.sectors == 1);
+    assert(!section.columns.empty() && section.lumped_nodes.empty() && section.sectors == 1);
     return Builder(section, sectors).build();
 }
 
@@ -261,7 +261,7 @@ Mesh drawn_section(const Mesh& ring) {
         column.inner = number.of_section(column.inner);
     }
     // What is drawn of a ring before its first sector is the section, turned back by half a sector.
-    section.drawing.shape = Shape::quadrilateral;
+    section.drawing.shape = CellShape::quadrilateral;
     for (std::size_t i = 0; i < ring.drawing.points.size() / at(ring.sectors); ++i) {
         const auto [x, y, z] = ring.drawing.points[i];
         section.drawing.points.push_back({x, 0.0, std::hypot(y, z)});

@@ -12,10 +12,10 @@ namespace tiretherm::mesh {
 /// A ring of equal sectors, the first with its middle at angle 0 and the others in the order of growing angle. A sector
 /// has the section's cells, with their share of volume and area, and its surface nodes; a cell conducts to the cells
 /// before and after it along the arc of its column's mean radius. Patches, regions, layers and zones are the section's,
-/// all around; y of a node is its angle times its column's radius. @pre section has columns and no appended nodes
+/// all around; y of a node is its angle times its column's radius. @pre section has columns and no lumped nodes
 [[nodiscard]] Mesh ring(const Mesh& section, int sectors);
 
-/// Which sector a node belongs to, -1 for an appended node. @pre node in the mesh
+/// Which sector a node belongs to, -1 for a lumped node. @pre node in the mesh
 [[nodiscard]] int sector_of(const Mesh& ring, int node);
 
 /// The same reading as a mean around the circumference: every node's weight is shared among its copies.

@@ -189,15 +189,15 @@ private:
 
     /// The folded cross-section in the plane of the tire's axis (x) and its radius (z).
     void draw() {
-        mesh_.drawing.shape = Shape::quadrilateral;
+        mesh_.drawing.shape = CellShape::quadrilateral;
         std::map<std::pair<long, long>, int> known;
         const auto point = [&](const Column& column, double s, double below) {
             const auto [found, fresh] = known.try_emplace(
                 {std::lround(s / same_depth), std::lround(below / same_depth)}, std::ssize(mesh_.drawing.points));
             if (fresh) {
-                const Meridian::Place place = d_.meridian.inside(s, below);
+                const Meridian::ProfilePoint place = d_.meridian.inside(s, below);
                 mesh_.drawing.points.push_back({place.lateral, 0.0, place.radius});
-                // A hair inside the column that draws it, whose depth it is.
+                // Just inside the column that draws it, whose depth it is.
                 const double inward = s < column.middle() ? same_depth : -same_depth;
                 mesh_.drawing.places.push_back({s + inward, 0.0, below - stack(column).offset});
             }

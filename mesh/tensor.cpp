@@ -133,7 +133,7 @@ void draw(Mesh& mesh) {
             }
         }
     }
-    mesh.drawing.shape = line ? Shape::line : flat ? Shape::quadrilateral : Shape::hexahedron;
+    mesh.drawing.shape = line ? CellShape::line : flat ? CellShape::quadrilateral : CellShape::hexahedron;
     std::vector<int>& c = mesh.drawing.corners;
     for (int k = 0; k < g.size(2); ++k) {
         for (int j = 0; j < g.size(1); ++j) {

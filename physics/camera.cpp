@@ -9,10 +9,10 @@ namespace tiretherm::physics {
 namespace {
 
 constexpr std::array pose_parameters{
-    Parameter{"x", "m", 0.0, -0.1, 0.1, "where the image's centre lies on the specimen, along the columns"},
-    Parameter{"y", "m", 0.0, -0.1, 0.1, "where the image's centre lies on the specimen, along the rows"},
-    Parameter{"rotation", "rad", 0.0, -3.2, 3.2, "of the image about its centre"},
-    Parameter{"blur", "m", 0.0, 0.0, 0.1, "full width at half maximum of the optics' blur on the specimen"},
+    ParameterSpec{"x", "m", 0.0, -0.1, 0.1, "where the image's centre lies on the specimen, along the columns"},
+    ParameterSpec{"y", "m", 0.0, -0.1, 0.1, "where the image's centre lies on the specimen, along the rows"},
+    ParameterSpec{"rotation", "rad", 0.0, -3.2, 3.2, "of the image about its centre"},
+    ParameterSpec{"blur", "m", 0.0, 0.0, 0.1, "full width at half maximum of the optics' blur on the specimen"},
 };
 const Effect pose_effect{
     .id = "camera_pose",

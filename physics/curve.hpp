@@ -30,8 +30,8 @@ public:
     /// conductivity that makes the steady flux exact (Kirchhoff's transform).
     struct Mean {
         double value;
-        double by_a;
-        double by_b;
+        double slope_a;
+        double slope_b;
     };
     [[nodiscard]] Mean mean(double a, double b) const {
         if (is_table_) {

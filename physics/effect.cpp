@@ -31,7 +31,7 @@ int find_key(const Entries& entries, std::string_view key) {
 ActiveEffect activate(const Effect& effect, const mesh::Mesh& mesh) {
     ActiveEffect active;
     active.effect = &effect;
-    for (const Parameter& parameter : effect.parameters) {
+    for (const ParameterSpec& parameter : effect.parameters) {
         active.parameters.push_back(parameter.standard);
     }
     active.choices.assign(effect.choices.size(), 0);
@@ -55,7 +55,7 @@ double ActiveEffect::at(std::size_t parameter, Scope scope, int index) const {
     return found == overrides.end() ? parameters[parameter] : found->value;
 }
 
-const ActiveEffect* Setting::find(std::string_view id) const {
+const ActiveEffect* PlacementContext::find(std::string_view id) const {
     const auto found =
         std::find_if(effects.begin(), effects.end(), [&](const ActiveEffect& e) { return e.effect->id == id; });
     return found == effects.end() ? nullptr : &*found;
@@ -65,9 +65,9 @@ const Effect& in_frames(const Effect& effect) {
     static const std::vector<Effect> copies = [] {
         std::vector<Effect> made;
         for (const Effect* original : list) {
-            if (original->frame_intensities > 0) {
+            if (original->frame_coefficients > 0) {
                 made.push_back(*original);
-                made.back().n_intensities += original->frame_intensities;
+                made.back().n_coefficients += original->frame_coefficients;
             }
         }
         return made;

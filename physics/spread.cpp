@@ -47,18 +47,18 @@ void normalise(ActiveEffect& active) {
     }
 }
 
-void exchange_by_weights(const Moment& moment, Terms& terms) {
-    const double G = moment.intensities[0];
+void exchange_by_weights(const EvaluationState& state, Terms& terms) {
+    const double G = state.coefficients[0];
     if (G <= 0.0) {
         return;
     }
-    const double T_around = moment.intensities[1] / G;
-    for (std::size_t i = 0; i < moment.active.nodes.size(); ++i) {
-        terms.exchange(moment.active.nodes[i], G * moment.active.weights[i], T_around);
+    const double T_around = state.coefficients[1] / G;
+    for (std::size_t i = 0; i < state.active.nodes.size(); ++i) {
+        terms.exchange(state.active.nodes[i], G * state.active.weights[i], T_around);
     }
 }
 
-void spread_over_patches(const Setting& setting, ActiveEffect& active, const std::optional<Curve>& profile) {
+void spread_over_patches(const PlacementContext& context, ActiveEffect& active, const std::optional<Curve>& profile) {
     if (active.field) {
         active.nodes = active.field->nodes;
         active.weights = active.field->weights.front();
@@ -67,10 +67,10 @@ void spread_over_patches(const Setting& setting, ActiveEffect& active, const std
     active.nodes.clear();
     active.weights.clear();
     for (const int patch : active.patches) {
-        for (const mesh::PatchFace& face : setting.mesh.patches[static_cast<std::size_t>(patch)].faces) {
+        for (const mesh::PatchFace& face : context.mesh.patches[static_cast<std::size_t>(patch)].faces) {
             double weight = face.area;
-            if (profile && !setting.mesh.columns.empty()) {
-                weight *= profile->value(along_meridian(setting.mesh, face.cell));
+            if (profile && !context.mesh.columns.empty()) {
+                weight *= profile->value(along_meridian(context.mesh, face.cell));
             }
             active.nodes.push_back(face.node);
             active.weights.push_back(weight);
@@ -79,47 +79,46 @@ void spread_over_patches(const Setting& setting, ActiveEffect& active, const std
     normalise(active);
 }
 
-void spread_over_bulk(const Setting& setting, ActiveEffect& active) {
+void spread_over_bulk(const PlacementContext& context, ActiveEffect& active) {
     active.nodes.clear();
     active.weights.clear();
     const mesh::Functional& bulk =
-        setting.mesh.regions[static_cast<std::size_t>(setting.mesh.find_region("bulk"))].mean;
+        context.mesh.regions[static_cast<std::size_t>(context.mesh.find_region("bulk"))].mean;
     for (const int cell : bulk.nodes) {
         const auto c = static_cast<std::size_t>(cell);
-        const auto layer = static_cast<std::size_t>(setting.mesh.layer[c]);
+        const auto layer = static_cast<std::size_t>(context.mesh.layer[c]);
         active.nodes.push_back(cell);
-        active.weights.push_back(setting.mesh.volume[c] * setting.stock.materials[layer].density);
+        active.weights.push_back(context.mesh.volume[c] * context.material_model.materials[layer].density);
     }
     normalise(active);
 }
 
-std::vector<int> join_patches(mesh::Mesh& mesh, const ActiveEffect& active, int appended_node) {
-    std::vector<int> joints;
+std::vector<int> couple_patches(mesh::Mesh& mesh, const ActiveEffect& active, int lumped_node) {
+    std::vector<int> coupling_faces;
     for (const int patch : active.patches) {
         for (const mesh::PatchFace& face : mesh.patches[static_cast<std::size_t>(patch)].faces) {
-            joints.push_back(mesh.add_joint(face.node, appended_node, face.area));
+            coupling_faces.push_back(mesh.add_coupling_face(face.node, lumped_node, face.area));
         }
     }
-    return joints;
+    return coupling_faces;
 }
 
-double joined_area(const mesh::Mesh& mesh, const ActiveEffect& active) {
-    return std::accumulate(active.joints.begin(), active.joints.end(), 0.0, [&](double sum, int joint) {
-        return sum + mesh.faces[static_cast<std::size_t>(joint)].area;
-    });
+double coupling_area(const mesh::Mesh& mesh, const ActiveEffect& active) {
+    return std::accumulate(active.coupling_faces.begin(), active.coupling_faces.end(), 0.0,
+                           [&](double sum, int face) { return sum + mesh.faces[static_cast<std::size_t>(face)].area; });
 }
 
-void join_gas_and_rim(mesh::Mesh& mesh) {
-    const int gas = mesh.find_appended("gas");
-    const int rim = mesh.find_appended("rim");
+void couple_gas_and_rim(mesh::Mesh& mesh) {
+    const int gas = mesh.find_lumped_node("gas");
+    const int rim = mesh.find_lumped_node("rim");
     if (gas >= 0 && rim >= 0 && face_between_gas_and_rim(mesh) < 0) {
-        mesh.add_joint(rim, gas, 1.0);
+        mesh.add_coupling_face(rim, gas, 1.0);
     }
 }
 
 int face_between_gas_and_rim(const mesh::Mesh& mesh) {
-    const int gas = mesh.find_appended("gas");
-    const int rim = mesh.find_appended("rim");
+    const int gas = mesh.find_lumped_node("gas");
+    const int rim = mesh.find_lumped_node("rim");
     const auto found = std::find_if(mesh.faces.begin(), mesh.faces.end(), [&](const mesh::Face& face) {
         return gas >= 0 && rim >= 0 && face.a == rim && face.b == gas;
     });

@@ -23,27 +23,28 @@ inline constexpr Table contact_profile{"profile", "m", "1",
 /// Fills nodes and weights of an effect with the faces of its patches, by area and, on a section, by a profile of weights
 /// against arc length where one is given; with those of a field of a structural code where it has one. The weights sum to
 /// 1.
-void spread_over_patches(const Setting& setting, ActiveEffect& active, const std::optional<Curve>& profile = {});
+void spread_over_patches(const PlacementContext& context, ActiveEffect& active,
+                         const std::optional<Curve>& profile = {});
 
 /// The same for the cells below the surface layer in the zones of the tread (all cells of a mesh of one layer), by mass.
-void spread_over_bulk(const Setting& setting, ActiveEffect& active);
+void spread_over_bulk(const PlacementContext& context, ActiveEffect& active);
 
-/// Joins every face of an effect's patches to a node that it appended. @returns the joints
-[[nodiscard]] std::vector<int> join_patches(mesh::Mesh& mesh, const ActiveEffect& active, int appended_node);
+/// Couples every face of an effect's patches to its lumped node. @returns the coupling faces
+[[nodiscard]] std::vector<int> couple_patches(mesh::Mesh& mesh, const ActiveEffect& active, int lumped_node);
 
-/// Area of an effect's joints. @returns m2
-[[nodiscard]] double joined_area(const mesh::Mesh& mesh, const ActiveEffect& active);
+/// Area of an effect's coupling faces. @returns m2
+[[nodiscard]] double coupling_area(const mesh::Mesh& mesh, const ActiveEffect& active);
 
-/// Joins the nodes "gas" and "rim" when both are there and not joined yet, whichever came first.
-void join_gas_and_rim(mesh::Mesh& mesh);
+/// Couples the nodes "gas" and "rim" when both are there and not coupled yet, whichever came first.
+void couple_gas_and_rim(mesh::Mesh& mesh);
 /// The face between them, or -1.
 [[nodiscard]] int face_between_gas_and_rim(const mesh::Mesh& mesh);
 
 /// Makes the weights sum to 1.
 void normalise(ActiveEffect& active);
 
-/// Speaks for an effect whose first intensity is a conductance [W/K] to surroundings and whose second is that times their
+/// Adds an effect whose first coefficient is a conductance [W/K] to surroundings and whose second is that times their
 /// temperature [W]: shares it out by the weights.
-void exchange_by_weights(const Moment& moment, Terms& terms);
+void exchange_by_weights(const EvaluationState& state, Terms& terms);
 
 }  // namespace tiretherm::physics

@@ -14,8 +14,8 @@ void clear(std::vector<double>& values) { std::fill(values.begin(), values.end()
 
 Terms::Terms(const mesh::Mesh& mesh, std::size_t n_effects)
     : face_G(mesh.faces.size()),
-      face_by_a(mesh.faces.size()),
-      face_by_b(mesh.faces.size()),
+      face_dq_dTa(mesh.faces.size()),
+      face_dq_dTb(mesh.faces.size()),
       node_G(at(mesh.n_nodes)),
       node_q(at(mesh.n_nodes)),
       node_slope(at(mesh.n_nodes)),
@@ -31,8 +31,8 @@ void Terms::begin(std::span<const double> at_temperature) {
     }
     if (faces_used) {
         clear(face_G);
-        clear(face_by_a);
-        clear(face_by_b);
+        clear(face_dq_dTa);
+        clear(face_dq_dTb);
         faces_used = false;
     }
     const auto n = at(mesh_->n_nodes);
@@ -46,11 +46,11 @@ void Terms::begin(std::span<const double> at_temperature) {
     negative_node = negative_effect = -1;
 }
 
-void Terms::conduct_follows(int face, int region, double by_mean) {
+void Terms::add_conductance_derivative(int face, int region, double dG_dT_mean) {
     const mesh::Face& ends = mesh_->faces[at(face)];
-    const double change = by_mean * drop_across(face);
-    heat_follows(ends.a, region, change);
-    heat_follows(ends.b, region, -change);
+    const double change = dG_dT_mean * drop_across(face);
+    add_source_derivative(ends.a, region, change);
+    add_source_derivative(ends.b, region, -change);
 }
 
 void Terms::add_difference(const Terms& here, const Terms& there, double step) {

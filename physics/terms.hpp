@@ -8,7 +8,7 @@
 
 namespace tiretherm::physics {
 
-/// What the active effects say at one moment: conductances, exchanges and heat, with the watts booked to each effect.
+/// What the active effects add at one moment: conductances, exchanges and heat, with the heat budget: watts per effect.
 ///
 ///   q_i = sum over faces of G (T_j - T_i) + sum over exchanges of G (T_env - T_i) + sum of W            [W]
 ///
@@ -21,49 +21,49 @@ public:
 
     /// Forgets everything; temperature [n_nodes] K is where the verbs will be called from now on.
     void begin(std::span<const double> temperature);
-    /// Watts from now on belong to this effect.
-    void book_to(std::size_t effect) { effect_ = effect; }
+    /// Watts from now on are attributed to this effect.
+    void attribute_to(std::size_t effect) { effect_ = effect; }
 
     /// Conductance G [W/K] >= 0 of a face, and its derivatives [W/K2] with the temperatures of its nodes a and b.
-    void conduct(int face, double G, double by_a = 0.0, double by_b = 0.0) {
+    void conduct(int face, double G, double dG_dTa = 0.0, double dG_dTb = 0.0) {
         const auto f = static_cast<std::size_t>(face);
         faces_used = true;
         face_G[f] += G;
         if (G < 0.0) {
             note_negative(mesh_->faces[f].a);
         }
-        if (by_a != 0.0 || by_b != 0.0) {
+        if (dG_dTa != 0.0 || dG_dTb != 0.0) {
             const double drop = drop_across(face);
-            face_by_a[f] += by_a * drop;
-            face_by_b[f] += by_b * drop;
+            face_dq_dTa[f] += dG_dTa * drop;
+            face_dq_dTb[f] += dG_dTb * drop;
             nonlinear = true;
         }
     }
     /// The same for one who has the drop T_b - T_a [K] at hand.
-    void conduct(int face, double G, double by_a, double by_b, double drop) {
+    void conduct(int face, double G, double dG_dTa, double dG_dTb, double drop) {
         const auto f = static_cast<std::size_t>(face);
         faces_used = true;
         face_G[f] += G;
-        face_by_a[f] += by_a * drop;
-        face_by_b[f] += by_b * drop;
-        nonlinear = nonlinear || by_a != 0.0 || by_b != 0.0;
+        face_dq_dTa[f] += dG_dTa * drop;
+        face_dq_dTb[f] += dG_dTb * drop;
+        nonlinear = nonlinear || dG_dTa != 0.0 || dG_dTb != 0.0;
         if (G < 0.0) {
             note_negative(mesh_->faces[f].a);
         }
     }
 
-    /// Adds to a face the derivative by_mean [W/K2] of its conductance with a region's mean temperature.
-    void conduct_follows(int face, int region, double by_mean);
+    /// Adds to a face the derivative dG_dT_mean [W/K2] of its conductance with a region's mean temperature.
+    void add_conductance_derivative(int face, int region, double dG_dT_mean);
 
     /// Exchange with surroundings at T_env [K]: G [W/K] >= 0, and its derivative [W/K2] with the node's temperature.
-    void exchange(int node, double G, double T_env, double by_T = 0.0) {
+    void exchange(int node, double G, double T_env, double dG_dT = 0.0) {
         const auto n = static_cast<std::size_t>(node);
         const double drop = T_env - temperature[n];
         node_G[n] += G;
         node_q[n] += G * drop;
         watts[effect_] += G * drop;
-        if (by_T != 0.0) {
-            node_slope[n] += by_T * drop;
+        if (dG_dT != 0.0) {
+            node_slope[n] += dG_dT * drop;
             nonlinear = true;
         }
         if (G < 0.0) {
@@ -72,31 +72,32 @@ public:
     }
 
     /// Heat W [W] into a node, and its derivative [W/K] with the node's temperature.
-    void heat(int node, double W, double by_T = 0.0) {
+    void heat(int node, double W, double dW_dT = 0.0) {
         const auto n = static_cast<std::size_t>(node);
         node_q[n] += W;
         watts[effect_] += W;
-        if (by_T != 0.0) {
-            node_slope[n] += by_T;
+        if (dW_dT != 0.0) {
+            node_slope[n] += dW_dT;
             nonlinear = true;
         }
     }
 
-    /// Adds to a node the derivative by_mean [W/K] of its heat with a region's mean temperature.
-    void heat_follows(int node, int region, double by_mean) {
-        if (by_mean != 0.0) {
-            region_slope[static_cast<std::size_t>(region) * node_q.size() + static_cast<std::size_t>(node)] += by_mean;
+    /// Adds to a node the derivative dW_dT_mean [W/K] of its heat with a region's mean temperature.
+    void add_source_derivative(int node, int region, double dW_dT_mean) {
+        if (dW_dT_mean != 0.0) {
+            region_slope[static_cast<std::size_t>(region) * node_q.size() + static_cast<std::size_t>(node)] +=
+                dW_dT_mean;
             region_used[static_cast<std::size_t>(region)] = 1;
             nonlinear = true;
         }
     }
 
-    /// Adds what an effect without derivatives of its own said at T (`here`) and at T + step (`there`).
+    /// Adds the terms of an effect without derivatives of its own, taken at T (`here`) and at T + step (`there`).
     void add_difference(const Terms& here, const Terms& there, double step);
 
     std::vector<double> face_G;           ///< [n_faces] W/K
-    std::vector<double> face_by_a;        ///< [n_faces] W/K: (dG/dT_a) (T_b - T_a)
-    std::vector<double> face_by_b;        ///< [n_faces] W/K
+    std::vector<double> face_dq_dTa;      ///< [n_faces] W/K: (dG/dT_a) (T_b - T_a)
+    std::vector<double> face_dq_dTb;      ///< [n_faces] W/K
     std::vector<double> node_G;           ///< [n_nodes] W/K, sum of exchanges
     std::vector<double> node_q;           ///< [n_nodes] W, exchanges and heat, without the faces
     std::vector<double> node_slope;       ///< [n_nodes] W/K, derivative of node_q beyond -node_G
@@ -104,7 +105,7 @@ public:
     std::vector<char> region_used;        ///< [n_regions]
     std::vector<double> watts;            ///< [n_effects] W
     std::span<const double> temperature;  ///< [n_nodes] K
-    bool faces_used = false;              ///< whether any face was spoken of
+    bool faces_used = false;              ///< whether any face has a conductance
     bool nonlinear = false;
     int negative_node = -1;  ///< first node given a negative conductance, and by which effect
     int negative_effect = -1;

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "mesh/mesh.hpp"
-#include "physics/tire_laws/cornering_stiffness.hpp"
 #include "physics/effect.hpp"
+#include "physics/tire_laws/cornering_stiffness.hpp"
 #include "physics/tire_laws/magic_formula.hpp"
-#include "solver/drive.hpp"
+#include "solver/input_signals.hpp"
 #include "solver/linear/factor.hpp"
 
 namespace tiretherm::solver {
@@ -19,7 +19,7 @@ namespace tiretherm::solver {
 enum class Method : std::uint8_t { tr_bdf2, backward_euler };
 
 struct Settings {
-    bool steady = false;  ///< solve for the steady state of the drive at `end` instead of marching
+    bool steady = false;  ///< solve for the steady state of the inputs at `end` instead of marching
     double start = 0.0;   ///< s
     double end = 0.0;     ///< s
     Method method = Method::tr_bdf2;
@@ -55,13 +55,13 @@ struct Handling {
     std::optional<physics::MagicFormula> magic_formula;  ///< of a property file
 };
 
-/// A named reading.
+/// A named output: what a sensor reads.
 struct Channel {
     std::string name;
     std::string meaning;  ///< says which temperature this is and where ("outer surface, mean over the spot")
     mesh::Functional where;
     Quantity quantity = Quantity::temperature;
-    std::optional<mesh::Point> point{};          ///< m, of a reading at a point
+    std::optional<mesh::Point> point{};          ///< m, of a sensor at a point
     std::optional<double> standard_deviation{};  ///< of the sensor, as its data sheet says, in the quantity's unit
 };
 
@@ -86,7 +86,7 @@ struct Problem {
     physics::Tire tire;
     Handling handling;
     std::vector<physics::ActiveEffect> effects;
-    Drive drive;
+    InputSignals input_signals;
     std::vector<double> initial;  ///< [n_nodes] K
     Settings settings;
     std::vector<Channel> channels;
@@ -94,7 +94,7 @@ struct Problem {
     double symmetry = 1.0;  ///< the tire or specimen is this many times the mesh (4 for a quarter)
 };
 
-/// Switches an effect on: the nodes that it brings are appended to the mesh at the temperature `start`.
+/// Switches an effect on: its lumped nodes are added to the mesh at the temperature `start`.
 /// @returns its index in problem.effects
 std::size_t switch_on(Problem& problem, physics::ActiveEffect active, double start);
 

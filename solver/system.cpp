@@ -27,33 +27,34 @@ System::System(const Problem& problem)
       shifted_means_(problem.mesh.regions.size()),
       shifted_(at(problem.mesh.n_nodes)),
       flow_(at(problem.mesh.n_nodes)),
-      stock_{.materials = problem.materials, .link_laws = problem.link_laws, .tire = problem.tire},
+      material_model_{.materials = problem.materials, .link_laws = problem.link_laws, .tire = problem.tire},
       effects_(problem.effects),
       lump_(at(problem.mesh.n_nodes)) {
     settle_effects();
     for (const physics::ActiveEffect& active : effects_) {
-        first_intensity_.push_back(n_intensities_);
-        n_intensities_ += at(active.effect->n_intensities);
-        for (std::size_t i = 0; i < active.appended.size(); ++i) {
-            lump_[at(active.appended[i])] += active.effect->capacity(active, i);
+        first_coefficient_.push_back(n_coefficients_);
+        n_coefficients_ += at(active.effect->n_coefficients);
+        for (std::size_t i = 0; i < active.lumped_nodes.size(); ++i) {
+            lump_[at(active.lumped_nodes[i])] += active.effect->capacity(active, i);
         }
     }
     for (int node = 0; node < problem.mesh.n_nodes; ++node) {
         const int layer = problem.mesh.layer[at(node)];
-        mass_.push_back(layer < 0 ? 0.0 : problem.mesh.volume[at(node)] * stock_.materials[at(layer)].density);
+        mass_.push_back(layer < 0 ? 0.0 : problem.mesh.volume[at(node)] * material_model_.materials[at(layer)].density);
     }
 }
 
 /// Properties first, then places: a share by mass must see the mass that counts.
 void System::settle_effects() {
     for (const physics::ActiveEffect& active : effects_) {
-        if (active.effect->amend != nullptr) {
-            active.effect->amend(active, problem_->mesh, stock_);
+        if (active.effect->modify_properties != nullptr) {
+            active.effect->modify_properties(active, problem_->mesh, material_model_);
         }
     }
     for (physics::ActiveEffect& active : effects_) {
         if (active.effect->place != nullptr) {
-            active.effect->place({.mesh = problem_->mesh, .stock = stock_, .effects = effects_}, active);
+            active.effect->place({.mesh = problem_->mesh, .material_model = material_model_, .effects = effects_},
+                                 active);
         }
     }
     const auto scales = [](const physics::ActiveEffect& active) { return active.effect->scale_loss != nullptr; };
@@ -72,7 +73,7 @@ std::vector<double> System::initial() const {
 
 double System::capacity(std::size_t node, double T) const {
     if (mass_[node] > 0.0) {
-        return mass_[node] * stock_.materials[at(problem_->mesh.layer[node])].heat_capacity.value(T);
+        return mass_[node] * material_model_.materials[at(problem_->mesh.layer[node])].heat_capacity.value(T);
     }
     return lump_[node];
 }
@@ -86,20 +87,21 @@ physics::Inputs System::transformed(physics::Inputs inputs) const {
     return inputs;
 }
 
-void System::drive(const physics::Inputs& logged, std::span<double> out) const {
+void System::evaluate_coefficients(const physics::Inputs& logged, std::span<double> out) const {
     const physics::Inputs inputs = transformed(logged);
     physics::Laws laws;
     for (std::size_t e = 0; e < effects_.size(); ++e) {
         const physics::ActiveEffect& active = effects_[e];
-        if (active.effect->bend != nullptr && e != silenced_) {
-            active.effect->bend(active, stock_.tire, inputs, laws);
+        if (active.effect->modify_laws != nullptr && e != excluded_effect_) {
+            active.effect->modify_laws(active, material_model_.tire, inputs, laws);
         }
     }
-    const physics::Driving driving{.tire = stock_.tire, .inputs = inputs, .laws = laws};
+    const physics::OperatingPoint point{.tire = material_model_.tire, .inputs = inputs, .laws = laws};
     for (std::size_t e = 0; e < effects_.size(); ++e) {
         const physics::ActiveEffect& active = effects_[e];
-        if (active.effect->drive != nullptr) {
-            active.effect->drive(active, driving, out.subspan(first_intensity_[e], at(active.effect->n_intensities)));
+        if (active.effect->evaluate_coefficients != nullptr) {
+            active.effect->evaluate_coefficients(active, point,
+                                                 out.subspan(first_coefficient_[e], at(active.effect->n_coefficients)));
         }
     }
 }
@@ -110,15 +112,16 @@ void System::find_means(std::span<const double> T, std::span<double> means) cons
     }
 }
 
-physics::Moment System::moment(std::size_t e, std::span<const double> T, std::span<const double> means,
-                               std::span<const double> intensities) const {
+physics::EvaluationState System::evaluation_state(std::size_t e, std::span<const double> T,
+                                                  std::span<const double> means,
+                                                  std::span<const double> coefficients) const {
     const physics::ActiveEffect& active = effects_[e];
     return {.mesh = problem_->mesh,
-            .stock = stock_,
+            .material_model = material_model_,
             .temperature = T,
             .region_mean = means,
             .active = active,
-            .intensities = intensities.subspan(first_intensity_[e], at(active.effect->n_intensities)),
+            .coefficients = coefficients.subspan(first_coefficient_[e], at(active.effect->n_coefficients)),
             .loss_factors = loss_factors_};
 }
 
@@ -126,29 +129,29 @@ void System::find_loss_factors(std::span<const double> T, std::span<const double
     loss_factors_.clear();
     for (std::size_t e = 0; e < effects_.size(); ++e) {
         const physics::Effect& effect = *effects_[e].effect;
-        if (effect.scale_loss != nullptr && e != silenced_) {
+        if (effect.scale_loss != nullptr && e != excluded_effect_) {
             loss_factors_.push_back(effect.scale_loss({.mesh = problem_->mesh,
-                                                       .stock = stock_,
+                                                       .material_model = material_model_,
                                                        .temperature = T,
                                                        .region_mean = means,
                                                        .active = effects_[e],
-                                                       .intensities = {}}));
+                                                       .coefficients = {}}));
         }
     }
 }
 
-void System::evaluate(std::span<const double> T, std::span<const double> intensities) {
+void System::evaluate(std::span<const double> T, std::span<const double> coefficients) {
     terms_.begin(T);
     find_means(T, means_);
     find_loss_factors(T, means_);
     for (std::size_t e = 0; e < effects_.size(); ++e) {
         const physics::Effect& effect = *effects_[e].effect;
-        if (effect.speak == nullptr) {
+        if (effect.add_terms == nullptr) {
             continue;
         }
-        terms_.book_to(e);
+        terms_.attribute_to(e);
         if (effect.gives_derivatives) {
-            effect.speak(moment(e, T, means_, intensities), terms_);
+            effect.add_terms(evaluation_state(e, T, means_, coefficients), terms_);
             continue;
         }
         for (std::size_t i = 0; i < T.size(); ++i) {
@@ -157,10 +160,10 @@ void System::evaluate(std::span<const double> T, std::span<const double> intensi
         find_means(shifted_, shifted_means_);
         here_.begin(T);
         there_.begin(shifted_);
-        here_.book_to(e);
-        there_.book_to(e);
-        effect.speak(moment(e, T, means_, intensities), here_);
-        effect.speak(moment(e, shifted_, shifted_means_, intensities), there_);
+        here_.attribute_to(e);
+        there_.attribute_to(e);
+        effect.add_terms(evaluation_state(e, T, means_, coefficients), here_);
+        effect.add_terms(evaluation_state(e, shifted_, shifted_means_, coefficients), there_);
         terms_.add_difference(here_, there_, difference_step);
     }
     std::copy(terms_.node_q.begin(), terms_.node_q.end(), flow_.begin());
@@ -173,12 +176,12 @@ void System::evaluate(std::span<const double> T, std::span<const double> intensi
 }
 
 void System::find_flow_of(std::span<const std::size_t> which, std::span<const double> T, std::span<const double> means,
-                          std::span<const double> intensities, std::span<double> q) {
+                          std::span<const double> coefficients, std::span<double> q) {
     here_.begin(T);
     find_loss_factors(T, means);
     for (const std::size_t e : which) {
-        here_.book_to(e);
-        effects_[e].effect->speak(moment(e, T, means, intensities), here_);
+        here_.attribute_to(e);
+        effects_[e].effect->add_terms(evaluation_state(e, T, means, coefficients), here_);
     }
     std::copy(here_.node_q.begin(), here_.node_q.end(), q.begin());
     if (!here_.faces_used) {
@@ -193,31 +196,32 @@ void System::find_flow_of(std::span<const std::size_t> which, std::span<const do
 }
 
 double System::share_of_law(std::size_t effect, std::span<const double> T, const physics::Inputs& logged) {
-    std::vector<double> intensities(n_intensities_);
+    std::vector<double> coefficients(n_coefficients_);
     const auto total = [&] {
-        drive(logged, intensities);
-        evaluate(T, intensities);
+        evaluate_coefficients(logged, coefficients);
+        evaluate(T, coefficients);
         return std::accumulate(terms_.watts.begin(), terms_.watts.end(), 0.0);
     };
     const double with = total();
-    silenced_ = effect;
+    excluded_effect_ = effect;
     const double without = total();
-    silenced_ = static_cast<std::size_t>(-1);
+    excluded_effect_ = static_cast<std::size_t>(-1);
     return with - without;
 }
 
 void System::enthalpy(std::span<const double> T, std::span<double> H) const {
     for (std::size_t i = 0; i < T.size(); ++i) {
-        H[i] = mass_[i] > 0.0 ? mass_[i] * stock_.materials[at(problem_->mesh.layer[i])].heat_capacity.integral(T[i])
-                              : lump_[i] * T[i];
+        H[i] = mass_[i] > 0.0
+                   ? mass_[i] * material_model_.materials[at(problem_->mesh.layer[i])].heat_capacity.integral(T[i])
+                   : lump_[i] * T[i];
     }
 }
 
-Status System::blame(Outcome outcome, std::string_view why, int node, double time, std::span<const double> T,
-                     std::span<const double> intensities) {
+Status System::failure_at(Outcome outcome, std::string_view why, int node, double time, std::span<const double> T,
+                          std::span<const double> coefficients) {
     return {outcome, fmt::format("{} at t = {:.6g} s, in {} ({:.2f} degC); the effect that pushes hardest there is {}",
                                  why, time, describe_node(problem_->mesh, node), T[at(node)] - 273.15,
-                                 loudest_effect(node, T, intensities))};
+                                 loudest_effect(node, T, coefficients))};
 }
 
 int System::first_not_finite() const {
@@ -225,17 +229,17 @@ int System::first_not_finite() const {
     return bad == flow_.end() ? -1 : static_cast<int>(bad - flow_.begin());
 }
 
-std::string System::loudest_effect(int node, std::span<const double> T, std::span<const double> intensities) {
+std::string System::loudest_effect(int node, std::span<const double> T, std::span<const double> coefficients) {
     find_means(T, means_);
     find_loss_factors(T, means_);
     double loudest = -1.0;
     std::string name = "none";
     for (std::size_t e = 0; e < effects_.size(); ++e) {
-        if (effects_[e].effect->speak == nullptr) {
+        if (effects_[e].effect->add_terms == nullptr) {
             continue;
         }
         here_.begin(T);
-        effects_[e].effect->speak(moment(e, T, means_, intensities), here_);
+        effects_[e].effect->add_terms(evaluation_state(e, T, means_, coefficients), here_);
         double watts = std::abs(here_.node_q[at(node)]);
         for (std::size_t f = 0; f < problem_->mesh.faces.size(); ++f) {
             const mesh::Face& face = problem_->mesh.faces[f];
@@ -255,9 +259,9 @@ std::string System::loudest_effect(int node, std::span<const double> T, std::spa
 }
 
 std::string describe_node(const mesh::Mesh& mesh, int node) {
-    for (const mesh::Appended& appended : mesh.appended) {
-        if (appended.node == node) {
-            return fmt::format("the {} node", appended.name);
+    for (const mesh::LumpedNode& lumped_node : mesh.lumped_nodes) {
+        if (lumped_node.node == node) {
+            return fmt::format("the {} node", lumped_node.name);
         }
     }
     const auto& [x, y, z] = mesh.centre[at(node)];

@@ -20,37 +20,38 @@ public:
     [[nodiscard]] int size() const { return problem_->mesh.n_nodes; }
     [[nodiscard]] const Problem& problem() const { return *problem_; }
     [[nodiscard]] const Pattern& pattern() const { return pattern_; }
-    [[nodiscard]] std::size_t n_intensities() const { return n_intensities_; }
+    [[nodiscard]] std::size_t n_coefficients() const { return n_coefficients_; }
     [[nodiscard]] bool has_capacity(std::size_t node) const { return mass_[node] > 0.0 || lump_[node] > 0.0; }
     /// Heat capacity of a node at a temperature. @returns J/K
     [[nodiscard]] double capacity(std::size_t node, double T) const;
     /// What the layers are made of, as the effects on properties left it.
-    [[nodiscard]] const physics::Stock& stock() const { return stock_; }
+    [[nodiscard]] const physics::MaterialModel& material_model() const { return material_model_; }
     /// The effects that are on, each in its place.
     [[nodiscard]] std::span<const physics::ActiveEffect> effects() const { return effects_; }
     /// The initial state, with the effects on it. @returns [n_nodes] K
     [[nodiscard]] std::vector<double> initial() const;
 
-    /// The inputs as the drive effects make them of the logged ones.
+    /// The logged inputs after the input corrections.
     [[nodiscard]] physics::Inputs transformed(physics::Inputs inputs) const;
-    /// Intensities of all effects, one after the other, for the logged inputs of a moment. @param out [n_intensities]
-    void drive(const physics::Inputs& logged, std::span<double> out) const;
+    /// Coefficients of all effects, one after the other, for the logged inputs of a moment. @param out [n_coefficients]
+    void evaluate_coefficients(const physics::Inputs& logged, std::span<double> out) const;
 
-    /// Lets every effect speak at T [n_nodes] K with these intensities.
-    void evaluate(std::span<const double> T, std::span<const double> intensities);
-    /// What was said at the last evaluation.
+    /// Lets every effect add its terms at T [n_nodes] K with these coefficients.
+    void evaluate(std::span<const double> T, std::span<const double> coefficients);
+    /// The terms of the last evaluation.
     [[nodiscard]] const physics::Terms& terms() const { return terms_; }
-    /// Heat of all effects at T under the inputs, less what it would be without one law effect. @returns W
+    /// Heat of all effects at T under the inputs, less what it would be without one property modifier. @returns W
     [[nodiscard]] double share_of_law(std::size_t effect, std::span<const double> T, const physics::Inputs& logged);
-    /// Heat flow into each node on account of some effects alone; what was said at the last evaluation stays.
+    /// Heat flow into each node on account of some effects alone; the terms of the last evaluation stay.
     /// @param which indices into effects()  @param means of the regions at T  @param q out, [n_nodes] W
     void find_flow_of(std::span<const std::size_t> which, std::span<const double> T, std::span<const double> means,
-                      std::span<const double> intensities, std::span<double> q);
+                      std::span<const double> coefficients, std::span<double> q);
     /// Mean temperature of every region at the last evaluation. @returns [n_regions] K
     [[nodiscard]] std::span<const double> means() const { return means_; }
-    /// An effect's intensities among those of all.
-    [[nodiscard]] std::span<const double> intensities_of(std::size_t effect, std::span<const double> all) const {
-        return all.subspan(first_intensity_[effect], static_cast<std::size_t>(effects_[effect].effect->n_intensities));
+    /// An effect's coefficients among those of all.
+    [[nodiscard]] std::span<const double> coefficients_of(std::size_t effect, std::span<const double> all) const {
+        return all.subspan(first_coefficient_[effect],
+                           static_cast<std::size_t>(effects_[effect].effect->n_coefficients));
     }
     /// Heat flow into each node at the last evaluation. @returns [n_nodes] W
     [[nodiscard]] std::span<const double> heat_flow() const { return flow_; }
@@ -62,28 +63,29 @@ public:
     /// With `steady`, C is left out.
     void matrices(double s, bool steady, Matrix& A, Matrix& J) const;
 
-    /// Relaxes the surface nodes to q = 0 with the cells held: they follow a jump of the drive at once. The system has
+    /// Relaxes the surface nodes to q = 0 with the cells held: they follow a jump of the inputs at once. The system has
     /// been evaluated at the result.
-    void make_consistent(std::span<double> T, std::span<const double> intensities);
+    void make_consistent(std::span<double> T, std::span<const double> coefficients);
 
     /// A failure at a node in a sentence: why, when, where, and which effect pushes hardest there.
-    [[nodiscard]] Status blame(Outcome outcome, std::string_view why, int node, double time, std::span<const double> T,
-                               std::span<const double> intensities);
+    [[nodiscard]] Status failure_at(Outcome outcome, std::string_view why, int node, double time,
+                                    std::span<const double> T, std::span<const double> coefficients);
     /// First node whose heat flow at the last evaluation is not finite, or -1.
     [[nodiscard]] int first_not_finite() const;
 
 private:
     void settle_effects();
-    [[nodiscard]] physics::Moment moment(std::size_t effect, std::span<const double> T, std::span<const double> means,
-                                         std::span<const double> intensities) const;
+    [[nodiscard]] physics::EvaluationState evaluation_state(std::size_t effect, std::span<const double> T,
+                                                            std::span<const double> means,
+                                                            std::span<const double> coefficients) const;
     void find_loss_factors(std::span<const double> T, std::span<const double> means) const;
-    [[nodiscard]] std::string loudest_effect(int node, std::span<const double> T, std::span<const double> intensities);
+    [[nodiscard]] std::string loudest_effect(int node, std::span<const double> T, std::span<const double> coefficients);
     void find_means(std::span<const double> T, std::span<double> means) const;
 
     const Problem* problem_;
     Pattern pattern_;
-    std::size_t n_intensities_ = 0;
-    std::vector<std::size_t> first_intensity_;  ///< [n_effects]
+    std::size_t n_coefficients_ = 0;
+    std::vector<std::size_t> first_coefficient_;  ///< [n_effects]
     physics::Terms terms_;
     physics::Terms here_;  ///< for derivatives by difference
     physics::Terms there_;
@@ -91,12 +93,12 @@ private:
     std::vector<double> shifted_means_;
     std::vector<double> shifted_;
     std::vector<double> flow_;
-    physics::Stock stock_;
+    physics::MaterialModel material_model_;
     std::vector<physics::ActiveEffect> effects_;
-    std::vector<double> mass_;  ///< [n_nodes] kg, density * volume; 0 for surfaces and appended nodes
-    std::vector<double> lump_;  ///< [n_nodes] J/K of an appended node
-    mutable std::vector<physics::Factor> loss_factors_;
-    std::size_t silenced_ = static_cast<std::size_t>(-1);  ///< a law effect that is being left out
+    std::vector<double> mass_;  ///< [n_nodes] kg, density * volume; 0 for surfaces and lumped nodes
+    std::vector<double> lump_;  ///< [n_nodes] J/K of a lumped node
+    mutable std::vector<physics::LossFactor> loss_factors_;
+    std::size_t excluded_effect_ = static_cast<std::size_t>(-1);  ///< a property modifier that is being left out
 };
 
 /// A place in words: "cell 12 of layer tread, 3.2 mm deep".

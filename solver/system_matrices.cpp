@@ -3,14 +3,14 @@
 
 #include "solver/system.hpp"
 
-// What Newton's method makes of the heat that was said: its matrices, and the surfaces that have no capacity.
+// What Newton's method makes of the terms: its matrices, and the surfaces that have no capacity.
 namespace tiretherm::solver {
 
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// How nearly a surface without capacity follows the drive; Newton's next correction would be the square of it. K
+/// How nearly a surface without capacity follows the inputs; Newton's next correction would be the square of it. K
 constexpr double surface_tolerance = 1e-8;
 
 }  // namespace
@@ -52,14 +52,14 @@ void System::matrices(double s, bool steady, Matrix& A, Matrix& J) const {
         A.value[at(p.diagonal[i])] -= std::min(slope, 0.0);
     }
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-        const double by_a = s * said.face_by_a[f];
-        const double by_b = s * said.face_by_b[f];
-        if (by_a != 0.0 || by_b != 0.0) {
+        const double dq_dTa = s * said.face_dq_dTa[f];
+        const double dq_dTb = s * said.face_dq_dTb[f];
+        if (dq_dTa != 0.0 || dq_dTb != 0.0) {
             J.symmetric = false;
-            J.value[at(p.diagonal[at(mesh.faces[f].a)])] -= by_a;
-            J.value[at(p.ab[f])] -= by_b;
-            J.value[at(p.ba[f])] += by_a;
-            J.value[at(p.diagonal[at(mesh.faces[f].b)])] += by_b;
+            J.value[at(p.diagonal[at(mesh.faces[f].a)])] -= dq_dTa;
+            J.value[at(p.ab[f])] -= dq_dTb;
+            J.value[at(p.ba[f])] += dq_dTa;
+            J.value[at(p.diagonal[at(mesh.faces[f].b)])] += dq_dTb;
         }
     }
     for (std::size_t r = 0; r < mesh.regions.size(); ++r) {
@@ -71,12 +71,12 @@ void System::matrices(double s, bool steady, Matrix& A, Matrix& J) const {
     }
 }
 
-void System::make_consistent(std::span<double> T, std::span<const double> intensities) {
+void System::make_consistent(std::span<double> T, std::span<const double> coefficients) {
     const mesh::Mesh& mesh = problem_->mesh;
     // Surface nodes touch no other surface node, so that each Newton correction is a division.
     for (int iteration = 0;; ++iteration) {
-        evaluate(T, intensities);
-        if (mesh.n_cells + std::ssize(mesh.appended) == mesh.n_nodes || iteration == 50) {
+        evaluate(T, coefficients);
+        if (mesh.n_cells + std::ssize(mesh.lumped_nodes) == mesh.n_nodes || iteration == 50) {
             return;
         }
         std::vector<double>& stiffness = shifted_;
@@ -84,8 +84,8 @@ void System::make_consistent(std::span<double> T, std::span<const double> intens
             stiffness[i] = terms_.node_G[i] - terms_.node_slope[i];
         }
         for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-            stiffness[at(mesh.faces[f].a)] += terms_.face_G[f] - terms_.face_by_a[f];
-            stiffness[at(mesh.faces[f].b)] += terms_.face_G[f] + terms_.face_by_b[f];
+            stiffness[at(mesh.faces[f].a)] += terms_.face_G[f] - terms_.face_dq_dTa[f];
+            stiffness[at(mesh.faces[f].b)] += terms_.face_G[f] + terms_.face_dq_dTb[f];
         }
         double largest = 0.0;
         for (std::size_t i = 0; i < T.size(); ++i) {

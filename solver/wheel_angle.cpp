@@ -13,7 +13,7 @@ namespace tiretherm::solver {
 namespace {
 
 /// By so much a column is seen before and behind an edge of the contact at the moment when it is on it. rad
-constexpr double hair = 1e-8;
+constexpr double position_tolerance = 1e-8;
 constexpr double turn = 2.0 * std::numbers::pi;
 
 class Turning {
@@ -21,13 +21,13 @@ public:
     explicit Turning(const Problem& problem)
         : problem_(problem),
           signal_(physics::find_signal("wheel_angle")),
-          given_(problem.drive.gives(*signal_)),
+          given_(problem.input_signals.gives(*signal_)),
           pitch_(turn / problem.mesh.sectors) {}
 
     std::optional<Series> series(std::size_t most) {
         series_ = {.signal = signal_, .time = {}, .value = {}, .logged = false};
         double t = problem_.settings.start;
-        double angle = given_ ? at(t, Limit::after).wheel_angle : 0.0;
+        double angle = given_ ? at(t, JumpSide::after).wheel_angle : 0.0;
         add(t, angle);
         for (const double knot : knots()) {
             while (t < knot) {
@@ -35,7 +35,8 @@ public:
                 t = time;
                 angle = where;
                 if (t < knot && problem_.mesh.sectors == 1) {
-                    const double before = at(t, Limit::before).speed < 0.0 ? hair : -hair;
+                    const double before =
+                        at(t, JumpSide::before).speed < 0.0 ? position_tolerance : -position_tolerance;
                     add(t, angle + before);
                     add(t, angle - before);
                 } else {
@@ -55,17 +56,18 @@ private:
         double angle = 0.0;
     };
 
-    [[nodiscard]] physics::Inputs at(double t, Limit limit) const { return problem_.drive.at(t, limit); }
+    [[nodiscard]] physics::Inputs at(double t, JumpSide side) const { return problem_.input_signals.at(t, side); }
 
     [[nodiscard]] double rate(const physics::Inputs& in) const {
         return in.speed / problem_.tire.rolling_radius(in.vertical_load);
     }
 
-    /// Where the drive bends: between two of them its inputs are straight.
+    /// Where the inputs bend: between two of them its inputs are straight.
     [[nodiscard]] std::vector<double> knots() const {
         const Settings& settings = problem_.settings;
         std::vector<double> all;
-        std::ranges::set_union(problem_.drive.stops(), problem_.drive.samples(), std::back_inserter(all));
+        std::ranges::set_union(problem_.input_signals.stops(), problem_.input_signals.samples(),
+                               std::back_inserter(all));
         std::erase_if(all, [&](double t) { return t <= settings.start || t >= settings.end; });
         all.push_back(settings.end);
         return all;
@@ -74,11 +76,11 @@ private:
     /// Simpson's rule over a piece in which speed and load are straight.
     [[nodiscard]] double angle_at(double t, const Point& from) const {
         if (given_) {
-            return at(t, Limit::before).wheel_angle;
+            return at(t, JumpSide::before).wheel_angle;
         }
-        const double middle = rate(at(0.5 * (from.time + t), Limit::before));
-        return from.angle +
-               (t - from.time) / 6.0 * (rate(at(from.time, Limit::after)) + 4.0 * middle + rate(at(t, Limit::before)));
+        const double middle = rate(at(0.5 * (from.time + t), JumpSide::before));
+        return from.angle + (t - from.time) / 6.0 *
+                                (rate(at(from.time, JumpSide::after)) + 4.0 * middle + rate(at(t, JumpSide::before)));
     }
 
     /// How far the contact's two edges have come, in pitches.
@@ -91,13 +93,13 @@ private:
     /// The next moment at which an edge has come a whole number of pitches, no later than the knot.
     [[nodiscard]] Point next(double t, double angle, double knot) const {
         const Point from{.time = t, .angle = angle};
-        const std::array<double, 2> begin = edges(angle, at(t, Limit::after));
+        const std::array<double, 2> begin = edges(angle, at(t, JumpSide::after));
         Point found{.time = knot, .angle = angle_at(knot, from)};
         for (const std::size_t edge : {0U, 1U}) {
-            // A hair beyond the one that it may be on.
-            const double whole = std::floor(begin[edge] + 10.0 * hair / pitch_) + 1.0;
+            // Just beyond the one that it may be on.
+            const double whole = std::floor(begin[edge] + 10.0 * position_tolerance / pitch_) + 1.0;
             const auto left = [&](double moment) {
-                return edges(angle_at(moment, from), at(moment, Limit::before))[edge] - whole;
+                return edges(angle_at(moment, from), at(moment, JumpSide::before))[edge] - whole;
             };
             double low = t;
             double high = found.time;
@@ -106,7 +108,8 @@ private:
                 continue;
             }
             double at_low = begin[edge] - whole;
-            while (high - low > 4.0 * std::numeric_limits<double>::epsilon() * high && at_high > 1e-2 * hair) {
+            while (high - low > 4.0 * std::numeric_limits<double>::epsilon() * high &&
+                   at_high > 1e-2 * position_tolerance) {
                 // Regula falsi, whose end that stays counts half (Illinois).
                 const double guess = std::clamp(low - at_low * (high - low) / (at_high - at_low), low, high);
                 const double value = left(guess);
@@ -119,7 +122,7 @@ private:
                     at_high = value;
                     at_low *= 0.5;
                 }
-                if (std::abs(value) < 1e-2 * hair) {
+                if (std::abs(value) < 1e-2 * position_tolerance) {
                     high = guess;
                     break;
                 }

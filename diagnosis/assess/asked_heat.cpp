@@ -3,7 +3,7 @@
 
 #include "diagnosis/assess/findings.hpp"
 #include "solver/in_parallel.hpp"
-#include "solver/sensitivity/tape.hpp"
+#include "solver/sensitivity/adjoint_record.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -18,8 +18,8 @@ constexpr int small = 50;  // nodes
 
 /// What the heat at each place and window would raise weighted sums of the readings by, W by W.
 /// @param weights [n_rows x n_sums] of the readings  @returns [n_windows * n_places x n_sums]
-Eigen::MatrixXd answers(solver::Tape& tape, const Observations& observations, std::size_t run, std::size_t n_channels,
-                        const solver::Settings& settings, const std::vector<HeatPlace>& places,
+Eigen::MatrixXd answers(solver::AdjointRecord& record, const Observations& observations, std::size_t run,
+                        std::size_t n_channels, const solver::Settings& settings, const std::vector<HeatPlace>& places,
                         const Eigen::MatrixXd& weights) {
     const std::size_t n_readings = observations.times[run].size() * n_channels;
     const auto n_sums = static_cast<std::size_t>(weights.cols());
@@ -34,8 +34,8 @@ Eigen::MatrixXd answers(solver::Tape& tape, const Observations& observations, st
     const double length = (settings.end - settings.start) / windows;
     Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(windows * static_cast<Eigen::Index>(places.size()), weights.cols());
     const auto add_step = [&](std::size_t s, std::span<const double> by_heat) {
-        const double begin = s == 0 ? settings.start : tape.end(s - 1);
-        const double end = tape.end(s);
+        const double begin = s == 0 ? settings.start : record.end(s - 1);
+        const double end = record.end(s);
         for (int w = std::max(0, static_cast<int>((begin - settings.start) / length) - 1); w < windows; ++w) {
             const double from = settings.start + w * length;
             if (from >= end) {
@@ -46,13 +46,13 @@ Eigen::MatrixXd answers(solver::Tape& tape, const Observations& observations, st
                 const mesh::Functional& nodes = places[p].nodes;
                 for (std::size_t k = 0; k < n_sums; ++k) {
                     sums(static_cast<Eigen::Index>(p) * windows + w, static_cast<Eigen::Index>(k)) +=
-                        share * nodes(by_heat.subspan(k * tape.n_nodes(), tape.n_nodes()));
+                        share * nodes(by_heat.subspan(k * record.n_nodes(), record.n_nodes()));
                 }
             }
         }
     };
     // A millionth is seen by no picture.
-    tape.backward(n_sums, of_reading, add_step, 1e-6);
+    record.backward(n_sums, of_reading, add_step, 1e-6);
     return sums;
 }
 
@@ -85,13 +85,13 @@ void ask_for_heat(const Findings& found, Diagnosis& into) {
         if (problem.settings.steady || evidence.experiment->runs[r].time.empty()) {
             return;
         }
-        solver::Tape tape(problem, observations.times[r], evidence.steps[r]);
-        if (!tape.status().ok()) {
+        solver::AdjointRecord record(problem, observations.times[r], evidence.steps[r]);
+        if (!record.status().ok()) {
             return;
         }
         const Eigen::MatrixXd asked =
-            answers(tape, observations, r, problem.channels.size(), problem.settings, places, weights);
-        if (!tape.status().ok()) {
+            answers(record, observations, r, problem.channels.size(), problem.settings, places, weights);
+        if (!record.status().ok()) {
             return;
         }
         const Eigen::VectorXd variance = asked.rightCols(n_draws).cwiseAbs2().rowwise().mean();

@@ -9,11 +9,11 @@
 
 #include <Eigen/Core>
 
-#include "input/measurements/experiment.hpp"
-#include "diagnosis/noise/noise_estimate.hpp"
 #include "diagnosis/fit/observations.hpp"
-#include "solver/own_effect.hpp"
+#include "diagnosis/noise/noise_estimate.hpp"
+#include "input/measurements/experiment.hpp"
 #include "solver/status.hpp"
+#include "solver/user_effect.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -43,9 +43,9 @@ struct Cause {
     std::vector<CauseNumber> numbers{};  ///< that were fitted, and those it was tried at
     /// What the case says of the number, where the effect is on and its number is wrong.
     std::optional<double> instead_of{};
-    double sigma = 0.0;  ///< standard deviations from absent, or from what the case says
-    double gain = 0.0;                   ///< log likelihood ratio over the model without it
-    double probability = 0.0;            ///< among the single explanations, before the data all alike
+    double sigma = 0.0;        ///< standard deviations from absent, or from what the case says
+    double gain = 0.0;         ///< log likelihood ratio over the model without it
+    double probability = 0.0;  ///< among the single explanations, before the data all alike
     bool in_set = false;
     int rank = 0;         ///< 1: the most likely
     std::string bound{};  ///< what to say when a number ended at its bound
@@ -140,8 +140,8 @@ struct Diagnosis {
     /// The base experiment with the best explanation switched on, its numbers free after the experiment's own; nothing
     /// where nothing is to be switched on.
     std::optional<input::Experiment> extended_model;
-    Eigen::VectorXd extended_values;  ///< [n_parameters of extended_model] as fitted
-    std::vector<solver::OwnEffect> extended_own{};  ///< effects of the user's own that the case itself lacks
+    Eigen::VectorXd extended_values;                          ///< [n_parameters of extended_model] as fitted
+    std::vector<solver::UserEffect> extended_user_effects{};  ///< user effects that the case itself lacks
     long simulations = 0;
     double seconds = 0.0;
 };

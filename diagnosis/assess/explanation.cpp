@@ -33,10 +33,10 @@ double largest(const Scores& scores, const Eigen::VectorXi& sign, const std::vec
 /// Numbers that a cause holds on trial are free in its fit, within what the effect allows.
 void free_held(input::Experiment& model, const Candidate& candidate, std::size_t effect) {
     for (const Candidate::Held& held : candidate.held) {
-        const physics::Parameter& number = candidate.effect->parameters[held.parameter];
+        const physics::ParameterSpec& number = candidate.effect->parameters[held.parameter];
         model.parameters.push_back({.name = std::string(number.key),
                                     .unit = std::string(number.unit),
-                                    .kind = solver::Adjustable::Kind::effect,
+                                    .kind = solver::FreeParameter::Kind::effect,
                                     .effect = effect,
                                     .parameter = held.parameter,
                                     .layers = {},
@@ -162,21 +162,21 @@ Explanation explain(Evidence& evidence, const std::vector<std::size_t>& candidat
     return one;
 }
 
-solver::OwnEffect own_effect(const Evidence& evidence, std::size_t term, std::size_t run) {
+solver::UserEffect user_effect(const Evidence& evidence, std::size_t term, std::size_t run) {
     const UnknownTerm& unknown = evidence.unknowns.terms[term];
-    solver::OwnEffect own;
-    own.name = "unknown";
-    own.places = {evidence.unknowns.places[unknown.place].name};
+    solver::UserEffect effect;
+    effect.name = "unknown";
+    effect.places = {evidence.unknowns.places[unknown.place].name};
     if (unknown.event) {
-        own.follows = "1";
+        effect.follows = "1";
         const double on = unknown.run == run ? 1.0 : 0.0;
-        own.course = {.time = {unknown.from, unknown.from, unknown.to, unknown.to}, .value = {0.0, on, on, 0.0}};
+        effect.signal = {.time = {unknown.from, unknown.from, unknown.to, unknown.to}, .value = {0.0, on, on, 0.0}};
     } else {
         const Course& course = evidence.unknowns.courses[unknown.course];
-        own.follows = course.follows;
-        own.course = {.time = course.time[run], .value = course.value[run]};
+        effect.follows = course.follows;
+        effect.signal = {.time = course.time[run], .value = course.value[run]};
     }
-    return own;
+    return effect;
 }
 
 Explanation explain_unknown(Evidence& evidence, std::size_t term, double watts) {
@@ -189,12 +189,12 @@ Explanation explain_unknown(Evidence& evidence, std::size_t term, double watts) 
     const double largest = unknown.event ? 1.0 : evidence.unknowns.courses[unknown.course].largest;
     std::size_t effect = 0;
     for (std::size_t r = 0; r < one.model.runs.size(); ++r) {
-        effect = solver::add_own_effect(one.model.runs[r].problem, own_effect(evidence, term, r));
+        effect = solver::add_user_effect(one.model.runs[r].problem, user_effect(evidence, term, r));
     }
     // Its scale is that of a watt at the signal's largest value.
     one.model.parameters.push_back({.name = "unknown source",
                                     .unit = "W",
-                                    .kind = solver::Adjustable::Kind::effect,
+                                    .kind = solver::FreeParameter::Kind::effect,
                                     .effect = effect,
                                     .layers = {},
                                     .knots = {},

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "diagnosis/detect/evidence.hpp"
-#include "solver/own_effect.hpp"
+#include "solver/user_effect.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -37,7 +37,7 @@ struct Explanation {
 /// of one run; fitted in full. Its number, W, comes after the experiment's. Sensors have no such model: not sound.
 [[nodiscard]] Explanation explain_unknown(Evidence& evidence, std::size_t term, double watts);
 /// What is switched on for it in a run.
-[[nodiscard]] solver::OwnEffect own_effect(const Evidence& evidence, std::size_t term, std::size_t run);
+[[nodiscard]] solver::UserEffect user_effect(const Evidence& evidence, std::size_t term, std::size_t run);
 
 /// The noise beside the best explanation instead of beside the base model, where a large cause has bent the picture.
 /// @returns whether anything changed

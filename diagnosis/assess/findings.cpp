@@ -70,7 +70,7 @@ Cause describe_cause(const Findings& found, const Explanation& one, std::size_t 
     }
     const Eigen::VectorXd deviation = one.fit.deviations();
     const auto add = [&](Eigen::Index j, std::size_t parameter, double factor) {
-        const physics::Parameter& number = candidate.effect->parameters[parameter];
+        const physics::ParameterSpec& number = candidate.effect->parameters[parameter];
         const double value = one.fit.values[j];
         cause.numbers.push_back({.key = std::string(number.key),
                                  .unit = std::string(number.unit),
@@ -80,7 +80,7 @@ Cause describe_cause(const Findings& found, const Explanation& one, std::size_t 
     };
     const Eigen::Index j = one.number_of(i);
     add(j, candidate.parameter, 1.0);
-    for (const solver::Adjustable::Companion& companion : candidate.companions) {
+    for (const solver::FreeParameter::Companion& companion : candidate.companions) {
         add(j, companion.parameter, companion.factor);
     }
     Eigen::Index held = one.fit.values.size() - one.n_held;
@@ -156,8 +156,7 @@ void find_limits(const Findings& found, Diagnosis& into) {
         const solver::Problem& problem = evidence.experiment->runs.front().problem;
         into.limits.push_back(
             {.id = std::string(candidate.effect->id),
-             .channel =
-                 candidate.channel >= 0 ? sensor_of(problem, candidate.channel) : "",
+             .channel = candidate.channel >= 0 ? sensor_of(problem, candidate.channel) : "",
              .place = candidate.layer >= 0 ? problem.mesh.layers[static_cast<std::size_t>(candidate.layer)] : "",
              .key = std::string(candidate.number().key),
              .unit = std::string(candidate.number().unit),
@@ -191,7 +190,7 @@ void report(const Findings& found, Diagnosis& into) {
         into.extended_model = best->model;
         into.extended_values = best->fit.values;
         if (found.verdict == Verdict::unknown) {
-            into.extended_own = {own_effect(found.evidence, found.unknown.term, 0)};
+            into.extended_user_effects = {user_effect(found.evidence, found.unknown.term, 0)};
         }
     }
     into.simulations = found.evidence.simulations;

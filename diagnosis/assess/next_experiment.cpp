@@ -77,7 +77,7 @@ double cornering_slope(const input::Experiment& experiment) {
     double square = 0.0;
     for (const input::MeasuredRun& run : experiment.runs) {
         for (const double t : run.time) {
-            const physics::Inputs u = run.problem.drive.at(t, solver::Limit::after);
+            const physics::Inputs u = run.problem.input_signals.at(t, solver::JumpSide::after);
             product += u.lateral_force * u.slip_angle;
             square += u.slip_angle * u.slip_angle;
         }
@@ -89,7 +89,7 @@ double largest_power(const input::Experiment& experiment) {
     double most = 0.0;
     for (const input::MeasuredRun& run : experiment.runs) {
         for (const double t : run.time) {
-            most = std::max(most, run.problem.drive.at(t, solver::Limit::after).laser_power);
+            most = std::max(most, run.problem.input_signals.at(t, solver::JumpSide::after).laser_power);
         }
     }
     return most;
@@ -100,10 +100,10 @@ input::Experiment rehearse(const input::Experiment& experiment, const Manoeuvre&
     input::Experiment planned = experiment;
     planned.runs.resize(1);
     input::MeasuredRun& run = planned.runs.front();
-    const physics::Inputs first = run.problem.drive.at(run.problem.settings.start, solver::Limit::after);
+    const physics::Inputs first = run.problem.input_signals.at(run.problem.settings.start, solver::JumpSide::after);
     const double slope = cornering_slope(experiment);
     const double power = largest_power(experiment);
-    solver::Drive drive;
+    solver::InputSignals input_signals;
     const auto series = [&](const physics::Signal& signal, auto value) {
         solver::Series one{.signal = &signal, .time = {}, .value = {}};
         double t = 0.0;
@@ -112,10 +112,10 @@ input::Experiment rehearse(const input::Experiment& experiment, const Manoeuvre&
             one.value.insert(one.value.end(), {value(hold), value(hold)});
             t += minute * hold.minutes;
         }
-        drive.add(std::move(one));
+        input_signals.add(std::move(one));
     };
     for (const physics::Signal& signal : physics::signals()) {
-        if (!experiment.runs.front().problem.drive.gives(signal)) {
+        if (!experiment.runs.front().problem.input_signals.gives(signal)) {
             continue;
         }
         if (signal.name == "speed") {
@@ -132,15 +132,15 @@ input::Experiment rehearse(const input::Experiment& experiment, const Manoeuvre&
         } else if (signal.name == "laser_power") {
             series(signal, [&](const Hold& hold) { return power * hold.laser; });
         } else {
-            drive.add(signal, first.*signal.member);
+            input_signals.add(signal, first.*signal.member);
         }
     }
-    drive.start_at(0.0);
+    input_signals.start_at(0.0);
     double length = 0.0;
     for (const Hold& hold : manoeuvre.holds) {
         length += minute * hold.minutes;
     }
-    run.problem.drive = std::move(drive);
+    run.problem.input_signals = std::move(input_signals);
     run.problem.settings.start = 0.0;
     run.problem.settings.end = length;
     run.time.clear();
@@ -152,11 +152,11 @@ input::Experiment rehearse(const input::Experiment& experiment, const Manoeuvre&
         one.value.assign(run.time.size(), 0.0);
     }
     // How this run starts is as unknown as how the first one did.
-    for (solver::Adjustable& number : planned.parameters) {
+    for (solver::FreeParameter& number : planned.parameters) {
         if (number.run > 0) {
             number.run = -1;
             number.nodes.clear();
-            number.kind = solver::Adjustable::Kind::initial;
+            number.kind = solver::FreeParameter::Kind::initial;
         }
     }
     return planned;
@@ -227,7 +227,7 @@ void plan_next(const Findings& found, Diagnosis& into) {
         apart(evidence.base.slopes, [&](std::size_t s) -> const Eigen::VectorXd& { return shapes[s].old; });
     for (const Manoeuvre& manoeuvre : all) {
         const input::Experiment& experiment = *evidence.experiment;
-        if (!experiment.runs.front().problem.drive.gives(*physics::find_signal(manoeuvre.needs))) {
+        if (!experiment.runs.front().problem.input_signals.gives(*physics::find_signal(manoeuvre.needs))) {
             continue;
         }
         input::Experiment planned = rehearse(experiment, manoeuvre);
@@ -237,12 +237,12 @@ void plan_next(const Findings& found, Diagnosis& into) {
         Simulator base(planned, seen);
         Eigen::VectorXd values = base.start();
         for (Eigen::Index j = 0; j < n; ++j) {
-            const solver::Adjustable& number = experiment.parameters[static_cast<std::size_t>(j)];
-            values[j] = number.run < 0 || number.kind == solver::Adjustable::Kind::initial
+            const solver::FreeParameter& number = experiment.parameters[static_cast<std::size_t>(j)];
+            values[j] = number.run < 0 || number.kind == solver::FreeParameter::Kind::initial
                             ? (number.run > 0 ? 0.0 : evidence.base.values[j])
                             : values[j];
         }
-        const Forecast& plain = base.at(values);
+        const ModelPrediction& plain = base.at(values);
         into.simulations += base.simulations();
         if (!plain.status.ok()) {
             continue;
@@ -261,7 +261,7 @@ void plan_next(const Findings& found, Diagnosis& into) {
             const input::Experiment model = with_causes(found, planned, *found.set[s]);
             Simulator other(model, seen);
             other.take_steps(base.steps());
-            const Forecast& there = other.at(other.start());
+            const ModelPrediction& there = other.at(other.start());
             into.simulations += 1;
             sound = there.status.ok();
             if (sound) {

@@ -251,8 +251,8 @@ input::Experiment in_rings(input::Experiment experiment, std::vector<std::string
     for (input::MeasuredRun& run : experiment.runs) {
         run.frames.clear();
     }
-    std::erase_if(experiment.parameters, [&](const solver::Adjustable& number) {
-        return number.kind == solver::Adjustable::Kind::effect &&
+    std::erase_if(experiment.parameters, [&](const solver::FreeParameter& number) {
+        return number.kind == solver::FreeParameter::Kind::effect &&
                std::ranges::find(poses, number.effect) != poses.end();
     });
     return experiment;

@@ -53,13 +53,13 @@ ComparedSeries Beside::series(const input::MeasuredSeries& measured) const {
     result.run = index;
     result.regressor.resize(regressors.size());
     const bool is_temperature = run.problem.channels[measured.channel].quantity == solver::Quantity::temperature;
-    const bool has_air = run.problem.drive.gives(*physics::find_signal("air_temperature"));
+    const bool has_air = run.problem.input_signals.gives(*physics::find_signal("air_temperature"));
     for (std::size_t i = 0; i < run.time.size(); ++i) {
         if (std::isnan(measured.value[i])) {
             continue;
         }
         const double t = run.time[i];
-        const physics::Inputs inputs = run.problem.drive.at(t, solver::Limit::after);
+        const physics::Inputs inputs = run.problem.input_signals.at(t, solver::JumpSide::after);
         const double simulated = prediction.at(index_of(times, t), measured.channel);
         result.time.push_back(t);
         result.measured.push_back(measured.value[i]);

@@ -14,7 +14,7 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 bool any_run_gives(const input::Experiment& experiment, std::string_view signal) {
     return std::any_of(experiment.runs.begin(), experiment.runs.end(), [&](const input::MeasuredRun& run) {
-        return run.problem.drive.gives(*physics::find_signal(signal));
+        return run.problem.input_signals.gives(*physics::find_signal(signal));
     });
 }
 

@@ -46,7 +46,7 @@ std::string_view meaning_of(Phase phase) {
 }
 
 Phase phase_at(const solver::Problem& problem, double time) {
-    const physics::Inputs now = problem.drive.at(time, solver::Limit::after);
+    const physics::Inputs now = problem.input_signals.at(time, solver::JumpSide::after);
     if (std::abs(now.speed) < standing_speed) {
         return Phase::standing;
     }
@@ -55,8 +55,8 @@ Phase phase_at(const solver::Problem& problem, double time) {
     }
     const double before = std::max(problem.settings.start, time - reach);
     const double after = std::min(problem.settings.end, time + reach);
-    const double fall = std::abs(problem.drive.at(before, solver::Limit::after).speed) -
-                        std::abs(problem.drive.at(after, solver::Limit::before).speed);
+    const double fall = std::abs(problem.input_signals.at(before, solver::JumpSide::after).speed) -
+                        std::abs(problem.input_signals.at(after, solver::JumpSide::before).speed);
     return fall > slowing_down * (after - before) ? Phase::slowing : Phase::free_rolling;
 }
 

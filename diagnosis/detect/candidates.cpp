@@ -14,7 +14,7 @@ namespace tiretherm::diagnosis {
 namespace {
 
 using physics::Effect;
-using physics::Parameter;
+using physics::ParameterSpec;
 
 /// What the catalogue's plain numbers do not say of an effect as a candidate.
 struct Shape {
@@ -39,7 +39,7 @@ constexpr std::array shapes{
           .held = {80.0, 95.0, 110.0, 125.0, 140.0, 155.0, 170.0, 190.0, 215.0, 245.0}},
 };
 
-const Shape* shape_of(const Effect& effect, const Parameter& parameter) {
+const Shape* shape_of(const Effect& effect, const ParameterSpec& parameter) {
     const auto found = std::ranges::find_if(
         shapes, [&](const Shape& shape) { return shape.effect == effect.id && shape.number == parameter.key; });
     return found == shapes.end() ? nullptr : &*found;
@@ -61,14 +61,14 @@ bool can_act(const input::Experiment& experiment, const Effect& effect) {
     }
     for (const std::string_view signal : effect.reads) {
         if (!std::ranges::all_of(experiment.runs, [&](const input::MeasuredRun& run) {
-                return run.problem.drive.gives(*physics::find_signal(signal));
+                return run.problem.input_signals.gives(*physics::find_signal(signal));
             })) {
             return false;
         }
     }
     const physics::ActiveEffect standard = physics::activate(effect, problem.mesh);
     const bool placed = effect.patches.empty() || !standard.patches.empty();
-    return placed && (effect.objection == nullptr || effect.objection(standard, problem.mesh).empty());
+    return placed && (effect.invalid_on_mesh == nullptr || effect.invalid_on_mesh(standard, problem.mesh).empty());
 }
 
 /// Whether a camera can see what the channel reads: nodes of the boundary alone.
@@ -164,7 +164,7 @@ void add(std::vector<Candidate>& all, const Candidate& plain) {
 }
 
 /// @param chosen ids of effects, or of one number of them: "layer_conductivity.scale"; empty: all
-bool is_chosen(const std::vector<std::string>& chosen, const Effect& effect, const Parameter& parameter) {
+bool is_chosen(const std::vector<std::string>& chosen, const Effect& effect, const ParameterSpec& parameter) {
     return chosen.empty() || std::ranges::any_of(chosen, [&](const std::string& name) {
                return name == effect.id || name == fmt::format("{}.{}", effect.id, parameter.key);
            });
@@ -179,7 +179,7 @@ void add_all(std::vector<Candidate>& all, const input::Experiment& experiment, c
         layers.insert(layers.begin(), 0);
     }
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
-        const Parameter& parameter = effect.parameters[p];
+        const ParameterSpec& parameter = effect.parameters[p];
         if (std::isnan(parameter.absent) || !is_chosen(chosen, effect, parameter)) {
             continue;
         }
@@ -218,9 +218,9 @@ void add_numbers(std::vector<Candidate>& all, const input::Experiment& experimen
                  const std::vector<std::string>& chosen) {
     const physics::ActiveEffect& active = experiment.runs.front().problem.effects[on];
     for (std::size_t p = 0; p < active.parameters.size(); ++p) {
-        const Parameter& parameter = active.effect->parameters[p];
-        const bool is_free = std::ranges::any_of(experiment.parameters, [&](const solver::Adjustable& number) {
-            return number.kind == solver::Adjustable::Kind::effect && number.effect == on && number.parameter == p;
+        const ParameterSpec& parameter = active.effect->parameters[p];
+        const bool is_free = std::ranges::any_of(experiment.parameters, [&](const solver::FreeParameter& number) {
+            return number.kind == solver::FreeParameter::Kind::effect && number.effect == on && number.parameter == p;
         });
         const bool is_split =
             std::ranges::any_of(active.overrides, [&](const auto& other) { return other.parameter == p; });
@@ -265,7 +265,7 @@ std::string sensor_of(const solver::Problem& problem, int channel) {
 std::string name_of(const Candidate& candidate, const input::Experiment& experiment) {
     const solver::Problem& problem = experiment.runs.front().problem;
     std::string name(candidate.effect->id);
-    const auto numbers = std::ranges::count_if(candidate.effect->parameters, [&](const Parameter& parameter) {
+    const auto numbers = std::ranges::count_if(candidate.effect->parameters, [&](const ParameterSpec& parameter) {
         const Shape* shape = shape_of(*candidate.effect, parameter);
         return !std::isnan(parameter.absent) && !(shape != nullptr && shape->left_out);
     });

@@ -15,7 +15,7 @@ namespace tiretherm::diagnosis {
 struct Candidate {
     const physics::Effect* effect = nullptr;
     std::size_t parameter = 0;
-    std::vector<solver::Adjustable::Companion> companions{};  ///< numbers that move along
+    std::vector<solver::FreeParameter::Companion> companions{};  ///< numbers that move along
     /// Numbers that mean nothing while the effect is absent, such as a critical speed, and their values on trial.
     struct Held {
         std::size_t parameter = 0;
@@ -24,10 +24,10 @@ struct Candidate {
         double high = 0.0;
     };
     std::vector<Held> held{};
-    int channel = -1;  ///< index into Problem::channels, of a sensor's effect
+    int channel = -1;       ///< index into Problem::channels, of a sensor's effect
     int last_channel = -1;  ///< of a camera's rings, which are one sensor; -1: the one alone
-    int layer = -1;    ///< index into Mesh::layers, of an effect on layers
-    int on = -1;       ///< index into Problem::effects, where the effect is on and its number may be wrong
+    int layer = -1;         ///< index into Mesh::layers, of an effect on layers
+    int on = -1;            ///< index into Problem::effects, where the effect is on and its number may be wrong
     double absent = 0.0;
     double low = 0.0;
     double high = 0.0;
@@ -36,7 +36,7 @@ struct Candidate {
     /// The same for all that differ only in what is held or where the signature is taken: one cause.
     std::size_t cause = 0;
 
-    [[nodiscard]] const physics::Parameter& number() const { return effect->parameters[parameter]; }
+    [[nodiscard]] const physics::ParameterSpec& number() const { return effect->parameters[parameter]; }
     [[nodiscard]] bool by_slope() const { return trial == absent; }
 };
 

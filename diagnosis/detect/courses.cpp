@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "input/effects/own_signals.hpp"
 #include "diagnosis/detect/dictionary.hpp"
+#include "input/effects/user_signals.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -42,7 +42,7 @@ constexpr std::array formulas{
 
 bool is_given(const input::Experiment& experiment, std::string_view signal) {
     return signal.empty() || std::ranges::all_of(experiment.runs, [&](const input::MeasuredRun& run) {
-               return run.problem.drive.gives(*physics::find_signal(signal));
+               return run.problem.input_signals.gives(*physics::find_signal(signal));
            });
 }
 
@@ -64,7 +64,7 @@ std::optional<Course> course(const input::Experiment& experiment, std::string_vi
     Course course{.follows = std::string(follows), .unit = std::string(unit), .time = {}, .value = {}};
     for (const input::MeasuredRun& run : experiment.runs) {
         try {
-            solver::Course one = input::course_of(follows, run);
+            solver::SignalHistory one = input::signal_history_of(follows, run);
             for (std::size_t i = one.value.size(); i-- > 0;) {  // what was not logged is bridged by its neighbours
                 if (!std::isfinite(one.value[i])) {
                     one.value.erase(one.value.begin() + static_cast<std::ptrdiff_t>(i));

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <functional>
 
+#include "physics/user_effect_place.hpp"
 #include "solver/in_parallel.hpp"
-#include "physics/own_place.hpp"
-#include "solver/sensitivity/tape.hpp"
+#include "solver/sensitivity/adjoint_record.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -95,8 +95,8 @@ void fill_run(std::size_t r, const Observations& observations, const solver::Pro
             rows.push_back(static_cast<Eigen::Index>(row));
         }
     }
-    solver::Tape tape(problem, observations.times[r], ends);
-    if (!tape.status().ok()) {
+    solver::AdjointRecord record(problem, observations.times[r], ends);
+    if (!record.status().ok()) {
         return;
     }
     std::vector<std::size_t> heats;  // the terms that this run sees as heat
@@ -122,8 +122,8 @@ void fill_run(std::size_t r, const Observations& observations, const solver::Pro
         }
     }
     const auto heat_of_step = [&](std::size_t s, std::span<double> heat) {
-        const double begin = s == 0 ? problem.settings.start : tape.end(s - 1);
-        const double end = tape.end(s);
+        const double begin = s == 0 ? problem.settings.start : record.end(s - 1);
+        const double end = record.end(s);
         for (std::size_t h = 0; h < heats.size(); ++h) {
             const UnknownTerm& term = dictionary.terms[heats[h]];
             const double watts =
@@ -131,13 +131,13 @@ void fill_run(std::size_t r, const Observations& observations, const solver::Pro
                            : integrals[term.course].mean(begin, end) / dictionary.courses[term.course].largest;
             const mesh::Functional& nodes = dictionary.places[term.place].nodes;
             for (std::size_t i = 0; i < nodes.nodes.size(); ++i) {
-                heat[h * tape.n_nodes() + static_cast<std::size_t>(nodes.nodes[i])] = watts * nodes.weights[i];
+                heat[h * record.n_nodes() + static_cast<std::size_t>(nodes.nodes[i])] = watts * nodes.weights[i];
             }
         }
     };
     // A millionth of what a source does is seen by no score.
-    const std::vector<double> read = tape.forward(heats.size(), heat_of_step, 1e-6);
-    if (!tape.status().ok()) {
+    const std::vector<double> read = record.forward(heats.size(), heat_of_step, 1e-6);
+    if (!record.status().ok()) {
         return;
     }
     const std::size_t n_readings = observations.times[r].size() * n_channels;
@@ -183,7 +183,8 @@ Dictionary dictionary_of(const input::Experiment& experiment, const Observations
     name_terms(experiment, observations, is_small ? windows : 0, dictionary);
     dictionary.columns = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(observations.rows.size()),
                                                static_cast<Eigen::Index>(dictionary.terms.size()));
-    solver::in_parallel(problems.size(), [&](std::size_t r) { fill_run(r, observations, problems[r], steps[r], dictionary); });
+    solver::in_parallel(problems.size(),
+                        [&](std::size_t r) { fill_run(r, observations, problems[r], steps[r], dictionary); });
     return dictionary;
 }
 

@@ -33,7 +33,7 @@ input::Experiment frozen(const Evidence& evidence, const Simulator& simulator, c
     return still;
 }
 
-/// Signatures of the candidates: slopes of all in one forecast, differences one by one. A candidate whose model fails has
+/// Signatures of the candidates: slopes of all in one run, differences one by one. A candidate whose model fails has
 /// none.
 void take_signatures(const input::Experiment& still, const Eigen::VectorXd& simulated, Evidence& evidence) {
     std::vector<Candidate> straight;
@@ -48,7 +48,7 @@ void take_signatures(const input::Experiment& still, const Eigen::VectorXd& simu
     const input::Experiment wide = with(still, straight, absent);
     Simulator all(wide, *evidence.observations);
     all.take_steps(evidence.steps);
-    const Forecast& slopes = all.at(all.start());
+    const ModelPrediction& slopes = all.at(all.start());
     evidence.count(all.simulations());
     Eigen::Index taken = 0;
     for (std::size_t k = 0; k < evidence.candidates.size(); ++k) {
@@ -64,7 +64,7 @@ void take_signatures(const input::Experiment& still, const Eigen::VectorXd& simu
         moved.parameters.clear();
         Simulator one(moved, *evidence.observations);
         one.take_steps(evidence.steps);
-        if (const Forecast& there = one.at(one.start()); there.status.ok()) {
+        if (const ModelPrediction& there = one.at(one.start()); there.status.ok()) {
             column = (there.simulated - simulated) / (candidate.trial - candidate.absent);
         }
         evidence.count(one.simulations());

@@ -5,7 +5,7 @@ namespace tiretherm::diagnosis {
 namespace {
 
 /// What an experiment's runs say over given steps, at some values of the model's numbers.
-Forecast say(const Model& model, const input::Experiment& experiment, std::vector<std::vector<double>> steps) {
+ModelPrediction say(const Model& model, const input::Experiment& experiment, std::vector<std::vector<double>> steps) {
     const Simulator numbers(experiment, model.observations);
     input::Experiment still = experiment;
     for (std::size_t r = 0; r < still.runs.size(); ++r) {
@@ -36,7 +36,7 @@ std::vector<std::vector<double>> halved(const Model& model) {
 Eigen::VectorXd change_by_refinement(const Model& model, const input::Experiment* finer) {
     constexpr double second_order = 4.0 / 3.0;
     Eigen::VectorXd change = Eigen::VectorXd::Zero(model.simulated.size());
-    const auto add = [&](const Forecast& better) {
+    const auto add = [&](const ModelPrediction& better) {
         if (better.status.ok()) {
             change += second_order * (better.simulated - model.simulated);
         }

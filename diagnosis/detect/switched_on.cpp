@@ -10,9 +10,9 @@ namespace {
 
 /// Gas and rim start with the air around them, or as the rest where there is no air, as in a case that says nothing. K
 double start_of_own_nodes(const solver::Problem& problem) {
-    const physics::Inputs first = problem.drive.at(problem.settings.start, solver::Limit::after);
-    return problem.drive.gives(*physics::find_signal("air_temperature")) ? first.air_temperature
-                                                                         : problem.initial.front();
+    const physics::Inputs first = problem.input_signals.at(problem.settings.start, solver::JumpSide::after);
+    return problem.input_signals.gives(*physics::find_signal("air_temperature")) ? first.air_temperature
+                                                                                 : problem.initial.front();
 }
 
 }  // namespace
@@ -28,7 +28,7 @@ physics::ActiveEffect active_at(const Candidate& candidate, const mesh::Mesh& me
         active.parameters[held.parameter] = held.value;
     }
     active.parameters[candidate.parameter] = value;
-    for (const solver::Adjustable::Companion& companion : candidate.companions) {
+    for (const solver::FreeParameter::Companion& companion : candidate.companions) {
         active.parameters[companion.parameter] = companion.factor * value;
     }
     if (candidate.channel >= 0) {
@@ -47,17 +47,17 @@ input::Experiment with(input::Experiment experiment, const std::vector<Candidate
                        const std::vector<double>& values) {
     for (std::size_t k = 0; k < candidates.size(); ++k) {
         const Candidate& candidate = candidates[k];
-        solver::Adjustable number{.name = name_of(candidate, experiment),
-                                  .unit = std::string(candidate.number().unit),
-                                  .kind = solver::Adjustable::Kind::effect,
-                                  .parameter = candidate.parameter,
-                                  .companions = candidate.companions,
-                                  .layers = {},
-                                  .knots = {},
-                                  .nodes = {},
-                                  .prior = candidate.absent,
-                                  .low = candidate.low,
-                                  .high = candidate.high};
+        solver::FreeParameter number{.name = name_of(candidate, experiment),
+                                     .unit = std::string(candidate.number().unit),
+                                     .kind = solver::FreeParameter::Kind::effect,
+                                     .parameter = candidate.parameter,
+                                     .companions = candidate.companions,
+                                     .layers = {},
+                                     .knots = {},
+                                     .nodes = {},
+                                     .prior = candidate.absent,
+                                     .low = candidate.low,
+                                     .high = candidate.high};
         for (input::MeasuredRun& run : experiment.runs) {
             if (candidate.on >= 0) {
                 number.effect = static_cast<std::size_t>(candidate.on);

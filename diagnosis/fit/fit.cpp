@@ -58,7 +58,7 @@ Fit::Fit(const input::Experiment& experiment, const Observations& observations)
       low_(n_),
       high_(n_) {
     for (Eigen::Index j = 0; j < n_; ++j) {
-        const solver::Adjustable& parameter = experiment.parameters[static_cast<std::size_t>(j)];
+        const solver::FreeParameter& parameter = experiment.parameters[static_cast<std::size_t>(j)];
         prior_[j] = parameter.prior;
         precision_[j] = std::isfinite(parameter.standard_deviation)
                             ? 1.0 / (parameter.standard_deviation * parameter.standard_deviation)
@@ -71,9 +71,9 @@ Fit::Fit(const input::Experiment& experiment, const Observations& observations)
 }
 
 bool Fit::move_to(const Eigen::VectorXd& values) {
-    forecast_ = simulator_.at(values);
+    prediction_ = simulator_.at(values);
     values_ = values;
-    return forecast_.status.ok();
+    return prediction_.status.ok();
 }
 
 void Fit::take_stated_noise() {
@@ -87,9 +87,9 @@ void Fit::find_noise(const Eigen::MatrixXd& also) {
     for (std::size_t c = 0; c < observations_.channels.size(); ++c) {
         sheet.push_back(stated(c));
     }
-    const Eigen::VectorXd residual = forecast_.simulated - observations_.measured;
+    const Eigen::VectorXd residual = prediction_.simulated - observations_.measured;
     Eigen::MatrixXd span(residual.size(), n_ + also.cols());
-    span.leftCols(n_) = forecast_.slope * scale_.asDiagonal();
+    span.leftCols(n_) = prediction_.slope * scale_.asDiagonal();
     if (also.cols() > 0) {  // nothing has no rows either
         span.rightCols(also.cols()) = also;
     }
@@ -133,7 +133,7 @@ LeastSquares Fit::question() {
 }
 
 std::optional<Residuals> Fit::residuals(const Eigen::VectorXd& values) {
-    const Forecast& found = simulator_.at(values);
+    const ModelPrediction& found = simulator_.at(values);
     if (!found.status.ok()) {
         return std::nullopt;
     }
@@ -155,28 +155,26 @@ Eigen::MatrixXd Fit::information() const {
 }
 
 Eigen::MatrixXd Fit::whitened_slopes() const {
-    Eigen::MatrixXd whitened = forecast_.slope * scale_.asDiagonal();
+    Eigen::MatrixXd whitened = prediction_.slope * scale_.asDiagonal();
     whiten(observations_.blocks, covariance_, whitened);
     return whitened;
 }
 
 Eigen::VectorXd Fit::whitened_residuals() const {
-    Eigen::MatrixXd left = forecast_.simulated - observations_.measured;
+    Eigen::MatrixXd left = prediction_.simulated - observations_.measured;
     whiten(observations_.blocks, covariance_, left);
     return left.col(0);
 }
 
-double Fit::stated(std::size_t c) const {
-    return observations_.stated[c];
-}
+double Fit::stated(std::size_t c) const { return observations_.stated[c]; }
 
 Eigen::VectorXd scales_of(const input::Experiment& experiment, const Eigen::VectorXd& values) {
     Eigen::VectorXd scale(values.size());
     for (Eigen::Index j = 0; j < values.size(); ++j) {
-        const solver::Adjustable& parameter = experiment.parameters[static_cast<std::size_t>(j)];
+        const solver::FreeParameter& parameter = experiment.parameters[static_cast<std::size_t>(j)];
         double size = parameter.standard_deviation;
         if (!std::isfinite(size)) {
-            size = parameter.kind == solver::Adjustable::Kind::initial ? 10.0 : std::abs(values[j]);
+            size = parameter.kind == solver::FreeParameter::Kind::initial ? 10.0 : std::abs(values[j]);
         }
         if (size == 0.0) {
             size = std::isfinite(parameter.high - parameter.low) ? 0.1 * (parameter.high - parameter.low) : 1.0;

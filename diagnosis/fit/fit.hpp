@@ -5,10 +5,10 @@
 
 #include <Eigen/Core>
 
-#include "input/measurements/experiment.hpp"
 #include "diagnosis/fit/least_squares.hpp"
-#include "diagnosis/noise/noise_estimate.hpp"
 #include "diagnosis/fit/observations.hpp"
+#include "diagnosis/noise/noise_estimate.hpp"
+#include "input/measurements/experiment.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -52,7 +52,7 @@ public:
     [[nodiscard]] Simulator& simulator() { return simulator_; }
     [[nodiscard]] const Simulator& simulator() const { return simulator_; }
     [[nodiscard]] const Eigen::VectorXd& values() const { return values_; }
-    [[nodiscard]] const Forecast& now() const { return forecast_; }
+    [[nodiscard]] const ModelPrediction& now() const { return prediction_; }
     [[nodiscard]] const Covariance& covariance() const { return covariance_; }
     [[nodiscard]] const NoiseEstimate& noise() const { return noise_; }
     [[nodiscard]] const Eigen::VectorXd& scale() const { return scale_; }
@@ -76,7 +76,7 @@ private:
     Eigen::VectorXd high_;
     Eigen::VectorXd scale_;
     Eigen::VectorXd values_;
-    Forecast forecast_;
+    ModelPrediction prediction_;
     Covariance covariance_;
     NoiseEstimate noise_;
 };

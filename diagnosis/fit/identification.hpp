@@ -8,9 +8,9 @@
 
 #include <Eigen/Core>
 
-#include "input/measurements/experiment.hpp"
-#include "diagnosis/noise/noise_estimate.hpp"
 #include "diagnosis/fit/observations.hpp"
+#include "diagnosis/noise/noise_estimate.hpp"
+#include "input/measurements/experiment.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -91,7 +91,7 @@ struct IdentificationChoice {
     /// The same experiment on a grid of half the spacing (read_experiment with finer = 2): thousands of pixels see the grid's
     /// own error, so that where there are images it is corrected and what may be left of it widens the intervals.
     const input::Experiment* finer = nullptr;
-    std::function<void(long simulations)> progress{};  ///< called after each forecast
+    std::function<void(long simulations)> progress{};  ///< called after each prediction
 };
 
 /// Fits the experiment's parameters to all of its runs at once: least squares of the whitened residuals and the priors

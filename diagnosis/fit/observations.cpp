@@ -38,8 +38,7 @@ bool are_finite(const Eigen::MatrixXd& matrix, const std::vector<Eigen::Index>& 
 void add_images(const input::Experiment& experiment, std::size_t run, std::size_t which, Observations& all,
                 std::vector<double>& values) {
     const input::MeasuredFrames& frames = experiment.runs[run].frames[which];
-    ImageRows image{
-        .run = run, .frames = which, .first = values.size(), .time = {}, .bands = bands_of(frames)};
+    ImageRows image{.run = run, .frames = which, .first = values.size(), .time = {}, .bands = bands_of(frames)};
     for (const double t : frames.time) {
         image.time.push_back(index_of(all.times[run], t));
     }
@@ -132,7 +131,7 @@ Simulator::Simulator(const input::Experiment& experiment, const Observations& ob
       parameters_(experiment.runs.size()),
       rows_(experiment.runs.size()) {
     for (std::size_t j = 0; j < experiment.parameters.size(); ++j) {
-        const solver::Adjustable& parameter = experiment.parameters[j];
+        const solver::FreeParameter& parameter = experiment.parameters[j];
         const auto own = static_cast<std::size_t>(std::max(0, parameter.run));
         start_[static_cast<Eigen::Index>(j)] = solver::value_of(experiment.runs[own].problem, parameter);
         for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
@@ -157,26 +156,26 @@ solver::Problem Simulator::problem(std::size_t run, const Eigen::VectorXd& value
     return problem;
 }
 
-const Forecast& Simulator::at(const Eigen::VectorXd& values) {
+const ModelPrediction& Simulator::at(const Eigen::VectorXd& values) {
     // Values that went through units and back may differ in their last digits; each is judged by its own size.
     const bool same = last_values_.size() == values.size() && values.size() > 0 &&
                       ((last_values_ - values).array().abs() <= 1e-14 * values.array().abs()).all();
     if (!same) {
         last_values_ = values;
-        last_ = forecast(values);
+        last_ = predict(values);
     }
     return last_;
 }
 
 void Simulator::read_images(const ImageRows& image, const solver::Prediction& prediction, const solver::Problem& now,
-                            Forecast& into) const {
+                            ModelPrediction& into) const {
     const input::MeasuredFrames& frames = experiment_->runs[image.run].frames[image.frames];
     const std::vector<std::size_t>& numbers = parameters_[image.run];
     const ImageView view(frames, now);
     std::vector<std::optional<ImageView>> turned(numbers.size());  // of numbers of the pose
     for (std::size_t k = 0; k < numbers.size(); ++k) {
-        const solver::Adjustable& number = experiment_->parameters[numbers[k]];
-        if (number.kind == solver::Adjustable::Kind::effect && number.effect == frames.pose) {
+        const solver::FreeParameter& number = experiment_->parameters[numbers[k]];
+        if (number.kind == solver::FreeParameter::Kind::effect && number.effect == frames.pose) {
             turned[k] = ImageView::slope(frames, now, number.parameter);
         }
     }
@@ -206,12 +205,12 @@ void Simulator::read_images(const ImageRows& image, const solver::Prediction& pr
     }
 }
 
-Forecast Simulator::forecast(const Eigen::VectorXd& values) {
+ModelPrediction Simulator::predict(const Eigen::VectorXd& values) {
     const std::size_t n_runs = experiment_->runs.size();
     std::vector<solver::Prediction> predictions(n_runs);
     solver::in_parallel(n_runs, [&](std::size_t r) {
         const solver::Problem moved = problem(r, values);
-        std::vector<solver::Adjustable> asked;
+        std::vector<solver::FreeParameter> asked;
         std::vector<double> now;
         for (const std::size_t j : parameters_[r]) {
             asked.push_back(experiment_->parameters[j]);
@@ -228,59 +227,59 @@ Forecast Simulator::forecast(const Eigen::VectorXd& values) {
         progress_(simulations_);
     }
 
-    Forecast forecast;
+    ModelPrediction predicted;
     const auto n_rows = static_cast<Eigen::Index>(observations_->rows.size());
-    forecast.simulated.resize(n_rows);
-    forecast.slope.setZero(n_rows, start_.size());
+    predicted.simulated.resize(n_rows);
+    predicted.slope.setZero(n_rows, start_.size());
     for (std::size_t r = 0; r < n_runs; ++r) {
         solver::Prediction& prediction = predictions[r];
         if (!prediction.status.ok()) {
             prediction.status.message = fmt::format("run {}: {}", experiment_->runs[r].name, prediction.status.message);
-            forecast.status = prediction.status;
-            return forecast;
+            predicted.status = prediction.status;
+            return predicted;
         }
         step_ends_[r] = std::move(prediction.step_ends);
         for (const Eigen::Index row : rows_[r]) {
             const Observations::Row& what = observations_->rows[static_cast<std::size_t>(row)];
-            forecast.simulated[row] = prediction.at(what.time, what.channel);
-            if (!std::isfinite(forecast.simulated[row])) {
-                forecast.status = {solver::Outcome::not_finite,
-                                   fmt::format("run {}: {} is not a number at t = {:.6g} s", experiment_->runs[r].name,
-                                               experiment_->runs[r].problem.channels[what.channel].name,
-                                               observations_->times[r][what.time])};
-                return forecast;
+            predicted.simulated[row] = prediction.at(what.time, what.channel);
+            if (!std::isfinite(predicted.simulated[row])) {
+                predicted.status = {solver::Outcome::not_finite,
+                                    fmt::format("run {}: {} is not a number at t = {:.6g} s", experiment_->runs[r].name,
+                                                experiment_->runs[r].problem.channels[what.channel].name,
+                                                observations_->times[r][what.time])};
+                return predicted;
             }
             for (std::size_t k = 0; k < parameters_[r].size(); ++k) {
-                forecast.slope(row, static_cast<Eigen::Index>(parameters_[r][k])) =
+                predicted.slope(row, static_cast<Eigen::Index>(parameters_[r][k])) =
                     prediction.slope_at(k, what.time, what.channel);
             }
         }
-        if (!are_finite(forecast.slope, rows_[r])) {
-            forecast.status = {solver::Outcome::not_finite,
-                               fmt::format("run {}: a sensitivity is not a number", experiment_->runs[r].name)};
-            return forecast;
+        if (!are_finite(predicted.slope, rows_[r])) {
+            predicted.status = {solver::Outcome::not_finite,
+                                fmt::format("run {}: a sensitivity is not a number", experiment_->runs[r].name)};
+            return predicted;
         }
         for (const std::string& kink : prediction.kinks) {
-            if (std::ranges::find(forecast.kinks, kink) == forecast.kinks.end()) {
-                forecast.kinks.push_back(kink);
+            if (std::ranges::find(predicted.kinks, kink) == predicted.kinks.end()) {
+                predicted.kinks.push_back(kink);
             }
         }
     }
     solver::in_parallel(observations_->images.size(), [&](std::size_t i) {
         const ImageRows& image = observations_->images[i];
-        read_images(image, predictions[image.run], problem(image.run, values), forecast);
+        read_images(image, predictions[image.run], problem(image.run, values), predicted);
     });
     for (const ImageRows& image : observations_->images) {
         const auto first = static_cast<Eigen::Index>(image.first);
-        if (!forecast.simulated.segment(first, image.rows()).allFinite() ||
-            !forecast.slope.middleRows(first, image.rows()).allFinite()) {
-            forecast.status = {solver::Outcome::not_finite,
-                               fmt::format("run {}: a pixel of {} is not a number", experiment_->runs[image.run].name,
-                                           experiment_->runs[image.run].frames[image.frames].camera)};
-            return forecast;
+        if (!predicted.simulated.segment(first, image.rows()).allFinite() ||
+            !predicted.slope.middleRows(first, image.rows()).allFinite()) {
+            predicted.status = {solver::Outcome::not_finite,
+                                fmt::format("run {}: a pixel of {} is not a number", experiment_->runs[image.run].name,
+                                            experiment_->runs[image.run].frames[image.frames].camera)};
+            return predicted;
         }
     }
-    return forecast;
+    return predicted;
 }
 
 }  // namespace tiretherm::diagnosis

@@ -7,9 +7,9 @@
 
 #include <Eigen/Core>
 
-#include "input/measurements/experiment.hpp"
 #include "diagnosis/fit/images.hpp"
 #include "diagnosis/noise/noise.hpp"
+#include "input/measurements/experiment.hpp"
 #include "solver/sensitivity/prediction.hpp"
 
 namespace tiretherm::diagnosis {
@@ -36,7 +36,7 @@ struct Observations {
 [[nodiscard]] Observations observe(const input::Experiment& experiment);
 
 /// What the model says of the observations at some values of its numbers.
-struct Forecast {
+struct ModelPrediction {
     solver::Status status;
     Eigen::VectorXd simulated;       ///< [n_rows] SI
     Eigen::MatrixXd slope;           ///< [n_rows][n_parameters] SI per unit of the parameter
@@ -52,13 +52,13 @@ public:
 
     /// Asked again at the same values it remembers.
     /// @param values [n_parameters] in the units of the experiment's parameters
-    [[nodiscard]] const Forecast& at(const Eigen::VectorXd& values);
-    /// The next forecast chooses its steps anew, by the error control of each run.
+    [[nodiscard]] const ModelPrediction& at(const Eigen::VectorXd& values);
+    /// The next prediction chooses its steps anew, by the error control of each run.
     void forget_steps() {
         step_ends_.assign(step_ends_.size(), {});
         last_values_.resize(0);
     }
-    /// The steps that each run takes, by their ends; a run without any chooses them at the next forecast. @returns s
+    /// The steps that each run takes, by their ends; a run without any chooses them at the next one. @returns s
     [[nodiscard]] const std::vector<std::vector<double>>& steps() const { return step_ends_; }
     void take_steps(std::vector<std::vector<double>> ends) {
         step_ends_ = std::move(ends);
@@ -68,15 +68,15 @@ public:
     [[nodiscard]] solver::Problem problem(std::size_t run, const Eigen::VectorXd& values) const;
     /// The values that the experiment's case has.
     [[nodiscard]] const Eigen::VectorXd& start() const { return start_; }
-    /// @param progress called after each forecast with the number of runs simulated so far
+    /// @param progress called after each prediction with the number of runs simulated so far
     void tell(std::function<void(long)> progress) { progress_ = std::move(progress); }
     [[nodiscard]] long simulations() const { return simulations_; }  ///< runs so far
 
 private:
-    [[nodiscard]] Forecast forecast(const Eigen::VectorXd& values);
+    [[nodiscard]] ModelPrediction predict(const Eigen::VectorXd& values);
     /// A camera's frames as the run gives them, and their slopes. @param now the run's problem
     void read_images(const ImageRows& image, const solver::Prediction& prediction, const solver::Problem& now,
-                     Forecast& into) const;
+                     ModelPrediction& into) const;
 
     const input::Experiment* experiment_;
     const Observations* observations_;
@@ -85,7 +85,7 @@ private:
     std::vector<std::vector<std::size_t>> parameters_;  ///< [n_runs] those that a run follows
     std::vector<std::vector<Eigen::Index>> rows_;       ///< [n_runs]
     Eigen::VectorXd last_values_;
-    Forecast last_;
+    ModelPrediction last_;
     long simulations_ = 0;
     std::function<void(long)> progress_;
 };

@@ -130,7 +130,7 @@ Refit refit(Fit& fit) {
         at.converged = promise < little;
         Refit there;
         if (!go(fit, at, step, promise, there)) {
-            break;  // where little is promised, round-off of the forecasts is as large as what is left to gain
+            break;  // where little is promised, round-off of the predictions is as large as what is left to gain
         }
         there.iterations = at.iterations;
         there.converged = at.converged;

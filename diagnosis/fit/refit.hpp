@@ -29,7 +29,7 @@ struct Refit {
 };
 
 /// Gauss and Newton's method within the bounds, halving a step that makes things worse. Data that are as good as straight
-/// in the numbers need three or four forecasts.
+/// in the numbers need three or four predictions.
 /// @param fit at values where the model runs, with the noise taken
 [[nodiscard]] Refit refit(Fit& fit);
 

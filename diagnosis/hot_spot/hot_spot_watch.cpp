@@ -29,14 +29,14 @@ HotSpotTracker::HotSpotTracker(const std::filesystem::path& case_file, const sol
 }
 
 void HotSpotTracker::take(const solver::Snapshot& snapshot) {
-    for (solver::HotSpotCourse& course : courses_) {
+    for (solver::HotSpotHistory& course : courses_) {
         course.take(snapshot);
     }
 }
 
 TestMoment HotSpotTracker::moment(const solver::Problem& problem, const std::vector<solver::ScheduleStep>& steps,
-                                  const solver::HotSpotCourse& course, double t) const {
-    const physics::Inputs inputs = problem.drive.at(t, solver::Limit::before);
+                                  const solver::HotSpotHistory& course, double t) const {
+    const physics::Inputs inputs = problem.input_signals.at(t, solver::JumpSide::before);
     TestMoment moment{
         .time = t, .steady = problem.settings.steady, .speed = inputs.speed, .load = inputs.vertical_load};
     if (const solver::ScheduleStep* step = solver::step_at(steps, t)) {
@@ -53,9 +53,9 @@ std::optional<HotSpots> HotSpotTracker::report() const {
     HotSpots found;
     const solver::Settings& settings = problem_.settings;
     if (!settings.steady) {
-        found.steps = solver::schedule_steps(problem_.drive, settings.start, settings.end);
+        found.steps = solver::schedule_steps(problem_.input_signals, settings.start, settings.end);
     }
-    for (const solver::HotSpotCourse& course : courses_) {
+    for (const solver::HotSpotHistory& course : courses_) {
         const double at_hottest = course.time()[course.hottest_row()];
         HotSpot spot{.course = course,
                      .hottest = moment(problem_, found.steps, course, at_hottest),
@@ -85,7 +85,7 @@ void HotSpotTracker::add_steps(HotSpots& into) const {
     const auto steady = solver::steady_spots(problem_, case_->critical, into.steps);
     for (std::size_t i = 0; i < into.spots.size(); ++i) {
         HotSpot& spot = into.spots[i];
-        const solver::HotSpotCourse& course = spot.course;
+        const solver::HotSpotHistory& course = spot.course;
         for (const solver::ScheduleStep& step : into.steps) {
             spot.at_end.push_back({.hottest = solver::value_at(course.time(), course.temperature(), step.to),
                                    .surface = solver::value_at(course.time(), course.surface(), step.to)});
@@ -105,17 +105,17 @@ void HotSpotTracker::go_on(HotSpots& into) const {
         return;
     }
     const input::ContinuedSchedule further = input::continue_schedule(*case_, problem_.settings, into.steps);
-    std::vector<solver::HotSpotCourse> courses;
+    std::vector<solver::HotSpotHistory> courses;
     std::vector<solver::ScheduleStep> steps;
     solver::Ending ending;
     if (further.problem) {
         for (const solver::Critical& critical : case_->critical) {
             courses.emplace_back(further.problem->mesh, critical);
         }
-        steps = solver::schedule_steps(further.problem->drive, further.problem->settings.start,
+        steps = solver::schedule_steps(further.problem->input_signals, further.problem->settings.start,
                                        further.problem->settings.end);
         ending = solver::run_to_end(*further.problem, [&](const solver::Snapshot& snapshot) {
-            for (solver::HotSpotCourse& course : courses) {
+            for (solver::HotSpotHistory& course : courses) {
                 course.take(snapshot);
             }
         });
@@ -129,7 +129,7 @@ void HotSpotTracker::go_on(HotSpots& into) const {
         if (!further.problem) {
             continue;
         }
-        const solver::HotSpotCourse& course = courses[i];
+        const solver::HotSpotHistory& course = courses[i];
         const double critical = course.critical().temperature;
         const double t = solver::passing_time(course.time(), course.temperature(), critical);
         spot.further->hottest = course.temperature()[course.hottest_row()];
@@ -177,10 +177,10 @@ void HotSpotTracker::add_spread(HotSpots& into) const {
         std::vector<solver::Driver> drivers;
         double mean = into.spots[p].course.temperature()[into.spots[p].course.hottest_row()];
         for (std::size_t j = 0; j < case_->known.size(); ++j) {
-            const solver::Adjustable& number = case_->known[j];
+            const solver::FreeParameter& number = case_->known[j];
             const double slope = base.slope[j * places.size() + p];
             const double value = solver::value_of(problem_, number);
-            const double expected = number.kind == solver::Adjustable::Kind::initial ? 0.0 : number.prior;
+            const double expected = number.kind == solver::FreeParameter::Kind::initial ? 0.0 : number.prior;
             mean += slope * (expected - value);
             drivers.push_back({.name = number.name,
                                .unit = number.unit,

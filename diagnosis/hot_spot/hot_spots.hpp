@@ -14,7 +14,7 @@ namespace tiretherm::diagnosis {
 /// A moment of a test, as its report tells it.
 struct TestMoment {
     double time = 0.0;                           ///< s since the start of the clock
-    bool steady = false;                         ///< a steady state, which has a drive but no time
+    bool steady = false;                         ///< a steady state, which has inputs but no time
     double speed = 0.0;                          ///< m/s
     double load = 0.0;                           ///< N
     std::optional<solver::ScheduleStep> step{};  ///< that holds it; none where the test follows a log
@@ -34,7 +34,7 @@ struct FurtherSteps {
 
 /// One hot spot of a run and what becomes of it.
 struct HotSpot {
-    solver::HotSpotCourse course;
+    solver::HotSpotHistory course;
     TestMoment hottest{};
     std::optional<TestMoment> passing{};           ///< of the critical temperature, in the run itself
     std::vector<solver::SpotAndSurface> at_end{};  ///< [steps] when the step ends

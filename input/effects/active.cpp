@@ -15,7 +15,7 @@ namespace {
 
 using physics::ActiveEffect;
 using physics::Effect;
-using physics::Parameter;
+using physics::ParameterSpec;
 
 /// An option by its word; true and false stand for "on" and "off" where an effect has these.
 void read_choice(TomlTable& table, const physics::Choice& choice, int& chosen) {
@@ -102,7 +102,7 @@ int find_part(const mesh::Mesh& mesh, physics::Scope scope, std::string_view nam
 }
 
 /// The table `<parameter>_by_patch`, `_by_layer` or `_by_zone`: other values at some places.
-void read_overrides(TomlTable& table, const Parameter& parameter, std::size_t index, const Overridable& where,
+void read_overrides(TomlTable& table, const ParameterSpec& parameter, std::size_t index, const Overridable& where,
                     const ProblemBuilder& builder, ActiveEffect& active) {
     TomlTable values = table.subtable(std::string(parameter.key) + std::string(where.ending));
     if (!values.exists()) {
@@ -127,7 +127,7 @@ void read_overrides(TomlTable& table, const Parameter& parameter, std::size_t in
 ActiveEffect read_active(TomlTable& table, const Effect& effect, const ProblemBuilder& builder) {
     ActiveEffect active = physics::activate(effect, builder.problem.mesh);
     for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
-        const Parameter& parameter = effect.parameters[i];
+        const ParameterSpec& parameter = effect.parameters[i];
         active.parameters[i] =
             table.quantity(parameter.key, quantity_specs::of(parameter)).value_or(parameter.standard);
     }
@@ -174,7 +174,7 @@ ActiveEffect read_active(TomlTable& table, const Effect& effect, const ProblemBu
     }
     if (effect.on_channels) {  // read when the sensors are known
         table.declare_keys({"channels"});
-        for (const Parameter& parameter : effect.parameters) {
+        for (const ParameterSpec& parameter : effect.parameters) {
             table.declare_keys({std::string(parameter.key) + "_by_channel"});
         }
     }
@@ -183,7 +183,7 @@ ActiveEffect read_active(TomlTable& table, const Effect& effect, const ProblemBu
 
 namespace {
 
-/// Whether a reading effect can stand behind a channel.
+/// Whether a sensor model can stand behind a channel.
 void check_channel(TomlTable& table, const LocatedString& word, const Effect& effect, const solver::Channel& channel) {
     const bool is_temperature = channel.quantity == solver::Quantity::temperature;
     const auto refuse = [&](std::string_view wanted) {
@@ -202,7 +202,7 @@ void check_channel(TomlTable& table, const LocatedString& word, const Effect& ef
     }
 }
 
-/// Puts a reading effect behind all that a camera sees.
+/// Puts a sensor model behind all that a camera sees.
 void bind_camera(TomlTable& table, const LocatedString& word, const Camera& camera, const ProblemBuilder& builder,
                  ActiveEffect& active) {
     const bool has_own = std::ranges::any_of(builder.problem.effects, [&](const ActiveEffect& other) {
@@ -248,7 +248,7 @@ void bind_channels(TomlTable& table, const ProblemBuilder& builder, ActiveEffect
         }
     }
     for (std::size_t i = 0; i < active.effect->parameters.size(); ++i) {
-        const Parameter& parameter = active.effect->parameters[i];
+        const ParameterSpec& parameter = active.effect->parameters[i];
         TomlTable values = table.subtable(std::string(parameter.key) + "_by_channel");
         for (const Camera& camera : builder.cameras) {
             if (const auto value =

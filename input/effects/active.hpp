@@ -13,7 +13,7 @@ namespace tiretherm::input {
 [[nodiscard]] physics::ActiveEffect read_active(TomlTable& table, const physics::Effect& effect,
                                                 const ProblemBuilder& builder);
 
-/// The channels of a reading effect, when the sensors are known:
+/// The channels of a sensor model, when the sensors are known:
 ///     [effects.sensor_lag]
 ///     channels = ["bulk_temperature"]
 ///     tau_by_channel = { bulk_temperature = "12 s" }

@@ -38,8 +38,8 @@ void check_requirements(TomlTable& root, const ActiveEffect& active, const Sourc
                           fmt::format("take layers or section, {}", off));
         return;
     }
-    if (builder.has_mesh && effect.objection != nullptr) {
-        if (const std::string sentence = effect.objection(active, builder.problem.mesh); !sentence.empty()) {
+    if (builder.has_mesh && effect.invalid_on_mesh != nullptr) {
+        if (const std::string sentence = effect.invalid_on_mesh(active, builder.problem.mesh); !sentence.empty()) {
             root.errors().add(place, fmt::format("{}: {}", effect.id, sentence));
         }
     }
@@ -141,7 +141,7 @@ void warn_of_unread_signals(TomlTable& root, const ProblemBuilder& builder) {
             return std::ranges::count(signals_of(channel.quantity), signal.name) > 0;
         });
         const bool by_own = std::ranges::count(builder.followed, signal.name) > 0;
-        if (builder.problem.drive.gives(signal) && !by_effect && !by_channel && !by_own) {
+        if (builder.problem.input_signals.gives(signal) && !by_effect && !by_channel && !by_own) {
             unread.emplace_back(signal.name);
         }
     }

@@ -2,10 +2,10 @@
 
 #include "input/effects/active.hpp"
 #include "input/effects/effect_requirements.hpp"
-#include "input/effects/own_effects.hpp"
+#include "input/effects/user_effects.hpp"
 #include "input/model/problem_builder.hpp"
 #include "input/text/suggestions.hpp"
-#include "physics/own_place.hpp"
+#include "physics/user_effect_place.hpp"
 
 namespace tiretherm::input {
 
@@ -17,7 +17,7 @@ using physics::Effect;
 void report_unknown(TomlTable& effects) {
     std::vector<std::string> known;
     for (const Effect* effect : physics::catalogue()) {
-        if (!physics::is_own(*effect)) {
+        if (!physics::is_user_effect(*effect)) {
             known.emplace_back(effect->id);
         }
     }
@@ -34,13 +34,13 @@ void report_unknown(TomlTable& effects) {
 }
 
 /// The user's own effects have names and lists of their own.
-void refuse_own(TomlTable& table, const Effect& effect) {
+void refuse_user_effect(TomlTable& table, const Effect& effect) {
     if (table.exists()) {
-        const bool exchange = effect.id == own_exchange.effect;
-        table.errors().add(
-            table.place(), fmt::format("{} has a name and a list of its own", effect.id),
-            fmt::format("write [[{}]] with name, follows, at and {}", exchange ? own_exchange.list : own_source.list,
-                        exchange ? own_exchange.number : own_source.number));
+        const bool exchange = effect.id == user_heat_transfer.effect;
+        table.errors().add(table.place(), fmt::format("{} has a name and a list of its own", effect.id),
+                           fmt::format("write [[{}]] with name, follows, at and {}",
+                                       exchange ? user_heat_transfer.list : user_heat_source.list,
+                                       exchange ? user_heat_transfer.number : user_heat_source.number));
         table.allow_unknown_keys();
     }
 }
@@ -54,8 +54,8 @@ void read_effects(TomlTable& root, ProblemBuilder& builder) {
     for (const Effect* effect : physics::catalogue()) {
         const std::string id(effect->id);
         TomlTable table = effects.subtable(id);
-        if (physics::is_own(*effect)) {
-            refuse_own(table, *effect);
+        if (physics::is_user_effect(*effect)) {
+            refuse_user_effect(table, *effect);
             continue;
         }
         const bool named = table.exists();

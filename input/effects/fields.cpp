@@ -86,10 +86,11 @@ std::size_t normalise(const std::vector<std::vector<double>>& frames, Field& fie
 
 /// More points on an input's straight lines: steps then see the frames between their ends and integrate them exactly. A
 /// constant input carries them, or else a series with its own points.
-void add_samples(solver::Drive& drive, const std::vector<double>& times) {
-    const auto series = drive.series();
+void add_samples(solver::InputSignals& input_signals, const std::vector<double>& times) {
+    const auto series = input_signals.series();
     const auto is_constant = [&](const physics::Signal& signal) {
-        return drive.gives(signal) && std::ranges::find(series, &signal, &solver::Series::signal) == series.end();
+        return input_signals.gives(signal) &&
+               std::ranges::find(series, &signal, &solver::Series::signal) == series.end();
     };
     const auto constant = std::ranges::find_if(physics::signals(), is_constant);
     solver::Series carrier{.signal = nullptr, .time = times, .value = {}, .logged = true};
@@ -103,10 +104,10 @@ void add_samples(solver::Drive& drive, const std::vector<double>& times) {
     }
     for (std::size_t i = 0; i < carrier.time.size(); ++i) {
         const bool after = i > 0 && carrier.time[i] == carrier.time[i - 1];
-        const solver::Limit limit = after ? solver::Limit::after : solver::Limit::before;
-        carrier.value.push_back(drive.at(carrier.time[i], limit).*(carrier.signal->member));
+        const solver::JumpSide side = after ? solver::JumpSide::after : solver::JumpSide::before;
+        carrier.value.push_back(input_signals.at(carrier.time[i], side).*(carrier.signal->member));
     }
-    drive.add(std::move(carrier));
+    input_signals.add(std::move(carrier));
 }
 
 /// What a field stands in for, and what cannot stand beside it.
@@ -137,7 +138,7 @@ void warn_of_idle_keys(const TomlTable& table, const ActiveEffect& active) {
                                             key));
         }
     };
-    for (const physics::Parameter& parameter : active.effect->parameters) {
+    for (const physics::ParameterSpec& parameter : active.effect->parameters) {
         if (parameter.key != "partition") {
             warn(parameter.key);
         }
@@ -193,7 +194,7 @@ private:
     }
 
     bool fits(const FieldFile& file, const std::string& name) {
-        if (file.against == FieldFile::Against::time && active_.effect->frame_intensities == 0) {
+        if (file.against == FieldFile::Against::time && active_.effect->frame_coefficients == 0) {
             table_.add_error("field", fmt::format("{} cannot follow a field against time", active_.effect->id),
                              "give it against wheel_angle, or as one frame without time");
         }
@@ -227,7 +228,7 @@ private:
         if (frames.size() > 1) {
             std::vector<double> times;
             std::ranges::transform(file.frames, std::back_inserter(times), &FieldFrame::at);
-            add_samples(builder_.problem.drive, times);
+            add_samples(builder_.problem.input_signals, times);
             const double start = builder_.problem.settings.start;
             std::ranges::transform(times, std::back_inserter(field->time), [&](double t) { return t - start; });
             active_.effect = &physics::in_frames(*active_.effect);

@@ -19,7 +19,7 @@ using physics::MeasuredLoss;
 void need(TomlTable& table, std::string_view key, const std::string& signal, ProblemBuilder& builder) {
     builder.followed.push_back(signal);
     const physics::Signal& input = *physics::find_signal(signal);
-    if (!builder.problem.drive.gives(input) && !builder.given.contains(signal)) {
+    if (!builder.problem.input_signals.gives(input) && !builder.given.contains(signal)) {
         table.add_error(key, fmt::format("[drive] lacks {}, over which the loss was measured", signal),
                         fmt::format("add {} = {} to [drive]", signal, spell_example(quantity_specs::of(input))));
     }
@@ -27,10 +27,10 @@ void need(TomlTable& table, std::string_view key, const std::string& signal, Pro
 
 /// Beyond the table its end is held: a warning says where the drive goes there.
 void warn_beyond(const TomlTable& table, const physics::Signal& signal, const std::vector<double>& at,
-                 const solver::Drive& drive) {
-    double low = drive.constants().*signal.member;
+                 const solver::InputSignals& input_signals) {
+    double low = input_signals.constants().*signal.member;
     double high = low;
-    for (const solver::Series& series : drive.series()) {
+    for (const solver::Series& series : input_signals.series()) {
         if (series.signal == &signal) {
             low = *std::ranges::min_element(series.value);
             high = *std::ranges::max_element(series.value);
@@ -65,7 +65,7 @@ std::optional<MeasuredLoss> read_table(TomlTable& table, const std::string& name
             continue;
         }
         need(table, "total", file->names[a], builder);
-        warn_beyond(table, *physics::find_signal(file->names[a]), at, builder.problem.drive);
+        warn_beyond(table, *physics::find_signal(file->names[a]), at, builder.problem.input_signals);
     }
     loss.table = std::move(file->table);
     return loss;
@@ -122,7 +122,7 @@ void read_measured_loss(TomlTable& table, ProblemBuilder& builder, physics::Acti
     }
     std::optional<MeasuredLoss> loss = total ? read_table(table, *total, builder) : read_coastdown(table, builder);
     if (loss && table.errors().count() == before) {
-        if (loss->bulk_temperatures.size() > 1 && active.effect->n_intensities < active.effect->frame_intensities) {
+        if (loss->bulk_temperatures.size() > 1 && active.effect->n_coefficients < active.effect->frame_coefficients) {
             active.effect = &physics::in_frames(*active.effect);
         }
         active.total = std::make_shared<const MeasuredLoss>(std::move(*loss));

@@ -25,13 +25,15 @@ struct Mention {
 /// How much of the rubber that passes the contact as the mesh has it is touched at the end of the run: 1 where the strip
 /// is as wide as S_cont / l.
 double coverage(const solver::Problem& problem, physics::ActiveEffect contact) {
-    const physics::Inputs inputs = problem.drive.at(problem.settings.end, solver::Limit::before);
+    const physics::Inputs inputs = problem.input_signals.at(problem.settings.end, solver::JumpSide::before);
     const physics::TravellingContact where(problem.tire, inputs);
     if (!where.touches()) {
         return 1.0;
     }
-    const physics::Stock stock{.materials = problem.materials, .link_laws = problem.link_laws, .tire = problem.tire};
-    contact.effect->place({.mesh = problem.mesh, .stock = stock, .effects = problem.effects}, contact);
+    const physics::MaterialModel material_model{
+        .materials = problem.materials, .link_laws = problem.link_laws, .tire = problem.tire};
+    contact.effect->place({.mesh = problem.mesh, .material_model = material_model, .effects = problem.effects},
+                          contact);
     std::size_t i = 0;
     double densest = 0.0;  // weight per area, 1/m2
     for (const int patch : contact.patches) {
@@ -103,7 +105,7 @@ void read_travelling(TomlTable& root, ProblemBuilder& builder) {
                    "shorten the run or take fewer sectors; resolved_contact averages the revolutions of long ones");
         return;
     }
-    problem.drive.add(std::move(*angle));
+    problem.input_signals.add(std::move(*angle));
     for (const physics::ActiveEffect& active : problem.effects) {
         if (active.effect->travels && errors.count() == 0) {
             warn_of_width(problem, active, *mention, errors);

@@ -8,7 +8,7 @@
 
 #include "input/text/input_error.hpp"
 #include "physics/camera.hpp"
-#include "solver/sensitivity/adjustable.hpp"
+#include "solver/sensitivity/free_parameter.hpp"
 
 namespace tiretherm::input {
 
@@ -70,10 +70,11 @@ struct MeasuredRun {
 /// A case with its measured runs and the numbers of it that may be fitted.
 struct Experiment {
     std::vector<MeasuredRun> runs;
-    std::vector<solver::Adjustable> parameters;  ///< those of one run say which; indices hold for every run's problem
-    std::string noise = "correlated";            ///< model of the noise: "correlated" (AR(1) + white) or "white"
-    bool robust = false;                         ///< outliers count less (Huber)
-    std::vector<std::string> candidates{};       ///< effects (or "effect.key") that a diagnosis may name; empty: all
+    std::vector<solver::FreeParameter>
+        parameters;                         ///< those of one run say which; indices hold for every run's problem
+    std::string noise = "correlated";       ///< model of the noise: "correlated" (AR(1) + white) or "white"
+    bool robust = false;                    ///< outliers count less (Huber)
+    std::vector<std::string> candidates{};  ///< effects (or "effect.key") that a diagnosis may name; empty: all
 };
 
 /// An experiment that has been read. There is one exactly when there is no error.

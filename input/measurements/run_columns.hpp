@@ -18,7 +18,7 @@ struct UsedColumn {
     bool is_sensor = false;
 };
 
-/// A column that effects of the user's own follow.
+/// A column that user effects follow.
 struct FollowedColumn {
     int column = 0;
     std::string name;
@@ -35,7 +35,7 @@ struct RunColumns {
 
 /// Classifies the columns by their names, after `columns`, `units` and `ignore` of the case have been applied to the
 /// headings.
-/// @param sensors names of the case's sensors  @param followed names that effects of the user's own speak of
+/// @param sensors names of the case's sensors  @param followed names that user effects refer to
 [[nodiscard]] RunColumns classify_columns(DataFile& file, ColumnKeys& keys, const std::vector<std::string>& sensors,
                                           const std::vector<std::string>& followed, InputErrors& errors);
 

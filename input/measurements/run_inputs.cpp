@@ -75,8 +75,8 @@ bool judge_gaps(const std::string& name, const std::vector<double>& time, const 
 }
 
 /// The samples of a run that have a value.
-solver::Course known_samples(const std::vector<double>& time, const std::vector<double>& value) {
-    solver::Course known;
+solver::SignalHistory known_samples(const std::vector<double>& time, const std::vector<double>& value) {
+    solver::SignalHistory known;
     for (std::size_t k = 0; k < time.size(); ++k) {
         if (!std::isnan(value[k])) {
             known.time.push_back(time[k]);
@@ -138,7 +138,7 @@ std::optional<RunFile> open_run_file(const RunTable& run, const std::vector<std:
 
 namespace {
 
-/// The columns that effects of the user's own follow, in base units whatever their unit is.
+/// The columns that user effects follow, in base units whatever their unit is.
 void read_followed(const RunFile& file, RunInputs& into, InputErrors& errors) {
     const std::vector<FollowedColumn>& followed = file.columns.followed;
     std::vector<ColumnRequest> requests;
@@ -147,7 +147,7 @@ void read_followed(const RunFile& file, RunInputs& into, InputErrors& errors) {
     into.columns.reserve(followed.size());  // requests look into it
     for (const FollowedColumn& column : followed) {
         const ColumnHead& head = file.file.heads()[static_cast<std::size_t>(column.column)];
-        into.columns.push_back({.name = column.name, .unit = base_unit(head.heading.unit), .course = {}});
+        into.columns.push_back({.name = column.name, .unit = base_unit(head.heading.unit), .signal = {}});
         const QuantitySpec spec{.unit = into.columns.back().unit};
         remedies.push_back(file.file.unit_remedy(head, spec));
         requests.push_back({.column = column.column,
@@ -164,7 +164,7 @@ void read_followed(const RunFile& file, RunInputs& into, InputErrors& errors) {
         const std::vector<double> value(read[i].begin() + first, read[i].begin() + last);
         const SourceLocation& place = file.file.heads()[static_cast<std::size_t>(followed[i].column)].place;
         if (judge_gaps(followed[i].name, time, value, place, "let the effect follow another signal", errors)) {
-            into.columns[i].course = known_samples(time, value);
+            into.columns[i].signal = known_samples(time, value);
         }
     }
 }
@@ -217,7 +217,7 @@ RunInputs read_run_inputs(const RunTable& run, const RunFile* file, InputErrors&
         if (!judge_gaps(requests[i].name, time, value, input.place, elsewhere, errors)) {
             continue;
         }
-        solver::Course known = known_samples(time, value);
+        solver::SignalHistory known = known_samples(time, value);
         input.time = std::move(known.time);
         input.value = std::move(known.value);
     }

@@ -17,7 +17,7 @@ struct RunFile {
 };
 
 /// Opens the run's file and finds its samples; nothing after an error.
-/// @param sensors names of the case's sensors  @param followed names that effects of the user's own speak of
+/// @param sensors names of the case's sensors  @param followed names that user effects refer to
 [[nodiscard]] std::optional<RunFile> open_run_file(const RunTable& run, const std::vector<std::string>& sensors,
                                                    const std::vector<std::string>& followed, InputErrors& errors);
 

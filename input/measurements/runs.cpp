@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "input/cameras/frames.hpp"
-#include "input/effects/own_effects.hpp"
+#include "input/effects/user_effects.hpp"
 #include "input/measurements/run_readings.hpp"
 #include "input/model/probes.hpp"
 #include "input/parameters/hot_spots.hpp"

@@ -32,15 +32,15 @@ Span given_temperatures(const ProblemBuilder& builder) {
             span.take(T);
         }
     }
-    const solver::Drive& drive = builder.problem.drive;
+    const solver::InputSignals& input_signals = builder.problem.input_signals;
     for (const physics::Signal& signal : physics::signals()) {
-        if (signal.unit == "K" && drive.gives(signal)) {
-            if (const double T = drive.constants().*signal.member; T > 0.0) {
+        if (signal.unit == "K" && input_signals.gives(signal)) {
+            if (const double T = input_signals.constants().*signal.member; T > 0.0) {
                 span.take(T);
             }
         }
     }
-    for (const solver::Series& series : drive.series()) {
+    for (const solver::Series& series : input_signals.series()) {
         if (series.signal->unit == "K") {
             for (const double T : series.value) {
                 span.take(T);

@@ -60,7 +60,7 @@ void read_schedule(TomlTable& table, ProblemBuilder& builder) {
         const bool is_new = !overridden && register_signal(signal->name, column.place, builder, errors);
         std::vector<double> values = read_numbers(column, quantity_specs::of(*signal), errors);
         if (is_new && ordered && !values.empty()) {
-            builder.problem.drive.add(
+            builder.problem.input_signals.add(
                 solver::Series{.signal = signal, .time = time, .value = std::move(values), .logged = false});
         }
     }
@@ -70,7 +70,7 @@ void read_schedule(TomlTable& table, ProblemBuilder& builder) {
 void add_measured(const RunInputs& run, ProblemBuilder& builder, InputErrors& errors) {
     for (const MeasuredInput& input : run.inputs) {
         if (register_signal(input.signal->name, input.place, builder, errors) && !input.value.empty()) {
-            builder.problem.drive.add(
+            builder.problem.input_signals.add(
                 solver::Series{.signal = input.signal, .time = input.time, .value = input.value, .logged = true});
         }
     }
@@ -108,7 +108,7 @@ void read_drive(TomlTable& root, ProblemBuilder& builder) {
     for (const Signal& signal : physics::signals()) {
         const bool overridden = builder.overridden(signal.name, signal.name);
         if (const auto value = drive.quantity(signal.name, quantity_specs::of(signal)); value && !overridden) {
-            builder.problem.drive.add(signal, *value);
+            builder.problem.input_signals.add(signal, *value);
         }
         if (drive.has(signal.name) && !overridden) {
             register_signal(signal.name, drive.place(signal.name), builder, drive.errors());

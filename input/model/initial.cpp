@@ -14,7 +14,8 @@ namespace {
 std::optional<double> first_air(const ProblemBuilder& builder) {
     const solver::Problem& problem = builder.problem;
     return builder.given.contains("air_temperature")
-               ? std::optional(problem.drive.at(problem.settings.start, solver::Limit::after).air_temperature)
+               ? std::optional(
+                     problem.input_signals.at(problem.settings.start, solver::JumpSide::after).air_temperature)
                : std::nullopt;
 }
 
@@ -58,8 +59,8 @@ void read_initial(TomlTable& root, ProblemBuilder& builder) {
     // Gas and rim start with the air around them, or as the rest where there is no air.
     const double around = first_air(builder).value_or(everywhere.value_or(of_layer.front()));
     std::map<int, double> of_node;
-    for (const mesh::Appended& appended : mesh.appended) {
-        of_node[appended.node] = read_start(initial, appended.name, builder).value_or(around);
+    for (const mesh::LumpedNode& lumped_node : mesh.lumped_nodes) {
+        of_node[lumped_node.node] = read_start(initial, lumped_node.name, builder).value_or(around);
     }
     if (initial.errors().count() > before) {
         return;

@@ -65,13 +65,13 @@ std::vector<ColumnRequest> requests(TomlTable& table, const Csv& csv, ProblemBui
             continue;
         }
         if (followed) {
-            const auto twin = std::ranges::find(builder.columns, name, &OwnColumn::name);
+            const auto twin = std::ranges::find(builder.columns, name, &UserColumn::name);
             if (twin != builder.columns.end()) {
                 errors.add(head.place, fmt::format("a second column is called {}", name), "ignore one of them");
                 continue;
             }
             // Its own unit says what its numbers are.
-            builder.columns.push_back({.name = name, .unit = base_unit(head.heading.unit), .course = {}});
+            builder.columns.push_back({.name = name, .unit = base_unit(head.heading.unit), .signal = {}});
             found.push_back({.column = static_cast<int>(i),
                              .name = name,
                              .spec = {.unit = builder.columns.back().unit},
@@ -135,19 +135,19 @@ void read_logged(TomlTable& table, ProblemBuilder& builder) {
     builder.logged_to = std::max(builder.logged_to.value_or(time.back()), time.back());
     for (std::size_t i = 1; i < values.size(); ++i) {
         if (requested_columns[i].purpose == Purpose::measured) {
-            const auto column = std::ranges::find(builder.columns, requested_columns[i].name, &OwnColumn::name);
+            const auto column = std::ranges::find(builder.columns, requested_columns[i].name, &UserColumn::name);
             for (std::size_t k = 0; k < time.size(); ++k) {
                 if (!std::isnan(values[i][k])) {
-                    column->course.time.push_back(time[k]);
-                    column->course.value.push_back(values[i][k]);
+                    column->signal.time.push_back(time[k]);
+                    column->signal.value.push_back(values[i][k]);
                 }
             }
             continue;
         }
-        builder.problem.drive.add(solver::Series{.signal = physics::find_signal(requested_columns[i].name),
-                                                 .time = time,
-                                                 .value = std::move(values[i]),
-                                                 .logged = true});
+        builder.problem.input_signals.add(solver::Series{.signal = physics::find_signal(requested_columns[i].name),
+                                                         .time = time,
+                                                         .value = std::move(values[i]),
+                                                         .logged = true});
     }
 }
 

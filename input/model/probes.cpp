@@ -291,7 +291,7 @@ std::vector<solver::Channel> read_strips(TomlTable& sensor, const mesh::Mesh& me
 }
 
 Where read_node(TomlTable& sensor, const mesh::Mesh& mesh) {
-    const std::vector<std::string> names = names_of(mesh.appended);
+    const std::vector<std::string> names = names_of(mesh.lumped_nodes);
     sensor.declare_keys({"node"});
     if (names.empty() && sensor.has("node")) {
         sensor.add_error("node", "no active effect brings a node of its own", "switch inner_gas or rim_conduction on");
@@ -301,7 +301,7 @@ Where read_node(TomlTable& sensor, const mesh::Mesh& mesh) {
     if (!found) {
         return std::nullopt;
     }
-    const mesh::Appended& node = mesh.appended[static_cast<std::size_t>(*found)];
+    const mesh::LumpedNode& node = mesh.lumped_nodes[static_cast<std::size_t>(*found)];
     return channel("the " + node.name, {{node.node}, {1.0}});
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "input/cameras/camera.hpp"
-#include "input/effects/own_signals.hpp"
+#include "input/effects/user_signals.hpp"
 #include "input/text/toml_table.hpp"
 #include "mesh/builders.hpp"
 #include "solver/problem.hpp"
@@ -39,7 +39,7 @@ struct RunInputs {
     bool has_file = false;
     bool unreadable = false;  ///< which inputs the file would give is unknown: no missing one is reported
     std::vector<MeasuredInput> inputs{};
-    std::vector<OwnColumn> columns{};     ///< that effects of the user's own follow; without points after an error
+    std::vector<UserColumn> columns{};    ///< that user effects follow; without points after an error
     std::vector<std::string> headings{};  ///< of all columns of the file
     std::optional<double> first{};        ///< s, first time in the file
     std::optional<double> last{};         ///< s, last time in the file
@@ -62,8 +62,8 @@ struct ProblemBuilder {
     std::optional<double> logged_from;                         ///< s, first sample of any log
     std::optional<double> logged_to;                           ///< s, last sample of any log
     std::optional<RunInputs> run{};                            ///< the measured run that is being read
-    std::vector<std::string> followed{};  ///< what effects of the user's own speak of: inputs, columns
-    std::vector<OwnColumn> columns{};     ///< of them those that a log of [drive] gives
+    std::vector<std::string> followed{};                       ///< what user effects refer to: inputs, columns
+    std::vector<UserColumn> columns{};                         ///< of them those that a log of [drive] gives
 
     std::vector<Camera> cameras{};
 
@@ -73,7 +73,7 @@ struct ProblemBuilder {
     }
 };
 
-/// All tables of a case, in the order in which one may speak about another.
+/// All tables of a case, in the order in which one may refer to another.
 void read_tables(TomlTable& root, ProblemBuilder& builder);
 
 void read_tire(TomlTable& root, ProblemBuilder& builder);
@@ -87,8 +87,8 @@ void read_fields(TomlTable& root, ProblemBuilder& builder);
 /// The wheel's angle and the moments of contact, where an effect goes round the tire.
 void read_travelling(TomlTable& root, ProblemBuilder& builder);
 /// The lists [[source]] and [[exchange]], when the drive and the run's times are known.
-void read_own_effects(TomlTable& root, ProblemBuilder& builder);
-/// The channels of the effects that are readings; what else they say has been read.
+void read_user_effects(TomlTable& root, ProblemBuilder& builder);
+/// The channels of the sensor models; what else they say has been read.
 void bind_readings(TomlTable& root, ProblemBuilder& builder);
 void read_initial(TomlTable& root, ProblemBuilder& builder);
 void read_time_settings(TomlTable& root, ProblemBuilder& builder);

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "input/effects/own_effects.hpp"
+#include "input/effects/user_effects.hpp"
 #include "input/measurements/runs.hpp"
 #include "input/model/problem_builder.hpp"
 #include "input/text/document.hpp"
@@ -35,7 +35,7 @@ void read_tables(TomlTable& root, ProblemBuilder& builder) {
     for (const LocatedString& source : root.texts("sources")) {
         problem.sources.push_back(source.text);
     }
-    // A later table may speak about an earlier one: patches and layers of the mesh, channels, the run's start and end.
+    // A later table may refer to an earlier one: patches and layers of the mesh, channels, the run's start and end.
     builder.followed = followed_names(root.content());
     read_tire(root, builder);
     read_materials(root, builder);
@@ -45,7 +45,7 @@ void read_tables(TomlTable& root, ProblemBuilder& builder) {
     read_time_settings(root, builder);
     read_fields(root, builder);
     read_travelling(root, builder);
-    read_own_effects(root, builder);
+    read_user_effects(root, builder);
     read_initial(root, builder);
     read_sensors(root, builder);
     read_cameras(root, builder);

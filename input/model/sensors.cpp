@@ -225,7 +225,7 @@ void read_sensors(TomlTable& root, ProblemBuilder& builder) {
         }
         if (found.empty()) {
             sensor.declare_keys({"standard_deviation"});
-            found.emplace_back();  // others may speak of it
+            found.emplace_back();  // others may refer to it
         } else {
             const auto sigma = sensor.quantity("standard_deviation", deviation_spec(found.front().quantity));
             for (solver::Channel& channel : found) {

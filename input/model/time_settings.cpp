@@ -32,7 +32,7 @@ void read_time_settings(TomlTable& root, ProblemBuilder& builder) {
         into.start = own_start ? into.start : *builder.run->first;
         into.end = own_end ? into.end : *builder.run->last;
     }
-    builder.problem.drive.start_at(into.start);
+    builder.problem.input_signals.start_at(into.start);
     into.fixed_step = time.quantity("step", quantity_specs::duration);
     into.tolerance = time.quantity("tolerance", quantity_specs::tolerance).value_or(into.tolerance);
     into.output_interval = time.quantity("output", quantity_specs::interval).value_or(into.output_interval);

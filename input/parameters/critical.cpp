@@ -86,8 +86,8 @@ void read_surface(TomlTable& table, const solver::Problem& problem, bool has_mes
 
 /// The hottest that the part is before anything heats it. K
 double hottest_surroundings(const solver::Problem& problem, const std::vector<int>& nodes) {
-    double hottest = problem.drive.at(problem.settings.start, solver::Limit::after).air_temperature;
-    for (const solver::Series& series : problem.drive.series()) {
+    double hottest = problem.input_signals.at(problem.settings.start, solver::JumpSide::after).air_temperature;
+    for (const solver::Series& series : problem.input_signals.series()) {
         if (series.signal->name == "air_temperature" && !series.value.empty()) {
             hottest = std::max(hottest, *std::ranges::max_element(series.value));
         }

@@ -20,7 +20,7 @@ namespace tiretherm::input {
 namespace {
 
 namespace fs = std::filesystem;
-using Kind = solver::Adjustable::Kind;
+using Kind = solver::FreeParameter::Kind;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -79,7 +79,7 @@ bool gives(const TomlValue& original, const std::string& material, std::string_v
 
 std::string materials_text(const FittedCase& fitted, const TomlValue& original) {
     std::map<std::string, Laws> materials;
-    for (const solver::Adjustable& number : fitted.parameters) {
+    for (const solver::FreeParameter& number : fitted.parameters) {
         if (number.kind != Kind::conductivity && number.kind != Kind::heat_capacity) {
             continue;
         }
@@ -110,7 +110,7 @@ std::string materials_text(const FittedCase& fitted, const TomlValue& original) 
 }
 
 std::string link_text(const FittedCase& fitted) {
-    for (const solver::Adjustable& number : fitted.parameters) {
+    for (const solver::FreeParameter& number : fitted.parameters) {
         if (number.kind == Kind::link_conductivity) {
             return fmt::format("\n[mesh]\nlink_conductivity = {}\n",
                                law_text(fitted.fitted->link_laws.front(), number.knots, "W/mK"));
@@ -128,9 +128,9 @@ std::vector<std::string> initial_lines(const solver::Problem& problem) {
         lines.push_back(fmt::format("{} = {}", toml_text::key(mesh.layers[layer]),
                                     toml_text::temperature(problem.initial[static_cast<std::size_t>(node)])));
     }
-    for (const mesh::Appended& appended : mesh.appended) {
-        lines.push_back(fmt::format("{} = {}", toml_text::key(appended.name),
-                                    toml_text::temperature(problem.initial[at(appended.node)])));
+    for (const mesh::LumpedNode& lumped_node : mesh.lumped_nodes) {
+        lines.push_back(fmt::format("{} = {}", toml_text::key(lumped_node.name),
+                                    toml_text::temperature(problem.initial[at(lumped_node.node)])));
     }
     return lines;
 }
@@ -139,7 +139,7 @@ std::vector<std::string> initial_lines(const solver::Problem& problem) {
 std::string runs_text(const FittedCase& fitted, const TomlValue& original, const fs::path& folder) {
     const TomlValue* data = original.find("data");  // how columns of files beside the case are read
     std::set<int> moved;
-    for (const solver::Adjustable& number : fitted.parameters) {
+    for (const solver::FreeParameter& number : fitted.parameters) {
         if (number.kind == Kind::initial) {
             moved.insert(number.run);
         }
@@ -196,7 +196,7 @@ std::string fitted_case(const FittedCase& fitted, const fs::path& folder) {
     InputErrors errors;
     const std::optional<TomlValue> original = read_document(fitted.original, errors);
     return heading(fitted) + fmt::format("include = [{}]\n", toml_text::path(fitted.original, folder)) +
-           effects_text(*fitted.before, *fitted.fitted, fitted.parameters, fitted.own) + link_text(fitted) +
+           effects_text(*fitted.before, *fitted.fitted, fitted.parameters, fitted.user_effects) + link_text(fitted) +
            materials_text(fitted, original.value_or(TomlValue{})) +
            runs_text(fitted, original.value_or(TomlValue{}), folder);
 }

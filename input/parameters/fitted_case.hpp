@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "solver/sensitivity/adjustable.hpp"
-#include "solver/own_effect.hpp"
+#include "solver/sensitivity/free_parameter.hpp"
+#include "solver/user_effect.hpp"
 
 namespace tiretherm::input {
 
@@ -19,14 +19,14 @@ struct FittedRun {
 
 /// A case and what a fit has made of it.
 struct FittedCase {
-    std::filesystem::path original;                  ///< the case's file
-    const solver::Problem* before = nullptr;         ///< the case as it is
-    const solver::Problem* fitted = nullptr;         ///< with the fitted values, and with effects that were switched on
-    std::span<const solver::Adjustable> parameters;  ///< that were fitted
-    std::vector<FittedRun> runs;         ///< in the order of Adjustable::run; may be empty for the case's own
+    std::filesystem::path original;           ///< the case's file
+    const solver::Problem* before = nullptr;  ///< the case as it is
+    const solver::Problem* fitted = nullptr;  ///< with the fitted values, and with effects that were switched on
+    std::span<const solver::FreeParameter> parameters;  ///< that were fitted
+    std::vector<FittedRun> runs;         ///< in the order of FreeParameter::run; may be empty for the case's own
     std::vector<std::string> remarks{};  ///< lines to stand at the top
     /// Effects of the user's own that `fitted` has and `before` lacks: what they follow stands nowhere else.
-    std::vector<solver::OwnEffect> own{};
+    std::vector<solver::UserEffect> user_effects{};
 };
 
 /// The case with its fitted values as a TOML text: it includes the original and lays over it what has changed, each

@@ -8,11 +8,11 @@
 
 #include <fmt/format.h>
 
-#include "input/effects/own_effects.hpp"
+#include "input/effects/user_effects.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/toml_text.hpp"
 #include "physics/camera.hpp"
-#include "physics/own_place.hpp"
+#include "physics/user_effect_place.hpp"
 
 namespace tiretherm::input {
 
@@ -53,14 +53,14 @@ std::string_view ending(Scope scope) {
 
 /// `h = "10 W m-2 K-1"`.
 std::string value_line(const ActiveEffect& active, std::size_t parameter) {
-    const physics::Parameter& which = active.effect->parameters[parameter];
+    const physics::ParameterSpec& which = active.effect->parameters[parameter];
     return fmt::format("{} = {}\n", which.key, toml_text::quantity(active[parameter], which.unit));
 }
 
 /// `h_by_patch = { top = "60 W m-2 K-1" }` with all places that have a value of their own: it replaces the original's.
 std::string places_line(const solver::Problem& problem, const ActiveEffect& active, std::size_t parameter,
                         Scope scope) {
-    const physics::Parameter& which = active.effect->parameters[parameter];
+    const physics::ParameterSpec& which = active.effect->parameters[parameter];
     const std::vector<std::string> names = names_of_places(problem, scope);
     std::string values;
     for (const ActiveEffect::Override& other : active.overrides) {
@@ -128,10 +128,10 @@ std::string switched_on_text(const solver::Problem& problem, const ActiveEffect&
     return text;
 }
 
-/// All that an effect of the user's own was switched on with. Its number is the problem's, which a fit has moved.
-std::string own_text(const ActiveEffect& active, std::span<const solver::OwnEffect> own) {
-    const auto found = std::ranges::find(own, active.name, &solver::OwnEffect::name);
-    if (found == own.end()) {
+/// All that a user effect was switched on with. Its size is the problem's, which a fit has moved.
+std::string user_effect_text(const ActiveEffect& active, std::span<const solver::UserEffect> user_effect) {
+    const auto found = std::ranges::find(user_effect, active.name, &solver::UserEffect::name);
+    if (found == user_effect.end()) {
         throw std::invalid_argument(fmt::format("nobody has said what {} follows", active.name));
     }
     std::vector<std::string> places;
@@ -147,20 +147,21 @@ std::string own_text(const ActiveEffect& active, std::span<const solver::OwnEffe
 }
 
 std::string heading(const ActiveEffect& active) {
-    if (!active.name.empty() && !physics::is_own(*active.effect)) {
+    if (!active.name.empty() && !physics::is_user_effect(*active.effect)) {
         return fmt::format("\n[[camera]]\nname = {}\n", toml_text::in_quotes(active.name));
     }
-    if (!physics::is_own(*active.effect)) {
+    if (!physics::is_user_effect(*active.effect)) {
         return fmt::format("\n[effects.{}]\n", active.effect->id);
     }
-    const OwnKind& kind = active.effect->id == own_exchange.effect ? own_exchange : own_source;
+    const UserEffectKind& kind = active.effect->id == user_heat_transfer.effect ? user_heat_transfer : user_heat_source;
     return fmt::format("\n[[{}]]\nname = {}\n", kind.list, toml_text::in_quotes(active.name));
 }
 
 }  // namespace
 
 std::string effects_text(const solver::Problem& before, const solver::Problem& fitted,
-                         std::span<const solver::Adjustable> parameters, std::span<const solver::OwnEffect> own) {
+                         std::span<const solver::FreeParameter> parameters,
+                         std::span<const solver::UserEffect> user_effect) {
     std::string text;
     std::string last;
     for (std::size_t e = 0; e < fitted.effects.size(); ++e) {
@@ -168,11 +169,13 @@ std::string effects_text(const solver::Problem& before, const solver::Problem& f
         const bool was_on = std::ranges::any_of(before.effects, [&](const ActiveEffect& other) {
             return other.effect == active.effect && other.name == active.name;
         });
-        const bool is_own = physics::is_own(*active.effect);
-        std::string lines = was_on ? "" : is_own ? own_text(active, own) : switched_on_text(fitted, active);
+        const bool is_user_effect = physics::is_user_effect(*active.effect);
+        std::string lines = was_on           ? ""
+                            : is_user_effect ? user_effect_text(active, user_effect)
+                                             : switched_on_text(fitted, active);
         std::set<std::tuple<std::size_t, bool, Scope>> written;
-        for (const solver::Adjustable& number : parameters) {
-            const bool here = number.kind == solver::Adjustable::Kind::effect && number.effect == e && was_on;
+        for (const solver::FreeParameter& number : parameters) {
+            const bool here = number.kind == solver::FreeParameter::Kind::effect && number.effect == e && was_on;
             if (here && written.emplace(number.parameter, number.everywhere, number.scope).second) {
                 lines += number.everywhere ? value_line(active, number.parameter)
                                            : places_line(fitted, active, number.parameter, number.scope);

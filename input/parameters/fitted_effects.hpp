@@ -3,8 +3,8 @@
 #include <span>
 #include <string>
 
-#include "solver/sensitivity/adjustable.hpp"
-#include "solver/own_effect.hpp"
+#include "solver/sensitivity/free_parameter.hpp"
+#include "solver/user_effect.hpp"
 
 namespace tiretherm::input {
 
@@ -13,7 +13,7 @@ namespace tiretherm::input {
 /// @param own what those of the user's own follow that `before` does not have  @returns TOML, or nothing
 /// @errors std::invalid_argument names one that is not among them
 [[nodiscard]] std::string effects_text(const solver::Problem& before, const solver::Problem& fitted,
-                                       std::span<const solver::Adjustable> parameters,
-                                       std::span<const solver::OwnEffect> own);
+                                       std::span<const solver::FreeParameter> parameters,
+                                       std::span<const solver::UserEffect> user_effect);
 
 }  // namespace tiretherm::input

@@ -18,7 +18,7 @@ std::optional<HotSpotCase> HotSpotCase::read(const std::filesystem::path& file) 
     found.name_ = case_name(file);
     InputErrors errors = found.errors_;
     const Runs runs = read_runs(found.document_, found.name_, {}, ReadMode::measured, errors);
-    for (const solver::Adjustable& number : runs.experiment.parameters) {
+    for (const solver::FreeParameter& number : runs.experiment.parameters) {
         if (std::isfinite(number.standard_deviation)) {
             found.known.push_back(number);
         }

@@ -7,7 +7,7 @@
 
 #include "input/model/problem_builder.hpp"
 #include "solver/hot_spot/hot_spot.hpp"
-#include "solver/sensitivity/adjustable.hpp"
+#include "solver/sensitivity/free_parameter.hpp"
 
 /// What a case says of its hot spots: the lists [[critical]] and [[uncertain]].
 namespace tiretherm::input {
@@ -34,7 +34,7 @@ public:
     [[nodiscard]] static std::optional<HotSpotCase> read(const std::filesystem::path& file);
 
     std::vector<solver::Critical> critical{};
-    std::vector<solver::Adjustable> known{};  ///< the [[parameter]] tables of which a standard deviation is known
+    std::vector<solver::FreeParameter> known{};  ///< the [[parameter]] tables of which a standard deviation is known
     std::vector<UncertainKey> uncertain{};
 
     /// The case with one value some standard deviations off; nothing where that is no sound case.

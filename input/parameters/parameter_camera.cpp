@@ -43,16 +43,16 @@ std::optional<FreeParameters> free_camera(TomlTable& parameter, const ProblemBui
             continue;
         }
         for (std::size_t p = 0; p < active.effect->parameters.size(); ++p) {
-            const physics::Parameter& found = active.effect->parameters[p];
+            const physics::ParameterSpec& found = active.effect->parameters[p];
             const bool counts = found.key != "reflected_temperature" || active.choices.front() != 0;
             if (counts) {
                 known.emplace_back(found.key);
             }
             if (counts && found.key == *key) {
-                solver::Adjustable number;
+                solver::FreeParameter number;
                 number.name = fmt::format("{}.{}", *name, found.key);
                 number.unit = found.unit;
-                number.kind = solver::Adjustable::Kind::effect;
+                number.kind = solver::FreeParameter::Kind::effect;
                 number.effect = e;
                 number.parameter = p;
                 number.low = found.low;

@@ -6,8 +6,8 @@
 #include "input/parameters/parameter_kinds.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
-#include "physics/own_place.hpp"
-#include "solver/own_effect.hpp"
+#include "physics/user_effect_place.hpp"
+#include "solver/user_effect.hpp"
 
 namespace tiretherm::input {
 
@@ -43,7 +43,7 @@ std::optional<std::size_t> read_key(const TomlTable& table, const Effect& effect
         return std::nullopt;
     }
     std::vector<std::string> known;
-    for (const physics::Parameter& parameter : effect.parameters) {
+    for (const physics::ParameterSpec& parameter : effect.parameters) {
         known.emplace_back(parameter.key);
     }
     table.add_error("key", fmt::format("{} has no parameter \"{}\"", effect.id, key),
@@ -95,7 +95,7 @@ Known known_places(const ProblemBuilder& builder, const ActiveEffect& active, Sc
 }
 
 /// A camera as that place: it is many channels, so that the effect must act on nothing else.
-bool read_camera(TomlTable& table, const Camera& camera, const ActiveEffect& active, solver::Adjustable& number) {
+bool read_camera(TomlTable& table, const Camera& camera, const ActiveEffect& active, solver::FreeParameter& number) {
     const bool alone = std::ranges::all_of(active.channels, [&](int channel) { return camera.has(channel); });
     if (!alone || active.channels.empty() || !active.overrides.empty()) {
         table.add_error("channel",
@@ -112,7 +112,7 @@ bool read_camera(TomlTable& table, const Camera& camera, const ActiveEffect& act
 
 /// The place where alone the number is free, if the table names one. @returns false after an error
 bool read_place(TomlTable& table, const ProblemBuilder& builder, const ActiveEffect& active,
-                solver::Adjustable& number) {
+                solver::FreeParameter& number) {
     const Effect& effect = *active.effect;
     bool sound = true;
     for (const PlaceKey& place : places) {
@@ -166,13 +166,13 @@ bool read_place(TomlTable& table, const ProblemBuilder& builder, const ActiveEff
 void report_unknown(const TomlTable& table, const std::string& id, const TomlValue& document) {
     std::vector<std::string> known;
     for (const Effect* effect : physics::catalogue()) {
-        if (!physics::is_own(*effect)) {
+        if (!physics::is_user_effect(*effect)) {
             known.emplace_back(effect->id);
         }
     }
     const std::size_t of_the_catalogue = known.size();
-    for (const OwnKind& kind : {own_source, own_exchange}) {
-        std::ranges::copy(own_names(document, kind.list), std::back_inserter(known));
+    for (const UserEffectKind& kind : {user_heat_source, user_heat_transfer}) {
+        std::ranges::copy(user_effect_names(document, kind.list), std::back_inserter(known));
     }
     table.add_error("effect", fmt::format("there is no effect \"{}\"", id),
                     nearest(id, known).empty()
@@ -180,10 +180,10 @@ void report_unknown(const TomlTable& table, const std::string& id, const TomlVal
                         : suggest(id, known, "effects"));
 }
 
-/// The kind of an effect of the user's own, null where the document has none of this name.
-const OwnKind* kind_of(const TomlValue& document, const std::string& name) {
-    for (const OwnKind* kind : {&own_source, &own_exchange}) {
-        if (std::ranges::count(own_names(document, kind->list), name) > 0) {
+/// The kind of a user effect, null where the document has none of this name.
+const UserEffectKind* kind_of(const TomlValue& document, const std::string& name) {
+    for (const UserEffectKind* kind : {&user_heat_source, &user_heat_transfer}) {
+        if (std::ranges::count(user_effect_names(document, kind->list), name) > 0) {
             return kind;
         }
     }
@@ -191,13 +191,13 @@ const OwnKind* kind_of(const TomlValue& document, const std::string& name) {
 }
 
 /// A number of an effect as it may be moved.
-solver::Adjustable number_of(const ProblemBuilder& builder, std::size_t effect, std::size_t parameter) {
+solver::FreeParameter number_of(const ProblemBuilder& builder, std::size_t effect, std::size_t parameter) {
     const ActiveEffect& active = builder.problem.effects[effect];
-    const physics::Parameter& found = active.effect->parameters[parameter];
-    solver::Adjustable number;
+    const physics::ParameterSpec& found = active.effect->parameters[parameter];
+    solver::FreeParameter number;
     number.name = fmt::format("{}.{}", active.title(), found.key);
     number.unit = found.unit;
-    number.kind = solver::Adjustable::Kind::effect;
+    number.kind = solver::FreeParameter::Kind::effect;
     number.effect = effect;
     number.parameter = parameter;
     number.low = found.low;
@@ -205,9 +205,9 @@ solver::Adjustable number_of(const ProblemBuilder& builder, std::size_t effect, 
     return number;
 }
 
-/// The one number of an effect of the user's own that is called `name`.
+/// The one number of a user effect that is called `name`.
 std::optional<FreeParameters> free_number(TomlTable& parameter, const ProblemBuilder& builder, const std::string& name,
-                                          const OwnKind& kind) {
+                                          const UserEffectKind& kind) {
     const Effect& effect = *physics::find_effect(kind.effect);
     const std::string key = parameter.text("key").value_or(std::string(kind.number));
     if (key != kind.number) {
@@ -215,11 +215,11 @@ std::optional<FreeParameters> free_number(TomlTable& parameter, const ProblemBui
                             fmt::format("its number is {}", kind.number));
         return std::nullopt;
     }
-    const std::size_t index = solver::find_own_effect(builder.problem, name);
+    const std::size_t index = solver::find_user_effect(builder.problem, name);
     if (index == builder.problem.effects.size()) {
         return std::nullopt;  // it has been reported
     }
-    solver::Adjustable number = number_of(builder, index, 0);
+    solver::FreeParameter number = number_of(builder, index, 0);
     if (!read_place(parameter, builder, builder.problem.effects[index], number)) {
         return std::nullopt;
     }
@@ -228,17 +228,17 @@ std::optional<FreeParameters> free_number(TomlTable& parameter, const ProblemBui
 
 }  // namespace
 
-std::optional<FreeParameters> free_own(TomlTable& parameter, const ProblemBuilder& builder, const TomlValue& document,
-                                       const OwnKind& kind) {
+std::optional<FreeParameters> free_user_effect(TomlTable& parameter, const ProblemBuilder& builder,
+                                               const TomlValue& document, const UserEffectKind& kind) {
     parameter.declare_keys({"key", "patch", "layer", "zone", "channel"});
     const std::optional<std::string> name = parameter.text(kind.list);
     if (!name) {
         return std::nullopt;
     }
-    const std::vector<std::string> known = own_names(document, kind.list);
+    const std::vector<std::string> known = user_effect_names(document, kind.list);
     if (std::ranges::count(known, *name) == 0) {
         parameter.add_error(kind.list, fmt::format("there is no [[{}]] \"{}\"", kind.list, *name),
-                            suggest(*name, known, kind.list == own_source.list ? "sources" : "exchanges"));
+                            suggest(*name, known, kind.list == user_heat_source.list ? "sources" : "exchanges"));
         return std::nullopt;
     }
     return free_number(parameter, builder, *name, kind);
@@ -248,12 +248,12 @@ std::optional<FreeParameters> free_effect(TomlTable& parameter, const ProblemBui
                                           const TomlValue& document) {
     parameter.declare_keys({"patch", "layer", "zone", "channel"});
     const std::string id = parameter.text("effect").value_or("");
-    if (const OwnKind* own = kind_of(document, id)) {
+    if (const UserEffectKind* own = kind_of(document, id)) {
         return free_number(parameter, builder, id, *own);
     }
     const std::optional<std::string> key = parameter.text("key", Need::required);
     const Effect* effect = physics::find_effect(id);
-    if (effect == nullptr || physics::is_own(*effect)) {
+    if (effect == nullptr || physics::is_user_effect(*effect)) {
         report_unknown(parameter, id, document);
         return std::nullopt;
     }
@@ -271,8 +271,8 @@ std::optional<FreeParameters> free_effect(TomlTable& parameter, const ProblemBui
     if (!index) {
         return std::nullopt;
     }
-    const physics::Parameter& found = effect->parameters[*index];
-    solver::Adjustable number = number_of(builder, static_cast<std::size_t>(active - on.begin()), *index);
+    const physics::ParameterSpec& found = effect->parameters[*index];
+    solver::FreeParameter number = number_of(builder, static_cast<std::size_t>(active - on.begin()), *index);
     if (!read_place(parameter, builder, *active, number)) {
         return std::nullopt;
     }

@@ -16,10 +16,10 @@ constexpr QuantitySpec shift{.unit = "K", .scale = Scale::difference, .low = -10
 std::vector<int> nodes_of(const mesh::Mesh& mesh, const std::string& word) {
     std::vector<int> nodes;
     const int layer = mesh.find_layer(word);
-    const int appended = layer < 0 ? mesh.find_appended(word) : -1;
+    const int lumped_node = layer < 0 ? mesh.find_lumped_node(word) : -1;
     for (int node = 0; node < mesh.n_nodes; ++node) {
         const bool in_layer = layer >= 0 && mesh.layer[static_cast<std::size_t>(node)] == layer;
-        if (word == "temperature" || in_layer || node == appended) {
+        if (word == "temperature" || in_layer || node == lumped_node) {
             nodes.push_back(node);
         }
     }
@@ -44,8 +44,8 @@ std::optional<FreeParameters> free_initial(TomlTable& parameter, const ProblemBu
     }
     std::vector<std::string> known{"temperature"};
     known.insert(known.end(), mesh.layers.begin(), mesh.layers.end());
-    const std::vector<std::string> appended = names_of(mesh.appended);
-    known.insert(known.end(), appended.begin(), appended.end());
+    const std::vector<std::string> lumped_node_names = names_of(mesh.lumped_nodes);
+    known.insert(known.end(), lumped_node_names.begin(), lumped_node_names.end());
     if (words.empty() && parameter.errors().count() == before) {
         parameter.add_error("initial", "initial names nothing", "write initial = \"temperature\", which is all of it");
     }
@@ -55,13 +55,13 @@ std::optional<FreeParameters> free_initial(TomlTable& parameter, const ProblemBu
                                    suggest(word.text, known, "temperatures at the start"));
             return std::nullopt;
         }
-        solver::Adjustable number;
+        solver::FreeParameter number;
         number.name = "initial " + word.text;
         number.unit = "K";
-        number.kind = solver::Adjustable::Kind::initial;
+        number.kind = solver::FreeParameter::Kind::initial;
         number.nodes = nodes_of(mesh, word.text);
         for (std::size_t run = 0; run < run_names.size(); ++run) {
-            solver::Adjustable of_run = number;
+            solver::FreeParameter of_run = number;
             of_run.name += ", run " + run_names[run];
             of_run.run = static_cast<int>(run);
             freed.numbers.push_back(std::move(of_run));

@@ -4,15 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "input/effects/own_effects.hpp"
+#include "input/effects/user_effects.hpp"
 #include "input/model/problem_builder.hpp"
-#include "solver/sensitivity/adjustable.hpp"
+#include "solver/sensitivity/free_parameter.hpp"
 
 namespace tiretherm::input {
 
 /// The numbers that one [[parameter]] frees: where they are in the problem. Prior and bounds are read afterwards.
 struct FreeParameters {
-    std::vector<solver::Adjustable> numbers;
+    std::vector<solver::FreeParameter> numbers;
     QuantitySpec spec;  ///< what their values must be
 };
 
@@ -20,9 +20,9 @@ struct FreeParameters {
 /// effect of the user's own may be named here as well.
 [[nodiscard]] std::optional<FreeParameters> free_effect(TomlTable& parameter, const ProblemBuilder& builder,
                                                         const TomlValue& document);
-/// The number of an effect of the user's own: source or exchange, and its key, which may be left out.
-[[nodiscard]] std::optional<FreeParameters> free_own(TomlTable& parameter, const ProblemBuilder& builder,
-                                                     const TomlValue& document, const OwnKind& kind);
+/// The number of a user effect: source or exchange, and its key, which may be left out.
+[[nodiscard]] std::optional<FreeParameters> free_user_effect(TomlTable& parameter, const ProblemBuilder& builder,
+                                                             const TomlValue& document, const UserEffectKind& kind);
 /// A number of a camera: camera, key.
 [[nodiscard]] std::optional<FreeParameters> free_camera(TomlTable& parameter, const ProblemBuilder& builder,
                                                         const TomlValue& document);

@@ -11,7 +11,7 @@ namespace tiretherm::input {
 
 namespace {
 
-using solver::Adjustable;
+using solver::FreeParameter;
 
 /// Values of a law may be a hundred times smaller or larger than the case's: a fit shall not get lost.
 constexpr double widest = 100.0;
@@ -48,7 +48,7 @@ Knots read_knots(TomlTable& table) {
 
 /// The numbers of a law. @param law null where it could not be read
 /// @param blank the part that all of them share, its name without the temperature
-std::optional<FreeParameters> free_values(TomlTable& table, const physics::Curve* law, const Adjustable& blank,
+std::optional<FreeParameters> free_values(TomlTable& table, const physics::Curve* law, const FreeParameter& blank,
                                           const QuantitySpec& spec) {
     FreeParameters freed{.numbers = {}, .spec = spec};
     freed.spec.usual_low = -std::numeric_limits<double>::infinity();  // of a law; a bound may be anywhere
@@ -63,7 +63,7 @@ std::optional<FreeParameters> free_values(TomlTable& table, const physics::Curve
         return std::nullopt;
     }
     for (std::size_t k = 0; k < knots.kelvin.size(); ++k) {
-        Adjustable number = blank;
+        FreeParameter number = blank;
         const double now = law->value(knots.kelvin[k]);
         if (!(now > 0.0)) {
             table.add_error("at", fmt::format("the case's law is {:.3g} at {}", now, knots.written[k]),
@@ -129,9 +129,9 @@ std::optional<FreeParameters> free_law(TomlTable& parameter, const ProblemBuilde
         const physics::Material& material = builder.problem.materials[static_cast<std::size_t>(layers.front())];
         curve = conducts ? &material.along(mesh::Axis::through) : &material.heat_capacity;
     }
-    Adjustable blank;
+    FreeParameter blank;
     blank.name = fmt::format("{}.{}", name, laws[*law]);
-    blank.kind = conducts ? Adjustable::Kind::conductivity : Adjustable::Kind::heat_capacity;
+    blank.kind = conducts ? FreeParameter::Kind::conductivity : FreeParameter::Kind::heat_capacity;
     blank.layers = layers;
     return free_values(parameter, curve, blank,
                        conducts ? quantity_specs::conductivity : quantity_specs::heat_capacity);
@@ -145,9 +145,9 @@ std::optional<FreeParameters> free_link(TomlTable& parameter, const ProblemBuild
         parameter.add_error("link", "the mesh has no link",
                             "free a material: material = \"...\", law = \"conductivity\"");
     }
-    Adjustable blank;
+    FreeParameter blank;
     blank.name = "link.conductivity";
-    blank.kind = Adjustable::Kind::link_conductivity;
+    blank.kind = FreeParameter::Kind::link_conductivity;
     return free_values(parameter, law && !links.empty() ? &links.front() : nullptr, blank,
                        quantity_specs::conductivity);
 }

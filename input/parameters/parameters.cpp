@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "input/effects/own_effects.hpp"
+#include "input/effects/user_effects.hpp"
 #include "input/parameters/parameter_kinds.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
@@ -15,9 +15,9 @@ namespace tiretherm::input {
 
 namespace {
 
-using solver::Adjustable;
+using solver::FreeParameter;
 
-bool is_law(const Adjustable& number) { return !number.knots.empty(); }
+bool is_law(const FreeParameter& number) { return !number.knots.empty(); }
 
 /// Whether a value is beyond the bounds by more than rounding: a case may hold what a fit has left at one of them.
 bool is_below(double value, double low) { return value < low - 1e-9 * std::abs(value); }
@@ -30,10 +30,10 @@ std::string shown(double value, std::string_view unit) {
 
 /// The key `expected`: one value, or of a law that is free at several temperatures one for each of them.
 void read_expected(TomlTable& table, FreeParameters& freed) {
-    std::vector<Adjustable>& numbers = freed.numbers;
+    std::vector<FreeParameter>& numbers = freed.numbers;
     if (!is_law(numbers.front()) || numbers.size() == 1) {
         if (const auto value = table.quantity("expected", freed.spec)) {
-            for (Adjustable& number : numbers) {
+            for (FreeParameter& number : numbers) {
                 number.prior = *value;
             }
         }
@@ -64,7 +64,7 @@ void read_prior(TomlTable& table, const ProblemBuilder& builder, FreeParameters&
     const auto sigma = table.quantity("standard_deviation", deviation);
     const std::size_t before = table.errors().count();
     std::vector<double> now;
-    for (Adjustable& number : freed.numbers) {
+    for (FreeParameter& number : freed.numbers) {
         now.push_back(solver::value_of(builder.problem, number));
         number.prior = now.back();
     }
@@ -73,7 +73,7 @@ void read_prior(TomlTable& table, const ProblemBuilder& builder, FreeParameters&
     const auto high = table.quantity("high", freed.spec);
     const bool sound = table.errors().count() == before;
     for (std::size_t i = 0; i < freed.numbers.size(); ++i) {
-        Adjustable& number = freed.numbers[i];
+        FreeParameter& number = freed.numbers[i];
         if (is_law(number)) {  // bounds that the user did not ask for shall not stand in the way of what he expects
             number.low *= std::min(1.0, number.prior / now[i]);
             number.high *= std::max(1.0, number.prior / now[i]);
@@ -115,28 +115,28 @@ bool meet(const std::vector<int>& a, const std::vector<int>& b) {
 }
 
 /// Whether two entries move the same number, or numbers that lie in each other.
-bool same(const Adjustable& a, const Adjustable& b) {
+bool same(const FreeParameter& a, const FreeParameter& b) {
     if (a.kind != b.kind) {
         return false;
     }
     switch (a.kind) {
-        case Adjustable::Kind::effect:
+        case FreeParameter::Kind::effect:
             return a.effect == b.effect && a.parameter == b.parameter && a.everywhere == b.everywhere &&
                    (a.everywhere || (a.scope == b.scope && a.place == b.place));
-        case Adjustable::Kind::conductivity:
-        case Adjustable::Kind::heat_capacity:
+        case FreeParameter::Kind::conductivity:
+        case FreeParameter::Kind::heat_capacity:
             return meet(a.layers, b.layers);
-        case Adjustable::Kind::link_conductivity:
+        case FreeParameter::Kind::link_conductivity:
             return true;
-        case Adjustable::Kind::initial:
+        case FreeParameter::Kind::initial:
             return a.run == b.run && meet(a.nodes, b.nodes);
     }
     return false;
 }
 
 /// Whether a number is free everywhere and again at a place that has no value of its own.
-bool follows(const ProblemBuilder& builder, const Adjustable& everywhere, const Adjustable& here) {
-    if (everywhere.kind != Adjustable::Kind::effect || here.kind != Adjustable::Kind::effect ||
+bool follows(const ProblemBuilder& builder, const FreeParameter& everywhere, const FreeParameter& here) {
+    if (everywhere.kind != FreeParameter::Kind::effect || here.kind != FreeParameter::Kind::effect ||
         everywhere.effect != here.effect || everywhere.parameter != here.parameter || !everywhere.everywhere ||
         here.everywhere) {
         return false;
@@ -155,15 +155,15 @@ std::string_view word_of(physics::Scope scope) {
 /// Adds the numbers of an entry, unless one of them is free already.
 /// @param places of the entries that freed those before
 void add(const TomlTable& table, const ProblemBuilder& builder, const FreeParameters& freed,
-         std::vector<SourceLocation>& places, std::vector<Adjustable>& into) {
+         std::vector<SourceLocation>& places, std::vector<FreeParameter>& into) {
     const std::size_t before = into.size();
     const auto refuse = [&](std::string what, std::string remedy) {
         table.errors().add(table.place(), std::move(what), std::move(remedy));
     };
-    for (const Adjustable& number : freed.numbers) {
+    for (const FreeParameter& number : freed.numbers) {
         // The values of one law at its temperatures are told apart by its knots.
         for (std::size_t i = 0; i < (is_law(number) ? before : into.size()); ++i) {
-            const Adjustable& other = into[i];
+            const FreeParameter& other = into[i];
             const std::string where = i < before ? ", at " + table.errors().spell(places[i]) : " in this [[parameter]]";
             if (same(number, other)) {
                 const bool alike = number.name == other.name;
@@ -173,7 +173,7 @@ void add(const TomlTable& table, const ProblemBuilder& builder, const FreeParame
             }
             const bool general = follows(builder, number, other);
             if (general || follows(builder, other, number)) {
-                const Adjustable& here = general ? other : number;
+                const FreeParameter& here = general ? other : number;
                 const physics::ActiveEffect& active = builder.problem.effects[here.effect];
                 refuse(
                     fmt::format("{} follows {}: both are free{}", here.name, general ? number.name : other.name, where),
@@ -215,7 +215,7 @@ std::string_view read_subject(const TomlTable& table) {
 }  // namespace
 
 void read_parameters(TomlTable& root, const ProblemBuilder& builder, const std::vector<std::string>& run_names,
-                     std::vector<Adjustable>& into) {
+                     std::vector<FreeParameter>& into) {
     std::vector<SourceLocation> places;
     root.each("parameter", [&](TomlTable& table) {
         table.declare_keys({"expected", "standard_deviation", "low", "high"});
@@ -224,9 +224,9 @@ void read_parameters(TomlTable& root, const ProblemBuilder& builder, const std::
         if (subject == "effect") {
             freed = free_effect(table, builder, root.content());
         } else if (subject == "source") {
-            freed = free_own(table, builder, root.content(), own_source);
+            freed = free_user_effect(table, builder, root.content(), user_heat_source);
         } else if (subject == "exchange") {
-            freed = free_own(table, builder, root.content(), own_exchange);
+            freed = free_user_effect(table, builder, root.content(), user_heat_transfer);
         } else if (subject == "camera") {
             freed = free_camera(table, builder, root.content());
         } else if (subject == "material") {
@@ -261,7 +261,7 @@ void read_diagnose(TomlTable& root, const solver::Problem& problem, Experiment& 
         known.emplace_back(effect->id);
         const bool is_on =
             std::ranges::find(problem.effects, effect, &physics::ActiveEffect::effect) != problem.effects.end();
-        for (const physics::Parameter& parameter : effect->parameters) {
+        for (const physics::ParameterSpec& parameter : effect->parameters) {
             if (is_on || !std::isnan(parameter.absent)) {
                 known.push_back(fmt::format("{}.{}", effect->id, parameter.key));
             }

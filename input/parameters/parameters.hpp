@@ -13,7 +13,7 @@ namespace tiretherm::input {
 /// @param run_names of the measured runs, in their order: an initial temperature is another number in each of them.
 ///        With none there is one that belongs to all
 void read_parameters(TomlTable& root, const ProblemBuilder& builder, const std::vector<std::string>& run_names,
-                     std::vector<solver::Adjustable>& into);
+                     std::vector<solver::FreeParameter>& into);
 
 /// The table [identify]: how the noise is modelled.
 void read_identify(TomlTable& root, Experiment& into);

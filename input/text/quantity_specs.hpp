@@ -39,7 +39,7 @@ constexpr QuantitySpec of(const physics::Signal& signal) {
     return {.unit = signal.unit, .low = signal.low, .high = signal.high};
 }
 
-constexpr QuantitySpec of(const physics::Parameter& parameter) {
+constexpr QuantitySpec of(const physics::ParameterSpec& parameter) {
     return {.unit = parameter.unit,
             .scale = parameter.difference ? Scale::difference : Scale::absolute,
             .low = parameter.low,

@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "physics/tire_laws/contact.hpp"
 #include "physics/effect.hpp"
+#include "physics/tire_laws/contact.hpp"
 
 /// The numbers of a tread that rolls on a road, common to the effects that resolve the contact.
 namespace tiretherm::physics::rolling_contact {
@@ -12,12 +12,13 @@ namespace tiretherm::physics::rolling_contact {
 enum : std::size_t { scale, interface_h, tire_conductivity, tire_capacity, road_conductivity, road_capacity };
 
 inline constexpr std::array parameters{
-    Parameter{"scale", "1", 1.0, 0.0, 10.0, "factor on the whole", false, 0.0},
-    Parameter{"interface_h", "W m-2 K-1", 2.5e4, 1.0, 1e7, "conductance between the two surfaces; 1.2e4 to 5.7e4"},
-    Parameter{"tire_conductivity", "W m-1 K-1", 0.29, 1e-3, 1e3, "of the tread's rubber"},
-    Parameter{"tire_capacity", "J m-3 K-1", 1.98e6, 1e3, 1e8, "of the tread's rubber, per volume"},
-    Parameter{"road_conductivity", "W m-1 K-1", 1.2, 1e-3, 1e3, "of the road; asphalt concrete, 0.7 to 2.5 recalled"},
-    Parameter{"road_capacity", "J m-3 K-1", 2.07e6, 1e3, 1e8, "of the road, per volume; asphalt concrete"},
+    ParameterSpec{"scale", "1", 1.0, 0.0, 10.0, "factor on the whole", false, 0.0},
+    ParameterSpec{"interface_h", "W m-2 K-1", 2.5e4, 1.0, 1e7, "conductance between the two surfaces; 1.2e4 to 5.7e4"},
+    ParameterSpec{"tire_conductivity", "W m-1 K-1", 0.29, 1e-3, 1e3, "of the tread's rubber"},
+    ParameterSpec{"tire_capacity", "J m-3 K-1", 1.98e6, 1e3, 1e8, "of the tread's rubber, per volume"},
+    ParameterSpec{"road_conductivity", "W m-1 K-1", 1.2, 1e-3, 1e3,
+                  "of the road; asphalt concrete, 0.7 to 2.5 recalled"},
+    ParameterSpec{"road_capacity", "J m-3 K-1", 2.07e6, 1e3, 1e8, "of the road, per volume; asphalt concrete"},
 };
 inline constexpr std::array<std::string_view, 3> reads{"speed", "vertical_load", "road_temperature"};
 

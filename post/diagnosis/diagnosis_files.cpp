@@ -87,7 +87,7 @@ std::string extended_toml(const DiagnosisRecord& record, const std::filesystem::
                                .parameters = model.parameters,
                                .runs = std::move(runs),
                                .remarks = std::move(remarks),
-                               .own = record.result.extended_own},
+                               .user_effects = record.result.extended_user_effects},
                               directory);
 }
 

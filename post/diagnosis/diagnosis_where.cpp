@@ -31,7 +31,7 @@ ComparedSeries series_of(const DiagnosisRecord& record, const Block& block, cons
     series.regressor.resize(regressors.size());
     for (std::size_t i = 0; i < block.time.size(); ++i) {
         const Eigen::Index row = block.first + static_cast<Eigen::Index>(i);
-        const physics::Inputs inputs = run.problem.drive.at(block.time[i], solver::Limit::after);
+        const physics::Inputs inputs = run.problem.input_signals.at(block.time[i], solver::JumpSide::after);
         series.time.push_back(block.time[i]);
         series.measured.push_back(record.observations.measured[row]);
         series.simulated.push_back(simulated[row]);

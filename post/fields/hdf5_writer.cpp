@@ -71,12 +71,13 @@ void Hdf5Writer::write_mesh() {
         file_.write("/mesh/zone", mesh.zone, 0, label("1", "zone of each node, counted from 0", "/mesh/centre"));
         file_.write("/mesh/zone_name", mesh.zones, label("1", "name of each zone, from outboard to inboard"));
     }
-    std::vector<std::string> appended;
-    for (const mesh::Appended& node : mesh.appended) {
-        appended.push_back(node.name);
+    std::vector<std::string> lumped_node_names;
+    for (const mesh::LumpedNode& node : mesh.lumped_nodes) {
+        lumped_node_names.push_back(node.name);
     }
-    if (!appended.empty()) {
-        file_.write("/mesh/appended_name", appended, label("1", "names of the last nodes, which are no places"));
+    if (!lumped_node_names.empty()) {
+        file_.write("/mesh/appended_name", lumped_node_names,
+                    label("1", "names of the last nodes, which are no places"));
     }
     file_.write("/mesh/point", coordinates(mesh.drawing.points), 3, label("m", "corner points for drawing, z upwards"));
     file_.write("/mesh/corners", mesh.drawing.corners,
@@ -109,8 +110,9 @@ void Hdf5Writer::add_columns() {
     }
     file_.write("/ledger/effect", effects, label("1", "name of each effect", ""));
     const std::string whole = "the whole specimen, positive into it";
-    ledger_.push_back(column("/ledger/watts", effects.size(),
-                             label("W", "heat booked to each effect, of " + whole, "/channels/time /ledger/effect")));
+    ledger_.push_back(
+        column("/ledger/watts", effects.size(),
+               label("W", "heat attributed to each effect, of " + whole, "/channels/time /ledger/effect")));
     ledger_.push_back(
         column("/ledger/joules", effects.size(),
                label("J", "heat of each effect since the start, of " + whole, "/channels/time /ledger/effect")));

@@ -17,8 +17,8 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
-#include "solver/celsius.hpp"
 #include "post/report/file.hpp"
+#include "solver/celsius.hpp"
 
 namespace tiretherm::post {
 
@@ -29,15 +29,15 @@ constexpr const char* temperature_name = "temperature [degC]";
 
 std::string field_name(std::size_t index) { return fmt::format("field_{:04}.vtu", index); }
 
-int cell_type(mesh::Shape shape) {
+int cell_type(mesh::CellShape shape) {
     switch (shape) {
-        case mesh::Shape::vertex:
+        case mesh::CellShape::vertex:
             return VTK_VERTEX;
-        case mesh::Shape::line:
+        case mesh::CellShape::line:
             return VTK_LINE;
-        case mesh::Shape::quadrilateral:
+        case mesh::CellShape::quadrilateral:
             return VTK_QUAD;
-        case mesh::Shape::hexahedron:
+        case mesh::CellShape::hexahedron:
             return VTK_HEXAHEDRON;
     }
     return VTK_EMPTY_CELL;

@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "solver/celsius.hpp"
-#include "post/hot_spot/hot_spots_report.hpp"
 #include "mesh/place.hpp"
+#include "post/hot_spot/hot_spots_report.hpp"
+#include "solver/celsius.hpp"
 
 namespace tiretherm::post {
 
@@ -52,7 +52,7 @@ Json steps(const HotSpots& all, const HotSpot& spot) {
 
 Json surface(const HotSpot& spot) {
     const bool both = spot.passing && !std::isnan(spot.surface_time);
-    return {{"reading", spot.course.critical().surface_name},
+    return {{"reading", spot.history.critical().surface_name},
             {"threshold", degrees(spot.surface_threshold)},
             {"time", number(spot.surface_time)},
             {"lag", both ? Json(spot.surface_time - spot.passing->time) : Json()}};
@@ -90,9 +90,9 @@ Json spread(const solver::Spread& spread, double critical) {
 std::string hot_spots_json(const HotSpots& hot_spots, const mesh::Mesh& mesh) {
     Json list = Json::array();
     for (const HotSpot& spot : hot_spots.spots) {
-        const solver::Critical& critical = spot.course.critical();
-        const std::size_t row = spot.course.hottest_row();
-        const solver::HotSpotFinder::Found& found = spot.course.found(row);
+        const solver::Critical& critical = spot.history.critical();
+        const std::size_t row = spot.history.hottest_row();
+        const solver::HotSpotFinder::Found& found = spot.history.found(row);
         const Place place = mesh::place_of(mesh, found.node);
         Json json{
             {"name", critical.name},

@@ -17,11 +17,13 @@ namespace tiretherm::post {
 /// The same as a JSON array, an object each. Temperatures in degC, speeds in km/h, times in s.
 [[nodiscard]] std::string hot_spots_json(const diagnosis::HotSpots& hot_spots, const mesh::Mesh& mesh);
 
-/// The courses, a row for each row of the run. @errors FileError
-void write_hot_spots_csv(const std::filesystem::path& path, const diagnosis::HotSpots& hot_spots, const solver::Problem& problem);
+/// The histories, a row for each row of the run. @errors FileError
+void write_hot_spots_csv(const std::filesystem::path& path, const diagnosis::HotSpots& hot_spots,
+                         const solver::Problem& problem);
 
-/// The courses, their surfaces and their critical temperatures against time as a PNG.
+/// The histories, their surfaces and their critical temperatures against time as a PNG.
 /// @pre at least one hot spot with two rows   @errors FileError
-void draw_hot_spots(const std::filesystem::path& path, const diagnosis::HotSpots& hot_spots, const solver::Problem& problem);
+void draw_hot_spots(const std::filesystem::path& path, const diagnosis::HotSpots& hot_spots,
+                    const solver::Problem& problem);
 
 }  // namespace tiretherm::post

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "solver/celsius.hpp"
-#include "post/hot_spot/hot_spots_report.hpp"
 #include "mesh/place.hpp"
+#include "post/hot_spot/hot_spots_report.hpp"
 #include "post/report/table.hpp"
+#include "solver/celsius.hpp"
 
 namespace tiretherm::post {
 
@@ -39,7 +39,7 @@ std::string place_text(const solver::HotSpotFinder::Found& found, const mesh::Me
 std::string surface_then(const HotSpot& spot, const TestMoment& moment) {
     return std::isnan(moment.surface)
                ? std::string()
-               : fmt::format("; {} then reads {} degC", spot.course.critical().surface_name, degrees(moment.surface));
+               : fmt::format("; {} then reads {} degC", spot.history.critical().surface_name, degrees(moment.surface));
 }
 
 std::string steps_table(const HotSpots& all, const HotSpot& spot) {
@@ -56,7 +56,7 @@ std::string steps_table(const HotSpots& all, const HotSpot& spot) {
 }
 
 std::string surface_text(const HotSpot& spot) {
-    const std::string& name = spot.course.critical().surface_name;
+    const std::string& name = spot.history.critical().surface_name;
     if (!spot.passing || name.empty()) {
         return {};
     }
@@ -89,10 +89,10 @@ std::string further_text(const HotSpot& spot) {
         fmt::format("Gone on with by {} km/h every {}, ", kmh(further.rise), minutes(further.duration));
     if (!further.passing) {
         return line(pattern + fmt::format("the test does not pass {} degC up to {} km/h; the hottest is {} degC.",
-                                          degrees(spot.course.critical().temperature), kmh(further.last_speed),
+                                          degrees(spot.history.critical().temperature), kmh(further.last_speed),
                                           degrees(further.hottest)));
     }
-    std::string text = pattern + fmt::format("the test passes {} degC {}", degrees(spot.course.critical().temperature),
+    std::string text = pattern + fmt::format("the test passes {} degC {}", degrees(spot.history.critical().temperature),
                                              moment_text(*further.passing));
     if (spot.spread && further.kelvin_per_step > 0.0) {
         text += fmt::format("; one standard deviation is {:.1f} steps either way",
@@ -114,7 +114,7 @@ std::string spread_text(const HotSpot& spot) {
                    driver.unit, fmt::format("{:+.2f}", driver.kelvin), fmt::format("{:.1f}", 100.0 * spread.share(d)),
                    std::isnan(driver.bend) ? "" : fmt::format("{:+.2f}", driver.bend)});
     }
-    const double critical = spot.course.critical().temperature;
+    const double critical = spot.history.critical().temperature;
     return table.text(indent) +
            line(fmt::format("Together {} +- {:.1f} degC (one standard deviation, first order): above {} degC with a "
                             "probability of {:.1f} %.",
@@ -123,9 +123,9 @@ std::string spread_text(const HotSpot& spot) {
 }
 
 std::string spot_text(const HotSpots& all, const HotSpot& spot, const mesh::Mesh& mesh) {
-    const solver::Critical& critical = spot.course.critical();
-    const std::size_t row = spot.course.hottest_row();
-    const double hottest = spot.course.temperature()[row];
+    const solver::Critical& critical = spot.history.critical();
+    const std::size_t row = spot.history.hottest_row();
+    const double hottest = spot.history.temperature()[row];
     std::string text =
         fmt::format("  {}{}: critical {} degC\n", critical.name,
                     critical.part.empty() ? "" : " (" + critical.part + ")", degrees(critical.temperature));
@@ -136,7 +136,7 @@ std::string spot_text(const HotSpots& all, const HotSpot& spot, const mesh::Mesh
     text += line(fmt::format("hottest {} degC {}", degrees(hottest), moment_text(spot.hottest)) +
                  surface_then(spot, spot.hottest) +
                  fmt::format("; {:.1f} K {}", std::abs(margin), margin > 0.0 ? "are left" : "too hot"));
-    text += line("place: " + place_text(spot.course.found(row), mesh));
+    text += line("place: " + place_text(spot.history.found(row), mesh));
     if (!all.steps.empty()) {
         text += steps_table(all, spot);
     }

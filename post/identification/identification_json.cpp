@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 /// JSON has neither infinity nor NaN.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
-Json fitted_json(const solver::Adjustable& parameter, const Fitted& one) {
+Json fitted_json(const solver::FreeParameter& parameter, const Fitted& one) {
     return {{"name", parameter.name},
             {"unit", parameter.unit},
             {"case", number(one.before)},

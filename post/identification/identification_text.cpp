@@ -6,9 +6,9 @@
 #include "diagnosis/fit/fit.hpp"
 #include "post/identification/identification_report.hpp"
 #include "post/report/number_text.hpp"
-#include "solver/channel_unit.hpp"
 #include "post/report/page.hpp"
 #include "post/report/table.hpp"
+#include "solver/channel_unit.hpp"
 
 namespace tiretherm::post {
 
@@ -34,7 +34,7 @@ std::string interval(const Fitted& one, bool planned) {
                        one.high_is_open ? "> " : "", to_its_digits(one.high, half_width(one)));
 }
 
-std::string known_before(const solver::Adjustable& parameter) {
+std::string known_before(const solver::FreeParameter& parameter) {
     return std::isfinite(parameter.standard_deviation)
                ? fmt::format("{} +- {}", to_its_digits(parameter.prior, parameter.standard_deviation),
                              to_its_digits(parameter.standard_deviation, parameter.standard_deviation))
@@ -48,7 +48,7 @@ std::string numbers_table(const IdentificationRecord& record) {
     bool profiled = false;
     for (std::size_t j = 0; j < record.result.fitted.size(); ++j) {
         const Fitted& one = record.result.fitted[j];
-        const solver::Adjustable& parameter = record.experiment.parameters[j];
+        const solver::FreeParameter& parameter = record.experiment.parameters[j];
         profiled = profiled || one.profiled;
         table.add({parameter.name, parameter.unit == "1" ? "-" : parameter.unit, fmt::format("{:.5g}", one.before),
                    planned ? "" : to_its_digits(one.value, half_width(one)), interval(one, planned),
@@ -204,7 +204,7 @@ std::string describe(const Direction& direction, const input::Experiment& experi
     std::string text;
     const double sign = order.empty() || direction.share[order.front()] > 0.0 ? 1.0 : -1.0;
     for (const Eigen::Index j : order) {
-        const solver::Adjustable& parameter = experiment.parameters[static_cast<std::size_t>(j)];
+        const solver::FreeParameter& parameter = experiment.parameters[static_cast<std::size_t>(j)];
         const std::string unit = parameter.unit == "1" ? "" : " " + parameter.unit;
         text += fmt::format("{}{} {:+.2g}{}", text.empty() ? "" : " with ", parameter.name,
                             sign * direction.share[j] * scale[j], unit);
@@ -235,8 +235,8 @@ std::string identification_text(const IdentificationRecord& record, bool bold) {
     if (!result.kinks.empty()) {
         page.add("At a switch or a clamp",
                  wrap(fmt::format("{}: the slope is that of one side, and the interval with it.",
-                                        fmt::join(result.kinks, ", ")),
-                            2));
+                                  fmt::join(result.kinks, ", ")),
+                      2));
     }
     page.add("Findings about the data", paragraphs(record.findings));
     page.add("Warnings", paragraphs(record.warnings));

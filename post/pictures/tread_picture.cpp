@@ -8,10 +8,10 @@
 #include "mesh/ring.hpp"
 #include "physics/contact/travelling.hpp"
 #include "post/pictures/axes.hpp"
-#include "solver/celsius.hpp"
 #include "post/pictures/colour_bar.hpp"
 #include "post/pictures/field_layout.hpp"
 #include "post/pictures/picture.hpp"
+#include "solver/celsius.hpp"
 
 namespace tiretherm::post {
 
@@ -36,12 +36,12 @@ void wrapped(double from, double to, const Draw& draw) {
 
 /// Where the contact is, as a bar above the map.
 void draw_contact(Canvas& canvas, const Scale& around, const solver::Problem& problem, double time) {
-    const physics::TravellingContact contact(problem.tire, problem.drive.at(time, solver::Limit::before));
+    const physics::TravellingContact contact(problem.tire, problem.input_signals.at(time, solver::JumpSide::before));
     if (!contact.touches() || !std::ranges::any_of(problem.effects, physics::travels)) {
         return;
     }
     const double half = 0.5 * degrees(contact.length());
-    const double middle = degrees(problem.drive.at(time, solver::Limit::before).wheel_angle) - 0.5 * whole;
+    const double middle = degrees(problem.input_signals.at(time, solver::JumpSide::before).wheel_angle) - 0.5 * whole;
     wrapped(middle - half, middle + half, [&](double from, double to) {
         canvas.rectangle({around.px(from), top - 16.0}, around.px(to) - around.px(from), 8.0, look::ink);
         if (to - from > half) {

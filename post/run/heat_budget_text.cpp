@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "post/run/summary_parts.hpp"
 #include "post/report/table.hpp"
+#include "post/run/summary_parts.hpp"
 
 namespace tiretherm::post {
 
@@ -33,10 +33,11 @@ std::string heat_budget_text(const RunRecord& run) {
     std::vector<std::string> names;
     for (std::size_t e = 0; e < run.problem.effects.size(); ++e) {
         const physics::Effect& effect = *run.problem.effects[e].effect;
-        // Laws and readings have no heat of their own, and what conducts only moves it.
-        const bool speaks = effect.speak != nullptr && effect.kind != physics::Kind::property;
-        const bool within = !run.problem.effects[e].joints.empty() && report.watts[e] == 0.0;  // from node to node
-        if ((speaks && !within) || report.joules[e] != 0.0) {
+        // Property modifiers and sensor models have no heat of their own, and what conducts only moves it.
+        const bool has_terms = effect.add_terms != nullptr && effect.kind != physics::Kind::property;
+        const bool within =
+            !run.problem.effects[e].coupling_faces.empty() && report.watts[e] == 0.0;  // from node to node
+        if ((has_terms && !within) || report.joules[e] != 0.0) {
             names.emplace_back(run.problem.effects[e].title());
             watts.push_back(run.problem.symmetry * report.watts[e]);
             kilojoules.push_back(run.problem.symmetry * report.joules[e] / 1e3);
@@ -69,8 +70,8 @@ std::string heat_budget_text(const RunRecord& run) {
     }
     const bool is_tire = std::any_of(effects.begin(), effects.end(),
                                      [](const physics::ActiveEffect& active) { return active.effect->needs_tire; });
-    if (is_tire && report.effective_link > 0.0) {  // where heat goes the other way, no link carries it
-        const double link = run.problem.symmetry * report.effective_link;
+    if (is_tire && report.effective_two_node_conductance > 0.0) {  // where heat goes the other way, no link carries it
+        const double link = run.problem.symmetry * report.effective_two_node_conductance;
         text += fmt::format("  as a two-node model, its link would be {:.4g} W/K, or k = {:.3g} W/mK over 10 mm\n",
                             link, link * bulk_depth / run.problem.tire.outer_area());
     }

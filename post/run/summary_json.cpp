@@ -4,11 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "mesh/place.hpp"
+#include "post/run/comparison.hpp"
+#include "post/run/summary.hpp"
 #include "solver/celsius.hpp"
 #include "solver/channel_unit.hpp"
-#include "post/run/comparison.hpp"
-#include "mesh/place.hpp"
-#include "post/run/summary.hpp"
 
 namespace tiretherm::post {
 
@@ -98,7 +98,8 @@ std::string summary_json(const RunRecord& run) {
     }
     json["simulated_seconds"] = report.simulated;
     json["energy_closure"] = report.energy_closure;
-    json["effective_link"] = run.problem.symmetry * report.effective_link;  // W/K; null where it has no meaning
+    json["effective_two_node_conductance"] =
+        run.problem.symmetry * report.effective_two_node_conductance;  // W/K; null where it has no meaning
     if (run.history.rows() > 0) {
         json["channels"] = channels(run);
         json["measured"] = measured(run);

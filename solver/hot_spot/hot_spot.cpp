@@ -11,7 +11,7 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// Two mirrored shoulders are equally hot but for round-off: the first one is told, always. K
+/// Two mirrored shoulders are equally hot but for round-off: the first one is reported, always. K
 constexpr double as_hot = 1e-7;
 
 /// What a plateau still rises by says nothing about when it was reached. K
@@ -58,7 +58,7 @@ std::size_t three_about(std::size_t i, std::size_t n, const Joined& joined) {
 }  // namespace
 
 HotSpotFinder::HotSpotFinder(const mesh::Mesh& mesh, std::vector<int> nodes)
-    : mesh_(&mesh), nodes_(std::move(nodes)), seats_(at(mesh.n_nodes)) {
+    : mesh_(&mesh), nodes_(std::move(nodes)), line_positions_(at(mesh.n_nodes)) {
     for (const mesh::Column& column : mesh.columns) {
         Line line{.node = {column.outer}, .depth = {0.0}, .edge = column.edge, .first_cell = 1};
         for (int k = 0; k < column.cells(); ++k) {
@@ -103,7 +103,7 @@ HotSpotFinder::HotSpotFinder(const mesh::Mesh& mesh, std::vector<int> nodes)
 
 void HotSpotFinder::add_line(Line line) {
     for (std::size_t i = 0; i < line.node.size(); ++i) {
-        seats_[at(line.node[i])] = {.line = static_cast<int>(lines_.size()), .index = i};
+        line_positions_[at(line.node[i])] = {.line = static_cast<int>(lines_.size()), .index = i};
     }
     lines_.push_back(std::move(line));
 }
@@ -117,20 +117,20 @@ int HotSpotFinder::hottest_node(std::span<const double> T) const {
 }
 
 /// A surface is a place of its own: nothing lies beyond it.
-HotSpotFinder::Blend HotSpotFinder::in_depth(const Seat& seat, std::span<const double> T) const {
-    const Line& line = lines_[at(seat.line)];
+HotSpotFinder::Interpolant HotSpotFinder::in_depth(const LinePosition& position, std::span<const double> T) const {
+    const Line& line = lines_[at(position.line)];
     const std::size_t n = line.node.size();
-    Blend here{.at = line.depth[seat.index], .index = {seat.index, seat.index, seat.index}};
-    const std::size_t cell = seat.index - line.first_cell;
-    if (seat.index < line.first_cell || cell + 1 >= line.edge.size()) {
+    Interpolant here{.at = line.depth[position.index], .index = {position.index, position.index, position.index}};
+    const std::size_t cell = position.index - line.first_cell;
+    if (position.index < line.first_cell || cell + 1 >= line.edge.size()) {
         return here;
     }
     const auto joined = [&](std::size_t i) {
         return mesh_->layer[at(line.node[i])] == mesh_->layer[at(line.node[i + 1])];
     };
-    std::size_t first = three_about(seat.index, n, joined);
+    std::size_t first = three_about(position.index, n, joined);
     if (first == n) {
-        first = three_about(seat.index, n, [](std::size_t) { return true; });
+        first = three_about(position.index, n, [](std::size_t) { return true; });
     }
     if (first == n) {
         return here;
@@ -149,7 +149,7 @@ HotSpotFinder::Blend HotSpotFinder::in_depth(const Seat& seat, std::span<const d
     return here;
 }
 
-double HotSpotFinder::at_depth(std::size_t line, const Blend& depth, std::span<const double> T) const {
+double HotSpotFinder::at_depth(std::size_t line, const Interpolant& depth, std::span<const double> T) const {
     double sum = 0.0;
     for (std::size_t i = 0; i < depth.count; ++i) {
         sum += depth.weight[i] * T[at(lines_[line].node[depth.index[i]])];
@@ -157,8 +157,9 @@ double HotSpotFinder::at_depth(std::size_t line, const Blend& depth, std::span<c
     return sum;
 }
 
-HotSpotFinder::Blend HotSpotFinder::along(std::size_t line, const Blend& depth, std::span<const double> T) const {
-    Blend here{.index = {line, line, line}};
+HotSpotFinder::Interpolant HotSpotFinder::along(std::size_t line, const Interpolant& depth,
+                                                std::span<const double> T) const {
+    Interpolant here{.index = {line, line, line}};
     if (line >= mesh_->columns.size()) {
         return here;
     }
@@ -195,18 +196,18 @@ HotSpotFinder::Found HotSpotFinder::find(std::span<const double> temperature) co
     found.node = hottest_node(temperature);
     found.temperature = temperature[at(found.node)];
     found.point = mesh_->centre[at(found.node)];
-    const Seat& seat = seats_[at(found.node)];
-    if (seat.line < 0) {
+    const LinePosition& position = line_positions_[at(found.node)];
+    if (position.line < 0) {
         return found;
     }
-    const Blend depth = in_depth(seat, temperature);
-    const Blend beside = along(at(seat.line), depth, temperature);
+    const Interpolant depth = in_depth(position, temperature);
+    const Interpolant beside = along(at(position.line), depth, temperature);
     found.temperature = 0.0;
     for (std::size_t i = 0; i < beside.count; ++i) {
         found.temperature += beside.weight[i] * at_depth(beside.index[i], depth, temperature);
     }
     found.point[2] = depth.at;
-    if (at(seat.line) < mesh_->columns.size()) {
+    if (at(position.line) < mesh_->columns.size()) {
         found.point[0] = beside.at;
     }
     return found;
@@ -218,13 +219,13 @@ mesh::Functional HotSpotFinder::functional(std::span<const double> temperature) 
         return place;
     }
     const int node = hottest_node(temperature);
-    const Seat& seat = seats_[at(node)];
-    if (seat.line < 0) {
+    const LinePosition& position = line_positions_[at(node)];
+    if (position.line < 0) {
         place.add(node, 1.0);
         return place;
     }
-    const Blend depth = in_depth(seat, temperature);
-    const Blend beside = along(at(seat.line), depth, temperature);
+    const Interpolant depth = in_depth(position, temperature);
+    const Interpolant beside = along(at(position.line), depth, temperature);
     for (std::size_t i = 0; i < beside.count; ++i) {
         for (std::size_t k = 0; k < depth.count; ++k) {
             place.add(lines_[beside.index[i]].node[depth.index[k]], beside.weight[i] * depth.weight[k]);
@@ -233,10 +234,10 @@ mesh::Functional HotSpotFinder::functional(std::span<const double> temperature) 
     return place;
 }
 
-HotSpotCourse::HotSpotCourse(const mesh::Mesh& mesh, Critical critical)
+HotSpotHistory::HotSpotHistory(const mesh::Mesh& mesh, Critical critical)
     : critical_(std::move(critical)), finder_(mesh, critical_.nodes) {}
 
-void HotSpotCourse::take(const Snapshot& snapshot) {
+void HotSpotHistory::take(const Snapshot& snapshot) {
     const HotSpotFinder::Found found = finder_.find(snapshot.temperature);
     time_.push_back(snapshot.time);
     temperature_.push_back(found.temperature);

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "solver/time_integration/march.hpp"
 #include "solver/problem.hpp"
+#include "solver/time_integration/march.hpp"
 
 /// The hot spot of a tire in time: where some part of it is hottest, and when it passes what the part can bear.
 namespace tiretherm::solver {
@@ -17,8 +17,8 @@ struct Critical {
     std::string part{};          ///< in words: "belt in outside_shoulder and inside_shoulder"; empty: the whole tire
     double temperature = 0.0;    ///< K
     std::vector<int> nodes{};    ///< of the part, ascending
-    std::string surface_name{};  ///< of the reading that is held beside it; empty: there is none
-    int channel = -1;            ///< of this reading; -1: the mean temperature below
+    std::string surface_name{};  ///< of the channel that is compared with it; empty: there is none
+    int channel = -1;            ///< index of this channel; -1: the mean temperature below
     mesh::Functional surface{};
 };
 
@@ -51,12 +51,12 @@ private:
         std::size_t first_cell = 0;   ///< index of the first cell among the nodes
     };
     /// Where a node lies in its row.
-    struct Seat {
+    struct LinePosition {
         int line = -1;
         std::size_t index = 0;
     };
     /// A place between up to three neighbours, by their weights.
-    struct Blend {
+    struct Interpolant {
         double at = 0.0;
         std::array<std::size_t, 3> index{};
         std::array<double, 3> weight{1.0, 0.0, 0.0};
@@ -64,21 +64,21 @@ private:
     };
     void add_line(Line line);
     [[nodiscard]] int hottest_node(std::span<const double> T) const;
-    [[nodiscard]] Blend in_depth(const Seat& seat, std::span<const double> T) const;
-    [[nodiscard]] Blend along(std::size_t line, const Blend& depth, std::span<const double> T) const;
-    [[nodiscard]] double at_depth(std::size_t line, const Blend& depth, std::span<const double> T) const;
+    [[nodiscard]] Interpolant in_depth(const LinePosition& position, std::span<const double> T) const;
+    [[nodiscard]] Interpolant along(std::size_t line, const Interpolant& depth, std::span<const double> T) const;
+    [[nodiscard]] double at_depth(std::size_t line, const Interpolant& depth, std::span<const double> T) const;
 
     const mesh::Mesh* mesh_;
     std::vector<int> nodes_;
-    std::vector<Line> lines_;    ///< of a section: its columns, in their order
-    std::vector<Seat> seats_;    ///< [n_nodes]
-    std::vector<bool> goes_on_;  ///< [lines] whether the next one continues this one
+    std::vector<Line> lines_;                   ///< of a section: its columns, in their order
+    std::vector<LinePosition> line_positions_;  ///< [n_nodes]
+    std::vector<bool> goes_on_;                 ///< [lines] whether the next one continues this one
 };
 
 /// The hot spot at every row of a run.
-class HotSpotCourse {
+class HotSpotHistory {
 public:
-    HotSpotCourse(const mesh::Mesh& mesh, Critical critical);
+    HotSpotHistory(const mesh::Mesh& mesh, Critical critical);
 
     void take(const Snapshot& snapshot);
 
@@ -106,11 +106,11 @@ private:
     std::size_t hottest_row_ = 0;
 };
 
-/// When a course first passes a level from below, straight between its rows; the first time where it begins above.
+/// When a history first passes a level from below, straight between its rows; the first time where it begins above.
 /// @returns s; NaN where it never does
 [[nodiscard]] double passing_time(std::span<const double> time, std::span<const double> value, double level);
 
-/// A course at a time, straight between its rows and held beyond them.
+/// A history at a time, straight between its rows and held beyond them.
 [[nodiscard]] double value_at(std::span<const double> time, std::span<const double> value, double t);
 
 }  // namespace tiretherm::solver

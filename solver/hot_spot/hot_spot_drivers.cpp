@@ -25,7 +25,7 @@ Problem read_at(Problem problem, std::span<const HotPlace> places) {
 }  // namespace
 
 PlaceSlopes place_slopes(const Problem& problem, std::span<const HotPlace> places,
-                         std::span<const Adjustable> parameters, std::span<const double> step_ends) {
+                         std::span<const FreeParameter> parameters, std::span<const double> step_ends) {
     const Problem read = read_at(problem, places);
     std::vector<double> times;
     for (const HotPlace& place : places) {
@@ -34,7 +34,7 @@ PlaceSlopes place_slopes(const Problem& problem, std::span<const HotPlace> place
     std::ranges::sort(times);
     times.erase(std::ranges::unique(times).begin(), times.end());
     std::vector<double> values;
-    for (const Adjustable& parameter : parameters) {
+    for (const FreeParameter& parameter : parameters) {
         values.push_back(value_of(read, parameter));
     }
     Prediction prediction =

@@ -5,15 +5,15 @@
 #include <vector>
 
 #include "mesh/mesh.hpp"
-#include "solver/sensitivity/adjustable.hpp"
 #include "solver/problem.hpp"
+#include "solver/sensitivity/free_parameter.hpp"
 #include "solver/status.hpp"
 
-/// What drives a hot spot: how its highest temperature follows numbers that are uncertain, at first order.
+/// What drives a hot spot: how its highest temperature follows parameters that are uncertain, at first order.
 namespace tiretherm::solver {
 
 /// The hottest place of a run and its time. At the peak the temperature does not change with either of them, so that the
-/// peak's slope with a number is that of the temperature at this place and time.
+/// peak's slope with a parameter is that of the temperature at this place and time.
 struct HotPlace {
     mesh::Functional where{};
     double time = 0.0;  ///< s
@@ -31,10 +31,10 @@ struct PlaceSlopes {
 /// The places' temperatures in a run, with their exact slopes by all parameters: the tangent of the run.
 /// @param step_ends to take, so that neighbouring problems differ smoothly; empty: as the error control chooses
 [[nodiscard]] PlaceSlopes place_slopes(const Problem& problem, std::span<const HotPlace> places,
-                                       std::span<const Adjustable> parameters = {},
+                                       std::span<const FreeParameter> parameters = {},
                                        std::span<const double> step_ends = {});
 
-/// An uncertain number and what one standard deviation of it does.
+/// An uncertain parameter and what one standard deviation of it does.
 struct Driver {
     std::string name{};
     std::string unit{};
@@ -58,7 +58,7 @@ struct Spread {
     [[nodiscard]] double chance_above(double temperature) const;
 };
 
-/// @param mean K, of the hot spot where every number has its expected value
+/// @param mean K, of the hot spot where every parameter has its expected value
 [[nodiscard]] Spread spread_of(std::vector<Driver> drivers, double mean);
 
 }  // namespace tiretherm::solver

@@ -13,20 +13,20 @@ std::vector<std::vector<SpotAndSurface>> steady_spots(const Problem& problem, st
         if (steps[s].ramp) {
             continue;
         }
-        // Just inside of the step: at its end the drive may jump.
+        // Just inside of the step: at its end the inputs may jump.
         steady.settings.end = steps[s].to - 1e-6 * steps[s].duration();
-        std::vector<HotSpotCourse> courses;
+        std::vector<HotSpotHistory> histories;
         for (const Critical& critical : criticals) {
-            courses.emplace_back(steady.mesh, critical);
+            histories.emplace_back(steady.mesh, critical);
         }
         const Report report = run(steady, [&](const Snapshot& snapshot) {
-            for (HotSpotCourse& course : courses) {
-                course.take(snapshot);
+            for (HotSpotHistory& history : histories) {
+                history.take(snapshot);
             }
             return true;
         });
-        for (std::size_t c = 0; report.status.ok() && c < courses.size(); ++c) {
-            found[c][s] = {.hottest = courses[c].temperature().back(), .surface = courses[c].surface().back()};
+        for (std::size_t c = 0; report.status.ok() && c < histories.size(); ++c) {
+            found[c][s] = {.hottest = histories[c].temperature().back(), .surface = histories[c].surface().back()};
         }
     }
     return found;

@@ -10,8 +10,8 @@ namespace {
 
 bool alike(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max({1.0, std::abs(a), std::abs(b)}); }
 
-bool follows_log(const Drive& drive) {
-    return std::ranges::any_of(drive.series(), [](const Series& series) {
+bool follows_log(const InputSignals& input_signals) {
+    return std::ranges::any_of(input_signals.series(), [](const Series& series) {
         return series.logged && (series.signal->name == "speed" || series.signal->name == "vertical_load") &&
                !std::ranges::all_of(series.value, [&](double value) { return value == series.value.front(); });
     });
@@ -19,17 +19,18 @@ bool follows_log(const Drive& drive) {
 
 }  // namespace
 
-std::vector<ScheduleStep> schedule_steps(const Drive& drive, double start, double end) {
+std::vector<ScheduleStep> schedule_steps(const InputSignals& input_signals, double start, double end) {
     std::vector<ScheduleStep> steps;
-    if (follows_log(drive)) {
+    if (follows_log(input_signals)) {
         return steps;
     }
     std::vector<double> border{start};
-    std::ranges::copy_if(drive.stops(), std::back_inserter(border), [&](double t) { return t > start && t < end; });
+    std::ranges::copy_if(input_signals.stops(), std::back_inserter(border),
+                         [&](double t) { return t > start && t < end; });
     border.push_back(end);
     for (std::size_t i = 0; i + 1 < border.size(); ++i) {
-        const physics::Inputs first = drive.at(border[i], Limit::after);
-        const physics::Inputs last = drive.at(border[i + 1], Limit::before);
+        const physics::Inputs first = input_signals.at(border[i], JumpSide::after);
+        const physics::Inputs last = input_signals.at(border[i + 1], JumpSide::before);
         const bool ramp = !alike(first.speed, last.speed) || !alike(first.vertical_load, last.vertical_load);
         // A stop of another input does not end a step.
         const bool joins = !steps.empty() && !ramp && !steps.back().ramp && alike(steps.back().speed, last.speed) &&

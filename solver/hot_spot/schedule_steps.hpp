@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "solver/drive.hpp"
+#include "solver/input_signals.hpp"
 
 namespace tiretherm::solver {
 
@@ -24,7 +24,7 @@ inline constexpr std::size_t most_schedule_steps = 100;
 
 /// The steps of a run between two times, in their order. Empty where speed and load follow a log, or change more often
 /// than a schedule does.
-[[nodiscard]] std::vector<ScheduleStep> schedule_steps(const Drive& drive, double start, double end);
+[[nodiscard]] std::vector<ScheduleStep> schedule_steps(const InputSignals& input_signals, double start, double end);
 
 /// The stretch that holds a moment; at a border the earlier one, in which the state has been reached.
 /// @returns null where there is none

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "solver/time_integration/march.hpp"
 #include "solver/sensitivity/tangent.hpp"
+#include "solver/time_integration/march.hpp"
 
 namespace tiretherm::solver {
 
@@ -42,14 +42,14 @@ Problem with_given_steps(Problem problem) {
 
 class Prophet {
 public:
-    Prophet(const Problem& problem, const Question& question, Prediction& into)
+    Prophet(const Problem& problem, const PredictionRequest& request, Prediction& into)
         : problem_(with_given_steps(problem)),
-          question_(question),
+          request_(request),
           into_(into),
           stepper_(problem_),
-          readings_(problem_, stepper_.system()),
-          tangent_(problem_, stepper_, question.parameters, question.values, question.tolerance),
-          slopes_(question.parameters.size() * problem.channels.size()),
+          sensor_outputs_(problem_, stepper_.system()),
+          tangent_(problem_, stepper_, request.parameters, request.values, request.tolerance),
+          slopes_(request.parameters.size() * problem.channels.size()),
           channels_(problem.channels.size()) {}
 
     Status steady() {
@@ -57,12 +57,12 @@ public:
         if (Status status = stepper_.solve_steady(t); !status.ok()) {
             return status;
         }
-        const physics::Inputs inputs = problem_.drive.at(t, Limit::before);
-        readings_.begin(t, stepper_.temperature(), stepper_.watts(), inputs);
+        const physics::Inputs inputs = problem_.input_signals.at(t, JumpSide::before);
+        sensor_outputs_.begin(t, stepper_.temperature(), stepper_.watts(), inputs);
         if (Status status = tangent_.take_steady(inputs); !status.ok()) {
             return status;
         }
-        while (next_ < question_.times.size()) {
+        while (next_ < request_.times.size()) {
             answer(t, t);
         }
         return {};
@@ -70,28 +70,28 @@ public:
 
     Status march(std::span<const double> ends) {
         const double start = problem_.settings.start;
-        const physics::Inputs inputs = problem_.drive.at(start, Limit::after);
+        const physics::Inputs inputs = problem_.input_signals.at(start, JumpSide::after);
         stepper_.find_watts(inputs);
-        readings_.begin(start, stepper_.temperature(), stepper_.watts(), inputs);
+        sensor_outputs_.begin(start, stepper_.temperature(), stepper_.watts(), inputs);
         tangent_.begin(inputs);
-        while (next_ < question_.times.size() && question_.times[next_] <= start) {
-            answer(start, question_.times[next_]);
+        while (next_ < request_.times.size() && request_.times[next_] <= start) {
+            answer(start, request_.times[next_]);
         }
         for (const double end : ends) {
             if (Status status = step_to(end, 0); !status.ok()) {
                 return status;
             }
         }
-        while (next_ < question_.times.size()) {  // the last sample may lie a rounding error beyond the end
-            answer(stepper_.time(), question_.times[next_]);
+        while (next_ < request_.times.size()) {  // the last sample may lie a rounding error beyond the end
+            answer(stepper_.time(), request_.times[next_]);
         }
         return {};
     }
 
     void name_kinks() {
         for (std::size_t j = 0; j < tangent_.size(); ++j) {
-            if (tangent_.variation(j).has_kink()) {
-                into_.kinks.push_back(question_.parameters[j].name);
+            if (tangent_.perturbation(j).has_kink()) {
+                into_.kinks.push_back(request_.parameters[j].name);
             }
         }
     }
@@ -111,22 +111,23 @@ private:
         stepper_.accept();
         inputs_.clear();
         for (const Stage& stage : stepper_.stages()) {
-            inputs_.push_back(problem_.drive.at(stage.time, inputs_.empty() ? Limit::after : Limit::before));
+            inputs_.push_back(
+                problem_.input_signals.at(stage.time, inputs_.empty() ? JumpSide::after : JumpSide::before));
         }
-        readings_.take_step(stepper_.stages(), inputs_);
+        sensor_outputs_.take_step(stepper_.stages(), inputs_);
         if (Status status = tangent_.take_step(inputs_); !status.ok()) {
             return status;
         }
-        while (next_ < question_.times.size() && question_.times[next_] <= end) {
-            answer(question_.times[next_], question_.times[next_]);
+        while (next_ < request_.times.size() && request_.times[next_] <= end) {
+            answer(request_.times[next_], request_.times[next_]);
         }
         return {};
     }
 
     /// Reads the channels at a moment of the last step as the answer to the next time asked for.
     void answer(double t, double asked) {
-        const physics::Inputs logged = problem_.drive.at(asked, Limit::before);
-        readings_.at(t, logged, channels_);
+        const physics::Inputs logged = problem_.input_signals.at(asked, JumpSide::before);
+        sensor_outputs_.at(t, logged, channels_);
         std::ranges::copy(channels_, into_.value.begin() + static_cast<std::ptrdiff_t>(next_ * into_.n_channels));
         tangent_.read(t, logged, slopes_);
         for (std::size_t j = 0; j < tangent_.size(); ++j) {
@@ -138,10 +139,10 @@ private:
     }
 
     const Problem problem_;
-    const Question& question_;
+    const PredictionRequest& request_;
     Prediction& into_;
     Stepper stepper_;
-    Readings readings_;
+    SensorOutputs sensor_outputs_;
     Tangent tangent_;
     std::vector<double> slopes_;
     std::vector<double> channels_;
@@ -151,20 +152,20 @@ private:
 
 }  // namespace
 
-Prediction predict(const Problem& problem, const Question& question) {
+Prediction predict(const Problem& problem, const PredictionRequest& request) {
     Prediction prediction;
-    prediction.n_times = question.times.size();
+    prediction.n_times = request.times.size();
     prediction.n_channels = problem.channels.size();
     prediction.value.assign(prediction.n_times * prediction.n_channels, std::nan(""));
-    prediction.slope.assign(question.parameters.size() * prediction.value.size(), 0.0);
-    prediction.step_ends.assign(question.step_ends.begin(), question.step_ends.end());
+    prediction.slope.assign(request.parameters.size() * prediction.value.size(), 0.0);
+    prediction.step_ends.assign(request.step_ends.begin(), request.step_ends.end());
     if (prediction.step_ends.empty() && !problem.settings.steady) {
         prediction.step_ends = steps_of(problem, prediction.status);
         if (!prediction.status.ok()) {
             return prediction;
         }
     }
-    Prophet prophet(problem, question, prediction);
+    Prophet prophet(problem, request, prediction);
     prediction.status = problem.settings.steady ? prophet.steady() : prophet.march(prediction.step_ends);
     prophet.name_kinks();
     return prediction;

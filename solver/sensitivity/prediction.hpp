@@ -4,17 +4,17 @@
 #include <string>
 #include <vector>
 
-#include "solver/sensitivity/adjustable.hpp"
 #include "solver/problem.hpp"
+#include "solver/sensitivity/free_parameter.hpp"
 #include "solver/status.hpp"
 
 namespace tiretherm::solver {
 
 /// What is asked of a run.
-struct Question {
-    std::span<const double> times;             ///< s, ascending, within the run: when the channels are read
-    std::span<const Adjustable> parameters{};  ///< with respect to which derivatives are wanted
-    std::span<const double> values{};          ///< [n_parameters] that the problem has now
+struct PredictionRequest {
+    std::span<const double> times;                ///< s, ascending, within the run: when the channels are read
+    std::span<const FreeParameter> parameters{};  ///< with respect to which derivatives are wanted
+    std::span<const double> values{};             ///< [n_parameters] that the problem has now
     /// The steps to take, by their ends; empty: as the error control chooses. Runs of neighbouring problems that share
     /// their steps differ smoothly.
     std::span<const double> step_ends{};
@@ -38,6 +38,6 @@ struct Prediction {
 };
 
 /// Runs a problem and reads its channels at the times asked for. A steady problem is solved once and read at every time.
-[[nodiscard]] Prediction predict(const Problem& problem, const Question& question);
+[[nodiscard]] Prediction predict(const Problem& problem, const PredictionRequest& request);
 
 }  // namespace tiretherm::solver

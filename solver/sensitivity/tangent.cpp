@@ -14,18 +14,18 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 constexpr double reach = 1.7;
 }  // namespace
 
-Tangent::Tangent(const Problem& problem, Stepper& stepper, std::span<const Adjustable> adjustables,
+Tangent::Tangent(const Problem& problem, Stepper& stepper, std::span<const FreeParameter> parameters,
                  std::span<const double> values, double tolerance)
     : problem_(&problem),
       stepper_(&stepper),
       system_(&stepper.system()),
       n_(at(system_->size())),
       tolerance_(tolerance),
-      solver_(system_->size(), adjustables.size()) {
-    for (std::size_t j = 0; j < adjustables.size(); ++j) {
-        variations_.push_back(std::make_unique<Variation>(problem, adjustables[j], values[j]));
+      solver_(system_->size(), parameters.size()) {
+    for (std::size_t j = 0; j < parameters.size(); ++j) {
+        perturbations_.push_back(std::make_unique<ParameterPerturbation>(problem, parameters[j], values[j]));
     }
-    const std::size_t all = n_ * variations_.size();
+    const std::size_t all = n_ * perturbations_.size();
     const auto stages = at(stepper.method().stages);
     capacity_.resize(n_);
     base_flow_.resize(n_);
@@ -34,34 +34,34 @@ Tangent::Tangent(const Problem& problem, Stepper& stepper, std::span<const Adjus
     for (Block* block : {&before_, &enthalpy_begin_, &enthalpy_end_, &known_, &partial_, &product_}) {
         block->resize(all);
     }
-    if (!variations_.empty()) {
+    if (!perturbations_.empty()) {
         stepper.newton().set_reach(reach);
     }
 }
 
 void Tangent::begin(const physics::Inputs& inputs) {
     for (std::size_t j = 0; j < size(); ++j) {
-        std::ranges::copy(variations_[j]->start(), column(S_.back(), j).begin());
-        variations_[j]->begin_readings(stepper_->time(), stepper_->temperature(), column(S_.back(), j),
-                                       stepper_->watts(), inputs);
+        std::ranges::copy(perturbations_[j]->start(), column(S_.back(), j).begin());
+        perturbations_[j]->begin_sensor_outputs(stepper_->time(), stepper_->temperature(), column(S_.back(), j),
+                                                stepper_->watts(), inputs);
     }
     last_width_ = 0.0;
 }
 
-/// dq/dp of every number at a given temperature, into partial_.
+/// dq/dp of every parameter at a given temperature, into partial_.
 void Tangent::find_flow_slopes(int stage, std::span<const double> T) {
-    const std::span<const double> base = stepper_->intensities(stage);
+    const std::span<const double> base = stepper_->coefficients(stage);
     bool base_is_known = false;
     for (std::size_t j = 0; j < size(); ++j) {
         const std::span<double> out = column(partial_, j);
-        if (const std::span<const std::size_t> straight = variations_[j]->straight(); !straight.empty()) {
+        if (const std::span<const std::size_t> straight = perturbations_[j]->straight(); !straight.empty()) {
             if (!base_is_known) {
                 system_->find_flow_of(straight, T, system_->means(), base, base_flow_);
                 base_is_known = true;
             }
-            variations_[j]->flow_above(T, system_->means(), base, base_flow_, out);
-        } else if (variations_[j]->moves_flow()) {
-            variations_[j]->flow(stage, T, system_->means(), base, out);
+            perturbations_[j]->flow_above(T, system_->means(), base, base_flow_, out);
+        } else if (perturbations_[j]->moves_flow()) {
+            perturbations_[j]->flow(stage, T, system_->means(), base, out);
         } else {
             std::fill(out.begin(), out.end(), 0.0);
         }
@@ -74,19 +74,20 @@ void Tangent::find_capacities(std::span<const double> T) {
     }
 }
 
-/// The explicit stage: the state of the step's begin, whose surfaces follow the drive.
+/// The explicit stage: the state of the step's begin, whose surfaces follow the inputs.
 void Tangent::start_step(double s) {
     const std::span<const double> T = stepper_->stages().front().temperature;
     before_ = S_[S_.size() - 2];
     S_.front() = S_.back();
-    const bool goes_on = last_width_ > 0.0 && std::ranges::equal(stepper_->intensities(0), ended_) &&
-                         std::ranges::all_of(variations_, [](const auto& variation) { return variation->goes_on(); });
+    const bool goes_on =
+        last_width_ > 0.0 && std::ranges::equal(stepper_->coefficients(0), ended_) &&
+        std::ranges::all_of(perturbations_, [](const auto& perturbation) { return perturbation->goes_on(); });
     if (goes_on) {
         dq_.front() = dq_.back();
         std::swap(enthalpy_begin_, enthalpy_end_);
         return;
     }
-    system_->evaluate(T, stepper_->intensities(0));
+    system_->evaluate(T, stepper_->coefficients(0));
     system_->matrices(s, false, A_, J_);
     find_flow_slopes(0, T);
     settle_surfaces(s);
@@ -96,7 +97,7 @@ void Tangent::start_step(double s) {
     for (std::size_t j = 0; j < size(); ++j) {
         const std::span<double> dq = column(dq_.front(), j);
         const std::span<double> H = column(enthalpy_begin_, j);
-        variations_[j]->enthalpy(T, H);
+        perturbations_[j]->enthalpy(T, H);
         for (std::size_t i = 0; i < n_; ++i) {
             const double stored = capacity_[i] * S_.front()[j * n_ + i];
             dq[i] = (stored - product_[j * n_ + i]) / s + partial_[j * n_ + i];
@@ -108,7 +109,7 @@ void Tangent::start_step(double s) {
 /// Surfaces without capacity: their heat flow stays zero, whatever moves.
 void Tangent::settle_surfaces(double s) {
     const Pattern& p = *J_.pattern;
-    if (problem_->mesh.n_cells + std::ssize(problem_->mesh.appended) == problem_->mesh.n_nodes) {
+    if (problem_->mesh.n_cells + std::ssize(problem_->mesh.lumped_nodes) == problem_->mesh.n_nodes) {
         return;
     }
     for (int iteration = 0; iteration < 50; ++iteration) {
@@ -157,12 +158,12 @@ Status Tangent::solve_stage(int stage, double dt) {
     const Tableau& method = stepper_->method();
     const double s = dt * method.diagonal;
     const std::span<const double> T = stepper_->stages()[at(stage)].temperature;
-    system_->evaluate(T, stepper_->intensities(stage));
+    system_->evaluate(T, stepper_->coefficients(stage));
     system_->matrices(s, false, A_, J_);
     find_flow_slopes(stage, T);
     guess(stage, dt);
     for (std::size_t j = 0; j < size(); ++j) {
-        variations_[j]->enthalpy(T, column(product_, j));
+        perturbations_[j]->enthalpy(T, column(product_, j));
     }
     known_ = enthalpy_begin_;
     for (int k = 0; k < stage; ++k) {
@@ -178,7 +179,7 @@ Status Tangent::solve_stage(int stage, double dt) {
     Newton& newton = stepper_->newton();
     const BlockSolver::Result result = solver_.solve(J_, newton.factor(), known_, S_[at(stage)], tolerance_);
     sweeps_ += result.sweeps;
-    newton.owe(static_cast<double>(std::max(0, result.sweeps - 2) * static_cast<int>(size())) / 2.0);
+    newton.add_excess_solves(static_cast<double>(std::max(0, result.sweeps - 2) * static_cast<int>(size())) / 2.0);
     if (!result.converged) {
         return {Outcome::not_converged,
                 fmt::format("the sensitivities did not converge at t = {:.6g} s", stepper_->stages()[at(stage)].time)};
@@ -197,12 +198,12 @@ Status Tangent::solve_stage(int stage, double dt) {
 }
 
 Status Tangent::take_step(std::span<const physics::Inputs> inputs) {
-    if (variations_.empty()) {
+    if (perturbations_.empty()) {
         return {};
     }
     const double dt = stepper_->width();
-    for (const std::unique_ptr<Variation>& variation : variations_) {
-        variation->open(stepper_->begin(), stepper_->time());
+    for (const std::unique_ptr<ParameterPerturbation>& perturbation : perturbations_) {
+        perturbation->open(stepper_->begin(), stepper_->time());
     }
     start_step(dt * stepper_->method().diagonal);
     for (int stage = 1; stage < stepper_->method().stages; ++stage) {
@@ -211,32 +212,32 @@ Status Tangent::take_step(std::span<const physics::Inputs> inputs) {
         }
     }
     last_width_ = dt;
-    const std::span<const double> ended = stepper_->intensities(stepper_->method().stages - 1);
+    const std::span<const double> ended = stepper_->coefficients(stepper_->method().stages - 1);
     ended_.assign(ended.begin(), ended.end());
     std::vector<std::span<const double>> S(S_.size());
-    std::vector<std::span<const double>> intensities(S_.size());
+    std::vector<std::span<const double>> coefficients(S_.size());
     for (std::size_t i = 0; i < S_.size(); ++i) {
-        intensities[i] = stepper_->intensities(static_cast<int>(i));
+        coefficients[i] = stepper_->coefficients(static_cast<int>(i));
     }
     for (std::size_t j = 0; j < size(); ++j) {
         for (std::size_t i = 0; i < S_.size(); ++i) {
             S[i] = column(S_[i], j);
         }
-        variations_[j]->take_step(stepper_->stages(), S, intensities, inputs);
+        perturbations_[j]->take_step(stepper_->stages(), S, coefficients, inputs);
     }
     return {};
 }
 
 Status Tangent::take_steady(const physics::Inputs& inputs) {
-    if (variations_.empty()) {
+    if (perturbations_.empty()) {
         return {};
     }
     const double t = stepper_->time();
     const std::span<const double> T = stepper_->temperature();
-    for (const std::unique_ptr<Variation>& variation : variations_) {
-        variation->open(t, t);
+    for (const std::unique_ptr<ParameterPerturbation>& perturbation : perturbations_) {
+        perturbation->open(t, t);
     }
-    system_->evaluate(T, stepper_->intensities(0));
+    system_->evaluate(T, stepper_->coefficients(0));
     system_->matrices(1.0, true, A_, J_);
     find_flow_slopes(0, T);
     std::ranges::fill(S_.back(), 0.0);
@@ -246,7 +247,7 @@ Status Tangent::take_steady(const physics::Inputs& inputs) {
         return {Outcome::not_converged, "the sensitivities of the steady state did not converge"};
     }
     for (std::size_t j = 0; j < size(); ++j) {
-        variations_[j]->begin_readings(t, T, column(S_.back(), j), stepper_->watts(), inputs);
+        perturbations_[j]->begin_sensor_outputs(t, T, column(S_.back(), j), stepper_->watts(), inputs);
     }
     return {};
 }
@@ -254,7 +255,7 @@ Status Tangent::take_steady(const physics::Inputs& inputs) {
 void Tangent::read(double t, const physics::Inputs& logged, std::span<double> out) {
     const std::size_t channels = problem_->channels.size();
     for (std::size_t j = 0; j < size(); ++j) {
-        variations_[j]->read(t, logged, out.subspan(j * channels, channels));
+        perturbations_[j]->read(t, logged, out.subspan(j * channels, channels));
     }
 }
 

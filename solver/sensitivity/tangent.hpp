@@ -5,22 +5,22 @@
 #include <vector>
 
 #include "solver/linear/block_solver.hpp"
+#include "solver/sensitivity/parameter_perturbation.hpp"
 #include "solver/time_integration/stepper.hpp"
-#include "solver/sensitivity/variation.hpp"
 
 namespace tiretherm::solver {
 
-/// The derivatives of a run with numbers of its problem, carried along with it: the tangent of the discrete equations,
+/// Derivatives of a run with parameters of its problem, carried along with it: the tangent of the discrete equations,
 /// whose steps are held. With q(T, p) the heat flow and H(T, p) the enthalpy, a stage H(T_i) - s q(T_i) = known gives
 ///
 ///     (C - s dq/dT) S_i = d(known)/dp - dH/dp + s dq/dp        S_i = dT_i/dp
 ///
-/// for all numbers together, the unsymmetric matrix by iteration on the kept factor of its symmetric part.
+/// for all parameters together, the unsymmetric matrix by iteration on the kept factor of its symmetric part.
 class Tangent {
 public:
     /// @param stepper of the base run, which lives longer  @param values that the base problem has
     /// @param tolerance of the linear solutions, relative to the largest sensitivity
-    Tangent(const Problem& problem, Stepper& stepper, std::span<const Adjustable> adjustables,
+    Tangent(const Problem& problem, Stepper& stepper, std::span<const FreeParameter> parameters,
             std::span<const double> values, double tolerance);
 
     /// At the start, before any step. @param inputs logged
@@ -30,16 +30,18 @@ public:
     /// After the stepper has found a steady state. @param inputs logged
     [[nodiscard]] Status take_steady(const physics::Inputs& inputs);
 
-    /// d(channels)/dp at a moment of the last step. @param out [n_numbers][n_channels] SI per unit
+    /// d(channels)/dp at a moment of the last step. @param out [n_parameters][n_channels] SI per unit
     void read(double t, const physics::Inputs& logged, std::span<double> out);
     /// dT/dp at the end of the last step. @returns [n_nodes] K per unit
     [[nodiscard]] std::span<const double> temperature(std::size_t number) const { return column(S_.back(), number); }
-    [[nodiscard]] const Variation& variation(std::size_t number) const { return *variations_[number]; }
-    [[nodiscard]] std::size_t size() const { return variations_.size(); }
+    [[nodiscard]] const ParameterPerturbation& perturbation(std::size_t number) const {
+        return *perturbations_[number];
+    }
+    [[nodiscard]] std::size_t size() const { return perturbations_.size(); }
     [[nodiscard]] long sweeps() const { return sweeps_; }
 
 private:
-    using Block = std::vector<double>;  ///< [n_numbers][n_nodes]
+    using Block = std::vector<double>;  ///< [n_parameters][n_nodes]
     [[nodiscard]] std::span<const double> column(const Block& block, std::size_t j) const {
         return std::span(block).subspan(j * n_, n_);
     }
@@ -58,7 +60,7 @@ private:
     System* system_;
     std::size_t n_;
     double tolerance_;
-    std::vector<std::unique_ptr<Variation>> variations_;
+    std::vector<std::unique_ptr<ParameterPerturbation>> perturbations_;
     BlockSolver solver_;
     Matrix A_;
     Matrix J_;
@@ -72,7 +74,7 @@ private:
     Block product_;
     std::vector<double> capacity_;   ///< [n_nodes] J/K at a stage
     std::vector<double> base_flow_;  ///< [n_nodes] W, of straight effects in the base problem
-    std::vector<double> ended_;      ///< intensities at the end of the last step
+    std::vector<double> ended_;      ///< coefficients at the end of the last step
     double last_width_ = 0.0;
     long sweeps_ = 0;
 };

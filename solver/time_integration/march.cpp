@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "solver/time_integration/rows.hpp"
+#include "solver/time_integration/output_sampler.hpp"
 #include "solver/time_integration/stepper.hpp"
 
 namespace tiretherm::solver {
@@ -40,26 +40,26 @@ constexpr int rough_steps = 8;
 class Run {
 public:
     Run(const Problem& problem, const Observer& observer, const Continuation& continuation)
-        : problem_(problem), continuation_(continuation), stepper_(problem), rows_(problem, observer, stepper_) {
+        : problem_(problem), continuation_(continuation), stepper_(problem), sampler_(problem, observer, stepper_) {
         report_.hottest.temperature = -std::numeric_limits<double>::infinity();
         report_.coldest.temperature = std::numeric_limits<double>::infinity();
     }
 
     Report go() {
         const Settings& settings = problem_.settings;
-        stepper_.find_watts(problem_.drive.at(settings.start, Limit::after));
+        stepper_.find_watts(problem_.input_signals.at(settings.start, JumpSide::after));
         if (settings.steady) {
             report_.status = stepper_.solve_steady(settings.end);
             if (report_.status.ok()) {
-                rows_.watch(report_);
-                report_.status = rows_.show() ? Status{} : stopped();
+                sampler_.watch(report_);
+                report_.status = sampler_.show() ? Status{} : stopped();
             }
         } else if (continuation_.from != nullptr) {
-            rows_.watch(report_);
+            sampler_.watch(report_);
             report_.status = resume(*continuation_.from) ? march() : foreign();
         } else {
-            rows_.watch(report_);
-            report_.status = rows_.show() ? march() : stopped();
+            sampler_.watch(report_);
+            report_.status = sampler_.show() ? march() : stopped();
         }
         finish();
         return std::move(report_);
@@ -79,7 +79,7 @@ private:
     /// Everything that the rest of the run depends on, in one order for writing and reading.
     void visit(Archive& archive) {
         stepper_.visit(archive);
-        rows_.visit(archive);
+        sampler_.visit(archive);
         archive(wanted_);
         archive.whole(fresh_);
         archive.whole(hold_);
@@ -135,7 +135,7 @@ private:
             Stepper::Attempt attempt = stepper_.attempt(t1);
             if (!attempt.status.ok()) {
                 ++report_.rejected;
-                if (settings.fixed_step || t1 - t < 10.0 * smallest || !mendable(attempt.status.outcome)) {
+                if (settings.fixed_step || t1 - t < 10.0 * smallest || !is_recoverable(attempt.status.outcome)) {
                     return std::move(attempt.status);
                 }
                 wanted_ = 0.25 * (t1 - t);
@@ -145,10 +145,10 @@ private:
                 const double factor = control.factor(attempt.error);
                 if (!control.accepts(attempt.error)) {
                     ++report_.rejected;
-                    hold_ = problem_.drive.samples().empty() ? 0 : rough_steps;
+                    hold_ = problem_.input_signals.samples().empty() ? 0 : rough_steps;
                     wanted_ = std::min(factor, 0.8) * (t1 - t);
                     if (wanted_ < smallest) {
-                        return stepper_.blame_error(
+                        return stepper_.failure_at_largest_error(
                             fmt::format("the step shrank to {:.1e} s without reaching the tolerance of {} K", wanted_,
                                         settings.tolerance));
                     }
@@ -162,10 +162,10 @@ private:
                 }
             }
             stepper_.accept();
-            rows_.take_step();
+            sampler_.take_step();
             ++report_.steps;
-            rows_.watch(report_);
-            if (!rows_.advance()) {
+            sampler_.watch(report_);
+            if (!sampler_.advance()) {
                 return stopped();
             }
             fresh_ = jumps_at(stepper_.time());
@@ -175,7 +175,7 @@ private:
     }
 
     /// Whether a smaller step may help.
-    [[nodiscard]] static bool mendable(Outcome outcome) {
+    [[nodiscard]] static bool is_recoverable(Outcome outcome) {
         switch (outcome) {
             case Outcome::not_converged:
             case Outcome::not_finite:
@@ -194,7 +194,7 @@ private:
     /// The end of a step over a log: on a sample, so that no piece of a straight line is left over, and 2, 4, 8 ...
     /// samples on, so that steps are often alike and one factor serves them.
     [[nodiscard]] double on_sample(double t, double t1, double round_off) const {
-        const std::vector<double>& samples = problem_.drive.samples();
+        const std::vector<double>& samples = problem_.input_signals.samples();
         const auto first = std::upper_bound(samples.begin(), samples.end(), t + round_off);
         const auto last = std::upper_bound(first, samples.end(), t1 + round_off);
         const auto count = static_cast<std::size_t>(last - first);
@@ -202,13 +202,13 @@ private:
     }
 
     [[nodiscard]] double next_stop(double t) const {
-        const std::vector<double>& stops = problem_.drive.stops();
+        const std::vector<double>& stops = problem_.input_signals.stops();
         const auto next = std::upper_bound(stops.begin(), stops.end(), t);
         return next == stops.end() ? problem_.settings.end : std::min(*next, problem_.settings.end);
     }
 
     [[nodiscard]] bool jumps_at(double t) const {
-        return problem_.drive.at(t, Limit::before) != problem_.drive.at(t, Limit::after);
+        return problem_.input_signals.at(t, JumpSide::before) != problem_.input_signals.at(t, JumpSide::after);
     }
 
     void finish() {
@@ -218,21 +218,22 @@ private:
         report_.linear_iterations = counters.linear_iterations;
         report_.factorisations = counters.factorisations;
         report_.linear_solver = stepper_.newton().linear_solver();
-        report_.seconds = {counters.assembly_seconds, counters.factor_seconds, counters.solve_seconds, rows_.seconds()};
+        report_.seconds = {counters.assembly_seconds, counters.factor_seconds, counters.solve_seconds,
+                           sampler_.seconds()};
         report_.watts.assign(stepper_.watts().begin(), stepper_.watts().end());
         report_.joules.assign(stepper_.joules().begin(), stepper_.joules().end());
         report_.stored = stepper_.stored();
         find_law_watts();
-        report_.warnings = rows_.cautions();
-        report_.effective_link = stepper_.effective_link();
+        report_.warnings = sampler_.range_warnings();
+        report_.effective_two_node_conductance = stepper_.effective_two_node_conductance();
         report_.energy_closure = problem_.settings.steady ? steady_closure() : stepper_.energy_closure();
     }
 
     void find_law_watts() {
-        const physics::Inputs inputs = problem_.drive.at(stepper_.time(), Limit::before);
+        const physics::Inputs inputs = problem_.input_signals.at(stepper_.time(), JumpSide::before);
         for (std::size_t e = 0; e < problem_.effects.size(); ++e) {
             const physics::Effect& effect = *problem_.effects[e].effect;
-            report_.law_watts.push_back(effect.bend != nullptr || effect.scale_loss != nullptr
+            report_.law_watts.push_back(effect.modify_laws != nullptr || effect.scale_loss != nullptr
                                             ? stepper_.system().share_of_law(e, stepper_.temperature(), inputs)
                                             : std::numeric_limits<double>::quiet_NaN());
         }
@@ -240,19 +241,19 @@ private:
 
     /// In the steady state the watts themselves cancel.
     [[nodiscard]] double steady_closure() const {
-        double booked = 0.0;
+        double attributed = 0.0;
         double turned_over = 0.0;
         for (const double watts : report_.watts) {
-            booked += watts;
+            attributed += watts;
             turned_over += std::abs(watts);
         }
-        return turned_over > 0.0 ? std::abs(booked) / turned_over : 0.0;
+        return turned_over > 0.0 ? std::abs(attributed) / turned_over : 0.0;
     }
 
     const Problem& problem_;
     const Continuation& continuation_;
     Stepper stepper_;
-    Rows rows_;
+    OutputSampler sampler_;
     Report report_;
     Checkpoint checkpoint_;
     double wanted_ = 0.0;  ///< s, size of the next step

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "solver/time_integration/checkpoint.hpp"
 #include "solver/problem.hpp"
 #include "solver/status.hpp"
+#include "solver/time_integration/checkpoint.hpp"
 
 namespace tiretherm::solver {
 
@@ -22,7 +22,7 @@ struct Snapshot {
     bool field = false;                   ///< true when the field is due for storing (first and last always)
 };
 
-/// What a run tells besides the snapshots.
+/// What a run reports besides the snapshots.
 struct Report {
     Status status;
     double simulated = 0.0;  ///< s
@@ -34,11 +34,12 @@ struct Report {
     std::string linear_solver;   ///< "CHOLMOD supernodal, 560 000 entries in the factor", "CG, incomplete Cholesky"
     std::vector<double> watts;   ///< [n_effects] W at the end
     std::vector<double> joules;  ///< [n_effects] J
-    /// [n_effects] W at the end that a law effect adds to the heat of others; NaN for every other effect
+    /// [n_effects] W at the end that a property modifier adds to the heat of others; NaN for every other effect
     std::vector<double> law_watts;
     double stored = 0.0;          ///< J
     double energy_closure = 0.0;  ///< |stored - sum of joules| over the heat turned over (sum of |watts| dt)
-    double effective_link = 0.0;  ///< W/K at the end, see Stepper::effective_link; NaN where it has no meaning
+    double effective_two_node_conductance =
+        0.0;  ///< W/K at the end, see Stepper::effective_two_node_conductance; NaN where it has no meaning
     struct Extreme {
         double temperature = 0.0;  ///< K
         double time = 0.0;         ///< s

@@ -14,10 +14,10 @@ namespace {
 constexpr int most_iterations = 25;
 /// Newton's corrections need only this relative accuracy of the linear solution: the next one mends the rest.
 constexpr double forcing = 1e-3;
-/// The share of the heat turned over in a stage that it may fail to book.
+/// The share of the heat turned over in a stage by which its heat budget may fail to close.
 constexpr double energy_closure = 1e-11;
-/// Corrections after which a balance that is solved but not booked to the last digit is taken as it is.
-constexpr int patience = 8;
+/// Corrections after which a balance that is solved but not closed to the last digit is taken as it is.
+constexpr int max_stalled = 8;
 
 class Stopwatch {
 public:
@@ -78,9 +78,9 @@ double Newton::scaled_residual() {
     return worst;
 }
 
-/// Whether the stage books its heat: the balance of the whole mesh, beside the heat turned over and the round-off of
-/// the enthalpies that it is a difference of.
-bool Newton::is_booked(const Stage& stage) const {
+/// Whether the heat budget of the stage closes: the balance of the whole mesh, beside the heat turned over and the
+/// round-off of the enthalpies that it is a difference of.
+bool Newton::closes_heat_budget(const Stage& stage) const {
     double turnover = 0.0;
     for (const double w : system_->terms().watts) {
         turnover += std::abs(w);
@@ -91,7 +91,7 @@ bool Newton::is_booked(const Stage& stage) const {
 /// Factorises when there is no usable factor, when the step has changed too much for the old one, or when the solves
 /// that a fresh factor would have saved have cost more than it does.
 Status Newton::prepare(const Stage& stage) {
-    if (has_factor_for(stage.s) && debt_ < factor_->factor_cost()) {
+    if (has_factor_for(stage.s) && excess_solves_ < factor_->factor_cost()) {
         return {};
     }
     const Stopwatch watch(counters_.factor_seconds);
@@ -102,7 +102,7 @@ Status Newton::prepare(const Stage& stage) {
     }
     factored_s_ = stage.s;
     fresh_solves_ = 0;
-    debt_ = 0.0;
+    excess_solves_ = 0.0;
     return {};
 }
 
@@ -153,20 +153,20 @@ Status Newton::solve(const Stage& stage, std::span<double> T) {
     for (int iteration = 0; iteration <= most_iterations; ++iteration) {
         {
             const Stopwatch watch(counters_.assembly_seconds);
-            system_->evaluate(T, stage.intensities);
+            system_->evaluate(T, stage.coefficients);
             find_residual(stage, T);
         }
         if (const int bad = system_->first_not_finite(); bad >= 0) {
-            return system_->blame(Outcome::not_finite, "the heat balance is not a number", bad, stage.time, T,
-                                  stage.intensities);
+            return system_->failure_at(Outcome::not_finite, "the heat balance is not a number", bad, stage.time, T,
+                                       stage.coefficients);
         }
         if (const physics::Terms& said = system_->terms(); said.negative_effect >= 0) {
-            const physics::ActiveEffect& guilty =
+            const physics::ActiveEffect& cause =
                 system_->problem().effects[static_cast<std::size_t>(said.negative_effect)];
-            return system_->blame(
+            return system_->failure_at(
                 Outcome::negative_conductance,
-                fmt::format("effect {} gave a negative conductance (a law k(T) or h below zero?)", guilty.title()),
-                said.negative_node, stage.time, T, stage.intensities);
+                fmt::format("effect {} gave a negative conductance (a law k(T) or h below zero?)", cause.title()),
+                said.negative_node, stage.time, T, stage.coefficients);
         }
         if (iteration == 0) {
             assemble(stage);
@@ -176,11 +176,11 @@ Status Newton::solve(const Stage& stage, std::span<double> T) {
             // The correction just made was for `before`; what is left of it shrank as the residual did.
             const double error = before > 0.0 ? correction * now / before : 0.0;
             const bool small = solved || error <= stage.tolerance;
-            if (small && (is_booked(stage) || iteration > patience)) {
+            if (small && (closes_heat_budget(stage) || iteration > max_stalled)) {
                 return {};
             }
             // The field is as good as found: what is left needs no new matrix, and after that only the mean still has to
-            // book the heat to the last digit.
+            // close the heat budget to the last digit.
             if (small && factor_->is_exact()) {
                 correction = polished ? shift_all(T) : polish(T);
                 polished = true;
@@ -206,9 +206,9 @@ Status Newton::solve(const Stage& stage, std::span<double> T) {
         solved = linear && result.converged;
         // The first solve with a new factor sets what a solve costs; more than that is owed to the factor's age.
         fresh_solves_ = fresh_solves_ == 0 ? std::max(1, result.solves) : fresh_solves_;
-        debt_ += std::max(0, result.solves - fresh_solves_);
+        excess_solves_ += std::max(0, result.solves - fresh_solves_);
         if (!result.converged) {
-            debt_ = 2.0 * factor_->factor_cost();  // a fresh factor next time
+            excess_solves_ = 2.0 * factor_->factor_cost();  // a fresh factor next time
         }
         J_.multiply(ones_, J_ones_);
         weight_ = sum(J_ones_);
@@ -229,8 +229,8 @@ Status Newton::solve(const Stage& stage, std::span<double> T) {
             T[i] += damping * correction_[i];
         }
     }
-    return system_->blame(Outcome::not_converged, "the heat balance did not converge", worst_node_, stage.time, T,
-                          stage.intensities);
+    return system_->failure_at(Outcome::not_converged, "the heat balance did not converge", worst_node_, stage.time, T,
+                               stage.coefficients);
 }
 
 void Newton::filter(std::span<const double> b, std::span<double> x) {

@@ -25,18 +25,18 @@ struct Counters {
 /// Jacobian by iteration on the kept factor of A = C + s K; a new factor is made when it pays.
 ///
 /// Every correction is shifted by the constant that makes the linearised energy balance of the whole mesh exact, so
-/// that an iteration stopped early still books all its heat (energy closes at round-off, not at Newton's tolerance).
+/// that an iteration stopped early closes the heat budget (energy closes at round-off, not at Newton's tolerance).
 class Newton {
 public:
     explicit Newton(System& system);
 
     struct Stage {
-        double s = 0.0;                       ///< s, step times the method's diagonal coefficient
-        std::span<const double> known;        ///< [n_nodes] J
-        std::span<const double> intensities;  ///< [n_intensities]
-        double time = 0.0;                    ///< s, for messages
-        double tolerance = 1e-9;              ///< K
-        bool steady = false;                  ///< -q(T) = known, without capacity
+        double s = 0.0;                        ///< s, step times the method's diagonal coefficient
+        std::span<const double> known;         ///< [n_nodes] J
+        std::span<const double> coefficients;  ///< [n_coefficients]
+        double time = 0.0;                     ///< s, for messages
+        double tolerance = 1e-9;               ///< K
+        bool steady = false;                   ///< -q(T) = known, without capacity
     };
 
     /// @param T [n_nodes] K, in: a guess; out: the solution, at which the system has been evaluated
@@ -58,7 +58,7 @@ public:
     /// A factor serves stages up to this many times longer or shorter than its own. @param ratio > 1
     void set_reach(double ratio) { reach_ = ratio; }
     /// Solves that others needed because the factor is old count when a new one is weighed up.
-    void owe(double solves) { debt_ += solves; }
+    void add_excess_solves(double solves) { excess_solves_ += solves; }
 
     [[nodiscard]] const Counters& counters() const { return counters_; }
     [[nodiscard]] std::string linear_solver() const { return factor_->description(); }
@@ -66,7 +66,7 @@ public:
 private:
     [[nodiscard]] Status prepare(const Stage& stage);
     [[nodiscard]] double scaled_residual();
-    [[nodiscard]] bool is_booked(const Stage& stage) const;
+    [[nodiscard]] bool closes_heat_budget(const Stage& stage) const;
     void assemble(const Stage& stage);
     double polish(std::span<double> T);
     double shift_all(std::span<double> T);
@@ -89,9 +89,9 @@ private:
     double last_shift_ = 0.0;  ///< K, and the imbalance that it was for
     double last_joules_ = 0.0;
     double reach_ = 2.0;
-    double factored_s_ = 0.0;  ///< s of the factor at hand; 0: none
-    int fresh_solves_ = 0;     ///< solves of the first correction with the factor at hand
-    double debt_ = 0.0;        ///< solves beyond the least since the last factorisation
+    double factored_s_ = 0.0;     ///< s of the factor at hand; 0: none
+    int fresh_solves_ = 0;        ///< solves of the first correction with the factor at hand
+    double excess_solves_ = 0.0;  ///< solves beyond the least since the last factorisation
     Counters counters_;
 };
 

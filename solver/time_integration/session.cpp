@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "solver/time_integration/readings.hpp"
+#include "solver/time_integration/sensor_outputs.hpp"
 #include "solver/time_integration/stepper.hpp"
 
 namespace tiretherm::solver {
@@ -24,13 +24,13 @@ Problem for_real_time(Problem problem) {
 Session::Session(Problem problem, const physics::Inputs& start)
     : problem_(std::make_unique<Problem>(for_real_time(std::move(problem)))),
       stepper_(std::make_unique<Stepper>(*problem_)),
-      readings_(std::make_unique<Readings>(*problem_, stepper_->system())),
+      sensor_outputs_(std::make_unique<SensorOutputs>(*problem_, stepper_->system())),
       inputs_(start),
       stage_inputs_(stepper_->stages().size()),
       channels_(problem_->channels.size()) {
     stepper_->find_watts(start);
-    readings_->begin(0.0, stepper_->temperature(), stepper_->watts(), start);
-    readings_->at(0.0, start, channels_);
+    sensor_outputs_->begin(0.0, stepper_->temperature(), stepper_->watts(), start);
+    sensor_outputs_->at(0.0, start, channels_);
 }
 
 Session::~Session() = default;
@@ -50,8 +50,8 @@ Status Session::advance(double dt, const physics::Inputs& inputs) {
             const double t = stepper_->stages()[i].time;
             stage_inputs_[i] = physics::between(inputs_, at_end, (t - inputs_.time) / dt);
         }
-        readings_->take_step(stepper_->stages(), stage_inputs_);
-        readings_->at(stepper_->time(), at_end, channels_);
+        sensor_outputs_->take_step(stepper_->stages(), stage_inputs_);
+        sensor_outputs_->at(stepper_->time(), at_end, channels_);
         inputs_ = at_end;
     }
     return std::move(attempt.status);

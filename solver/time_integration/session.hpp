@@ -9,7 +9,7 @@
 
 namespace tiretherm::solver {
 
-class Readings;
+class SensorOutputs;
 class Stepper;
 
 /// A problem advanced in real time: the caller gives a step and the inputs at its end, and reads the temperatures.
@@ -20,7 +20,7 @@ class Stepper;
 /// Not safe to call from two threads at once; independent sessions are independent.
 class Session {
 public:
-    /// @param problem copied; its drive and times are not used  @param start the inputs at the beginning
+    /// @param problem copied; its input signals and times are not used  @param start the inputs at the beginning
     Session(Problem problem, const physics::Inputs& start);
     ~Session();
     Session(Session&&) noexcept;
@@ -39,7 +39,7 @@ public:
 private:
     std::unique_ptr<Problem> problem_;
     std::unique_ptr<Stepper> stepper_;
-    std::unique_ptr<Readings> readings_;
+    std::unique_ptr<SensorOutputs> sensor_outputs_;
     physics::Inputs inputs_;
     std::vector<physics::Inputs> stage_inputs_;
     std::vector<double> channels_;

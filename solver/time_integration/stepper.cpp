@@ -18,7 +18,7 @@ Stepper::Stepper(const Problem& problem)
     : problem_(&problem),
       system_(problem),
       tableau_(&tableau(problem.settings.method)),
-      window_(system_, problem.drive, *tableau_),
+      forcing_(system_, problem.input_signals, *tableau_),
       newton_(system_),
       time_(problem.settings.start),
       step_begin_(problem.settings.start),
@@ -31,10 +31,10 @@ Stepper::Stepper(const Problem& problem)
     last_.assign(stages, initial);
     stages_.resize(stages);
     q_.assign(stages, std::vector<double>(n));
-    booked_.assign(stages, std::vector<double>(effects));
+    stage_watts_.assign(stages, std::vector<double>(effects));
     end_q_.resize(n);
     end_watts_.resize(effects);
-    end_intensities_.resize(system_.n_intensities());
+    end_coefficients_.resize(system_.n_coefficients());
     for (std::vector<double>* v : {&known_, &H_, &H_start_, &error_heat_, &error_}) {
         v->resize(n);
     }
@@ -44,10 +44,10 @@ Stepper::Stepper(const Problem& problem)
     system_.enthalpy(initial, H_start_);
 }
 
-void Stepper::book(int stage) {
+void Stepper::update_heat_budget(int stage) {
     const std::span<const double> q = system_.heat_flow();
     std::copy(q.begin(), q.end(), q_[at(stage)].begin());
-    booked_[at(stage)] = system_.terms().watts;
+    stage_watts_[at(stage)] = system_.terms().watts;
 }
 
 /// First guess of a stage: straight on from the last step's end, then along the stages found so far.
@@ -75,12 +75,12 @@ void Stepper::predict(int stage, double dt) {
 }
 
 Stepper::Attempt Stepper::attempt(double t1) {
-    window_.open(time_, t1);
+    forcing_.open(time_, t1);
     return attempt_in_window(t1);
 }
 
 Stepper::Attempt Stepper::attempt(double t1, const physics::Inputs& from, const physics::Inputs& to) {
-    window_.open(from, to);
+    forcing_.open(from, to);
     return attempt_in_window(t1);
 }
 
@@ -88,21 +88,21 @@ Stepper::Attempt Stepper::attempt_in_window(double t1) {
     const double dt = t1 - time_;
     tried_ = t1;
 
-    // The explicit stage. Where the drive goes on as it was, it is the last stage of the step before; otherwise the
-    // surface nodes first follow the drive, which may have jumped.
+    // The explicit stage. Where the inputs go on as they were, it is the last stage of the step before; otherwise the
+    // surface nodes first follow the inputs, which may have jumped.
     T_[1] = T_[0];
-    if (end_is_known_ && std::ranges::equal(window_.stage(0), end_intensities_)) {
+    if (end_is_known_ && std::ranges::equal(forcing_.stage(0), end_coefficients_)) {
         q_[0] = end_q_;
-        booked_[0] = end_watts_;
+        stage_watts_[0] = end_watts_;
         return attempt_stages(dt);
     }
-    system_.make_consistent(T_[1], window_.stage(0));
+    system_.make_consistent(T_[1], forcing_.stage(0));
     if (const int bad = system_.first_not_finite(); bad >= 0) {
-        return {.status = system_.blame(Outcome::not_finite, "the heat balance is not a number", bad, time_, T_[1],
-                                        window_.stage(0)),
+        return {.status = system_.failure_at(Outcome::not_finite, "the heat balance is not a number", bad, time_, T_[1],
+                                             forcing_.stage(0)),
                 .error = 0.0};
     }
-    book(0);
+    update_heat_budget(0);
     return attempt_stages(dt);
 }
 
@@ -126,14 +126,14 @@ Stepper::Attempt Stepper::attempt_stages(double dt) {
         }
         Status status = newton_.solve({.s = dt * tableau_->diagonal,
                                        .known = known_,
-                                       .intensities = window_.stage(i),
+                                       .coefficients = forcing_.stage(i),
                                        .time = time_ + tableau_->c[at(i)] * dt,
                                        .tolerance = newton_share * problem_->settings.tolerance},
                                       T_[at(i) + 1]);
         if (!status.ok()) {
             return {.status = std::move(status), .error = 0.0};
         }
-        book(i);
+        update_heat_budget(i);
     }
     if (!controlled) {
         return {.status = {}, .error = 0.0};
@@ -152,10 +152,10 @@ double Stepper::largest_filtered() {
 /// What the line through a rough log leaves out. Needs no stage: where a factor is at hand, it is the cheapest reason to
 /// refuse a step.
 double Stepper::estimate_left_out(double dt) {
-    if (!window_.averaged()) {
+    if (!forcing_.averaged()) {
         return 0.0;
     }
-    system_.evaluate(T_[1], window_.unresolved());
+    system_.evaluate(T_[1], forcing_.unresolved());
     const std::span<const double> q = system_.heat_flow();
     for (std::size_t n = 0; n < error_heat_.size(); ++n) {
         error_heat_[n] = dt * (q[n] - q_[0][n]);
@@ -174,8 +174,8 @@ double Stepper::estimate_error(double dt) {
     return largest_filtered();
 }
 
-Status Stepper::blame_error(std::string_view why) {
-    return system_.blame(Outcome::step_too_small, why, worst_node_, time_, T_[0], window_.stage(0));
+Status Stepper::failure_at_largest_error(std::string_view why) {
+    return system_.failure_at(Outcome::step_too_small, why, worst_node_, time_, T_[0], forcing_.stage(0));
 }
 
 void Stepper::accept() {
@@ -183,17 +183,17 @@ void Stepper::accept() {
     joules_before_ = joules_;
     for (int i = 0; i < tableau_->stages; ++i) {
         for (std::size_t e = 0; e < joules_.size(); ++e) {
-            const double joules = dt * tableau_->weight(i) * booked_[at(i)][e];
+            const double joules = dt * tableau_->weight(i) * stage_watts_[at(i)][e];
             joules_[e] += joules;
             turnover_ += std::abs(joules);
         }
         last_[at(i)] = T_[at(i) + 1];
     }
-    watts_ = booked_.back();
+    watts_ = stage_watts_.back();
     T_[0] = T_.back();
     end_q_ = q_.back();
-    end_watts_ = booked_.back();
-    std::ranges::copy(window_.stage(tableau_->stages - 1), end_intensities_.begin());
+    end_watts_ = stage_watts_.back();
+    std::ranges::copy(forcing_.stage(tableau_->stages - 1), end_coefficients_.begin());
     end_is_known_ = true;
     system_.enthalpy(T_[0], H_);
     stored_ = 0.0;
@@ -205,7 +205,7 @@ void Stepper::accept() {
     has_history_ = true;
     for (int i = 0; i < tableau_->stages; ++i) {
         const double end = i + 1 == tableau_->stages ? time_ : step_begin_ + tableau_->c[at(i)] * dt;
-        stages_[at(i)] = {.time = end, .temperature = last_[at(i)], .watts = booked_[at(i)]};
+        stages_[at(i)] = {.time = end, .temperature = last_[at(i)], .watts = stage_watts_[at(i)]};
     }
 }
 
@@ -232,27 +232,27 @@ void Stepper::interpolate_joules(double t, std::span<double> joules) const {
     for (int i = 0; i < tableau_->stages; ++i) {
         const double weight = dt * tableau_->weight_at(i, x);
         for (std::size_t e = 0; e < joules.size(); ++e) {
-            joules[e] += weight * booked_[at(i)][e];
+            joules[e] += weight * stage_watts_[at(i)][e];
         }
     }
 }
 
 void Stepper::find_watts(const physics::Inputs& logged) {
-    std::vector<double> intensities(system_.n_intensities());
-    system_.drive(logged, intensities);
+    std::vector<double> coefficients(system_.n_coefficients());
+    system_.evaluate_coefficients(logged, coefficients);
     T_[1] = T_[0];
-    system_.make_consistent(T_[1], intensities);
+    system_.make_consistent(T_[1], coefficients);
     watts_ = system_.terms().watts;
 }
 
 Status Stepper::solve_steady(double t) {
-    window_.open(t, t);
+    forcing_.open(t, t);
     std::fill(known_.begin(), known_.end(), 0.0);
     T_[1] = T_[0];
-    system_.make_consistent(T_[1], window_.stage(0));
+    system_.make_consistent(T_[1], forcing_.stage(0));
     Status status = newton_.solve({.s = 1.0,
                                    .known = known_,
-                                   .intensities = window_.stage(0),
+                                   .coefficients = forcing_.stage(0),
                                    .time = t,
                                    .tolerance = newton_share * problem_->settings.tolerance,
                                    .steady = true},
@@ -260,8 +260,8 @@ Status Stepper::solve_steady(double t) {
     if (!status.ok()) {
         return status;
     }
-    book(0);
-    watts_ = booked_.front();
+    update_heat_budget(0);
+    watts_ = stage_watts_.front();
     T_[0] = T_[1];
     end_is_known_ = false;
     for (std::vector<double>& stage : last_) {
@@ -292,7 +292,7 @@ void Stepper::visit(Archive& archive) {
     end_is_known_ = false;
 }
 
-double Stepper::effective_link() {
+double Stepper::effective_two_node_conductance() {
     const mesh::Mesh& mesh = problem_->mesh;
     const int surface = mesh.find_region("surface");
     const int bulk = mesh.find_region("bulk");
@@ -316,7 +316,7 @@ double Stepper::effective_link() {
     for (const int node : mesh.regions[at(bulk)].mean.nodes) {
         place[at(node)] = inside_bulk;
     }
-    system_.evaluate(T, window_.stage(tableau_->stages - 1));
+    system_.evaluate(T, forcing_.stage(tableau_->stages - 1));
     double leaving = 0.0;
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
         const mesh::Face& face = mesh.faces[f];
@@ -331,14 +331,14 @@ double Stepper::effective_link() {
 }
 
 double Stepper::energy_closure() const {
-    const double booked = std::accumulate(joules_.begin(), joules_.end(), 0.0);
-    return turnover_ > 0.0 ? std::abs(stored_ - booked) / turnover_ : 0.0;
+    const double attributed = std::accumulate(joules_.begin(), joules_.end(), 0.0);
+    return turnover_ > 0.0 ? std::abs(stored_ - attributed) / turnover_ : 0.0;
 }
 
 double Stepper::steepest_rate() {
-    window_.open(time_, time_);
+    forcing_.open(time_, time_);
     T_[1] = T_[0];
-    system_.make_consistent(T_[1], window_.stage(0));
+    system_.make_consistent(T_[1], forcing_.stage(0));
     const std::span<const double> q = system_.heat_flow();
     double steepest = 0.0;
     for (std::size_t n = 0; n < q.size(); ++n) {

@@ -6,7 +6,7 @@
 
 #include "solver/time_integration/checkpoint.hpp"
 #include "solver/time_integration/newton.hpp"
-#include "solver/time_integration/window.hpp"
+#include "solver/time_integration/step_forcing.hpp"
 
 namespace tiretherm::solver {
 
@@ -29,22 +29,22 @@ public:
         double error = 0.0;  ///< K, estimate of the local error, the input's unresolved part included
     };
 
-    /// Tries a step from time() to t1 over which no stop of the drive lies. The state changes only by `accept`.
+    /// Tries a step from time() to t1 over which no stop of the inputs lies. The state changes only by `accept`.
     [[nodiscard]] Attempt attempt(double t1);
-    /// The same with inputs that go straight from `from` to `to`, whatever the problem's drive says.
+    /// The same with inputs that go straight from `from` to `to`, whatever the problem's input signals say.
     [[nodiscard]] Attempt attempt(double t1, const physics::Inputs& from, const physics::Inputs& to);
     void accept();
     /// A failure at the place of the largest error of the last attempt.
-    [[nodiscard]] Status blame_error(std::string_view why);
+    [[nodiscard]] Status failure_at_largest_error(std::string_view why);
 
-    /// Finds the watts at the present state under the drive just after `time()`, which a run reports before its first
-    /// step; the surfaces that follow the drive at once are not moved for it.
+    /// Finds the watts at the present state under the inputs just after `time()`, which a run reports before its first
+    /// step; the surfaces that follow the inputs at once are not moved for it.
     void find_watts(const physics::Inputs& logged);
 
-    /// Solves q(T) = 0 for the drive at a time, from the present state as a guess.
+    /// Solves q(T) = 0 for the inputs at a time, from the present state as a guess.
     [[nodiscard]] Status solve_steady(double t);
 
-    /// Largest rate of change at the present state under the drive just after `time()`. @returns K/s
+    /// Largest rate of change at the present state under the inputs just after `time()`. @returns K/s
     [[nodiscard]] double steepest_rate();
 
     /// Writes or reads the state. The next step starts with a new factor either way, so that both ways go on alike.
@@ -52,13 +52,13 @@ public:
 
     /// Heat that leaves the bulk by conduction over the difference of the two regions' mean temperatures: what the link
     /// of a two-node model would have to be to carry it. NaN without these regions or without a difference. @returns W/K
-    [[nodiscard]] double effective_link();
+    [[nodiscard]] double effective_two_node_conductance();
 
     [[nodiscard]] double time() const { return time_; }
     [[nodiscard]] std::span<const double> temperature() const { return T_.front(); }
     /// State inside the last accepted step, by the parabola through its stages. @param t s, within that step
     void interpolate(double t, std::span<double> T) const;
-    /// Heat booked to each effect until a moment inside the last accepted step. @param joules out, [n_effects] J
+    /// Heat attributed to each effect until a moment inside the last accepted step. @param joules out, [n_effects] J
     void interpolate_joules(double t, std::span<double> joules) const;
     [[nodiscard]] std::span<const double> watts() const { return watts_; }    ///< [n_effects] W at the state
     [[nodiscard]] std::span<const double> joules() const { return joules_; }  ///< [n_effects] J since the start
@@ -67,8 +67,8 @@ public:
     [[nodiscard]] double energy_closure() const;
     /// The stages of the last accepted step, its begin and its end among them; one after a steady solve.
     [[nodiscard]] std::span<const Stage> stages() const { return stages_; }
-    /// Intensities of all effects at a stage of the last attempted step. @returns [n_intensities]
-    [[nodiscard]] std::span<const double> intensities(int i) const { return window_.stage(i); }
+    /// Intensities of all effects at a stage of the last attempted step. @returns [n_coefficients]
+    [[nodiscard]] std::span<const double> coefficients(int i) const { return forcing_.stage(i); }
     [[nodiscard]] const Tableau& method() const { return *tableau_; }
     /// Length of the last accepted step. @returns s
     [[nodiscard]] double width() const { return time_ - step_begin_; }
@@ -81,7 +81,7 @@ public:
 private:
     [[nodiscard]] Attempt attempt_in_window(double t1);
     [[nodiscard]] Attempt attempt_stages(double dt);
-    void book(int stage);
+    void update_heat_budget(int stage);
     void predict(int stage, double dt);
     [[nodiscard]] double largest_filtered();
     [[nodiscard]] double estimate_left_out(double dt);
@@ -90,22 +90,22 @@ private:
     const Problem* problem_;
     System system_;
     const Tableau* tableau_;
-    Window window_;
+    StepForcing forcing_;
     Newton newton_;
     double time_ = 0.0;
     double step_begin_ = 0.0;
     double tried_ = 0.0;
     bool has_history_ = false;
     int worst_node_ = 0;
-    std::vector<std::vector<double>> T_;       ///< [stages + 1][n]: the state, then the stages of the attempt
-    std::vector<std::vector<double>> q_;       ///< [stages][n] W
-    std::vector<std::vector<double>> booked_;  ///< [stages][n_effects] W
-    std::vector<std::vector<double>> last_;    ///< [stages][n] stages of the last accepted step
-    std::vector<Stage> stages_;                ///< of the last accepted step
-    bool end_is_known_ = false;                ///< what was said at the end of the last accepted step:
-    std::vector<double> end_q_;                ///< [n] W
-    std::vector<double> end_watts_;            ///< [n_effects] W
-    std::vector<double> end_intensities_;      ///< under these
+    std::vector<std::vector<double>> T_;            ///< [stages + 1][n]: the state, then the stages of the attempt
+    std::vector<std::vector<double>> q_;            ///< [stages][n] W
+    std::vector<std::vector<double>> stage_watts_;  ///< [stages][n_effects] W
+    std::vector<std::vector<double>> last_;         ///< [stages][n] stages of the last accepted step
+    std::vector<Stage> stages_;                     ///< of the last accepted step
+    bool end_is_known_ = false;                     ///< the terms at the end of the last accepted step:
+    std::vector<double> end_q_;                     ///< [n] W
+    std::vector<double> end_watts_;                 ///< [n_effects] W
+    std::vector<double> end_coefficients_;          ///< under these
     std::vector<double> known_;
     std::vector<double> H_;
     std::vector<double> H_start_;

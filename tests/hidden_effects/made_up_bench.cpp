@@ -43,7 +43,7 @@ MadeUpBench make_up_bench(std::uint64_t seed, double interval, const Maker& make
     return made;
 }
 
-double MadeUpBench::truth_of(const tiretherm::solver::Adjustable& parameter) const {
+double MadeUpBench::truth_of(const tiretherm::solver::FreeParameter& parameter) const {
     if (parameter.run >= 0) {
         const auto run = static_cast<std::size_t>(parameter.run);
         return parameter.name.starts_with("initial surface") ? surface_start[run] : bulk_start[run];

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "input/measurements/experiment.hpp"
-#include "two_node/programme_truth.hpp"
 #include "numerics/table_truth.hpp"
+#include "two_node/programme_truth.hpp"
 
 namespace hidden_effects {
 
@@ -26,7 +26,7 @@ struct MadeUpBench {
     std::vector<std::vector<Column>> logs;  ///< [n_runs]
 
     /// What a parameter of cases/practice truly is, in its unit.
-    [[nodiscard]] double truth_of(const tiretherm::solver::Adjustable& parameter) const;
+    [[nodiscard]] double truth_of(const tiretherm::solver::FreeParameter& parameter) const;
 };
 [[nodiscard]] MadeUpBench make_up_bench(std::uint64_t seed, double interval, const Maker& maker = draw_programme);
 

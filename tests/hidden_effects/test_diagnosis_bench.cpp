@@ -207,7 +207,7 @@ TEST(DiagnosisBench, ReadingsOfTheProgramItselfFitBetterThanThoseOfTheTruth) {
         run.problem.settings.tolerance = 1e-3;
     }
     diagnosis::Simulator simulator(fine, observations);
-    const diagnosis::Forecast& made = simulator.at(simulator.start());
+    const diagnosis::ModelPrediction& made = simulator.at(simulator.start());
     ASSERT_TRUE(made.status.ok());
     for (std::size_t row = 0; row < observations.rows.size(); ++row) {
         const auto& what = observations.rows[row];

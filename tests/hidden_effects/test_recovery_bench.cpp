@@ -21,7 +21,7 @@ using tiretherm::support::Coverage;
 using tiretherm::support::most_misses;
 
 /// The name without the run.
-std::string kind_of(const tiretherm::solver::Adjustable& parameter) {
+std::string kind_of(const tiretherm::solver::FreeParameter& parameter) {
     return parameter.name.substr(0, parameter.name.find(','));
 }
 
@@ -36,7 +36,7 @@ std::map<std::string, Coverage> recover(std::uint64_t first, std::uint64_t last,
         EXPECT_TRUE(fit.converged) << "seed " << seed;
         for (std::size_t j = 0; j < fit.fitted.size(); ++j) {
             const diagnosis::Fitted& one = fit.fitted[j];
-            const tiretherm::solver::Adjustable& parameter = experiment.parameters[j];
+            const tiretherm::solver::FreeParameter& parameter = experiment.parameters[j];
             EXPECT_EQ(one.sight, diagnosis::Sight::determined) << "seed " << seed << ", " << parameter.name;
             found[kind_of(parameter)].add(made.truth_of(parameter), one.value, one.low, one.high);
         }

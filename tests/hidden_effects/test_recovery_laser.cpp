@@ -36,7 +36,7 @@ constexpr std::array starts{0.4, -0.3, 0.2};  // K off the air
 constexpr std::array deviations{0.5, 0.3};    // K, of the camera and the probe
 constexpr std::array channels{"spot_mean_temperature", "inner_liner_temperature"};
 
-double truth_of(const solver::Adjustable& parameter) {
+double truth_of(const solver::FreeParameter& parameter) {
     const LaserSpecimen specimen = shipped_specimen();
     const auto starts_with = [&](std::string_view name) { return parameter.name.starts_with(name); };
     if (parameter.run >= 0) {
@@ -61,14 +61,14 @@ public:
         const std::size_t n = experiment_.parameters.size();
         truth_.resize(static_cast<Eigen::Index>(n));
         for (std::size_t j = 0; j < n; ++j) {
-            const solver::Adjustable& parameter = experiment_.parameters[j];
+            const solver::FreeParameter& parameter = experiment_.parameters[j];
             const double truth = truth_of(parameter);
             truth_[static_cast<Eigen::Index>(j)] = truth;
             for (std::size_t r = 0; r < experiment_.runs.size(); ++r) {
                 solver::Problem& problem = experiment_.runs[r].problem;
                 const bool own = parameter.run < 0 || parameter.run == static_cast<int>(r);
                 // A shift of the start is told from 0 on, whatever the start is.
-                if (own && parameter.kind != solver::Adjustable::Kind::initial) {
+                if (own && parameter.kind != solver::FreeParameter::Kind::initial) {
                     solver::move(problem, parameter, solver::value_of(problem, parameter), truth);
                 }
             }
@@ -87,7 +87,7 @@ public:
         input::Experiment experiment = experiment_;
         Random random(seed);
         for (std::size_t j = 0; j < experiment.parameters.size(); ++j) {
-            solver::Adjustable& parameter = experiment.parameters[j];
+            solver::FreeParameter& parameter = experiment.parameters[j];
             const double known = std::isfinite(parameter.standard_deviation) ? parameter.standard_deviation : 0.0;
             parameter.prior = truth_[static_cast<Eigen::Index>(j)] + (seed > 0 ? known * random.normal() : 0.0);
         }
@@ -124,9 +124,9 @@ public:
     Plane(const input::Experiment& experiment, const Eigen::VectorXd& truth)
         : truth_(truth), scale_(diagnosis::scales_of(experiment, truth)), precision_(truth.size()) {
         const diagnosis::Observations observations = diagnosis::observe(experiment);
-        forecast_ = diagnosis::Simulator(experiment, observations).at(truth);
-        EXPECT_TRUE(forecast_.status.ok()) << forecast_.status.message;
-        span_ = forecast_.slope * scale_.asDiagonal();
+        prediction_ = diagnosis::Simulator(experiment, observations).at(truth);
+        EXPECT_TRUE(prediction_.status.ok()) << prediction_.status.message;
+        span_ = prediction_.slope * scale_.asDiagonal();
         for (Eigen::Index j = 0; j < truth.size(); ++j) {
             const double sigma = experiment.parameters[static_cast<std::size_t>(j)].standard_deviation;
             precision_[j] = std::isfinite(sigma) ? std::pow(scale_[j] / sigma, 2) : 0.0;
@@ -142,7 +142,7 @@ public:
         for (Eigen::Index j = 0; j < n; ++j) {
             off[j] = (experiment.parameters[static_cast<std::size_t>(j)].prior - truth_[j]) / scale_[j];
         }
-        const Eigen::VectorXd at_truth = forecast_.simulated - observations.measured;
+        const Eigen::VectorXd at_truth = prediction_.simulated - observations.measured;
         diagnosis::Covariance covariance{.channels = noise, .weight = {}};
         Eigen::VectorXd moved = Eigen::VectorXd::Zero(n);
         Estimate estimate;
@@ -174,7 +174,7 @@ private:
     Eigen::VectorXd truth_;
     Eigen::VectorXd scale_;
     Eigen::VectorXd precision_;  ///< in scales
-    diagnosis::Forecast forecast_;
+    diagnosis::ModelPrediction prediction_;
     Eigen::MatrixXd span_;
 };
 

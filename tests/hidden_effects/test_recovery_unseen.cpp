@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include "input/measurements/measured_bench.hpp"
 #include "diagnosis/fit/fit.hpp"
 #include "diagnosis/fit/identification.hpp"
 #include "diagnosis/practice_bench.hpp"
 #include "hidden_effects/made_up_bench.hpp"
+#include "input/measurements/measured_bench.hpp"
 #include "support/coverage.hpp"
 
 namespace hidden_effects {
@@ -60,7 +60,7 @@ TEST(UnseenRecovery, WhatADullRunDoesNotSeeIsNamedAndNoIntervalIsFalse) {
         EXPECT_LT(found.fit.directions.back().strength, 1.0) << "seed " << seed;
         for (std::size_t j = 0; j < found.fit.fitted.size(); ++j) {
             const diagnosis::Fitted& one = found.fit.fitted[j];
-            const tiretherm::solver::Adjustable& parameter = found.experiment.parameters[j];
+            const tiretherm::solver::FreeParameter& parameter = found.experiment.parameters[j];
             if (parameter.name.starts_with("initial surface")) {
                 EXPECT_EQ(one.sight, Sight::prior_only) << "seed " << seed;
             }

@@ -33,7 +33,7 @@ input::Experiment experiment(const std::string& name) {
 /// Gives the parameter of this name, which must be one of the free ones, another value in the problem of a run.
 void set(const input::Experiment& from, solver::Problem& problem, const std::string& name, double value) {
     const auto found = std::find_if(from.parameters.begin(), from.parameters.end(),
-                                    [&](const solver::Adjustable& number) { return number.name == name; });
+                                    [&](const solver::FreeParameter& number) { return number.name == name; });
     ASSERT_NE(found, from.parameters.end()) << name;
     solver::move(problem, *found, solver::value_of(problem, *found), value);
 }

@@ -50,7 +50,7 @@ TEST(LayersMesh, VolumeAndThicknessAreThoseOfTheStack) {
     EXPECT_EQ(mesh.n_nodes, 12);  // a surface node outside and one inside
     EXPECT_NEAR(mesh.total_volume(), 0.4677 * 0.015, 1e-15);
     EXPECT_NEAR(mesh.patches[0].area(), 0.4677, 1e-15);
-    EXPECT_EQ(mesh.drawing.shape, Shape::line);
+    EXPECT_EQ(mesh.drawing.shape, CellShape::line);
 }
 
 TEST(LayersMesh, LinkSitsOnTheOneFaceBelowItsLayer) {

@@ -29,7 +29,7 @@ Section three_zones() {
 // R - 0.1 (1 - 2/pi), and the area swept 2 pi times that times its length (Pappus).
 TEST(Meridian, FollowsACircle) {
     const Meridian meridian(0.4, {{0.05 * pi, 10.0}});
-    const Meridian::Place end = meridian.at(0.05 * pi);
+    const Meridian::ProfilePoint end = meridian.at(0.05 * pi);
     EXPECT_NEAR(end.lateral, 0.1, 1e-15);
     EXPECT_NEAR(end.radius, 0.3, 1e-15);
     EXPECT_NEAR(end.turn, 0.5 * pi, 1e-15);
@@ -116,16 +116,16 @@ TEST(TireSectionMesh, IsDrawnFolded) {
 
 TEST(AppendedNodes, AreNamedOnceAndBringARegion) {
     Mesh mesh = build(TwoNode{.area = 1.0, .surface_volume = 0.001, .bulk_volume = 0.01, .bulk_depth = 0.01});
-    const int gas = mesh.append("gas");
-    EXPECT_EQ(mesh.append("gas"), gas);
+    const int gas = mesh.add_lumped_node("gas");
+    EXPECT_EQ(mesh.add_lumped_node("gas"), gas);
     EXPECT_EQ(mesh.n_nodes, 3);
     EXPECT_EQ(mesh.n_cells, 2);
-    EXPECT_EQ(mesh.find_appended("gas"), gas);
-    EXPECT_EQ(mesh.find_appended("rim"), -1);
+    EXPECT_EQ(mesh.find_lumped_node("gas"), gas);
+    EXPECT_EQ(mesh.find_lumped_node("rim"), -1);
     const std::vector<double> T{300.0, 310.0, 320.0};
     EXPECT_EQ(mesh.regions[static_cast<std::size_t>(mesh.find_region("gas"))].mean(T), 320.0);
     EXPECT_FALSE(defects(mesh).empty());  // it is joined to nothing yet
-    EXPECT_TRUE(mesh.faces[static_cast<std::size_t>(mesh.add_joint(1, gas, 1.0))].joint);
+    EXPECT_TRUE(mesh.faces[static_cast<std::size_t>(mesh.add_coupling_face(1, gas, 1.0))].is_coupling);
     EXPECT_TRUE(defects(mesh).empty());
 }
 

@@ -53,8 +53,8 @@ TEST(Curve, DerivativesOfTheMeanAreThoseOfADifference) {
         const double a = 296.0;
         const double b = 321.0;
         const Curve::Mean mean = curve.mean(a, b);
-        EXPECT_NEAR(mean.by_a, (curve.mean(a + step, b).value - curve.mean(a - step, b).value) / (2.0 * step), 1e-8);
-        EXPECT_NEAR(mean.by_b, (curve.mean(a, b + step).value - curve.mean(a, b - step).value) / (2.0 * step), 1e-8);
+        EXPECT_NEAR(mean.slope_a, (curve.mean(a + step, b).value - curve.mean(a - step, b).value) / (2.0 * step), 1e-8);
+        EXPECT_NEAR(mean.slope_b, (curve.mean(a, b + step).value - curve.mean(a, b - step).value) / (2.0 * step), 1e-8);
     }
 }
 

@@ -20,10 +20,10 @@ TEST(Terms, AddUpTheVerbsAndBookThemToTheirEffect) {
     const std::vector<double> T{300.0, 310.0, 290.0};
     Terms terms(mesh, 2);
     terms.begin(T);
-    terms.book_to(0);
+    terms.attribute_to(0);
     terms.heat(0, 5.0);
     terms.exchange(1, 2.0, 300.0);  // 2 W/K * -10 K
-    terms.book_to(1);
+    terms.attribute_to(1);
     terms.exchange(1, 1.0, 320.0);  // 1 W/K * +10 K
     EXPECT_EQ(terms.node_q, (std::vector<double>{5.0, -10.0, 0.0}));
     EXPECT_EQ(terms.node_G[1], 3.0);
@@ -38,13 +38,13 @@ TEST(Terms, BeginForgetsEverything) {
     terms.begin(T);
     terms.conduct(0, 2.0, 0.1, 0.2);
     terms.heat(0, 5.0, 1.0);
-    terms.heat_follows(0, 1, 3.0);
+    terms.add_source_derivative(0, 1, 3.0);
     terms.exchange(1, -1.0, 300.0);
     EXPECT_TRUE(terms.nonlinear);
     terms.begin(T);
     EXPECT_FALSE(terms.nonlinear);
     EXPECT_LT(terms.negative_effect, 0);
-    for (const std::vector<double>* values : {&terms.face_G, &terms.face_by_a, &terms.face_by_b, &terms.node_G,
+    for (const std::vector<double>* values : {&terms.face_G, &terms.face_dq_dTa, &terms.face_dq_dTb, &terms.node_G,
                                               &terms.node_q, &terms.node_slope, &terms.region_slope, &terms.watts}) {
         for (const double value : *values) {
             EXPECT_EQ(value, 0.0);
@@ -57,9 +57,9 @@ TEST(Terms, SayWhichEffectGaveANegativeConductance) {
     const std::vector<double> T{300.0, 310.0, 290.0};
     Terms terms(mesh, 3);
     terms.begin(T);
-    terms.book_to(1);
+    terms.attribute_to(1);
     terms.conduct(1, -2.0);
-    terms.book_to(2);
+    terms.attribute_to(2);
     terms.exchange(2, -1.0, 300.0);
     EXPECT_EQ(terms.negative_effect, 1);  // the first one
     EXPECT_EQ(terms.negative_node, mesh.faces[1].a);

@@ -94,7 +94,7 @@ inline solver::Report report() {
     report.law_watts.assign(3, std::numeric_limits<double>::quiet_NaN());  // none of the three is a law
     report.stored = 54.0;
     report.energy_closure = 1.25e-13;
-    report.effective_link = 0.125;
+    report.effective_two_node_conductance = 0.125;
     report.hottest = {.temperature = 370.65, .time = 60.0, .node = 24};  // first node of the outer surface
     report.coldest = {.temperature = 296.15, .time = 0.0, .node = 23};   // last cell
     report.channel_final = {370.65, 313.15};

@@ -27,7 +27,7 @@ inline void act(Problem& problem, std::string_view id,
 }
 
 inline void hold(Problem& problem, std::string_view signal, double value) {
-    problem.drive.add(*physics::find_signal(signal), value);
+    problem.input_signals.add(*physics::find_signal(signal), value);
 }
 
 /// A strip of rubber, 10 mm thick, 1 m2, cooled on both sides with h = 20 W/m2K to 300 K; 300 K at the start.

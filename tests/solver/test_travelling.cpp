@@ -51,7 +51,7 @@ Problem tread(std::string_view contact, double end, int refinement = 1) {
     return problem;
 }
 
-void turn_wheel(Problem& problem) { problem.drive.add(wheel_angle(problem, 1'000'000).value()); }
+void turn_wheel(Problem& problem) { problem.input_signals.add(wheel_angle(problem, 1'000'000).value()); }
 
 /// Of the last whole revolution: the surface when it meets the road and when it leaves it, and its mean in time.
 struct Revolution {
@@ -97,7 +97,7 @@ TEST(TravellingContact, AgreesWithTheContactAveragedOverItsRevolutions) {
     averaged.settings.tolerance = 0.0001;
     const Revolution slow = last_revolution(averaged);
     const physics::ContactInRevolutions contact =
-        *physics::contact_in_revolutions(averaged.effects.back(), averaged.tire, averaged.drive.constants());
+        *physics::contact_in_revolutions(averaged.effects.back(), averaged.tire, averaged.input_signals.constants());
     const double above = slow.mean - road;
     EXPECT_GT(brute.entry - brute.exit, 10.0) << "the surface swings in each revolution";
     EXPECT_NEAR(brute.mean, slow.mean, 0.1);

@@ -42,14 +42,14 @@ TEST(WheelAngle, StopsWhereTheContactMeetsAndLeavesAColumn) {
     }
     EXPECT_NEAR(angle.value.back(), rate * 10.0, 1e-6);
     // A step sees the column outside before the first edge and inside after it.
-    Drive drive = problem.drive;
-    drive.add(angle);
+    InputSignals input_signals = problem.input_signals;
+    input_signals.add(angle);
     const double edge = angle.time[1];
-    const auto inside = [&](Limit limit) {
-        return physics::TravellingContact(problem.tire, drive.at(edge, limit)).part(0, 1).inside;
+    const auto inside = [&](JumpSide side) {
+        return physics::TravellingContact(problem.tire, input_signals.at(edge, side)).part(0, 1).inside;
     };
-    EXPECT_FALSE(inside(Limit::before));
-    EXPECT_TRUE(inside(Limit::after));
+    EXPECT_FALSE(inside(JumpSide::before));
+    EXPECT_TRUE(inside(JumpSide::after));
 }
 
 // From rest at 2 m/s2 for 10 s, R_R and phi constant: angle = t^2 / R_R, so the first contact begins at
@@ -63,8 +63,8 @@ TEST(WheelAngle, FollowsSpeedAndLoad) {
     const double phi = problem.tire.contact_length(4000.0) / radius;
     const Series angle = wheel_angle(problem, 100000).value();
     EXPECT_NEAR(angle.time[1], std::sqrt((pi - 0.5 * phi) * radius), 1e-7);
-    EXPECT_NEAR(angle.at(10.0, Limit::before), 100.0 / radius, 1e-9);
-    EXPECT_NEAR(angle.at(15.0, Limit::before), 200.0 / radius, 1e-9);
+    EXPECT_NEAR(angle.at(10.0, JumpSide::before), 100.0 / radius, 1e-9);
+    EXPECT_NEAR(angle.at(15.0, JumpSide::before), 200.0 / radius, 1e-9);
     EXPECT_NEAR(angle.value.back(), 200.0 / radius + 100.0 / problem.tire.rolling_radius(6000.0), 1e-7);
     // The last whole contact lasts as long as the longer contact takes.
     const std::size_t n = angle.time.size();

@@ -65,43 +65,45 @@ inline double source(const Point& p) {
 // The time travels in a signal: a straight series is exact at every stage.
 inline constexpr std::array<std::string_view, 1> reads{"inflation_pressure"};
 
-inline void drive(const physics::ActiveEffect& /*active*/, const physics::Driving& driving, std::span<double> out) {
-    out[0] = driving.inputs.inflation_pressure;
+inline void evaluate_coefficients(const physics::ActiveEffect& /*active*/, const physics::OperatingPoint& point,
+                                  std::span<double> out) {
+    out[0] = point.inputs.inflation_pressure;
 }
 
-inline void speak_of_source(const physics::Moment& m, physics::Terms& terms) {
+inline void add_terms_of_source(const physics::EvaluationState& m, physics::Terms& terms) {
     for (int cell = 0; cell < m.mesh.n_cells; ++cell) {
         const auto i = static_cast<std::size_t>(cell);
-        terms.heat(cell, m.mesh.volume[i] * source(field(m.mesh.centre[i], m.intensities[0])));
+        terms.heat(cell, m.mesh.volume[i] * source(field(m.mesh.centre[i], m.coefficients[0])));
     }
 }
 
-inline void speak_of_sides(const physics::Moment& m, physics::Terms& terms) {
+inline void add_terms_of_sides(const physics::EvaluationState& m, physics::Terms& terms) {
     const std::array<std::string_view, 6> sides{"left", "right", "front", "back", "top", "bottom"};
     for (std::size_t side = 0; side < sides.size(); ++side) {
         const double outward = side % 2 == 0 ? -1.0 : 1.0;
         for (const mesh::PatchFace& face :
              m.mesh.patches[static_cast<std::size_t>(m.mesh.find_patch(sides[side]))].faces) {
-            const Point p = field(face.centre, m.intensities[0]);
+            const Point p = field(face.centre, m.coefficients[0]);
             const double flux = outward * quadratic(k[side / 2], p.T) * p.first[side / 2];  // k dT/dn
             terms.exchange(face.node, h * face.area, p.T + flux / h);
         }
     }
 }
 
-inline physics::Effect effect(std::string_view id, void (*speak)(const physics::Moment&, physics::Terms&)) {
+inline physics::Effect effect(std::string_view id,
+                              void (*add_terms)(const physics::EvaluationState&, physics::Terms&)) {
     return {.id = id,
             .kind = physics::Kind::source,
             .equation = "chosen field",
             .source = "this test",
             .meaning = "what a chosen field needs to be a solution",
             .reads = reads,
-            .n_intensities = 1,
-            .drive = drive,
-            .speak = speak};
+            .n_coefficients = 1,
+            .evaluate_coefficients = evaluate_coefficients,
+            .add_terms = add_terms};
 }
 
-inline const physics::Effect inside = effect("chosen_source", speak_of_source);
-inline const physics::Effect sides = effect("chosen_sides", speak_of_sides);
+inline const physics::Effect inside = effect("chosen_source", add_terms_of_source);
+inline const physics::Effect sides = effect("chosen_sides", add_terms_of_sides);
 
 }  // namespace tiretherm::support::chosen

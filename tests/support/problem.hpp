@@ -61,19 +61,19 @@ inline void switch_on(solver::Problem& problem, std::string_view id, Numbers num
 inline const physics::Signal& signal(std::string_view name) { return *physics::find_signal(name); }
 
 inline void hold(solver::Problem& problem, std::string_view name, double value) {
-    problem.drive.add(signal(name), value);
+    problem.input_signals.add(signal(name), value);
 }
 
 /// A schedule: the step ends on each of its points.
 inline void schedule(solver::Problem& problem, std::string_view name, std::vector<double> time,
                      std::vector<double> value) {
-    problem.drive.add(
+    problem.input_signals.add(
         solver::Series{.signal = &signal(name), .time = std::move(time), .value = std::move(value), .logged = false});
 }
 
 /// A logger's samples: steps may span them.
 inline void log(solver::Problem& problem, std::string_view name, std::vector<double> time, std::vector<double> value) {
-    problem.drive.add(
+    problem.input_signals.add(
         solver::Series{.signal = &signal(name), .time = std::move(time), .value = std::move(value), .logged = true});
 }
 
@@ -85,7 +85,7 @@ inline void read(solver::Problem& problem, std::string_view name, mesh::Function
     problem.channels.push_back({.name = std::string(name), .meaning = "", .where = std::move(where)});
 }
 
-/// Heat stored beside heat booked, of the heat turned over: what every run of these tests must keep to (DESIGN.md
+/// Heat stored beside heat attributed, of the heat turned over: what every run of these tests must keep to (DESIGN.md
 /// section 5). Sums of some 1e4 cells and 1e3 steps in double precision stay two digits below it.
 inline constexpr double energy_closure = 1e-10;
 

@@ -37,7 +37,7 @@ struct WarmingLump {
     }
 };
 
-/// Everything of its case but the drive's schedule and the end of the run.
+/// Everything of its case but the schedule of the inputs and the end of the run.
 inline const std::string warming_plate = R"(
 title = "A plate that a speed warms"
 [mesh]

@@ -18,8 +18,8 @@ constexpr double minute = 60.0;
 std::filesystem::path file(const std::string& name) { return source_folder() / "cases/durability" / (name + ".toml"); }
 
 /// The courses of a case's hot spots, in the order of its [[critical]].
-struct Courses {
-    std::vector<solver::HotSpotCourse> all;
+struct Histories {
+    std::vector<solver::HotSpotHistory> all;
     double energy_closure = 0.0;
 
     [[nodiscard]] double hottest(std::size_t i) const { return all[i].temperature()[all[i].hottest_row()] - zero; }
@@ -28,27 +28,27 @@ struct Courses {
     }
 };
 
-Courses run(const std::filesystem::path& path) {
+Histories run(const std::filesystem::path& path) {
     const Reading reading = read_case(path);
     EXPECT_TRUE(reading.problem.has_value()) << render(reading);
     EXPECT_TRUE(reading.warnings.empty()) << render(reading);
     const std::optional<HotSpotCase> asked = HotSpotCase::read(path);
-    Courses courses;
+    Histories histories;
     if (!reading.problem || !asked) {
-        return courses;
+        return histories;
     }
     for (const solver::Critical& critical : asked->critical) {
-        courses.all.emplace_back(reading.problem->mesh, critical);
+        histories.all.emplace_back(reading.problem->mesh, critical);
     }
     const solver::Report report = solver::run(*reading.problem, [&](const solver::Snapshot& now) {
-        for (solver::HotSpotCourse& course : courses.all) {
-            course.take(now);
+        for (solver::HotSpotHistory& history : histories.all) {
+            history.take(now);
         }
         return true;
     });
     EXPECT_TRUE(report.status.ok()) << report.status.message;
-    courses.energy_closure = report.energy_closure;
-    return courses;
+    histories.energy_closure = report.energy_closure;
+    return histories;
 }
 
 }  // namespace
@@ -66,17 +66,17 @@ class Durability : public testing::TestWithParam<Promise> {};
 
 TEST_P(Durability, CaseDoesAsItsPageSays) {
     const Promise& promise = GetParam();
-    const Courses courses = run(file(promise.name));
-    ASSERT_EQ(courses.all.size(), 2U);
-    EXPECT_EQ(courses.all[0].critical().name, "belt edge");
-    EXPECT_NEAR(courses.hottest(0), promise.belt_edge, 0.06);
-    EXPECT_NEAR(courses.hottest(1), promise.whole_tire, 0.06);
+    const Histories histories = run(file(promise.name));
+    ASSERT_EQ(histories.all.size(), 2U);
+    EXPECT_EQ(histories.all[0].critical().name, "belt edge");
+    EXPECT_NEAR(histories.hottest(0), promise.belt_edge, 0.06);
+    EXPECT_NEAR(histories.hottest(1), promise.whole_tire, 0.06);
     if (std::isnan(promise.passing)) {
-        EXPECT_TRUE(std::isnan(courses.passing(0)));
+        EXPECT_TRUE(std::isnan(histories.passing(0)));
     } else {
-        EXPECT_NEAR(courses.passing(0), promise.passing, 0.15);
+        EXPECT_NEAR(histories.passing(0), promise.passing, 0.15);
     }
-    EXPECT_LE(courses.energy_closure, 1e-10);
+    EXPECT_LE(histories.energy_closure, 1e-10);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, Durability,
@@ -94,8 +94,8 @@ TEST(DurabilityGrid, HotSpotMovesByLessThanHalfAKelvinOnAGridTwiceAsFine) {
     const Written written;
     const std::string include =
         "include = [\"" + file("fmvss_139_high_speed").string() + "\"]\n[time]\nsteady = true\n";
-    const Courses shipped = run(written.add("shipped.toml", include));
-    const Courses fine = run(written.add("fine.toml", include + R"([mesh]
+    const Histories shipped = run(written.add("shipped.toml", include));
+    const Histories fine = run(written.add("fine.toml", include + R"([mesh]
 crown_cells = 56
 shoulder_cells = 20
 sidewall_cells = 16
@@ -150,7 +150,7 @@ TEST(DurabilityStudy, DrawsWhatTheCaseSaysIsUncertain) {
         double deviation;
     };
     std::vector<Known> known;
-    for (const solver::Adjustable& number : asked->known) {
+    for (const solver::FreeParameter& number : asked->known) {
         known.push_back({"effects." + number.name, number.prior, number.standard_deviation});
     }
     for (const UncertainKey& key : asked->uncertain) {
@@ -177,17 +177,18 @@ TEST(DurabilityFurther, StepSpeedTestGoesOnToWhereTheBeltEdgePasses) {
     const std::filesystem::path path = file("sae_j1561_step_speed");
     const HotSpotCase asked = *HotSpotCase::read(path);
     const solver::Problem problem = *read_case(path).problem;
-    const ContinuedSchedule further = continue_schedule(
-        asked, problem.settings, solver::schedule_steps(problem.drive, problem.settings.start, problem.settings.end));
+    const ContinuedSchedule further =
+        continue_schedule(asked, problem.settings,
+                          solver::schedule_steps(problem.input_signals, problem.settings.start, problem.settings.end));
     ASSERT_TRUE(further.problem.has_value()) << further.refusal;
-    solver::HotSpotCourse course(further.problem->mesh, asked.critical[0]);
+    solver::HotSpotHistory history(further.problem->mesh, asked.critical[0]);
     const solver::Report report = solver::run(*further.problem, [&](const solver::Snapshot& now) {
-        course.take(now);
+        history.take(now);
         return now.time < 4000.0;
     });
-    const double passed = solver::passing_time(course.time(), course.temperature(), zero + 110.0);
+    const double passed = solver::passing_time(history.time(), history.temperature(), zero + 110.0);
     EXPECT_NEAR(passed / minute, 54.4, 0.15);
-    EXPECT_NEAR(further.problem->drive.at(passed, solver::Limit::before).speed * 3.6, 190.0, 1e-6);
+    EXPECT_NEAR(further.problem->input_signals.at(passed, solver::JumpSide::before).speed * 3.6, 190.0, 1e-6);
 }
 
 }  // namespace tiretherm::input

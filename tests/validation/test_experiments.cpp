@@ -3,7 +3,7 @@
 #include "validation/library.hpp"
 #include "validation/section_ends.hpp"
 
-// Each experiment of the library as a user runs it: the heat stored is the heat booked to the effects, to round-off; on
+// Each experiment of the library as a user runs it: the heat stored is that of the effects, to round-off; on
 // the section it ends where it did, so that a change of its numbers must be meant (those of the two-node cases stand in
 // their headers and in test_two_node_cases.cpp).
 namespace tiretherm::validation {

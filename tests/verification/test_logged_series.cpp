@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "solver/system.hpp"
-#include "solver/time_integration/window.hpp"
+#include "solver/time_integration/step_forcing.hpp"
 #include "tests/support/laser_strip.hpp"
 #include "tests/support/order.hpp"
 #include "tests/support/two_node_case.hpp"
@@ -18,7 +18,7 @@ double sawtooth(double t) { return 0.2 * (t - std::floor(t)); }
 double swelling_sine(double t) { return 0.1 + t / 6000.0 + 0.09 * std::sin(2.0 * std::numbers::pi * t); }
 
 TEST(LoggedSeries, LaserEnergyIsTheIntegralOfItsSamples) {
-    // 600 s of a 1 Hz sawtooth and of a swelling 1 Hz sine, logged at 16 Hz. Steps that span many samples must book the
+    // 600 s of a 1 Hz sawtooth and of a swelling 1 Hz sine, logged at 16 Hz. Steps that span many samples must give the
     // exact integral of the line through them: 1e-9 relative is round-off of some 1e4 sums with room. Asked of steps of
     // the error control and of fixed steps that share no sample.
     for (const support::Samples& power :
@@ -84,7 +84,7 @@ TEST(LoggedSeries, StagesOfAStepCarryTheMeanAndTheFirstMoment) {
     const solver::System system(problem);
     for (const solver::Method method : {solver::Method::tr_bdf2, solver::Method::backward_euler}) {
         const solver::Tableau& tableau = solver::tableau(method);
-        solver::Window window(system, problem.drive, tableau);
+        solver::StepForcing forcing(system, problem.input_signals, tableau);
         for (const auto& [from, to] :
              {std::pair{10.0, 50.0}, std::pair{10.4, 49.7}, std::pair{0.0, 100.0}, std::pair{63.2, 75.0}}) {
             support::Samples piece;
@@ -93,12 +93,12 @@ TEST(LoggedSeries, StagesOfAStepCarryTheMeanAndTheFirstMoment) {
                          [begin = from, end = to](double t) { return t > begin && t < end; });
             piece.time.push_back(to);
             for (const double t : piece.time) {
-                piece.value.push_back(problem.drive.series()[0].at(t, solver::Limit::before));
+                piece.value.push_back(problem.input_signals.series()[0].at(t, solver::JumpSide::before));
             }
-            window.open(from, to);
+            forcing.open(from, to);
             const double dt = to - from;
-            const double first = window.stage(0)[0];
-            const double last = window.stage(tableau.stages - 1)[0];
+            const double first = forcing.stage(0)[0];
+            const double last = forcing.stage(tableau.stages - 1)[0];
             const double round_off = 1e-13 * piece.integral();
             EXPECT_NEAR(0.5 * (first + last) * dt, piece.integral(), round_off);
             EXPECT_NEAR((last - first) * dt * dt / 12.0, piece.moment(0.5 * (from + to)), dt * round_off);
@@ -112,12 +112,12 @@ TEST(LoggedSeries, LineOfAStepStaysInsideTheSamples) {
     solver::Problem problem = support::laser_strip();
     support::log(problem, "laser_power", {0.0, 50.0, 90.0, 90.5, 100.0}, {0.0, 0.0, 0.0, 1.0, 1.0});
     const solver::System system(problem);
-    solver::Window window(system, problem.drive, solver::tr_bdf2);
-    window.open(0.0, 100.0);
-    EXPECT_NEAR(0.5 * (window.stage(0)[0] + window.stage(2)[0]), (0.25 + 9.5) / 100.0, 1e-15);
+    solver::StepForcing forcing(system, problem.input_signals, solver::tr_bdf2);
+    forcing.open(0.0, 100.0);
+    EXPECT_NEAR(0.5 * (forcing.stage(0)[0] + forcing.stage(2)[0]), (0.25 + 9.5) / 100.0, 1e-15);
     for (int i = 0; i < 3; ++i) {
-        EXPECT_GE(window.stage(i)[0], -1e-15);
-        EXPECT_LE(window.stage(i)[0], 1.0);
+        EXPECT_GE(forcing.stage(i)[0], -1e-15);
+        EXPECT_LE(forcing.stage(i)[0], 1.0);
     }
 }
 

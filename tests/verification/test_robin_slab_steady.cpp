@@ -9,11 +9,11 @@ constexpr double area = 0.5;
 
 /// Surroundings of a patch with a temperature of their own, which still_air (one air for all) does not offer.
 constexpr std::array surroundings_parameters{
-    physics::Parameter{"h", "W m-2 K-1", 10.0, 0.0, 1e9, "coefficient"},
-    physics::Parameter{"T", "K", 293.15, 0.0, 1e4, "temperature of the surroundings"},
+    physics::ParameterSpec{"h", "W m-2 K-1", 10.0, 0.0, 1e9, "coefficient"},
+    physics::ParameterSpec{"T", "K", 293.15, 0.0, 1e4, "temperature of the surroundings"},
 };
 
-void speak_of_surroundings(const physics::Moment& m, physics::Terms& terms) {
+void add_terms_of_surroundings(const physics::EvaluationState& m, physics::Terms& terms) {
     for (const int patch : m.active.patches) {
         for (const mesh::PatchFace& face : m.mesh.patches[static_cast<std::size_t>(patch)].faces) {
             terms.exchange(face.node, m.active[0] * face.area, m.active[1]);
@@ -32,10 +32,10 @@ const physics::Effect surroundings{.id = "surroundings",
                                    .reads = {},
                                    .needs_tire = false,
                                    .patches = {},
-                                   .n_intensities = 0,
+                                   .n_coefficients = 0,
                                    .place = nullptr,
-                                   .drive = nullptr,
-                                   .speak = speak_of_surroundings,
+                                   .evaluate_coefficients = nullptr,
+                                   .add_terms = add_terms_of_surroundings,
                                    .gives_derivatives = true};
 
 TEST(RobinSlab, SurfaceSettlesAt333K) {

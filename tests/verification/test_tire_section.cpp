@@ -171,10 +171,10 @@ namespace {
 /// Heat of every effect at an even 330 K under given inputs. @returns [n_effects] W
 std::vector<double> watts_at_330K(const solver::Problem& problem) {
     solver::System system(problem);
-    std::vector<double> intensities(system.n_intensities());
-    system.drive(problem.drive.at(0.0, solver::Limit::after), intensities);
+    std::vector<double> coefficients(system.n_coefficients());
+    system.evaluate_coefficients(problem.input_signals.at(0.0, solver::JumpSide::after), coefficients);
     const std::vector<double> T(static_cast<std::size_t>(problem.mesh.n_nodes), 330.0);
-    system.evaluate(T, intensities);
+    system.evaluate(T, coefficients);
     return system.terms().watts;
 }
 

@@ -79,7 +79,7 @@ TEST(TwoBlocks, TendToTheTwoNodeModelAtFirstOrderInTheirResistance) {
 TEST(TwoBlocks, EqualTheTwoNodeModelWhenTheyHardlyResist) {
     // The difference is 3.5 K W/mK / k by the test above: 3.5e-7 K at k = 1e7 W/mK. Round-off does not forbid it:
     // between cells joined by 2e10 W/K the sixteenth digit of 300 K moves kilowatts to and fro, but what the blocks
-    // hold as a whole is the balance of the mesh, which must be booked to its last digits however small the scaled
+    // hold as a whole is the balance of the mesh, which must close to its last digits however small the scaled
     // residual is.
     support::expect_below("at_1e7", difference(blocks(1e7, 4)), 1e-6);
 }

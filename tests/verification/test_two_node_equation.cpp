@@ -67,10 +67,10 @@ TEST(TwoNodes, FlowsAreThoseOfEquation31AtAThousandRandomStates) {
         const support::TwoNodeThesis thesis = draw.thesis();
         solver::Problem problem = support::two_node_problem(thesis);
         solver::System system(problem);
-        std::vector<double> intensities(system.n_intensities());
-        system.drive(inputs_of(thesis), intensities);
+        std::vector<double> coefficients(system.n_coefficients());
+        system.evaluate_coefficients(inputs_of(thesis), coefficients);
         const std::vector<double> T{draw.between(250.0, 420.0), draw.between(250.0, 420.0)};
-        system.evaluate(T, intensities);
+        system.evaluate(T, coefficients);
 
         const support::TwoNodeThesis::Flow exact = thesis.flow(T[0], T[1]);
         const double on_surface = std::abs(system.heat_flow()[0] - exact.surface) / exact.surface_terms;

@@ -54,7 +54,7 @@ const std::vector<Leg>& drive() {
 
 constexpr double start = 296.15;
 
-/// The same drive as schedules; legs that meet at one time make a jump.
+/// The same inputs as schedules; legs that meet at one time make a jump.
 solver::Problem driven_problem() {
     solver::Problem problem = support::two_node_problem({});
     const std::map<std::string, double TwoNodeThesis::*> inputs{{"speed", &TwoNodeThesis::V},

@@ -26,65 +26,65 @@ enum : std::size_t {
 enum : std::size_t { exponential };
 
 constexpr std::array parameters{
-    Parameter{"lambda_h", "1", 1.0, 0.0, 10.0, "scale of the whole coefficient, the floor included"},
-    Parameter{"coefficient", "1", 0.318, 0.0, 10.0, "coefficient of the Nusselt law (32)"},
-    Parameter{"exponent", "1", 0.571, 0.0, 2.0, "exponent of the Reynolds number in (32)"},
-    Parameter{"exponential_factor", "W m-2 K-1", 8.59e-11, 0.0, 1.0, "factor of the exponential term of (33)"},
-    Parameter{"exponential_rate", "K-1", 0.0879, 0.0, 1.0, "rate of the exponential term of (33)"},
-    Parameter{"clamp_low", "K", 0.0, 0.0, 1000.0, "surface temperature below which the exponential is held"},
-    Parameter{"clamp_high", "K", 1000.0, 0.0, 1000.0, "surface temperature above which the exponential is held"},
-    Parameter{"floor", "W m-2 K-1", 30.0, 0.0, 1000.0, "natural convection: the sum of (33) never falls below it"},
-    Parameter{"air_conductivity", "W m-1 K-1", 0.025, 1e-4, 1.0, "conductivity of air"},
-    Parameter{"air_viscosity", "m2 s-1", 1.5e-5, 1e-7, 1e-3, "kinematic viscosity of air"},
+    ParameterSpec{"lambda_h", "1", 1.0, 0.0, 10.0, "scale of the whole coefficient, the floor included"},
+    ParameterSpec{"coefficient", "1", 0.318, 0.0, 10.0, "coefficient of the Nusselt law (32)"},
+    ParameterSpec{"exponent", "1", 0.571, 0.0, 2.0, "exponent of the Reynolds number in (32)"},
+    ParameterSpec{"exponential_factor", "W m-2 K-1", 8.59e-11, 0.0, 1.0, "factor of the exponential term of (33)"},
+    ParameterSpec{"exponential_rate", "K-1", 0.0879, 0.0, 1.0, "rate of the exponential term of (33)"},
+    ParameterSpec{"clamp_low", "K", 0.0, 0.0, 1000.0, "surface temperature below which the exponential is held"},
+    ParameterSpec{"clamp_high", "K", 1000.0, 0.0, 1000.0, "surface temperature above which the exponential is held"},
+    ParameterSpec{"floor", "W m-2 K-1", 30.0, 0.0, 1000.0, "natural convection: the sum of (33) never falls below it"},
+    ParameterSpec{"air_conductivity", "W m-1 K-1", 0.025, 1e-4, 1.0, "conductivity of air"},
+    ParameterSpec{"air_viscosity", "m2 s-1", 1.5e-5, 1e-7, 1e-3, "kinematic viscosity of air"},
 };
 constexpr std::array<std::string_view, 2> on_off{"on", "off"};
 constexpr std::array choices{Choice{"exponential", on_off, "whether the exponential term of (33) is added"}};
 constexpr std::array<std::string_view, 3> reads{"speed", "vertical_load", "air_temperature"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
-void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
+void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
     const ForcedConvection forced{.coefficient = active[coefficient],
                                   .exponent = active[exponent],
                                   .air_conductivity = active[air_conductivity],
                                   .air_viscosity = active[air_viscosity]};
-    const double area = driving.tire.outer_area() - driving.tire.contact_area(driving.inputs.vertical_load);
+    const double area = point.tire.outer_area() - point.tire.contact_area(point.inputs.vertical_load);
     out[0] = area;
-    out[1] = area * driving.laws.forced * forced(driving.tire, driving.inputs.speed);
-    out[2] = driving.inputs.air_temperature;
+    out[1] = area * point.laws.forced * forced(point.tire, point.inputs.speed);
+    out[2] = point.inputs.air_temperature;
 }
 
-void speak(const Moment& m, Terms& terms) {
+void add_terms(const EvaluationState& m, Terms& terms) {
     const ActiveEffect& active = m.active;
-    const double area = m.intensities[0];
+    const double area = m.coefficients[0];
     if (area <= 0.0) {
         return;
     }
-    const double h_forced = m.intensities[1] / area;
+    const double h_forced = m.coefficients[1] / area;
     for (const int patch : active.patches) {
         const mesh::Patch& outside = m.mesh.patches[static_cast<std::size_t>(patch)];
         const double per_area = area / outside.area();
         for (const mesh::PatchFace& face : outside.faces) {
             const double T = m.temperature[static_cast<std::size_t>(face.node)];
             double h = h_forced;
-            double by_T = 0.0;
+            double dh_dT = 0.0;
             if (active.choices[exponential] == 0) {
                 const double held = std::clamp(T, active[clamp_low], active[clamp_high]);
                 const double term = active[exponential_factor] * std::exp(active[exponential_rate] * held);
                 h += term;
-                by_T = held == T ? active[exponential_rate] * term : 0.0;
+                dh_dT = held == T ? active[exponential_rate] * term : 0.0;
             }
             if (h < active[floor_h]) {
                 h = active[floor_h];
-                by_T = 0.0;
+                dh_dT = 0.0;
             }
             const double scale = active[lambda_h] * per_area * face.area;
-            terms.exchange(face.node, scale * h, m.intensities[2], scale * by_T);
+            terms.exchange(face.node, scale * h, m.coefficients[2], scale * dh_dT);
         }
     }
 }
 
 /// The exponential was fitted between 0 and 100 degC; beyond, it doubles every 8 K.
-std::string caution(const ActiveEffect& active, double coldest, double hottest) {
+std::string range_warning(const ActiveEffect& active, double coldest, double hottest) {
     constexpr double zero_celsius = 273.15;
     const bool too_hot = hottest > zero_celsius + 100.0 && active[clamp_high] > zero_celsius + 100.0;
     const bool too_cold = coldest < zero_celsius && active[clamp_low] < zero_celsius;
@@ -116,10 +116,10 @@ const Effect air_convection{
     .reads = reads,
     .needs_tire = true,
     .patches = patches,
-    .n_intensities = 3,
-    .drive = drive,
-    .speak = speak,
-    .caution = caution,
+    .n_coefficients = 3,
+    .evaluate_coefficients = evaluate_coefficients,
+    .add_terms = add_terms,
+    .range_warning = range_warning,
 };
 
 }  // namespace tiretherm::physics::effects

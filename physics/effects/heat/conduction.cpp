@@ -9,7 +9,7 @@ namespace {
 /// Resistance per area [m2 K/W] of half a face in one material at one temperature, and its derivative.
 struct Half {
     double resistance;
-    double by_T;
+    double dR_dT;
 };
 
 Half half(const Curve& k, double length, double T) {
@@ -20,8 +20,8 @@ Half half(const Curve& k, double length, double T) {
 
 /// Faces inside one material come in groups of one layer and direction, three numbers each: the face and its nodes; their
 /// weight is area over length. The other faces follow as one group more.
-void place(const Setting& setting, ActiveEffect& active) {
-    const mesh::Mesh& mesh = setting.mesh;
+void place(const PlacementContext& context, ActiveEffect& active) {
+    const mesh::Mesh& mesh = context.mesh;
     active.nodes.clear();
     active.weights.clear();
     active.groups = {0};
@@ -35,7 +35,7 @@ void place(const Setting& setting, ActiveEffect& active) {
     const auto layer_of = [&](int f) {
         const mesh::Face& face = mesh.faces[static_cast<std::size_t>(f)];
         const int layer = mesh.layer[static_cast<std::size_t>(face.a)];
-        return !face.joint && face.link < 0 && layer == mesh.layer[static_cast<std::size_t>(face.b)] ? layer : -1;
+        return !face.is_coupling && face.link < 0 && layer == mesh.layer[static_cast<std::size_t>(face.b)] ? layer : -1;
     };
     std::vector<std::vector<int>> alike(3 * mesh.layers.size());
     for (int f = 0; f < n_faces; ++f) {
@@ -51,32 +51,32 @@ void place(const Setting& setting, ActiveEffect& active) {
         }
     }
     for (int f = 0; f < n_faces; ++f) {
-        if (layer_of(f) < 0 && !mesh.faces[static_cast<std::size_t>(f)].joint) {
+        if (layer_of(f) < 0 && !mesh.faces[static_cast<std::size_t>(f)].is_coupling) {
             add(f);
         }
     }
 }
 
 /// Faces inside one material, all with one law.
-void speak_inside(const Moment& m, std::size_t begin, std::size_t end, Terms& terms) {
+void add_terms_inside(const EvaluationState& m, std::size_t begin, std::size_t end, Terms& terms) {
     const int* const node = m.active.nodes.data();
     const mesh::Face& first = m.mesh.faces[static_cast<std::size_t>(node[3 * begin])];
     const auto layer = static_cast<std::size_t>(m.mesh.layer[static_cast<std::size_t>(first.a)]);
-    const Curve& k = m.stock.materials[layer].along(first.axis);
+    const Curve& k = m.material_model.materials[layer].along(first.axis);
     const double* const T = m.temperature.data();
     for (std::size_t i = begin; i < end; ++i) {
         const double T_a = T[node[3 * i + 1]];
         const double T_b = T[node[3 * i + 2]];
         const double per_k = m.active.weights[i];
         const Curve::Mean mean = k.mean(T_a, T_b);
-        terms.conduct(node[3 * i], per_k * mean.value, per_k * mean.by_a, per_k * mean.by_b, T_b - T_a);
+        terms.conduct(node[3 * i], per_k * mean.value, per_k * mean.slope_a, per_k * mean.slope_b, T_b - T_a);
     }
 }
 
-void speak(const Moment& m, Terms& terms) {
+void add_terms(const EvaluationState& m, Terms& terms) {
     const std::vector<int>& groups = m.active.groups;
     for (std::size_t g = 0; g + 1 < groups.size(); ++g) {
-        speak_inside(m, static_cast<std::size_t>(groups[g]), static_cast<std::size_t>(groups[g + 1]), terms);
+        add_terms_inside(m, static_cast<std::size_t>(groups[g]), static_cast<std::size_t>(groups[g + 1]), terms);
     }
     for (auto i = static_cast<std::size_t>(groups.back()); i < m.active.weights.size(); ++i) {
         const int f = m.active.nodes[3 * i];
@@ -86,26 +86,26 @@ void speak(const Moment& m, Terms& terms) {
         Half on_a{};
         Half on_b{};
         if (face.half_a > 0.0) {
-            on_a = half(m.stock.materials[static_cast<std::size_t>(m.mesh.layer[a])].along(face.axis), face.half_a,
-                        m.temperature[a]);
+            on_a = half(m.material_model.materials[static_cast<std::size_t>(m.mesh.layer[a])].along(face.axis),
+                        face.half_a, m.temperature[a]);
         }
         if (face.half_b > 0.0) {
-            on_b = half(m.stock.materials[static_cast<std::size_t>(m.mesh.layer[b])].along(face.axis), face.half_b,
-                        m.temperature[b]);
+            on_b = half(m.material_model.materials[static_cast<std::size_t>(m.mesh.layer[b])].along(face.axis),
+                        face.half_b, m.temperature[b]);
         }
         Half between{};
         int region = 0;
         if (face.link >= 0) {
             const mesh::Link& link = m.mesh.links[static_cast<std::size_t>(face.link)];
             region = link.region;
-            between = half(m.stock.link_laws[static_cast<std::size_t>(face.link)], link.length,
+            between = half(m.material_model.link_laws[static_cast<std::size_t>(face.link)], link.length,
                            m.region_mean[static_cast<std::size_t>(region)]);
         }
         const double G = face.area / (on_a.resistance + on_b.resistance + between.resistance);
-        const double by_resistance = -G * G / face.area;
-        terms.conduct(f, G, by_resistance * on_a.by_T, by_resistance * on_b.by_T);
-        if (between.by_T != 0.0) {
-            terms.conduct_follows(f, region, by_resistance * between.by_T);
+        const double dG_dR = -G * G / face.area;
+        terms.conduct(f, G, dG_dR * on_a.dR_dT, dG_dR * on_b.dR_dT);
+        if (between.dR_dT != 0.0) {
+            terms.add_conductance_derivative(f, region, dG_dR * between.dR_dT);
         }
     }
 }
@@ -121,7 +121,7 @@ const Effect conduction{
     .source = "Fourier; thesis (31)(34)",
     .meaning = "Heat conducted between cells. The laws k(T) and c(T) belong to the materials of the layers.",
     .place = place,
-    .speak = speak,
+    .add_terms = add_terms,
 };
 
 }  // namespace tiretherm::physics::effects

@@ -10,15 +10,15 @@ namespace {
 enum : std::size_t { exponent, reference };
 
 constexpr std::array parameters{
-    Parameter{"exponent", "1", 0.95, 0.0, 3.0, "of the pressure", false, 0.0},
-    Parameter{"reference", "N", 4500.0, 1.0, 1e6, "load at which Hc holds as it is"},
+    ParameterSpec{"exponent", "1", 0.95, 0.0, 3.0, "of the pressure", false, 0.0},
+    ParameterSpec{"reference", "N", 4500.0, 1.0, 1e6, "load at which Hc holds as it is"},
 };
 constexpr std::array<std::string_view, 2> reads{"vertical_load", "road_temperature"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
 /// Where road_contact acts and with its coefficient: weights in W/(m2 K), none when it is off.
-void place(const Setting& setting, ActiveEffect& active) {
-    const ActiveEffect* road = setting.find("road_contact");
+void place(const PlacementContext& context, ActiveEffect& active) {
+    const ActiveEffect* road = context.find("road_contact");
     if (road == nullptr) {
         active.nodes.clear();
         active.weights.clear();
@@ -29,27 +29,27 @@ void place(const Setting& setting, ActiveEffect& active) {
     };
     active.patches = road->patches;
     active.field = road->field;
-    spread_over_patches(setting, active, road->tables[static_cast<std::size_t>(find_table(*road->effect, "profile"))]);
+    spread_over_patches(context, active, road->tables[static_cast<std::size_t>(find_table(*road->effect, "profile"))]);
     for (double& weight : active.weights) {
         weight *= number("lambda_Hc") * number("Hc");
     }
 }
 
 // (35) with A = 0 makes the mean pressure 1/B whatever the load; here it is taken to follow the load, p/p0 = Fz/Fz0.
-void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
-    const double Fz = driving.inputs.vertical_load;
-    const double area = driving.tire.contact_area(Fz);
+void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
+    const double Fz = point.inputs.vertical_load;
+    const double area = point.tire.contact_area(Fz);
     out[0] = area > 0.0 ? area * (std::pow(Fz / active[reference], active[exponent]) - 1.0) : 0.0;
-    out[1] = out[0] * driving.inputs.road_temperature;
+    out[1] = out[0] * point.inputs.road_temperature;
 }
 
 /// A correction takes as well as gives: heat, not a conductance, which could not be negative.
-void speak(const Moment& m, Terms& terms) {
+void add_terms(const EvaluationState& m, Terms& terms) {
     for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
         const int node = m.active.nodes[i];
-        const double G = m.active.weights[i] * m.intensities[0];
+        const double G = m.active.weights[i] * m.coefficients[0];
         const double T = m.temperature[static_cast<std::size_t>(node)];
-        terms.heat(node, m.active.weights[i] * m.intensities[1] - G * T, -G);
+        terms.heat(node, m.active.weights[i] * m.coefficients[1] - G * T, -G);
     }
 }
 
@@ -68,10 +68,10 @@ const Effect contact_pressure_conductance{
     .reads = reads,
     .needs_tire = true,
     .patches = patches,
-    .n_intensities = 2,
+    .n_coefficients = 2,
     .place = place,
-    .drive = drive,
-    .speak = speak,
+    .evaluate_coefficients = evaluate_coefficients,
+    .add_terms = add_terms,
 };
 
 }  // namespace tiretherm::physics::effects

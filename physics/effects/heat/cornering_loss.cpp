@@ -13,20 +13,20 @@ enum : std::size_t { coefficient };
 // loses the share 2 tan(delta) of it on each of the V/l lengths a second: tan(delta) Fy^2 V/Ky. With tan(delta) 0.2 and
 // Ky 80 kN/rad that is 2.5e-6 Fy^2 V, 270 W at 2 kN and 100 km/h.
 constexpr std::array parameters{
-    Parameter{"coefficient", "N-1", 2.5e-6, 0.0, 1e-2, "tan(delta) / cornering stiffness; estimated", false, 0.0},
+    ParameterSpec{"coefficient", "N-1", 2.5e-6, 0.0, 1e-2, "tan(delta) / cornering stiffness; estimated", false, 0.0},
 };
 constexpr std::array<std::string_view, 2> reads{"speed", "lateral_force"};
 
-void place(const Setting& setting, ActiveEffect& active) { spread_over_bulk(setting, active); }
+void place(const PlacementContext& context, ActiveEffect& active) { spread_over_bulk(context, active); }
 
-void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
-    const double Fy = driving.inputs.lateral_force;
-    out[0] = active[coefficient] * Fy * Fy * std::abs(driving.inputs.speed);
+void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
+    const double Fy = point.inputs.lateral_force;
+    out[0] = active[coefficient] * Fy * Fy * std::abs(point.inputs.speed);
 }
 
-void speak(const Moment& m, Terms& terms) {
+void add_terms(const EvaluationState& m, Terms& terms) {
     for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
-        terms.heat(m.active.nodes[i], m.intensities[0] * m.active.weights[i]);
+        terms.heat(m.active.nodes[i], m.coefficients[0] * m.active.weights[i]);
     }
 }
 
@@ -44,10 +44,10 @@ const Effect cornering_loss{
     .parameters = parameters,
     .reads = reads,
     .by_deformation = true,
-    .n_intensities = 1,
+    .n_coefficients = 1,
     .place = place,
-    .drive = drive,
-    .speak = speak,
+    .evaluate_coefficients = evaluate_coefficients,
+    .add_terms = add_terms,
 };
 
 }  // namespace tiretherm::physics::effects

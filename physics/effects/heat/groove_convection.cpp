@@ -11,20 +11,20 @@ namespace {
 enum : std::size_t { area_share, depth, block_width, block_conductivity };
 
 constexpr std::array parameters{
-    Parameter{"area_share", "1", 0.25, 0.0, 3.0,
-              "area of the grooves' walls over that of the tread; 0.1 to 0.4, assumed", false, 0.0},
-    Parameter{"depth", "m", 0.008, 1e-4, 0.1, "depth of the grooves"},
-    Parameter{"block_width", "m", 0.020, 1e-4, 0.5, "width of the blocks between them"},
-    Parameter{"block_conductivity", "W m-1 K-1", 0.29, 1e-3, 100.0, "conductivity of the blocks"},
+    ParameterSpec{"area_share", "1", 0.25, 0.0, 3.0,
+                  "area of the grooves' walls over that of the tread; 0.1 to 0.4, assumed", false, 0.0},
+    ParameterSpec{"depth", "m", 0.008, 1e-4, 0.1, "depth of the grooves"},
+    ParameterSpec{"block_width", "m", 0.020, 1e-4, 0.5, "width of the blocks between them"},
+    ParameterSpec{"block_conductivity", "W m-1 K-1", 0.29, 1e-3, 100.0, "conductivity of the blocks"},
 };
 constexpr std::array<std::string_view, 3> reads{"speed", "vertical_load", "air_temperature"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
 /// Keeps the numbers of air_convection's forced law in the order of ForcedConvection; those of the thesis when it is off.
-void place(const Setting& setting, ActiveEffect& active) {
+void place(const PlacementContext& context, ActiveEffect& active) {
     const ForcedConvection thesis;
     active.weights = {thesis.coefficient, thesis.exponent, thesis.air_conductivity, thesis.air_viscosity};
-    if (const ActiveEffect* air = setting.find("air_convection")) {
+    if (const ActiveEffect* air = context.find("air_convection")) {
         constexpr std::array<std::string_view, 4> keys{"coefficient", "exponent", "air_conductivity", "air_viscosity"};
         for (std::size_t i = 0; i < keys.size(); ++i) {
             active.weights[i] = (*air)[static_cast<std::size_t>(find_parameter(*air->effect, keys[i]))];
@@ -38,23 +38,23 @@ double efficiency(const ActiveEffect& active, double h) {
     return mL > 0.0 ? std::tanh(mL) / mL : 1.0;
 }
 
-void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
+void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
     const ForcedConvection forced{.coefficient = active.weights[0],
                                   .exponent = active.weights[1],
                                   .air_conductivity = active.weights[2],
                                   .air_viscosity = active.weights[3]};
-    const double h = driving.laws.forced * forced(driving.tire, driving.inputs.speed);
-    const double area = driving.tire.outer_area() - driving.tire.contact_area(driving.inputs.vertical_load);
+    const double h = point.laws.forced * forced(point.tire, point.inputs.speed);
+    const double area = point.tire.outer_area() - point.tire.contact_area(point.inputs.vertical_load);
     out[0] = active[area_share] * efficiency(active, h) * h * area;
-    out[1] = out[0] * driving.inputs.air_temperature;
+    out[1] = out[0] * point.inputs.air_temperature;
 }
 
-void speak(const Moment& m, Terms& terms) {
-    const double G = m.intensities[0];
+void add_terms(const EvaluationState& m, Terms& terms) {
+    const double G = m.coefficients[0];
     if (G <= 0.0) {
         return;
     }
-    const double T_air = m.intensities[1] / G;
+    const double T_air = m.coefficients[1] / G;
     double area = 0.0;
     for (const int patch : m.active.patches) {
         area += m.mesh.patches[static_cast<std::size_t>(patch)].area();
@@ -81,10 +81,10 @@ const Effect groove_convection{
     .reads = reads,
     .needs_tire = true,
     .patches = patches,
-    .n_intensities = 2,
+    .n_coefficients = 2,
     .place = place,
-    .drive = drive,
-    .speak = speak,
+    .evaluate_coefficients = evaluate_coefficients,
+    .add_terms = add_terms,
 };
 
 }  // namespace tiretherm::physics::effects

@@ -10,52 +10,52 @@ namespace {
 enum : std::size_t { exponent, reference, liner, rim, capacity_of_gas };
 
 constexpr std::array parameters{
-    Parameter{"exponent", "1", 0.45, 0.0, 3.0,
-              "the loss falls with this power of the pressure; 0.4 to 0.5 in the pressure exponents of SAE J2452",
-              false, 0.0},
-    Parameter{"reference", "K", 294.15, 200.0, 400.0, "gas temperature at which the loss is left as it is"},
-    Parameter{"liner", "W K-1", 9.0, 0.0, 1000.0, "conductance from the bulk to the gas of this effect"},
-    Parameter{"rim", "W K-1", 4.0, 0.0, 1000.0, "conductance from the gas of this effect to the air"},
-    Parameter{"capacity", "J K-1", 70.0, 1.0, 1e5, "heat capacity of the gas of this effect, at constant volume"},
+    ParameterSpec{"exponent", "1", 0.45, 0.0, 3.0,
+                  "the loss falls with this power of the pressure; 0.4 to 0.5 in the pressure exponents of SAE J2452",
+                  false, 0.0},
+    ParameterSpec{"reference", "K", 294.15, 200.0, 400.0, "gas temperature at which the loss is left as it is"},
+    ParameterSpec{"liner", "W K-1", 9.0, 0.0, 1000.0, "conductance from the bulk to the gas of this effect"},
+    ParameterSpec{"rim", "W K-1", 4.0, 0.0, 1000.0, "conductance from the gas of this effect to the air"},
+    ParameterSpec{"capacity", "J K-1", 70.0, 1.0, 1e5, "heat capacity of the gas of this effect, at constant volume"},
 };
 constexpr std::array<std::string_view, 1> reads{"air_temperature"};
 constexpr std::string_view own = "pressure_gas";
 
-/// A gas of its own that follows the bulk's mean. The joint carries nothing: no heat is taken from the bulk.
+/// A gas of its own that follows the bulk's mean. The coupling face carries nothing: no heat is taken from the bulk.
 void extend(mesh::Mesh& mesh, ActiveEffect& active) {
-    const int gas = mesh.append(own);
+    const int gas = mesh.add_lumped_node(own);
     const mesh::Functional& bulk = mesh.regions[static_cast<std::size_t>(mesh.find_region("bulk"))].mean;
-    active.appended = {gas};
-    active.joints = {mesh.add_joint(bulk.nodes.front(), gas, 1.0)};
+    active.lumped_nodes = {gas};
+    active.coupling_faces = {mesh.add_coupling_face(bulk.nodes.front(), gas, 1.0)};
 }
 
 double capacity(const ActiveEffect& active, std::size_t /*index*/) { return active[capacity_of_gas]; }
 
 /// The gas that counts: that of inner_gas when it exchanges heat with the liner, its own otherwise.
-void place(const Setting& setting, ActiveEffect& active) {
-    const ActiveEffect* inner = setting.find("inner_gas");
-    const bool exchanges = inner != nullptr && (*inner)[0] > 0.0 && !inner->appended.empty();
-    active.nodes = {exchanges ? inner->appended.front() : active.appended.front()};
+void place(const PlacementContext& context, ActiveEffect& active) {
+    const ActiveEffect* inner = context.find("inner_gas");
+    const bool exchanges = inner != nullptr && (*inner)[0] > 0.0 && !inner->lumped_nodes.empty();
+    active.nodes = {exchanges ? inner->lumped_nodes.front() : active.lumped_nodes.front()};
 }
 
-Factor scale_loss(const Moment& m) {
-    const bool is_own = m.active.nodes.front() == m.active.appended.front();
-    const int region = m.mesh.find_region(is_own ? own : "gas");
+LossFactor scale_loss(const EvaluationState& m) {
+    const bool is_user_effect = m.active.nodes.front() == m.active.lumped_nodes.front();
+    const int region = m.mesh.find_region(is_user_effect ? own : "gas");
     const double T = m.region_mean[static_cast<std::size_t>(region)];
     const double value = std::pow(T / m.active[reference], -m.active[exponent]);
-    return {.value = value, .by_mean = -m.active[exponent] / T * value, .region = region};
+    return {.value = value, .dvalue_dT_mean = -m.active[exponent] / T * value, .region = region};
 }
 
-void drive(const ActiveEffect& /*active*/, const Driving& driving, std::span<double> out) {
-    out[0] = driving.inputs.air_temperature;
+void evaluate_coefficients(const ActiveEffect& /*active*/, const OperatingPoint& point, std::span<double> out) {
+    out[0] = point.inputs.air_temperature;
 }
 
-void speak(const Moment& m, Terms& terms) {
-    const int gas = m.active.appended.front();
+void add_terms(const EvaluationState& m, Terms& terms) {
+    const int gas = m.active.lumped_nodes.front();
     const int bulk = m.mesh.find_region("bulk");
     terms.exchange(gas, m.active[liner], m.region_mean[static_cast<std::size_t>(bulk)]);
-    terms.heat_follows(gas, bulk, m.active[liner]);
-    terms.exchange(gas, m.active[rim], m.intensities[0]);
+    terms.add_source_derivative(gas, bulk, m.active[liner]);
+    terms.exchange(gas, m.active[rim], m.coefficients[0]);
 }
 
 }  // namespace
@@ -76,13 +76,13 @@ const Effect inflation_pressure_rise{
     .parameters = parameters,
     .reads = reads,
     .needs_tire = true,
-    .n_intensities = 1,
+    .n_coefficients = 1,
     .extend = extend,
     .capacity = capacity,
     .place = place,
     .scale_loss = scale_loss,
-    .drive = drive,
-    .speak = speak,
+    .evaluate_coefficients = evaluate_coefficients,
+    .add_terms = add_terms,
 };
 
 }  // namespace tiretherm::physics::effects

@@ -11,38 +11,40 @@ enum : std::size_t { liner, rim, capacity_of_gas };
 // 28 l of air at 2.3 bar above the atmosphere and 293 K weigh 0.11 kg, 75 J/K at constant volume. A film of 15 W/m2K on
 // 0.6 m2 of liner makes 9 W/K, on 0.27 m2 of rim 4 W/K.
 constexpr std::array parameters{
-    Parameter{"liner", "W K-1", 9.0, 0.0, 1e4, "conductance from the inner liner to the gas; assumed", false, 0.0},
-    Parameter{"rim", "W K-1", 4.0, 0.0, 1e4, "conductance from the gas to the rim; assumed", false, 0.0},
-    Parameter{"capacity", "J K-1", 70.0, 1.0, 1e5, "heat capacity of the gas at constant volume"},
+    ParameterSpec{"liner", "W K-1", 9.0, 0.0, 1e4, "conductance from the inner liner to the gas; assumed", false, 0.0},
+    ParameterSpec{"rim", "W K-1", 4.0, 0.0, 1e4, "conductance from the gas to the rim; assumed", false, 0.0},
+    ParameterSpec{"capacity", "J K-1", 70.0, 1.0, 1e5, "heat capacity of the gas at constant volume"},
 };
 constexpr std::array<std::string_view, 1> reads{"air_temperature"};
 constexpr std::array<std::string_view, 1> patches{"inside"};
 
 void extend(mesh::Mesh& mesh, ActiveEffect& active) {
-    const int gas = mesh.append("gas");
-    active.appended = {gas};
-    active.joints = join_patches(mesh, active, gas);
-    join_gas_and_rim(mesh);
+    const int gas = mesh.add_lumped_node("gas");
+    active.lumped_nodes = {gas};
+    active.coupling_faces = couple_patches(mesh, active, gas);
+    couple_gas_and_rim(mesh);
 }
 
 double capacity(const ActiveEffect& active, std::size_t /*index*/) { return active[capacity_of_gas]; }
 
 /// Keeps the face between gas and rim, whichever of the two effects made it, or -1.
-void place(const Setting& setting, ActiveEffect& active) { active.nodes = {face_between_gas_and_rim(setting.mesh)}; }
-
-void drive(const ActiveEffect& /*active*/, const Driving& driving, std::span<double> out) {
-    out[0] = driving.inputs.air_temperature;
+void place(const PlacementContext& context, ActiveEffect& active) {
+    active.nodes = {face_between_gas_and_rim(context.mesh)};
 }
 
-void speak(const Moment& m, Terms& terms) {
-    const double area = joined_area(m.mesh, m.active);
-    for (const int joint : m.active.joints) {
-        terms.conduct(joint, m.active[liner] * m.mesh.faces[static_cast<std::size_t>(joint)].area / area);
+void evaluate_coefficients(const ActiveEffect& /*active*/, const OperatingPoint& point, std::span<double> out) {
+    out[0] = point.inputs.air_temperature;
+}
+
+void add_terms(const EvaluationState& m, Terms& terms) {
+    const double area = coupling_area(m.mesh, m.active);
+    for (const int face : m.active.coupling_faces) {
+        terms.conduct(face, m.active[liner] * m.mesh.faces[static_cast<std::size_t>(face)].area / area);
     }
     if (const int to_rim = m.active.nodes.front(); to_rim >= 0) {
         terms.conduct(to_rim, m.active[rim]);
     } else {
-        terms.exchange(m.active.appended.front(), m.active[rim], m.intensities[0]);
+        terms.exchange(m.active.lumped_nodes.front(), m.active[rim], m.coefficients[0]);
     }
 }
 
@@ -61,12 +63,12 @@ const Effect inner_gas{
     .parameters = parameters,
     .reads = reads,
     .patches = patches,
-    .n_intensities = 1,
+    .n_coefficients = 1,
     .extend = extend,
     .capacity = capacity,
     .place = place,
-    .drive = drive,
-    .speak = speak,
+    .evaluate_coefficients = evaluate_coefficients,
+    .add_terms = add_terms,
 };
 
 }  // namespace tiretherm::physics::effects

@@ -13,23 +13,23 @@ enum : std::size_t { radius, absorptivity, depth };
 enum : std::size_t { profile };
 
 constexpr std::array parameters{
-    Parameter{"radius", "m", 5.6419e-3, 1e-6, 1.0, "radius of the disc, or 1/e2 radius of the Gaussian; 1 cm2"},
-    Parameter{"absorptivity", "1", 1.0, 0.0, 1.0, "share of the light that is absorbed"},
-    Parameter{"depth", "m", 0.0, 0.0, 1.0, "1/e depth of absorption; 0: at the surface"},
+    ParameterSpec{"radius", "m", 5.6419e-3, 1e-6, 1.0, "radius of the disc, or 1/e2 radius of the Gaussian; 1 cm2"},
+    ParameterSpec{"absorptivity", "1", 1.0, 0.0, 1.0, "share of the light that is absorbed"},
+    ParameterSpec{"depth", "m", 0.0, 0.0, 1.0, "1/e depth of absorption; 0: at the surface"},
 };
 constexpr std::array<std::string_view, 2> profiles{"disc", "gaussian"};
 constexpr std::array choices{Choice{"profile", profiles, "uniform over a disc, or Gaussian"}};
 constexpr std::array<std::string_view, 1> reads{"laser_power"};
 constexpr std::array<std::string_view, 1> patches{"top"};
 
-void place(const Setting& setting, ActiveEffect& active) {
+void place(const PlacementContext& context, ActiveEffect& active) {
     active.nodes.clear();
     active.weights.clear();
-    const mesh::Mesh& mesh = setting.mesh;
-    const ActiveEffect* spot_size = setting.find("laser_spot_size");
+    const mesh::Mesh& mesh = context.mesh;
+    const ActiveEffect* spot_size = context.find("laser_spot_size");
     const double spot = active[radius] * (spot_size != nullptr ? (*spot_size)[0] : 1.0);
     if (mesh.grid && mesh.grid->size(0) == 1 && mesh.grid->size(1) == 1) {  // layers: the light is spread evenly
-        spread_over_patches(setting, active);
+        spread_over_patches(context, active);
         return;
     }
     for (const int patch : active.patches) {
@@ -65,13 +65,13 @@ void place(const Setting& setting, ActiveEffect& active) {
     }
 }
 
-void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
-    out[0] = active[absorptivity] * driving.inputs.laser_power;
+void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
+    out[0] = active[absorptivity] * point.inputs.laser_power;
 }
 
-void speak(const Moment& m, Terms& terms) {
+void add_terms(const EvaluationState& m, Terms& terms) {
     for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
-        terms.heat(m.active.nodes[i], m.intensities[0] * m.active.weights[i]);
+        terms.heat(m.active.nodes[i], m.coefficients[0] * m.active.weights[i]);
     }
 }
 
@@ -90,10 +90,10 @@ const Effect laser{
     .choices = choices,
     .reads = reads,
     .patches = patches,
-    .n_intensities = 1,
+    .n_coefficients = 1,
     .place = place,
-    .drive = drive,
-    .speak = speak,
+    .evaluate_coefficients = evaluate_coefficients,
+    .add_terms = add_terms,
 };
 
 }  // namespace tiretherm::physics::effects

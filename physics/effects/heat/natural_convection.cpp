@@ -11,11 +11,11 @@ enum : std::size_t { factor, length, exponent, scale };
 enum : std::size_t { law };
 
 constexpr std::array parameters{
-    Parameter{"factor", "1", 1.32, 0.0, 100.0,
-              "h in W/(m2 K) at 1 K and 1 m; 1.32 for a horizontal cylinder or plate facing up"},
-    Parameter{"length", "m", 0.66, 1e-4, 10.0, "diameter of the tire or size of the heated spot"},
-    Parameter{"exponent", "1", 0.25, 0.0, 1.0, "exponent of (T_surf - T_air) / length; 1/4 in laminar flow"},
-    Parameter{"scale", "1", 1.0, 0.0, 10.0, "factor on either law", false, 0.0},
+    ParameterSpec{"factor", "1", 1.32, 0.0, 100.0,
+                  "h in W/(m2 K) at 1 K and 1 m; 1.32 for a horizontal cylinder or plate facing up"},
+    ParameterSpec{"length", "m", 0.66, 1e-4, 10.0, "diameter of the tire or size of the heated spot"},
+    ParameterSpec{"exponent", "1", 0.25, 0.0, 1.0, "exponent of (T_surf - T_air) / length; 1/4 in laminar flow"},
+    ParameterSpec{"scale", "1", 1.0, 0.0, 10.0, "factor on either law", false, 0.0},
 };
 constexpr std::array<std::string_view, 2> laws{"power", "churchill_chu"};
 constexpr std::array choices{
@@ -23,16 +23,16 @@ constexpr std::array choices{
 constexpr std::array<std::string_view, 1> reads{"air_temperature"};
 constexpr std::array<std::string_view, 2> patches{"outside", "top"};
 
-void drive(const ActiveEffect& /*active*/, const Driving& driving, std::span<double> out) {
+void evaluate_coefficients(const ActiveEffect& /*active*/, const OperatingPoint& point, std::span<double> out) {
     // Buoyancy counts only at rest: a rolling tire's own wind sweeps the plume away.
-    out[0] = std::abs(driving.inputs.speed) <= standing_speed ? 1.0 : 0.0;
-    out[1] = driving.inputs.air_temperature;
+    out[0] = std::abs(point.inputs.speed) <= standing_speed ? 1.0 : 0.0;
+    out[1] = point.inputs.air_temperature;
 }
 
 /// A coefficient and its derivative with the temperature difference, which is not 0.
 struct Film {
-    double h;     ///< W/(m2 K)
-    double by_T;  ///< W/(m2 K2)
+    double h;      ///< W/(m2 K)
+    double dh_dT;  ///< W/(m2 K2)
 };
 
 Film power_law(double above, double factor, double length, double exponent) {
@@ -53,8 +53,8 @@ Film churchill_chu(double above, double T_air, double diameter) {
     return {k / diameter * root * root, k / diameter * 2.0 * root * term / (6.0 * above)};
 }
 
-void speak(const Moment& m, Terms& terms) {
-    const double T_air = m.intensities[1];
+void add_terms(const EvaluationState& m, Terms& terms) {
+    const double T_air = m.coefficients[1];
     for (std::size_t p = 0; p < m.active.patches.size(); ++p) {
         const double size = m.active.on_patch(length, p);
         for (const mesh::PatchFace& face : m.mesh.patches[static_cast<std::size_t>(m.active.patches[p])].faces) {
@@ -65,8 +65,8 @@ void speak(const Moment& m, Terms& terms) {
             const Film film = m.active.choices[law] == 0
                                   ? power_law(above, m.active.on_patch(factor, p), size, m.active.on_patch(exponent, p))
                                   : churchill_chu(above, T_air, size);
-            const double per_h = m.intensities[0] * m.active.on_patch(scale, p) * face.area;
-            terms.exchange(face.node, per_h * film.h, T_air, per_h * film.by_T);
+            const double per_h = m.coefficients[0] * m.active.on_patch(scale, p) * face.area;
+            terms.exchange(face.node, per_h * film.h, T_air, per_h * film.dh_dT);
         }
     }
 }
@@ -87,9 +87,9 @@ const Effect natural_convection{
     .choices = choices,
     .reads = reads,
     .patches = patches,
-    .n_intensities = 2,
-    .drive = drive,
-    .speak = speak,
+    .n_coefficients = 2,
+    .evaluate_coefficients = evaluate_coefficients,
+    .add_terms = add_terms,
 };
 
 }  // namespace tiretherm::physics::effects

@@ -9,26 +9,26 @@ namespace {
 enum : std::size_t { emissivity };
 
 constexpr std::array parameters{
-    Parameter{"emissivity", "1", 0.95, 0.0, 1.0, "emissivity of rubber, 0.90 to 0.95", false, 0.0},
+    ParameterSpec{"emissivity", "1", 0.95, 0.0, 1.0, "emissivity of rubber, 0.90 to 0.95", false, 0.0},
 };
 constexpr std::array<std::string_view, 1> reads{"air_temperature"};
 constexpr std::array<std::string_view, 2> patches{"outside", "top"};
 constexpr double stefan_boltzmann = 5.670374419e-8;  // W/(m2 K4), CODATA 2018
 
-void drive(const ActiveEffect& /*active*/, const Driving& driving, std::span<double> out) {
-    out[0] = driving.inputs.air_temperature;
+void evaluate_coefficients(const ActiveEffect& /*active*/, const OperatingPoint& point, std::span<double> out) {
+    out[0] = point.inputs.air_temperature;
 }
 
-void speak(const Moment& m, Terms& terms) {
-    const double T_air = m.intensities[0];
+void add_terms(const EvaluationState& m, Terms& terms) {
+    const double T_air = m.coefficients[0];
     for (std::size_t p = 0; p < m.active.patches.size(); ++p) {
         const double factor = m.active.on_patch(emissivity, p) * stefan_boltzmann;
         for (const mesh::PatchFace& face : m.mesh.patches[static_cast<std::size_t>(m.active.patches[p])].faces) {
             const double T = m.temperature[static_cast<std::size_t>(face.node)];
             // T_air^4 - T^4 = (T_air - T) (T^2 + T_air^2) (T + T_air)
             const double G = factor * face.area * (T * T + T_air * T_air) * (T + T_air);
-            const double by_T = factor * face.area * (3.0 * T * T + 2.0 * T * T_air + T_air * T_air);
-            terms.exchange(face.node, G, T_air, by_T);
+            const double dG_dT = factor * face.area * (3.0 * T * T + 2.0 * T * T_air + T_air * T_air);
+            terms.exchange(face.node, G, T_air, dG_dT);
         }
     }
 }
@@ -45,9 +45,9 @@ const Effect radiation{
     .parameters = parameters,
     .reads = reads,
     .patches = patches,
-    .n_intensities = 1,
-    .drive = drive,
-    .speak = speak,
+    .n_coefficients = 1,
+    .evaluate_coefficients = evaluate_coefficients,
+    .add_terms = add_terms,
 };
 
 }  // namespace tiretherm::physics::effects

@@ -16,14 +16,14 @@ enum : std::size_t { profile };
 constexpr std::array tables{contact_profile};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
-void place(const Setting& setting, ActiveEffect& active) {
-    spread_over_patches(setting, active, active.tables[profile]);
+void place(const PlacementContext& context, ActiveEffect& active) {
+    spread_over_patches(context, active, active.tables[profile]);
 }
 
-void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
-    const Inputs& in = driving.inputs;
-    const std::optional<ContactInRevolutions> contact = contact_in_revolutions(active, driving.tire, in);
-    out[0] = contact ? active[scale] * contact->mean_conductance() * driving.tire.contact_area(in.vertical_load) : 0.0;
+void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
+    const Inputs& in = point.inputs;
+    const std::optional<ContactInRevolutions> contact = contact_in_revolutions(active, point.tire, in);
+    out[0] = contact ? active[scale] * contact->mean_conductance() * point.tire.contact_area(in.vertical_load) : 0.0;
     out[1] = out[0] * in.road_temperature;
 }
 
@@ -64,11 +64,11 @@ const Effect resolved_contact{
     .instead_of = "road_contact",
     .needs_tire = true,
     .patches = patches,
-    .n_intensities = 2,
+    .n_coefficients = 2,
     .field = FieldOf::pressure,
     .place = place,
-    .drive = drive,
-    .speak = exchange_by_weights,
+    .evaluate_coefficients = evaluate_coefficients,
+    .add_terms = exchange_by_weights,
 };
 
 }  // namespace effects

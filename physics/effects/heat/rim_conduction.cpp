@@ -9,33 +9,34 @@ namespace {
 enum : std::size_t { bead, capacity_of_rim, cooling };
 
 constexpr std::array parameters{
-    Parameter{"bead", "W K-1", 1.0, 0.0, 1e4, "conductance from the tire through both beads to the rim; assumed", false,
-              0.0},
-    Parameter{"capacity", "J K-1", 7200.0, 1.0, 1e6, "heat capacity of the rim; 8 kg of aluminium, assumed"},
-    Parameter{"cooling", "W K-1", 10.0, 0.0, 1e4, "conductance from the rim to the air; 0.5 m2 at 20 W/m2K, assumed"},
+    ParameterSpec{"bead", "W K-1", 1.0, 0.0, 1e4, "conductance from the tire through both beads to the rim; assumed",
+                  false, 0.0},
+    ParameterSpec{"capacity", "J K-1", 7200.0, 1.0, 1e6, "heat capacity of the rim; 8 kg of aluminium, assumed"},
+    ParameterSpec{"cooling", "W K-1", 10.0, 0.0, 1e4,
+                  "conductance from the rim to the air; 0.5 m2 at 20 W/m2K, assumed"},
 };
 constexpr std::array<std::string_view, 1> reads{"air_temperature"};
 constexpr std::array<std::string_view, 2> patches{"beads", "inside"};
 
 void extend(mesh::Mesh& mesh, ActiveEffect& active) {
-    const int rim = mesh.append("rim");
-    active.appended = {rim};
-    active.joints = join_patches(mesh, active, rim);
-    join_gas_and_rim(mesh);
+    const int rim = mesh.add_lumped_node("rim");
+    active.lumped_nodes = {rim};
+    active.coupling_faces = couple_patches(mesh, active, rim);
+    couple_gas_and_rim(mesh);
 }
 
 double capacity(const ActiveEffect& active, std::size_t /*index*/) { return active[capacity_of_rim]; }
 
-void drive(const ActiveEffect& /*active*/, const Driving& driving, std::span<double> out) {
-    out[0] = driving.inputs.air_temperature;
+void evaluate_coefficients(const ActiveEffect& /*active*/, const OperatingPoint& point, std::span<double> out) {
+    out[0] = point.inputs.air_temperature;
 }
 
-void speak(const Moment& m, Terms& terms) {
-    const double area = joined_area(m.mesh, m.active);
-    for (const int joint : m.active.joints) {
-        terms.conduct(joint, m.active[bead] * m.mesh.faces[static_cast<std::size_t>(joint)].area / area);
+void add_terms(const EvaluationState& m, Terms& terms) {
+    const double area = coupling_area(m.mesh, m.active);
+    for (const int face : m.active.coupling_faces) {
+        terms.conduct(face, m.active[bead] * m.mesh.faces[static_cast<std::size_t>(face)].area / area);
     }
-    terms.exchange(m.active.appended.front(), m.active[cooling], m.intensities[0]);
+    terms.exchange(m.active.lumped_nodes.front(), m.active[cooling], m.coefficients[0]);
 }
 
 }  // namespace
@@ -54,11 +55,11 @@ const Effect rim_conduction{
     .reads = reads,
     .patches = patches,
     .one_patch = true,
-    .n_intensities = 1,
+    .n_coefficients = 1,
     .extend = extend,
     .capacity = capacity,
-    .drive = drive,
-    .speak = speak,
+    .evaluate_coefficients = evaluate_coefficients,
+    .add_terms = add_terms,
 };
 
 }  // namespace tiretherm::physics::effects

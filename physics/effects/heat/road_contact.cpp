@@ -10,20 +10,21 @@ enum : std::size_t { Hc, lambda_Hc };
 enum : std::size_t { profile };
 
 constexpr std::array parameters{
-    Parameter{"Hc", "W m-2 K-1", 500.0, 0.0, 1e6, "coefficient of a tire that does not roll, over the contact area"},
-    Parameter{"lambda_Hc", "1", 1.0, 0.0, 10.0, "scale of the coefficient"},
+    ParameterSpec{"Hc", "W m-2 K-1", 500.0, 0.0, 1e6,
+                  "coefficient of a tire that does not roll, over the contact area"},
+    ParameterSpec{"lambda_Hc", "1", 1.0, 0.0, 10.0, "scale of the coefficient"},
 };
 constexpr std::array tables{contact_profile};
 constexpr std::array<std::string_view, 2> reads{"vertical_load", "road_temperature"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
-void place(const Setting& setting, ActiveEffect& active) {
-    spread_over_patches(setting, active, active.tables[profile]);
+void place(const PlacementContext& context, ActiveEffect& active) {
+    spread_over_patches(context, active, active.tables[profile]);
 }
 
-void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
-    out[0] = active[lambda_Hc] * active[Hc] * driving.tire.contact_area(driving.inputs.vertical_load);
-    out[1] = out[0] * driving.inputs.road_temperature;
+void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
+    out[0] = active[lambda_Hc] * active[Hc] * point.tire.contact_area(point.inputs.vertical_load);
+    out[1] = out[0] * point.inputs.road_temperature;
 }
 
 }  // namespace
@@ -43,11 +44,11 @@ const Effect road_contact{
     .reads = reads,
     .needs_tire = true,
     .patches = patches,
-    .n_intensities = 2,
+    .n_coefficients = 2,
     .field = FieldOf::pressure,
     .place = place,
-    .drive = drive,
-    .speak = exchange_by_weights,
+    .evaluate_coefficients = evaluate_coefficients,
+    .add_terms = exchange_by_weights,
 };
 
 }  // namespace tiretherm::physics::effects

@@ -9,27 +9,27 @@ namespace {
 enum : std::size_t { conductance, h };
 
 constexpr std::array parameters{
-    Parameter{"conductance", "W K-1", 15.0, 0.0, 1e4,
-              "of both sidewalls together; 0.3 to 0.4 m2 at 30 to 60 W/m2K make 10 to 25 W/K", false, 0.0},
-    Parameter{"h", "W m-2 K-1", 0.0, 0.0, 1e4, "coefficient on the patch's area, in addition", false, 0.0},
+    ParameterSpec{"conductance", "W K-1", 15.0, 0.0, 1e4,
+                  "of both sidewalls together; 0.3 to 0.4 m2 at 30 to 60 W/m2K make 10 to 25 W/K", false, 0.0},
+    ParameterSpec{"h", "W m-2 K-1", 0.0, 0.0, 1e4, "coefficient on the patch's area, in addition", false, 0.0},
 };
 constexpr std::array<std::string_view, 1> reads{"air_temperature"};
 constexpr std::array<std::string_view, 2> patches{"sidewalls", "inside"};
 
-void place(const Setting& setting, ActiveEffect& active) { spread_over_patches(setting, active); }
+void place(const PlacementContext& context, ActiveEffect& active) { spread_over_patches(context, active); }
 
-void drive(const ActiveEffect& /*active*/, const Driving& driving, std::span<double> out) {
-    out[0] = driving.inputs.air_temperature;
+void evaluate_coefficients(const ActiveEffect& /*active*/, const OperatingPoint& point, std::span<double> out) {
+    out[0] = point.inputs.air_temperature;
 }
 
-void speak(const Moment& m, Terms& terms) {
+void add_terms(const EvaluationState& m, Terms& terms) {
     double area = 0.0;
     for (const int patch : m.active.patches) {
         area += m.mesh.patches[static_cast<std::size_t>(patch)].area();
     }
     const double G = m.active[conductance] + m.active[h] * area;
     for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
-        terms.exchange(m.active.nodes[i], G * m.active.weights[i], m.intensities[0]);
+        terms.exchange(m.active.nodes[i], G * m.active.weights[i], m.coefficients[0]);
     }
 }
 
@@ -50,10 +50,10 @@ const Effect sidewall_convection{
     .reads = reads,
     .patches = patches,
     .one_patch = true,
-    .n_intensities = 1,
+    .n_coefficients = 1,
     .place = place,
-    .drive = drive,
-    .speak = speak,
+    .evaluate_coefficients = evaluate_coefficients,
+    .add_terms = add_terms,
 };
 
 }  // namespace tiretherm::physics::effects

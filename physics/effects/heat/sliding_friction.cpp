@@ -2,8 +2,8 @@
 #include <array>
 #include <cmath>
 
-#include "physics/spread.hpp"
 #include "physics/contact/travelling.hpp"
+#include "physics/spread.hpp"
 
 namespace tiretherm::physics::effects {
 
@@ -14,9 +14,9 @@ enum : std::size_t { longitudinal, lateral, around };
 enum : std::size_t { profile };
 
 constexpr std::array parameters{
-    Parameter{"partition", "1", 0.6, 0.0, 1.0, "share of the friction power that enters the tire"},
-    Parameter{"lambda_x", "1", 1.0, 0.0, 10.0, "scale of the longitudinal friction power"},
-    Parameter{"lambda_y", "1", 1.0, 0.0, 10.0, "scale of the lateral friction power"},
+    ParameterSpec{"partition", "1", 0.6, 0.0, 1.0, "share of the friction power that enters the tire"},
+    ParameterSpec{"lambda_x", "1", 1.0, 0.0, 10.0, "scale of the longitudinal friction power"},
+    ParameterSpec{"lambda_y", "1", 1.0, 0.0, 10.0, "scale of the lateral friction power"},
 };
 constexpr std::array<std::string_view, 2> on_off{"on", "off"};
 constexpr std::array<std::string_view, 2> ways_around{"evenly", "in_contact"};
@@ -31,15 +31,15 @@ constexpr std::array<std::string_view, 6> may_read{"vertical_load", "slip_angle"
                                                    "lateral_force", "longitudinal_force", "wheel_angle"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
-void place(const Setting& setting, ActiveEffect& active) {
-    spread_over_patches(setting, active, active.tables[profile]);
-    active.groups = active.choices[around] == in_contact ? sectors_of(setting.mesh, active.nodes) : std::vector<int>{};
+void place(const PlacementContext& context, ActiveEffect& active) {
+    spread_over_patches(context, active, active.tables[profile]);
+    active.groups = active.choices[around] == in_contact ? sectors_of(context.mesh, active.nodes) : std::vector<int>{};
 }
 
 /// Power of sliding in the contact by the thesis's law. W
-double sliding_power(const ActiveEffect& active, const Driving& driving) {
-    const Inputs& in = driving.inputs;
-    if (!driving.tire.touches(in.vertical_load)) {
+double sliding_power(const ActiveEffect& active, const OperatingPoint& point) {
+    const Inputs& in = point.inputs;
+    if (!point.tire.touches(in.vertical_load)) {
         return 0.0;
     }
     // Sliding speeds of the contact: v_sx = V - R_R Omega = -V slip_ratio, v_sy = V tan(alpha).
@@ -50,20 +50,20 @@ double sliding_power(const ActiveEffect& active, const Driving& driving) {
 }
 
 /// The heat; of a field that follows time that of each frame, of one that goes round that of each sector.
-void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
+void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
     // A law may take the share beyond 1, where it says that a term is missing; it never turns heat into cold.
-    double factor = active[partition] * std::max(0.0, driving.laws.partition);
+    double factor = active[partition] * std::max(0.0, point.laws.partition);
     out[0] = 1.0;
     if (active.field && !active.field->watts.empty()) {
-        active.field->watts_at(driving.inputs.time, out);
+        active.field->watts_at(point.inputs.time, out);
     } else {
-        factor *= sliding_power(active, driving);
+        factor *= sliding_power(active, point);
         if (active.field) {
-            active.field->shares_at(driving.inputs.time, out);
+            active.field->shares_at(point.inputs.time, out);
         }
     }
     if (!active.groups.empty()) {
-        const TravellingContact contact(driving.tire, driving.inputs);
+        const TravellingContact contact(point.tire, point.inputs);
         const int sectors = active.groups.back() + 1;
         for (int s = 0; s < sectors; ++s) {
             out[static_cast<std::size_t>(s)] = concentration(contact, s, sectors);
@@ -74,19 +74,19 @@ void drive(const ActiveEffect& active, const Driving& driving, std::span<double>
     }
 }
 
-void speak(const Moment& m, Terms& terms) {
+void add_terms(const EvaluationState& m, Terms& terms) {
     if (!m.active.groups.empty()) {
         for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
-            if (const double watts = m.intensities[static_cast<std::size_t>(m.active.groups[i])]; watts != 0.0) {
+            if (const double watts = m.coefficients[static_cast<std::size_t>(m.active.groups[i])]; watts != 0.0) {
                 terms.heat(m.active.nodes[i], watts * m.active.weights[i]);
             }
         }
         return;
     }
-    for (std::size_t k = 0; k < m.intensities.size(); ++k) {
+    for (std::size_t k = 0; k < m.coefficients.size(); ++k) {
         const std::vector<double>& weights = m.active.field ? m.active.field->weights[k] : m.active.weights;
-        for (std::size_t i = 0; i < m.active.nodes.size() && m.intensities[k] != 0.0; ++i) {
-            terms.heat(m.active.nodes[i], m.intensities[k] * weights[i]);
+        for (std::size_t i = 0; i < m.active.nodes.size() && m.coefficients[k] != 0.0; ++i) {
+            terms.heat(m.active.nodes[i], m.coefficients[k] * weights[i]);
         }
         if (!m.active.field || k + 1 == m.active.field->frames()) {
             return;
@@ -115,12 +115,12 @@ const Effect sliding_friction{
     .may_read = may_read,
     .needs_tire = true,
     .patches = patches,
-    .n_intensities = 1,
+    .n_coefficients = 1,
     .field = FieldOf::friction,
-    .frame_intensities = most_frames,
+    .frame_coefficients = most_frames,
     .place = place,
-    .drive = drive,
-    .speak = speak,
+    .evaluate_coefficients = evaluate_coefficients,
+    .add_terms = add_terms,
 };
 
 }  // namespace tiretherm::physics::effects

@@ -9,20 +9,20 @@ namespace {
 enum : std::size_t { h };
 
 constexpr std::array parameters{
-    Parameter{"h", "W m-2 K-1", 10.0, 0.0, 1e6, "coefficient to the air"},
+    ParameterSpec{"h", "W m-2 K-1", 10.0, 0.0, 1e6, "coefficient to the air"},
 };
 constexpr std::array<std::string_view, 1> reads{"air_temperature"};
 constexpr std::array<std::string_view, 2> patches{"top", "bottom"};
 
-void drive(const ActiveEffect& /*active*/, const Driving& driving, std::span<double> out) {
-    out[0] = driving.inputs.air_temperature;
+void evaluate_coefficients(const ActiveEffect& /*active*/, const OperatingPoint& point, std::span<double> out) {
+    out[0] = point.inputs.air_temperature;
 }
 
-void speak(const Moment& m, Terms& terms) {
+void add_terms(const EvaluationState& m, Terms& terms) {
     for (std::size_t p = 0; p < m.active.patches.size(); ++p) {
         const double coefficient = m.active.on_patch(h, p);
         for (const mesh::PatchFace& face : m.mesh.patches[static_cast<std::size_t>(m.active.patches[p])].faces) {
-            terms.exchange(face.node, coefficient * face.area, m.intensities[0]);
+            terms.exchange(face.node, coefficient * face.area, m.coefficients[0]);
         }
     }
 }
@@ -39,9 +39,9 @@ const Effect still_air{
     .parameters = parameters,
     .reads = reads,
     .patches = patches,
-    .n_intensities = 1,
-    .drive = drive,
-    .speak = speak,
+    .n_coefficients = 1,
+    .evaluate_coefficients = evaluate_coefficients,
+    .add_terms = add_terms,
 };
 
 }  // namespace tiretherm::physics::effects

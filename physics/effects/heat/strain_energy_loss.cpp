@@ -2,8 +2,8 @@
 #include <array>
 #include <cmath>
 
-#include "physics/tire_laws/measured_loss.hpp"
 #include "physics/spread.hpp"
+#include "physics/tire_laws/measured_loss.hpp"
 
 namespace tiretherm::physics::effects {
 
@@ -28,22 +28,22 @@ enum : std::size_t { temperature };
 enum : std::size_t { profile };
 
 constexpr std::array parameters{
-    Parameter{"lambda_srf", "1", 1.0, 0.0, 10.0, "scale of the loss in the surface layer, lambda_SELsrf"},
-    Parameter{"lambda_blk", "1", 1.0, 0.0, 10.0, "scale of the loss in all layers below, lambda_SELblk"},
-    Parameter{"tan_delta_a", "1", 2.14e15, 0.0, 1e30, "a of the Gaussian loss tangent (49)"},
-    Parameter{"tan_delta_b", "K", -4989.0, -1e5, 1e5, "b of the Gaussian loss tangent (49), in kelvin"},
-    Parameter{"tan_delta_c", "K", 882.0, 1e-3, 1e5, "c of the Gaussian loss tangent (49)", true},
-    Parameter{"f0", "Hz", 52.0, 1e-3, 1e6, "frequency at which the compound was characterised"},
-    Parameter{"C1", "1", -8.86, -100.0, -0.1, "WLF constant C1 of (48)"},
-    Parameter{"C2", "K", 101.6, 0.1, 1000.0, "WLF constant C2 of (48)", true},
-    Parameter{"strain_energy_share", "1", 1.0, 0.0, 1e3,
-              "strain energy per mass beside that of other layers and zones; the thesis strains all alike"},
-    Parameter{"loss_tangent_share", "1", 1.0, 0.0, 1e3,
-              "loss tangent beside that of other layers and zones; the thesis knows one compound"},
-    Parameter{"belt_edge_gain", "1", 0.0, 0.0, 100.0,
-              "loss per mass at the belt's edges over that elsewhere, less 1; none in the thesis"},
-    Parameter{"belt_edge_place", "1", 0.8, 0.0, 1.0, "where the belt ends, as a share of half the tread's width"},
-    Parameter{"belt_edge_width", "m", 0.010, 1e-4, 1.0, "distance over which the excess falls to 1/e"},
+    ParameterSpec{"lambda_srf", "1", 1.0, 0.0, 10.0, "scale of the loss in the surface layer, lambda_SELsrf"},
+    ParameterSpec{"lambda_blk", "1", 1.0, 0.0, 10.0, "scale of the loss in all layers below, lambda_SELblk"},
+    ParameterSpec{"tan_delta_a", "1", 2.14e15, 0.0, 1e30, "a of the Gaussian loss tangent (49)"},
+    ParameterSpec{"tan_delta_b", "K", -4989.0, -1e5, 1e5, "b of the Gaussian loss tangent (49), in kelvin"},
+    ParameterSpec{"tan_delta_c", "K", 882.0, 1e-3, 1e5, "c of the Gaussian loss tangent (49)", true},
+    ParameterSpec{"f0", "Hz", 52.0, 1e-3, 1e6, "frequency at which the compound was characterised"},
+    ParameterSpec{"C1", "1", -8.86, -100.0, -0.1, "WLF constant C1 of (48)"},
+    ParameterSpec{"C2", "K", 101.6, 0.1, 1000.0, "WLF constant C2 of (48)", true},
+    ParameterSpec{"strain_energy_share", "1", 1.0, 0.0, 1e3,
+                  "strain energy per mass beside that of other layers and zones; the thesis strains all alike"},
+    ParameterSpec{"loss_tangent_share", "1", 1.0, 0.0, 1e3,
+                  "loss tangent beside that of other layers and zones; the thesis knows one compound"},
+    ParameterSpec{"belt_edge_gain", "1", 0.0, 0.0, 100.0,
+                  "loss per mass at the belt's edges over that elsewhere, less 1; none in the thesis"},
+    ParameterSpec{"belt_edge_place", "1", 0.8, 0.0, 1.0, "where the belt ends, as a share of half the tread's width"},
+    ParameterSpec{"belt_edge_width", "m", 0.010, 1e-4, 1.0, "distance over which the excess falls to 1/e"},
 };
 constexpr std::array<std::string_view, 2> temperatures{"bulk_mean", "local"};
 constexpr std::array choices{
@@ -76,8 +76,8 @@ double half_tread(const mesh::Mesh& mesh) {
 
 /// Shares in every cell, by mass times the weights of its layer, its zone and its place along the meridian; they sum to
 /// 1 before the scales. The skew is taken about its own mean, so that moving heat sideways keeps the total.
-void place(const Setting& setting, ActiveEffect& active) {
-    const mesh::Mesh& mesh = setting.mesh;
+void place(const PlacementContext& context, ActiveEffect& active) {
+    const mesh::Mesh& mesh = context.mesh;
     active.nodes.clear();
     active.weights.clear();
     active.skew.clear();
@@ -85,7 +85,7 @@ void place(const Setting& setting, ActiveEffect& active) {
     for (int cell = 0; cell < mesh.n_cells; ++cell) {
         const auto c = static_cast<std::size_t>(cell);
         const int layer = mesh.layer[c];
-        double weight = mesh.volume[c] * setting.stock.materials[static_cast<std::size_t>(layer)].density;
+        double weight = mesh.volume[c] * context.material_model.materials[static_cast<std::size_t>(layer)].density;
         for (const std::size_t share : {strain_energy_share, loss_tangent_share}) {
             weight *= active.at(share, Scope::layer, layer);
             weight *= mesh.zone[c] < 0 ? 1.0 : active.at(share, Scope::zone, mesh.zone[c]);
@@ -121,18 +121,18 @@ constexpr std::size_t tabled = framed + most_frames;
 
 bool gives_watts(const ActiveEffect& active) { return active.field && !active.field->watts.empty(); }
 
-void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
-    const Inputs& in = driving.inputs;
+void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
+    const Inputs& in = point.inputs;
     std::ranges::fill(out, 0.0);
     if (gives_watts(active)) {
         out[whole] = 1.0;
         active.field->watts_at(in.time, out.size() > framed ? out.subspan(framed, most_frames) : out.first(1));
         return;
     }
-    double power = strain_power(driving.tire, in.speed, in.vertical_load) * driving.laws.loss;
+    double power = strain_power(point.tire, in.speed, in.vertical_load) * point.laws.loss;
     if (active.total) {
-        const bool touches = driving.tire.touches(in.vertical_load);
-        const auto measured = [&](double T) { return touches ? active.total->power(in, T) * driving.laws.loss : 0.0; };
+        const bool touches = point.tire.touches(in.vertical_load);
+        const auto measured = [&](double T) { return touches ? active.total->power(in, T) * point.laws.loss : 0.0; };
         const std::vector<double>& at = active.total->bulk_temperatures;
         for (std::size_t i = 0; i < at.size() && at.size() > 1; ++i) {
             out[tabled + i] = measured(at[i]);
@@ -141,9 +141,9 @@ void drive(const ActiveEffect& active, const Driving& driving, std::span<double>
     }
     out[whole] = power;
     if (power > 0.0) {
-        const double frequency = driving.tire.revolutions(in.speed, in.vertical_load);
-        out[shifted] = power * (loss_tangent(active).shift(frequency) + driving.laws.loss_shift);
-        out[skewed] = power * driving.laws.loss_skew;
+        const double frequency = point.tire.revolutions(in.speed, in.vertical_load);
+        out[shifted] = power * (loss_tangent(active).shift(frequency) + point.laws.loss_shift);
+        out[skewed] = power * point.laws.loss_skew;
     }
     if (out.size() > framed && active.field) {
         active.field->shares_at(in.time, out.subspan(framed, most_frames));
@@ -160,12 +160,12 @@ struct Loss {
 };
 
 /// The measured power at the bulk's temperature over that which `whole` stands for.
-Loss relative_measured(const Moment& m, double T_bulk) {
+Loss relative_measured(const EvaluationState& m, double T_bulk) {
     const std::vector<double>& at = m.active.total->bulk_temperatures;
     if (at.size() < 2) {
         return {.value = 1.0};
     }
-    const auto P = [&](std::size_t i) { return m.intensities[tabled + i] / m.intensities[whole]; };
+    const auto P = [&](std::size_t i) { return m.coefficients[tabled + i] / m.coefficients[whole]; };
     const auto next = static_cast<std::size_t>(std::ranges::upper_bound(at, T_bulk) - at.begin());
     if (next == 0 || next == at.size()) {
         return {.value = P(next == 0 ? 0 : next - 1)};
@@ -175,14 +175,14 @@ Loss relative_measured(const Moment& m, double T_bulk) {
 }
 
 /// Shares a power out by weights; however it is shared, the total is the law's.
-void share_out(const Moment& m, double power, const std::vector<double>& weights, Terms& terms) {
+void share_out(const EvaluationState& m, double power, const std::vector<double>& weights, Terms& terms) {
     const auto bulk = m.mesh.find_region("bulk");
     const LossTangent law = loss_tangent(m.active);
-    const double shift = m.intensities[shifted] / m.intensities[whole];
-    const double skew = m.intensities[skewed] / m.intensities[whole];
+    const double shift = m.coefficients[shifted] / m.coefficients[whole];
+    const double skew = m.coefficients[skewed] / m.coefficients[whole];
     const bool local = m.active.choices[temperature] == 1 && !m.active.total;
     double factor = power;
-    for (const Factor& f : m.loss_factors) {
+    for (const LossFactor& f : m.loss_factors) {
         factor *= f.value;
     }
     const double T_bulk = m.region_mean[static_cast<std::size_t>(bulk)];
@@ -208,19 +208,19 @@ void share_out(const Moment& m, double power, const std::vector<double>& weights
             terms.heat(node, share * loss, share * loss * law.log_slope(T));
         } else {
             terms.heat(node, share * loss);
-            terms.heat_follows(node, bulk, share * slope);
+            terms.add_source_derivative(node, bulk, share * slope);
         }
-        for (const Factor& f : m.loss_factors) {
-            terms.heat_follows(node, f.region, share * loss / f.value * f.by_mean);
+        for (const LossFactor& f : m.loss_factors) {
+            terms.add_source_derivative(node, f.region, share * loss / f.value * f.dvalue_dT_mean);
         }
     }
 }
 
-void speak(const Moment& m, Terms& terms) {
-    const bool by_frames = m.intensities.size() > framed && m.active.field;
+void add_terms(const EvaluationState& m, Terms& terms) {
+    const bool by_frames = m.coefficients.size() > framed && m.active.field;
     const std::size_t frames = by_frames ? m.active.field->frames() : 1;
     for (std::size_t k = 0; k < frames; ++k) {
-        const double power = m.intensities[by_frames ? framed + k : whole];
+        const double power = m.coefficients[by_frames ? framed + k : whole];
         const std::vector<double>& weights = by_frames ? m.active.field->weights[k] : m.active.weights;
         if (power <= 0.0) {
             continue;
@@ -257,12 +257,12 @@ const Effect strain_energy_loss{
     .reads = reads,
     .needs_tire = true,
     .by_deformation = true,
-    .n_intensities = 3,
+    .n_coefficients = 3,
     .field = FieldOf::loss,
-    .frame_intensities = most_frames + most_temperatures,
+    .frame_coefficients = most_frames + most_temperatures,
     .place = place,
-    .drive = drive,
-    .speak = speak,
+    .evaluate_coefficients = evaluate_coefficients,
+    .add_terms = add_terms,
 };
 
 }  // namespace tiretherm::physics::effects

@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "physics/contact/rolling_contact.hpp"
-#include "physics/spread.hpp"
 #include "physics/contact/travelling.hpp"
+#include "physics/spread.hpp"
 
 namespace tiretherm::physics::effects {
 
@@ -30,9 +30,9 @@ constexpr std::array rule{
     GaussPoint{0.380690406958401546, 0.233956967286345524}, GaussPoint{0.619309593041598454, 0.233956967286345524},
     GaussPoint{0.830604693233132257, 0.180380786524069304}, GaussPoint{0.966234757101576014, 0.085662246189585173}};
 
-void place(const Setting& setting, ActiveEffect& active) {
-    spread_over_patches(setting, active, active.tables[profile]);
-    active.groups = sectors_of(setting.mesh, active.nodes);
+void place(const PlacementContext& context, ActiveEffect& active) {
+    spread_over_patches(context, active, active.tables[profile]);
+    active.groups = sectors_of(context.mesh, active.nodes);
 }
 
 /// Conductance of a part of the contact, integrated over its angle in the root of the time, in which it is smooth.
@@ -49,18 +49,17 @@ double integral(const ContactOfHalfSpaces& surfaces, const TravellingContact& co
     return sum * width;
 }
 
-void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
-    const Inputs& in = driving.inputs;
+void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
+    const Inputs& in = point.inputs;
     std::ranges::fill(out, 0.0);
     out[road] = in.road_temperature;
-    const TravellingContact contact(driving.tire, in);
+    const TravellingContact contact(point.tire, in);
     if (!contact.touches()) {
         return;
     }
     const ContactOfHalfSpaces surfaces = rolling_contact::half_spaces(active);
     // The contact's area is that share of the tread's strip that its length is of the circumference.
-    const double strip =
-        active[rolling_contact::scale] * driving.tire.contact_area(in.vertical_load) / contact.length();
+    const double strip = active[rolling_contact::scale] * point.tire.contact_area(in.vertical_load) / contact.length();
     const int sectors = active.groups.empty() ? 1 : active.groups.back() + 1;
     for (int s = 0; s < sectors; ++s) {
         const TravellingContact::Part part = contact.part(s, sectors);
@@ -73,11 +72,11 @@ void drive(const ActiveEffect& active, const Driving& driving, std::span<double>
     }
 }
 
-void speak(const Moment& m, Terms& terms) {
+void add_terms(const EvaluationState& m, Terms& terms) {
     for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
-        const double G = m.intensities[first_sector + static_cast<std::size_t>(m.active.groups[i])];
+        const double G = m.coefficients[first_sector + static_cast<std::size_t>(m.active.groups[i])];
         if (G > 0.0) {
-            terms.exchange(m.active.nodes[i], G * m.active.weights[i], m.intensities[road]);
+            terms.exchange(m.active.nodes[i], G * m.active.weights[i], m.coefficients[road]);
         }
     }
 }
@@ -107,11 +106,11 @@ const Effect travelling_contact{
     .needs_grid = true,
     .patches = patches,
     .travels = true,
-    .n_intensities = 2,
-    .frame_intensities = most_sectors - 1,
+    .n_coefficients = 2,
+    .frame_coefficients = most_sectors - 1,
     .place = place,
-    .drive = drive,
-    .speak = speak,
+    .evaluate_coefficients = evaluate_coefficients,
+    .add_terms = add_terms,
 };
 
 }  // namespace tiretherm::physics::effects

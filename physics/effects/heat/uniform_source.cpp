@@ -9,10 +9,10 @@ namespace {
 enum : std::size_t { power_density };
 
 constexpr std::array parameters{
-    Parameter{"power_density", "W m-3", 0.0, 0.0, 1e12, "heat made in every cell, per volume"},
+    ParameterSpec{"power_density", "W m-3", 0.0, 0.0, 1e12, "heat made in every cell, per volume"},
 };
 
-void speak(const Moment& m, Terms& terms) {
+void add_terms(const EvaluationState& m, Terms& terms) {
     for (int cell = 0; cell < m.mesh.n_cells; ++cell) {
         terms.heat(cell, m.active[power_density] * m.mesh.volume[static_cast<std::size_t>(cell)]);
     }
@@ -28,7 +28,7 @@ const Effect uniform_source{
     .source = "definition; used by reference problems",
     .meaning = "The same heat per volume everywhere, for problems with an exact solution.",
     .parameters = parameters,
-    .speak = speak,
+    .add_terms = add_terms,
 };
 
 }  // namespace tiretherm::physics::effects

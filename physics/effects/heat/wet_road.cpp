@@ -13,22 +13,22 @@ enum : std::size_t { film_depth, heated, evaporated, density, heat_capacity, lat
 // Rubber that meets cold water for the l/V = 3.5 ms of a contact gives 2 e/sqrt(pi t) = 14 kW/m2K with e = 758
 // W s^0.5/(m2 K), 135 W/K on 93 cm2: a twentieth of the film is heated through. The evaporated share is a guess.
 constexpr std::array parameters{
-    Parameter{"film_depth", "m", 1e-4, 0.0, 0.02, "water on the road; 0.05 to 1 mm", false, 0.0},
-    Parameter{"heated", "1", 0.05, 0.0, 1.0, "share of the film that leaves at the tire's temperature; estimated"},
-    Parameter{"evaporated", "K-1", 1e-5, 0.0, 1.0, "share that evaporates per kelvin of tire over film; assumed"},
-    Parameter{"density", "kg m-3", 998.0, 1.0, 1e4, "density of water"},
-    Parameter{"heat_capacity", "J kg-1 K-1", 4186.0, 1.0, 1e5, "specific heat of water"},
-    Parameter{"latent_heat", "J kg-1", 2.45e6, 0.0, 1e7, "heat of evaporation at 20 degC"},
+    ParameterSpec{"film_depth", "m", 1e-4, 0.0, 0.02, "water on the road; 0.05 to 1 mm", false, 0.0},
+    ParameterSpec{"heated", "1", 0.05, 0.0, 1.0, "share of the film that leaves at the tire's temperature; estimated"},
+    ParameterSpec{"evaporated", "K-1", 1e-5, 0.0, 1.0, "share that evaporates per kelvin of tire over film; assumed"},
+    ParameterSpec{"density", "kg m-3", 998.0, 1.0, 1e4, "density of water"},
+    ParameterSpec{"heat_capacity", "J kg-1 K-1", 4186.0, 1.0, 1e5, "specific heat of water"},
+    ParameterSpec{"latent_heat", "J kg-1", 2.45e6, 0.0, 1e7, "heat of evaporation at 20 degC"},
 };
 constexpr std::array<std::string_view, 4> reads{"speed", "vertical_load", "road_temperature", "wet"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
-void place(const Setting& setting, ActiveEffect& active) { spread_over_patches(setting, active); }
+void place(const PlacementContext& context, ActiveEffect& active) { spread_over_patches(context, active); }
 
-void drive(const ActiveEffect& active, const Driving& driving, std::span<double> out) {
-    const Inputs& in = driving.inputs;
-    const double film = driving.tire.touches(in.vertical_load)
-                            ? active[density] * active[film_depth] * driving.tire.width * std::abs(in.speed)
+void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
+    const Inputs& in = point.inputs;
+    const double film = point.tire.touches(in.vertical_load)
+                            ? active[density] * active[film_depth] * point.tire.width * std::abs(in.speed)
                             : 0.0;  // kg/s
     out[0] = in.wet * film * (active[heated] * active[heat_capacity] + active[evaporated] * active[latent_heat]);
     out[1] = out[0] * in.road_temperature;
@@ -49,10 +49,10 @@ const Effect wet_road{
     .reads = reads,
     .needs_tire = true,
     .patches = patches,
-    .n_intensities = 2,
+    .n_coefficients = 2,
     .place = place,
-    .drive = drive,
-    .speak = exchange_by_weights,
+    .evaluate_coefficients = evaluate_coefficients,
+    .add_terms = exchange_by_weights,
 };
 
 }  // namespace tiretherm::physics::effects

@@ -9,7 +9,8 @@ namespace {
 enum : std::size_t { rate };
 
 constexpr std::array parameters{
-    Parameter{"rate", "K h-1", 0.0, -1000.0, 1000.0, "how fast the true temperature leaves the logged one", true, 0.0},
+    ParameterSpec{"rate", "K h-1", 0.0, -1000.0, 1000.0, "how fast the true temperature leaves the logged one", true,
+                  0.0},
 };
 constexpr std::array<std::string_view, 1> reads{"air_temperature"};
 

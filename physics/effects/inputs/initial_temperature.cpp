@@ -10,11 +10,11 @@ namespace {
 enum : std::size_t { offset };
 
 constexpr std::array parameters{
-    Parameter{"offset", "K", 0.0, -200.0, 200.0, "true temperature at the start less the stated one", true, 0.0},
+    ParameterSpec{"offset", "K", 0.0, -200.0, 200.0, "true temperature at the start less the stated one", true, 0.0},
 };
 constexpr std::array scopes{Scope::layer};
 
-/// Surface nodes belong to their cell's layer, appended nodes to none.
+/// Surface nodes belong to their cell's layer, lumped nodes to none.
 void start(const ActiveEffect& active, const mesh::Mesh& mesh, std::span<double> temperature) {
     for (std::size_t node = 0; node < temperature.size(); ++node) {
         const int layer = mesh.layer[node];

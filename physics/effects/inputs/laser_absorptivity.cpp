@@ -10,9 +10,9 @@ namespace {
 enum : std::size_t { factor, fall };
 
 constexpr std::array parameters{
-    Parameter{"factor", "1", 0.95, 0.0, 2.0, "absorbed power over that of the laser effect; 0.90 to 0.97 recalled",
-              false, 1.0},
-    Parameter{"fall", "h-1", 0.0, -100.0, 100.0, "rate at which the power falls off, of itself", false, 0.0},
+    ParameterSpec{"factor", "1", 0.95, 0.0, 2.0, "absorbed power over that of the laser effect; 0.90 to 0.97 recalled",
+                  false, 1.0},
+    ParameterSpec{"fall", "h-1", 0.0, -100.0, 100.0, "rate at which the power falls off, of itself", false, 0.0},
 };
 constexpr std::array<std::string_view, 1> reads{"laser_power"};
 

@@ -7,7 +7,7 @@ namespace tiretherm::physics::effects {
 namespace {
 
 constexpr std::array parameters{
-    Parameter{"scale", "1", 1.0, 0.01, 100.0, "true radius of the spot over that of the laser effect", false, 1.0},
+    ParameterSpec{"scale", "1", 1.0, 0.01, 100.0, "true radius of the spot over that of the laser effect", false, 1.0},
 };
 constexpr std::array<std::string_view, 1> reads{"laser_power"};
 

@@ -10,7 +10,7 @@ namespace {
 enum : std::size_t { gain };
 
 constexpr std::array parameters{
-    Parameter{"gain", "1", 1.0, 0.0, 10.0, "true sliding speed over that of the log", false, 1.0},
+    ParameterSpec{"gain", "1", 1.0, 0.0, 10.0, "true sliding speed over that of the log", false, 1.0},
 };
 constexpr std::array<std::string_view, 2> may_read{"slip_angle", "slip_ratio"};
 

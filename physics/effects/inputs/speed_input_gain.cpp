@@ -9,7 +9,7 @@ namespace {
 enum : std::size_t { gain };
 
 constexpr std::array parameters{
-    Parameter{"gain", "1", 1.0, 0.0, 10.0, "true speed over the logged one", false, 1.0},
+    ParameterSpec{"gain", "1", 1.0, 0.0, 10.0, "true speed over the logged one", false, 1.0},
 };
 constexpr std::array<std::string_view, 1> reads{"speed"};
 

@@ -12,14 +12,16 @@ enum : std::size_t { meridian, circumference };
 // Steel cords at +-22 degrees to the circumference with 5 W/mK along and 0.7 across them, 0.4 through the belt:
 // 5 cos^2 + 0.7 sin^2 = 4.4 and 5 sin^2 + 0.7 cos^2 = 1.3 W/mK, 11 and 3 times the conductivity through.
 constexpr std::array parameters{
-    Parameter{"meridian", "1", 3.0, 1e-3, 1e3, "factor on the conductivity along the meridian; recalled", false, 1.0},
-    Parameter{"circumference", "1", 10.0, 1e-3, 1e3, "factor on that along the circumference; recalled", false, 1.0},
+    ParameterSpec{"meridian", "1", 3.0, 1e-3, 1e3, "factor on the conductivity along the meridian; recalled", false,
+                  1.0},
+    ParameterSpec{"circumference", "1", 10.0, 1e-3, 1e3, "factor on that along the circumference; recalled", false,
+                  1.0},
 };
 constexpr std::array scopes{Scope::layer};
 
-void amend(const ActiveEffect& active, const mesh::Mesh& /*mesh*/, Stock& stock) {
+void modify_properties(const ActiveEffect& active, const mesh::Mesh& /*mesh*/, MaterialModel& material_model) {
     for (const int layer : active.layers) {
-        auto& k = stock.materials[static_cast<std::size_t>(layer)].conductivity;
+        auto& k = material_model.materials[static_cast<std::size_t>(layer)].conductivity;
         for (const auto& [axis, factor] :
              {std::pair(mesh::Axis::meridian, meridian), std::pair(mesh::Axis::circumference, circumference)}) {
             Curve& along = k[static_cast<std::size_t>(axis)];
@@ -43,7 +45,7 @@ const Effect belt_anisotropy{
     .scopes = scopes,
     .needs_grid = true,
     .on_layers = true,
-    .amend = amend,
+    .modify_properties = modify_properties,
 };
 
 }  // namespace tiretherm::physics::effects

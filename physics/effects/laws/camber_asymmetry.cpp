@@ -12,12 +12,12 @@ enum : std::size_t { c };
 // grows with the square: 1 + 2 gamma y/delta. At the shoulders of a 225/50 R17, y = 0.08 m, under 4 kN, delta = 17 mm:
 // c = 2 y/delta = 9.5 1/rad.
 constexpr std::array parameters{
-    Parameter{"c", "rad-1", 10.0, 0.0, 100.0, "how much of a shoulder's loss moves per radian of camber; from geometry",
-              false, 0.0},
+    ParameterSpec{"c", "rad-1", 10.0, 0.0, 100.0,
+                  "how much of a shoulder's loss moves per radian of camber; from geometry", false, 0.0},
 };
 constexpr std::array<std::string_view, 1> may_read{"camber"};
 
-void bend(const ActiveEffect& active, const Tire& /*tire*/, const Inputs& inputs, Laws& laws) {
+void modify_laws(const ActiveEffect& active, const Tire& /*tire*/, const Inputs& inputs, Laws& laws) {
     laws.loss_skew += active[c] * inputs.camber;
 }
 
@@ -36,7 +36,7 @@ const Effect camber_asymmetry{
     .may_read = may_read,
     .needs_tire = true,
     .needs_grid = true,
-    .bend = bend,
+    .modify_laws = modify_laws,
 };
 
 }  // namespace tiretherm::physics::effects

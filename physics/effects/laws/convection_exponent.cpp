@@ -10,24 +10,24 @@ namespace {
 enum : std::size_t { exponent, pivot };
 
 constexpr std::array parameters{
-    Parameter{"exponent", "1", 0.805, 0.0, 2.0,
-              "exponent of the speed in the forced part; 0.571 in the thesis, 0.805 of a cylinder at Re > 40 000",
-              false, 0.571},
-    Parameter{"pivot", "m s-1", 25.0, 1.0, 100.0, "speed at which both exponents give the same coefficient"},
+    ParameterSpec{"exponent", "1", 0.805, 0.0, 2.0,
+                  "exponent of the speed in the forced part; 0.571 in the thesis, 0.805 of a cylinder at Re > 40 000",
+                  false, 0.571},
+    ParameterSpec{"pivot", "m s-1", 25.0, 1.0, 100.0, "speed at which both exponents give the same coefficient"},
 };
 constexpr std::array<std::string_view, 1> reads{"speed"};
 
 /// Keeps the exponent that air_convection has, as its only weight.
-void place(const Setting& setting, ActiveEffect& active) {
+void place(const PlacementContext& context, ActiveEffect& active) {
     double base = 0.571;
-    if (const ActiveEffect* air = setting.find("air_convection")) {
+    if (const ActiveEffect* air = context.find("air_convection")) {
         base = (*air)[static_cast<std::size_t>(find_parameter(*air->effect, "exponent"))];
     }
     active.weights = {base};
 }
 
 /// h'(V) = h(pivot) (V/pivot)^n' = h(V) (V/pivot)^(n' - n). At rest h(V) is nothing and stays so.
-void bend(const ActiveEffect& active, const Tire& /*tire*/, const Inputs& inputs, Laws& laws) {
+void modify_laws(const ActiveEffect& active, const Tire& /*tire*/, const Inputs& inputs, Laws& laws) {
     if (const double ratio = std::abs(inputs.speed) / active[pivot]; ratio > 0.0) {
         laws.forced *= std::pow(ratio, active[exponent] - active.weights.front());
     }
@@ -48,7 +48,7 @@ const Effect convection_exponent{
     .reads = reads,
     .needs_tire = true,
     .place = place,
-    .bend = bend,
+    .modify_laws = modify_laws,
 };
 
 }  // namespace tiretherm::physics::effects

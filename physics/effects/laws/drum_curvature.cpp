@@ -10,11 +10,11 @@ namespace {
 enum : std::size_t { curvature };
 
 constexpr std::array parameters{
-    Parameter{"curvature", "m-1", 1.1716, 0.0, 10.0,
-              "1 / radius of the drum; 1.1716 for the drum of 1.707 m diameter, 0 for a flat road", false, 0.0},
+    ParameterSpec{"curvature", "m-1", 1.1716, 0.0, 10.0,
+                  "1 / radius of the drum; 1.1716 for the drum of 1.707 m diameter, 0 for a flat road", false, 0.0},
 };
 
-void bend(const ActiveEffect& active, const Tire& tire, const Inputs& /*inputs*/, Laws& laws) {
+void modify_laws(const ActiveEffect& active, const Tire& tire, const Inputs& /*inputs*/, Laws& laws) {
     laws.loss *= std::sqrt(1.0 + tire.unloaded_radius * active[curvature]);
 }
 
@@ -31,7 +31,7 @@ const Effect drum_curvature{
         "1.7 m diameter.",
     .parameters = parameters,
     .needs_tire = true,
-    .bend = bend,
+    .modify_laws = modify_laws,
 };
 
 }  // namespace tiretherm::physics::effects

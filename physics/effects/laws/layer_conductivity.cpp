@@ -9,26 +9,26 @@ namespace {
 enum : std::size_t { scale, slope, reference };
 
 constexpr std::array parameters{
-    Parameter{"scale", "1", 1.0, 1e-3, 1e3, "factor on k(T)", false, 1.0},
-    Parameter{"slope", "K-1", 0.0, -1.0, 1.0, "added to dk/dT, over k at the reference", false, 0.0},
-    Parameter{"reference", "K", 293.15, 200.0, 500.0, "temperature about which the slope turns"},
+    ParameterSpec{"scale", "1", 1.0, 1e-3, 1e3, "factor on k(T)", false, 1.0},
+    ParameterSpec{"slope", "K-1", 0.0, -1.0, 1.0, "added to dk/dT, over k at the reference", false, 0.0},
+    ParameterSpec{"reference", "K", 293.15, 200.0, 500.0, "temperature about which the slope turns"},
 };
 constexpr std::array scopes{Scope::layer};
 
 // The line is a share of k itself, so that factors on the same layer by other effects commute with it.
-Curve amended(const ActiveEffect& active, int layer, const Curve& k) {
+Curve modified(const ActiveEffect& active, int layer, const Curve& k) {
     const double line = active.at(slope, Scope::layer, layer) * k.value(active[reference]);
     return k.plus_line(active[reference], line).scaled(active.at(scale, Scope::layer, layer));
 }
 
 /// Two lumps have no inner resistance: what conducts between them is the link, which takes the bulk's numbers.
-void amend(const ActiveEffect& active, const mesh::Mesh& mesh, Stock& stock) {
+void modify_properties(const ActiveEffect& active, const mesh::Mesh& mesh, MaterialModel& material_model) {
     for (const int layer : active.layers) {
-        for (Curve& k : stock.materials[static_cast<std::size_t>(layer)].conductivity) {
-            k = amended(active, layer, k);
+        for (Curve& k : material_model.materials[static_cast<std::size_t>(layer)].conductivity) {
+            k = modified(active, layer, k);
         }
         if (mesh.kind == "two_node" && layer == 1) {
-            stock.link_laws.front() = amended(active, layer, stock.link_laws.front());
+            material_model.link_laws.front() = modified(active, layer, material_model.link_laws.front());
         }
     }
 }
@@ -47,7 +47,7 @@ const Effect layer_conductivity{
     .parameters = parameters,
     .scopes = scopes,
     .on_layers = true,
-    .amend = amend,
+    .modify_properties = modify_properties,
 };
 
 }  // namespace tiretherm::physics::effects

@@ -9,13 +9,13 @@ namespace {
 enum : std::size_t { scale };
 
 constexpr std::array parameters{
-    Parameter{"scale", "1", 1.0, 1e-2, 1e2, "factor on c(T)", false, 1.0},
+    ParameterSpec{"scale", "1", 1.0, 1e-2, 1e2, "factor on c(T)", false, 1.0},
 };
 constexpr std::array scopes{Scope::layer};
 
-void amend(const ActiveEffect& active, const mesh::Mesh& /*mesh*/, Stock& stock) {
+void modify_properties(const ActiveEffect& active, const mesh::Mesh& /*mesh*/, MaterialModel& material_model) {
     for (const int layer : active.layers) {
-        Curve& c = stock.materials[static_cast<std::size_t>(layer)].heat_capacity;
+        Curve& c = material_model.materials[static_cast<std::size_t>(layer)].heat_capacity;
         c = c.scaled(active.at(scale, Scope::layer, layer));
     }
 }
@@ -33,7 +33,7 @@ const Effect layer_heat_capacity{
     .parameters = parameters,
     .scopes = scopes,
     .on_layers = true,
-    .amend = amend,
+    .modify_properties = modify_properties,
 };
 
 }  // namespace tiretherm::physics::effects

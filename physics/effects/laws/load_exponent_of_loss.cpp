@@ -10,12 +10,12 @@ namespace {
 enum : std::size_t { exponent, reference };
 
 constexpr std::array parameters{
-    Parameter{"exponent", "1", 0.0, -3.0, 3.0, "of the load, beside what the law has already", false, 0.0},
-    Parameter{"reference", "N", 4500.0, 1.0, 1e6, "load at which the loss is left as it is"},
+    ParameterSpec{"exponent", "1", 0.0, -3.0, 3.0, "of the load, beside what the law has already", false, 0.0},
+    ParameterSpec{"reference", "N", 4500.0, 1.0, 1e6, "load at which the loss is left as it is"},
 };
 constexpr std::array<std::string_view, 1> reads{"vertical_load"};
 
-void bend(const ActiveEffect& active, const Tire& tire, const Inputs& inputs, Laws& laws) {
+void modify_laws(const ActiveEffect& active, const Tire& tire, const Inputs& inputs, Laws& laws) {
     if (tire.touches(inputs.vertical_load)) {
         laws.loss *= std::pow(inputs.vertical_load / active[reference], active[exponent]);
     }
@@ -35,7 +35,7 @@ const Effect load_exponent_of_loss{
     .parameters = parameters,
     .reads = reads,
     .needs_tire = true,
-    .bend = bend,
+    .modify_laws = modify_laws,
 };
 
 }  // namespace tiretherm::physics::effects

@@ -10,13 +10,13 @@ namespace {
 enum : std::size_t { per_decade, reference };
 
 constexpr std::array parameters{
-    Parameter{"per_decade", "K", 0.0, -100.0, 100.0,
-              "added to the equivalent temperature per decade of frequency above the reference", true, 0.0},
-    Parameter{"reference", "Hz", 52.0, 1e-3, 1e6, "frequency at which the compound was characterised, f0 of (48)"},
+    ParameterSpec{"per_decade", "K", 0.0, -100.0, 100.0,
+                  "added to the equivalent temperature per decade of frequency above the reference", true, 0.0},
+    ParameterSpec{"reference", "Hz", 52.0, 1e-3, 1e6, "frequency at which the compound was characterised, f0 of (48)"},
 };
 constexpr std::array<std::string_view, 2> reads{"speed", "vertical_load"};
 
-void bend(const ActiveEffect& active, const Tire& tire, const Inputs& inputs, Laws& laws) {
+void modify_laws(const ActiveEffect& active, const Tire& tire, const Inputs& inputs, Laws& laws) {
     if (std::abs(inputs.speed) > standing_speed) {  // below it there is no loss, and no logarithm
         const double frequency = tire.revolutions(inputs.speed, inputs.vertical_load);
         laws.loss_shift += active[per_decade] * std::log10(frequency / active[reference]);
@@ -37,7 +37,7 @@ const Effect loss_frequency_shift{
     .parameters = parameters,
     .reads = reads,
     .needs_tire = true,
-    .bend = bend,
+    .modify_laws = modify_laws,
 };
 
 }  // namespace tiretherm::physics::effects

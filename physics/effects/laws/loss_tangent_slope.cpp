@@ -10,15 +10,16 @@ namespace {
 enum : std::size_t { slope, reference };
 
 constexpr std::array parameters{
-    Parameter{"slope", "K-1", 0.0, -0.1, 0.1, "error of d ln(tan delta)/dT", false, 0.0},
-    Parameter{"reference", "K", 333.15, 200.0, 500.0, "bulk temperature at which the loss tangent is left as it is"},
+    ParameterSpec{"slope", "K-1", 0.0, -0.1, 0.1, "error of d ln(tan delta)/dT", false, 0.0},
+    ParameterSpec{"reference", "K", 333.15, 200.0, 500.0,
+                  "bulk temperature at which the loss tangent is left as it is"},
 };
 
-Factor scale_loss(const Moment& m) {
+LossFactor scale_loss(const EvaluationState& m) {
     const int bulk = m.mesh.find_region("bulk");
     const double above = m.region_mean[static_cast<std::size_t>(bulk)] - m.active[reference];
     const double value = std::exp(m.active[slope] * above);
-    return {.value = value, .by_mean = m.active[slope] * value, .region = bulk};
+    return {.value = value, .dvalue_dT_mean = m.active[slope] * value, .region = bulk};
 }
 
 }  // namespace

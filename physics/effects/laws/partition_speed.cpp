@@ -10,15 +10,16 @@ namespace {
 enum : std::size_t { slope };
 
 constexpr std::array parameters{
-    Parameter{"slope", "s m-1", 0.0, -10.0, 10.0,
-              "change of the tire's share with the sliding speed, relative to the share at none; the road takes more "
-              "(slope < 0) where fresh road comes in",
-              false, 0.0},
+    ParameterSpec{
+        "slope", "s m-1", 0.0, -10.0, 10.0,
+        "change of the tire's share with the sliding speed, relative to the share at none; the road takes more "
+        "(slope < 0) where fresh road comes in",
+        false, 0.0},
 };
 constexpr std::array<std::string_view, 1> reads{"speed"};
 constexpr std::array<std::string_view, 2> may_read{"slip_angle", "slip_ratio"};
 
-void bend(const ActiveEffect& active, const Tire& /*tire*/, const Inputs& inputs, Laws& laws) {
+void modify_laws(const ActiveEffect& active, const Tire& /*tire*/, const Inputs& inputs, Laws& laws) {
     const double along = inputs.speed * inputs.slip_ratio;
     const double across = inputs.speed * std::tan(inputs.slip_angle);
     laws.partition *= 1.0 + active[slope] * std::hypot(along, across);
@@ -40,7 +41,7 @@ const Effect partition_speed{
     .parameters = parameters,
     .reads = reads,
     .may_read = may_read,
-    .bend = bend,
+    .modify_laws = modify_laws,
 };
 
 }  // namespace tiretherm::physics::effects

@@ -11,16 +11,16 @@ namespace {
 enum : std::size_t { gain, critical_speed };
 
 constexpr std::array parameters{
-    Parameter{"gain", "1/(km/h)^2", 1e-4, 0.0, 1.0, "growth of the loss with the square of the excess speed; assumed",
-              false, 0.0},
-    Parameter{
+    ParameterSpec{"gain", "1/(km/h)^2", 1e-4, 0.0, 1.0,
+                  "growth of the loss with the square of the excess speed; assumed", false, 0.0},
+    ParameterSpec{
         "critical_speed", "km h-1", 140.0, 0.0, 500.0,
         "speed at which the wave appears; 200 to 300 km/h for a car tire at its pressure, recalled; less with less"},
 };
 constexpr std::array<std::string_view, 1> reads{"speed"};
 constexpr double metres_per_second_in_kmh = 3.6;
 
-void bend(const ActiveEffect& active, const Tire& /*tire*/, const Inputs& inputs, Laws& laws) {
+void modify_laws(const ActiveEffect& active, const Tire& /*tire*/, const Inputs& inputs, Laws& laws) {
     const double excess = std::max(0.0, metres_per_second_in_kmh * std::abs(inputs.speed) - active[critical_speed]);
     laws.loss *= 1.0 + active[gain] * excess * excess;
 }
@@ -38,7 +38,7 @@ const Effect standing_wave{
         "Nothing below. The wave heats the shoulders first; here the excess is spread as the loss is.",
     .parameters = parameters,
     .reads = reads,
-    .bend = bend,
+    .modify_laws = modify_laws,
 };
 
 }  // namespace tiretherm::physics::effects

@@ -12,8 +12,8 @@ namespace {
 enum : std::size_t { depth };
 
 constexpr std::array parameters{
-    Parameter{"depth", "m", 0.003, 0.0, 0.05, "rubber worn off the outer layer; 8 mm of tread end at 1.6 mm", false,
-              0.0},
+    ParameterSpec{"depth", "m", 0.003, 0.0, 0.05, "rubber worn off the outer layer; 8 mm of tread end at 1.6 mm", false,
+                  0.0},
 };
 double thickness_of_outer_layer(const mesh::Mesh& mesh) {
     double thickness = 0.0;
@@ -37,13 +37,13 @@ double thickness_of_outer_layer(const mesh::Mesh& mesh) {
 
 /// A cell of the share w of its thickness has w of the mass, w of the section across it and 1/w of the resistance
 /// through it: the mesh stays and the material says so.
-void amend(const ActiveEffect& active, const mesh::Mesh& mesh, Stock& stock) {
+void modify_properties(const ActiveEffect& active, const mesh::Mesh& mesh, MaterialModel& material_model) {
     const double thickness = thickness_of_outer_layer(mesh);
     if (thickness <= 0.0 || active[depth] >= thickness) {
-        return;  // the case has been objected to
+        return;  // the case has been refused
     }
     const double w = 1.0 - active[depth] / thickness;
-    Material& outer = stock.materials.front();
+    Material& outer = material_model.materials.front();
     outer.density *= w;
     for (const mesh::Axis axis : {mesh::Axis::meridian, mesh::Axis::circumference, mesh::Axis::through}) {
         Curve& k = outer.conductivity[static_cast<std::size_t>(axis)];
@@ -51,7 +51,7 @@ void amend(const ActiveEffect& active, const mesh::Mesh& mesh, Stock& stock) {
     }
 }
 
-std::string objection(const ActiveEffect& active, const mesh::Mesh& mesh) {
+std::string invalid_on_mesh(const ActiveEffect& active, const mesh::Mesh& mesh) {
     const double thickness = thickness_of_outer_layer(mesh);
     return active[depth] < thickness ? std::string()
                                      : fmt::format("{:.4g} mm are worn off an outer layer of {:.4g} mm",
@@ -71,8 +71,8 @@ const Effect tread_wear{
         "takes its smaller share of the strain-energy loss by mass; the law of the total is that of the new tire.",
     .parameters = parameters,
     .needs_grid = true,
-    .amend = amend,
-    .objection = objection,
+    .modify_properties = modify_properties,
+    .invalid_on_mesh = invalid_on_mesh,
 };
 
 }  // namespace tiretherm::physics::effects

@@ -12,9 +12,9 @@ enum : std::size_t { reflects };
 enum : int { the_air, what_is_stated };
 
 constexpr std::array parameters{
-    Parameter{"emissivity", "1", 0.95, 0.0, 1.0, "of the surface, where the camera is set to 1", false, 1.0},
-    Parameter{"reflected_temperature", "K", 293.15, 0.0, 3000.0,
-              "of the surroundings that the surface mirrors, with reflects = \"stated\""},
+    ParameterSpec{"emissivity", "1", 0.95, 0.0, 1.0, "of the surface, where the camera is set to 1", false, 1.0},
+    ParameterSpec{"reflected_temperature", "K", 293.15, 0.0, 3000.0,
+                  "of the surroundings that the surface mirrors, with reflects = \"stated\""},
 };
 constexpr std::array<std::string_view, 2> mirrored{"air", "stated"};
 constexpr std::array choices{

@@ -9,7 +9,7 @@ namespace {
 enum : std::size_t { seconds };
 
 constexpr std::array parameters{
-    Parameter{"delay", "s", 0.0, -100.0, 100.0, "how late the channel is written; negative: early", false, 0.0},
+    ParameterSpec{"delay", "s", 0.0, -100.0, 100.0, "how late the channel is written; negative: early", false, 0.0},
 };
 constexpr std::array scopes{Scope::channel};
 

@@ -9,7 +9,7 @@ namespace {
 enum : std::size_t { kappa };
 
 constexpr std::array parameters{
-    Parameter{"kappa", "s2 m-2", 1e-5, 0.0, 1.0, "1 % low at 32 m/s; assumed", false, 0.0},
+    ParameterSpec{"kappa", "s2 m-2", 1e-5, 0.0, 1.0, "1 % low at 32 m/s; assumed", false, 0.0},
 };
 constexpr std::array scopes{Scope::channel};
 constexpr std::array<std::string_view, 1> reads{"speed"};

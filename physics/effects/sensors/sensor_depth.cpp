@@ -9,11 +9,11 @@ namespace {
 enum : std::size_t { offset };
 
 constexpr std::array parameters{
-    Parameter{"offset", "m", 0.0, -0.1, 0.1, "how much deeper than stated the sensor sits", false, 0.0},
+    ParameterSpec{"offset", "m", 0.0, -0.1, 0.1, "how much deeper than stated the sensor sits", false, 0.0},
 };
 constexpr std::array scopes{Scope::channel};
 
-double deeper(const ActiveEffect& active, std::size_t position) {
+double depth_offset(const ActiveEffect& active, std::size_t position) {
     return active.at(offset, Scope::channel, active.channels[position]);
 }
 
@@ -33,7 +33,7 @@ const Effect sensor_depth{
     .needs_grid = true,
     .on_channels = true,
     .reads_what = Reads::place,
-    .deeper = deeper,
+    .depth_offset = depth_offset,
 };
 
 }  // namespace tiretherm::physics::effects

@@ -9,8 +9,8 @@ namespace {
 enum : std::size_t { excess, reference };
 
 constexpr std::array parameters{
-    Parameter{"excess", "1", 0.0, -1.0, 10.0, "gain of the channel less 1", false, 0.0},
-    Parameter{"reference", "K", 298.15, 0.0, 1000.0, "temperature that the channel reads right"},
+    ParameterSpec{"excess", "1", 0.0, -1.0, 10.0, "gain of the channel less 1", false, 0.0},
+    ParameterSpec{"reference", "K", 298.15, 0.0, 1000.0, "temperature that the channel reads right"},
 };
 constexpr std::array scopes{Scope::channel};
 

@@ -9,8 +9,8 @@ namespace {
 enum : std::size_t { tau };
 
 constexpr std::array parameters{
-    Parameter{"tau", "s", 10.0, 0.0, 1e5,
-              "time constant; 5 to 20 s of a probe in rubber, 125 to 180 s in gas, recalled", false, 0.0},
+    ParameterSpec{"tau", "s", 10.0, 0.0, 1e5,
+                  "time constant; 5 to 20 s of a probe in rubber, 125 to 180 s in gas, recalled", false, 0.0},
 };
 constexpr std::array scopes{Scope::channel};
 

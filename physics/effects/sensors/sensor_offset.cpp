@@ -9,8 +9,8 @@ namespace {
 enum : std::size_t { kelvin };
 
 constexpr std::array parameters{
-    Parameter{"kelvin", "K", 0.0, -100.0, 100.0, "added to the reading; a lead of 0.4 ohm makes 1 K on a Pt100", true,
-              0.0},
+    ParameterSpec{"kelvin", "K", 0.0, -100.0, 100.0, "added to the reading; a lead of 0.4 ohm makes 1 K on a Pt100",
+                  true, 0.0},
 };
 constexpr std::array scopes{Scope::channel};
 

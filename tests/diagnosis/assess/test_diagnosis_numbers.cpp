@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "diagnosis/detect/candidates.hpp"
 #include "diagnosis/assess/diagnosis.hpp"
+#include "diagnosis/detect/candidates.hpp"
 #include "diagnosis/practice_bench.hpp"
 
 // A diagnosis of single numbers, without any series: no noise to estimate, few values, more numbers free than measured.
@@ -30,10 +30,10 @@ input::Experiment made_up(const std::vector<std::string>& candidates, const std:
     }
     const Observations observations = observe(truth);
     Simulator simulator(truth, observations);
-    const Forecast forecast = simulator.at(simulator.start());
-    EXPECT_TRUE(forecast.status.ok()) << forecast.status.message;
+    const ModelPrediction predicted = simulator.at(simulator.start());
+    EXPECT_TRUE(predicted.status.ok()) << predicted.status.message;
     for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
-        experiment.runs[r].numbers[0].value = forecast.simulated[static_cast<Eigen::Index>(r)];
+        experiment.runs[r].numbers[0].value = predicted.simulated[static_cast<Eigen::Index>(r)];
         experiment.runs[r].numbers[0].standard_deviation = 0.5;
     }
     return experiment;

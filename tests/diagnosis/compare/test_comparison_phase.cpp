@@ -14,7 +14,7 @@ solver::Problem coasting() {
     solver::Problem problem;
     problem.settings.start = 0.0;
     problem.settings.end = 300.0;
-    problem.drive.add({.signal = find_signal("speed"), .time = {0, 100, 200, 300}, .value = {20, 20, 0, 0}});
+    problem.input_signals.add({.signal = find_signal("speed"), .time = {0, 100, 200, 300}, .value = {20, 20, 0, 0}});
     return problem;
 }
 
@@ -33,7 +33,7 @@ TEST(Phase, ADriftOfTheSpeedIsNotSlowing) {
     // 5 m/s in 100 s are 0.05 m/s2, less than 0.01 g; rising is not falling.
     solver::Problem problem;
     problem.settings.end = 200.0;
-    problem.drive.add({.signal = find_signal("speed"), .time = {0, 100, 120}, .value = {20, 15, 30}});
+    problem.input_signals.add({.signal = find_signal("speed"), .time = {0, 100, 120}, .value = {20, 15, 30}});
     EXPECT_EQ(phase_at(problem, 50.0), Phase::free_rolling);
     EXPECT_EQ(phase_at(problem, 110.0), Phase::free_rolling);
 }
@@ -41,12 +41,12 @@ TEST(Phase, ADriftOfTheSpeedIsNotSlowing) {
 TEST(Phase, SlipComesBeforeSlowing) {
     for (const double degrees : {-0.31, 0.29, 0.31}) {
         solver::Problem problem = coasting();
-        problem.drive.add(*find_signal("slip_angle"), degrees * std::numbers::pi / 180.0);
+        problem.input_signals.add(*find_signal("slip_angle"), degrees * std::numbers::pi / 180.0);
         EXPECT_EQ(phase_at(problem, 150.0), degrees == 0.29 ? Phase::slowing : Phase::slipping) << degrees;
         EXPECT_EQ(phase_at(problem, 250.0), Phase::standing);
     }
     solver::Problem problem = coasting();
-    problem.drive.add(*find_signal("slip_ratio"), -0.006);
+    problem.input_signals.add(*find_signal("slip_ratio"), -0.006);
     EXPECT_EQ(phase_at(problem, 50.0), Phase::slipping);
 }
 

@@ -30,7 +30,7 @@ TEST(IdentificationBounds, TheSearchFindsTheTruthBesideValuesAtWhichTheModelFail
     const std::size_t at_62 = at_60 + 1;
     const auto start = [&](std::size_t j, double value) {
         for (input::MeasuredRun& run : experiment.runs) {
-            const solver::Adjustable& number = experiment.parameters[j];
+            const solver::FreeParameter& number = experiment.parameters[j];
             solver::move(run.problem, number, solver::value_of(run.problem, number), value);
         }
     };

@@ -1,4 +1,4 @@
-// Sizes of effects of the user's own, found in made-up runs whose truth is known.
+// Sizes of user effects, found in made-up runs whose truth is known.
 #include "diagnosis/practice_bench.hpp"
 
 namespace tiretherm::diagnosis {

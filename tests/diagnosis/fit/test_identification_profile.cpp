@@ -15,19 +15,19 @@ public:
         : experiment_(experiment), observations_(observe(experiment)), simulator_(experiment, observations_) {}
 
     Eigen::VectorXd residuals(const Eigen::VectorXd& values) {
-        const Forecast& forecast = simulator_.at(values);
-        EXPECT_TRUE(forecast.status.ok()) << forecast.status.message;
+        const ModelPrediction& predicted = simulator_.at(values);
+        EXPECT_TRUE(predicted.status.ok()) << predicted.status.message;
         const Eigen::Index n_rows = observations_.measured.size();
         Eigen::VectorXd all(n_rows + values.size());
         for (const Block& block : observations_.blocks) {
             for (Eigen::Index i = 0; i < block.rows(); ++i) {
                 const Eigen::Index row = block.first + i;
-                all[row] = (forecast.simulated[row] - observations_.measured[row]) /
+                all[row] = (predicted.simulated[row] - observations_.measured[row]) /
                            block.standard_deviation.at(static_cast<std::size_t>(i));
             }
         }
         for (Eigen::Index j = 0; j < values.size(); ++j) {
-            const solver::Adjustable& parameter = experiment_.parameters[static_cast<std::size_t>(j)];
+            const solver::FreeParameter& parameter = experiment_.parameters[static_cast<std::size_t>(j)];
             all[n_rows + j] = (values[j] - parameter.prior) / parameter.standard_deviation;  // 0 without a prior
         }
         return all;

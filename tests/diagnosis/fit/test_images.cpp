@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "diagnosis/fit/camera_bench.hpp"
 #include "diagnosis/compare/camera_comparison.hpp"
 #include "diagnosis/compare/camera_rings.hpp"
-#include "diagnosis/fit/identification.hpp"
 #include "diagnosis/detect/own_error.hpp"
+#include "diagnosis/fit/camera_bench.hpp"
+#include "diagnosis/fit/identification.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -111,7 +111,7 @@ TEST(CameraSlopes, EqualDifferencesOfWholeRuns) {
     const Observations observations = observe(experiment);
     Simulator simulator(experiment, observations);
     const Eigen::VectorXd here = camera_truth;
-    const Forecast base = simulator.at(here);
+    const ModelPrediction base = simulator.at(here);
     ASSERT_TRUE(base.status.ok()) << base.status.message;
     const std::vector<double> step{1e-3, 1e-3, 1e-3, 0.125e-3, 0.125e-3, 0.125e-3};
     for (Eigen::Index j = 0; j < here.size(); ++j) {

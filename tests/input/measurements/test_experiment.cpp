@@ -17,7 +17,7 @@ ExperimentReading read_bench(std::string_view tables, std::string_view log = log
 }
 
 double input(const MeasuredRun& run, double t, double physics::Inputs::*member) {
-    return run.problem.drive.at(t, solver::Limit::after).*member;
+    return run.problem.input_signals.at(t, solver::JumpSide::after).*member;
 }
 
 /// log_of_five, however it was written.

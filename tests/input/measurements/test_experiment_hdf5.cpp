@@ -53,7 +53,7 @@ void expect_sound(const ExperimentReading& reading) {
     const MeasuredRun& run = reading.experiment->runs.front();
     EXPECT_EQ(run.name, "run");
     EXPECT_EQ(run.time, (Values{0, 10, 20}));
-    const physics::Inputs inputs = run.problem.drive.at(15.0, solver::Limit::after);
+    const physics::Inputs inputs = run.problem.input_signals.at(15.0, solver::JumpSide::after);
     EXPECT_NEAR(inputs.speed, 17.5, 1e-12);
     EXPECT_NEAR(inputs.vertical_load, 4500.0, 1e-9);
     ASSERT_EQ(run.series.size(), 1U);

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 using physics::Inputs;
 
 double input(const MeasuredRun& run, double t, double Inputs::*member) {
-    return run.problem.drive.at(t, solver::Limit::after).*member;
+    return run.problem.input_signals.at(t, solver::JumpSide::after).*member;
 }
 
 /// A log of 0, 10, ... 100 s at one speed, whose bulk rises by 0.1 K/s from 23 degC.
@@ -220,7 +220,7 @@ TEST(Runs, FilesBesideTheCaseTakeThePlaceOfItsRuns) {
 TEST(Runs, ACaseWithRunsIsAlsoACaseToRun) {
     const Reading reading = Bench(both).read_as_case();
     ASSERT_TRUE(reading.problem.has_value()) << render(reading);
-    EXPECT_NEAR(reading.problem->drive.at(50.0, solver::Limit::after).speed, 10.0, 1e-12) << "its first run";
+    EXPECT_NEAR(reading.problem->input_signals.at(50.0, solver::JumpSide::after).speed, 10.0, 1e-12) << "its first run";
     EXPECT_EQ(reading.problem->settings.end, 100.0);
 }
 

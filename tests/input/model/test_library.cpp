@@ -71,7 +71,7 @@ Experiment read_measured(std::string_view name) {
 
 std::vector<std::string> free_numbers(const Experiment& experiment) {
     std::vector<std::string> names;
-    for (const solver::Adjustable& number : experiment.parameters) {
+    for (const solver::FreeParameter& number : experiment.parameters) {
         names.push_back(number.name);
     }
     return names;
@@ -150,7 +150,7 @@ TEST(Library, TwoNodeCasesDifferInLoadSpeedAndMeasurement) {
                            Row{"two_node/7000N_100kmh", 7000.0, 100.0 / 3.6, 70.0},
                            Row{"two_node/7500N_150kmh", 7500.0, 150.0 / 3.6, 80.0}}) {
         const solver::Problem problem = read(row.name);
-        const physics::Inputs inputs = problem.drive.at(1800.0, solver::Limit::after);
+        const physics::Inputs inputs = problem.input_signals.at(1800.0, solver::JumpSide::after);
         EXPECT_NEAR(inputs.speed, row.speed, 1e-13);
         EXPECT_DOUBLE_EQ(inputs.vertical_load, row.load);
         EXPECT_DOUBLE_EQ(inputs.air_temperature, zero + 23.0);
@@ -188,7 +188,7 @@ TEST(Library, LaserCasesAreAxisymmetricWithTwoLayers) {
         }
         EXPECT_NEAR(shares, 1.0, 1e-12);
         EXPECT_DOUBLE_EQ(effect(problem, "still_air")[0], 10.0);
-        EXPECT_DOUBLE_EQ(problem.drive.at(0.0, solver::Limit::after).laser_power, power);
+        EXPECT_DOUBLE_EQ(problem.input_signals.at(0.0, solver::JumpSide::after).laser_power, power);
         EXPECT_EQ(channels(problem), (std::vector<std::string>{"spot_centre_temperature", "spot_mean_temperature",
                                                                "inner_liner_temperature"}));
         EXPECT_DOUBLE_EQ(problem.settings.end, 1800.0);
@@ -221,7 +221,7 @@ TEST(Library, BenchToPractiseOnFreesEightNumbers) {
     EXPECT_DOUBLE_EQ(sensors[1].standard_deviation.value_or(0.0), 0.3);
 }
 
-// Two guesses of one's own beside the bench's eight numbers, on the puzzle's runs.
+// Two user effects beside the bench's eight numbers, on the puzzle's runs.
 TEST(Library, OwnEffectsOfTheBenchAreFree) {
     const Experiment own = read_measured("practice/two_node_own_effects");
     ASSERT_EQ(own.runs.size(), 3U);
@@ -259,7 +259,7 @@ TEST(Library, QuotedLaserNumbersAreFour) {
     EXPECT_NEAR(quoted.runs[0].numbers[0].value, zero + 85.0, 1e-12);
     EXPECT_NEAR(quoted.runs[0].numbers[1].value, zero + 45.0, 1e-12);
     EXPECT_NEAR(quoted.runs[0].numbers[1].standard_deviation, std::hypot(2.8, 10.0 / std::sqrt(12.0)), 1e-12);
-    EXPECT_DOUBLE_EQ(quoted.runs[1].problem.drive.at(0.0, solver::Limit::after).laser_power, 3.0);
+    EXPECT_DOUBLE_EQ(quoted.runs[1].problem.input_signals.at(0.0, solver::JumpSide::after).laser_power, 3.0);
     EXPECT_EQ(free_numbers(quoted),
               (std::vector<std::string>{"K1.conductivity at 90 degC", "K2.conductivity at 90 degC",
                                         "laser.absorptivity", "still_air.h"}));
@@ -272,7 +272,7 @@ TEST(Library, LaserToIdentifyFreesTwoQuadraticsAndTheBench) {
     const std::vector<double> power{0.5, 1.5, 3.0};
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_EQ(laser.runs[i].time.size(), 181U);
-        EXPECT_DOUBLE_EQ(laser.runs[i].problem.drive.at(0.0, solver::Limit::after).laser_power, power[i]);
+        EXPECT_DOUBLE_EQ(laser.runs[i].problem.input_signals.at(0.0, solver::JumpSide::after).laser_power, power[i]);
     }
     EXPECT_EQ(laser.runs[0].problem.mesh.n_cells, 58 * 34);
     ASSERT_EQ(laser.parameters.size(), 13U);

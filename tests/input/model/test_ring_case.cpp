@@ -57,20 +57,20 @@ TEST(RingCase, TurnsTheWheelWhereAnEffectFollowsTheContact) {
     const Reading still = read("");
     ASSERT_TRUE(still.problem) << render(still);
     const physics::Signal& angle = *physics::find_signal("wheel_angle");
-    EXPECT_FALSE(still.problem->drive.gives(angle));
+    EXPECT_FALSE(still.problem->input_signals.gives(angle));
     const Reading reading = read("[time]\nend = \"2 s\"\n" + turning);
     ASSERT_TRUE(reading.problem) << render(reading);
     const solver::Problem& problem = *reading.problem;
-    ASSERT_TRUE(problem.drive.gives(angle));
-    const physics::Inputs end = problem.drive.at(2.0, solver::Limit::before);
+    ASSERT_TRUE(problem.input_signals.gives(angle));
+    const physics::Inputs end = problem.input_signals.at(2.0, solver::JumpSide::before);
     EXPECT_NEAR(end.wheel_angle, 2.0 * end.speed / problem.tire.rolling_radius(end.vertical_load), 1e-9);
-    EXPECT_EQ(effect(problem, "travelling_contact").effect->n_intensities, 2) << "of one column";
+    EXPECT_EQ(effect(problem, "travelling_contact").effect->n_coefficients, 2) << "of one column";
     // The strip is as wide as the tread, the contact is not.
     ASSERT_EQ(reading.warnings.size(), 1U) << render(reading);
     EXPECT_NE(reading.warnings[0].find("times as wide as the contact area over its length"), std::string::npos);
 }
 
-// A ring's contact takes heat in every sector once a turn, and its books close.
+// A ring's contact takes heat in every sector once a turn, and its heat budget closes.
 TEST(RingCase, RunsAndCloses) {
     const Reading reading = read(
         "[mesh]\nsectors = 6\ncrown_cells = 1\nshoulder_cells = 0\nsidewall_cells = 0\n"

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "support/written.hpp"
 #include "physics/tire_laws/rolling_resistance.hpp"
-#include "solver/time_integration/march.hpp"
 #include "solver/system.hpp"
+#include "solver/time_integration/march.hpp"
+#include "support/written.hpp"
 
 // What a case on a cross-section becomes, and readings that are no temperatures.
 namespace tiretherm::input {
@@ -98,12 +98,12 @@ TEST(SectionCase, GasAndRimStartWithTheAir) {
         "[effects.inner_gas]\n[effects.rim_conduction]\n[drive]\nair_temperature = \"10 degC\"\n";
     const solver::Problem problem = read(included(effects));
     const auto at = [&](std::string_view name) {
-        return problem.initial[static_cast<std::size_t>(problem.mesh.find_appended(name))];
+        return problem.initial[static_cast<std::size_t>(problem.mesh.find_lumped_node(name))];
     };
     EXPECT_NEAR(at("gas"), zero + 10.0, 1e-12);
     EXPECT_NEAR(at("rim"), zero + 10.0, 1e-12);
     const solver::Problem told = read(included(effects + "[initial]\nrim = \"60 degC\"\n"));
-    EXPECT_NEAR(told.initial[static_cast<std::size_t>(told.mesh.find_appended("rim"))], zero + 60.0, 1e-12);
+    EXPECT_NEAR(told.initial[static_cast<std::size_t>(told.mesh.find_lumped_node("rim"))], zero + 60.0, 1e-12);
 }
 
 // (51) F_R = SEL R_R/(V R_L); (52) with the bulk's temperature; (60) lambda_Tb = CP / K; and the lateral force that (59)

@@ -77,7 +77,7 @@ meaning = "camera"
     EXPECT_EQ(channel(problem, "ir_1").meaning, "outer surface, mean from -40 to -20 mm along the meridian");
 }
 
-// Readings stand behind strips as behind any temperature: at the start everything has 23 degC = 296.15 K, the lagged
+// Sensors stand behind strips as behind any temperature: at the start everything has 23 degC = 296.15 K, the lagged
 // channel too; the gain of 0.1 about 298.15 K takes 0.2 K, the offset adds 2 K.
 TEST(Strips, AreReadThroughLagOffsetAndGain) {
     const solver::Problem problem = read(R"(

@@ -40,7 +40,7 @@ std::string text_of(const fs::path& file) {
 Experiment moved(const Experiment& experiment, const std::vector<double>& values) {
     Experiment fitted = experiment;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const solver::Adjustable& number = experiment.parameters[i];
+        const solver::FreeParameter& number = experiment.parameters[i];
         for (std::size_t r = 0; r < fitted.runs.size(); ++r) {
             if (number.run < 0 || number.run == static_cast<int>(r)) {
                 solver::Problem& problem = fitted.runs[r].problem;
@@ -365,7 +365,7 @@ uncertainty = "1 K"
 // Every parameter of the catalogue is written in its own unit and read back to the last digit.
 TEST(FittedCase, UnitsOfAllParametersAreRead) {
     for (const physics::Effect* effect : physics::catalogue()) {
-        for (const physics::Parameter& parameter : effect->parameters) {
+        for (const physics::ParameterSpec& parameter : effect->parameters) {
             const double third = parameter.standard / 3.0 + (parameter.standard == 0.0 ? 1.0 / 3.0 : 0.0);
             const double value = std::clamp(third, parameter.low, parameter.high);
             const ParsedQuantity parsed =

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "input/model/continued_schedule.hpp"
-#include "support/written.hpp"
 #include "support/warming_lump.hpp"
+#include "support/written.hpp"
 
 namespace tiretherm::input {
 
@@ -29,7 +29,7 @@ HotSpotCase read(const Written& written, const std::string& text) {
 }
 
 std::vector<solver::ScheduleStep> steps_of(const solver::Problem& problem) {
-    return solver::schedule_steps(problem.drive, problem.settings.start, problem.settings.end);
+    return solver::schedule_steps(problem.input_signals, problem.settings.start, problem.settings.end);
 }
 
 ContinuedSchedule go_on(const std::string& text) {
@@ -39,7 +39,7 @@ ContinuedSchedule go_on(const std::string& text) {
     return continue_schedule(found, problem.settings, steps_of(problem));
 }
 
-/// The plate with another drive.
+/// The plate with other inputs.
 std::string driven(const std::string& drive) { return warming_plate + critical("75 degC") + drive; }
 
 std::string with_rows(const std::string& rows, const std::string& end) {
@@ -86,7 +86,7 @@ temperature = "110 degC"
         layers.insert(mesh.layers[static_cast<std::size_t>(mesh.layer[static_cast<std::size_t>(node)])]);
     }
     EXPECT_EQ(layers, (std::set<std::string>{"tread", "sidewall"}));
-    EXPECT_EQ(found.critical[2].nodes.size(), static_cast<std::size_t>(mesh.n_nodes) - mesh.appended.size());
+    EXPECT_EQ(found.critical[2].nodes.size(), static_cast<std::size_t>(mesh.n_nodes) - mesh.lumped_nodes.size());
     EXPECT_EQ(found.critical[2].surface_name, "surface");
 }
 
@@ -110,11 +110,11 @@ standard_deviation = "0.05 g/cm3"
     EXPECT_NEAR(found.uncertain[1].standard_deviation, 50.0, 1e-9);
     const auto cold = found.moved(found.uncertain[0], -1.0);
     ASSERT_TRUE(cold.has_value());
-    EXPECT_NEAR(cold->drive.at(0.0, solver::Limit::after).air_temperature, 273.15 + 18.0, 1e-9);
+    EXPECT_NEAR(cold->input_signals.at(0.0, solver::JumpSide::after).air_temperature, 273.15 + 18.0, 1e-9);
     const auto dense = found.moved(found.uncertain[1], 1.0);
     ASSERT_TRUE(dense.has_value());
     EXPECT_NEAR(dense->materials[0].density, 1050.0, 1e-9);
-    EXPECT_NEAR(dense->drive.at(0.0, solver::Limit::after).air_temperature, 293.15, 1e-9);
+    EXPECT_NEAR(dense->input_signals.at(0.0, solver::JumpSide::after).air_temperature, 293.15, 1e-9);
     // A number that the case cannot have: minus nothing is left of the density 30 deviations below.
     EXPECT_FALSE(found.moved(found.uncertain[1], -30.0).has_value());
 }
@@ -131,14 +131,14 @@ TEST(ContinuedSchedule, PassesWhenTheClosedFormDoes) {
     EXPECT_NEAR(further.rise, 2.0, 1e-12);
     EXPECT_NEAR(further.duration, 600.0, 1e-9);
     EXPECT_EQ(further.steps, 29);  // 24 + 2 * 29 = 82 m/s, the next is above 83.3 m/s
-    solver::HotSpotCourse course(further.problem->mesh, found.critical[0]);
+    solver::HotSpotHistory history(further.problem->mesh, found.critical[0]);
     const solver::Report report = solver::run(*further.problem, [&](const solver::Snapshot& now) {
-        course.take(now);
+        history.take(now);
         return now.time < 7200.0;
     });
     const double expected = support::WarmingLump{}.passing(75.0, 30);
     EXPECT_GT(expected, 1800.0);
-    EXPECT_NEAR(solver::passing_time(course.time(), course.temperature(), course.critical().temperature), expected,
+    EXPECT_NEAR(solver::passing_time(history.time(), history.temperature(), history.critical().temperature), expected,
                 1.8);
 }
 

@@ -13,8 +13,8 @@ namespace tiretherm::input {
 
 namespace {
 
-using solver::Adjustable;
-using Kind = Adjustable::Kind;
+using solver::FreeParameter;
+using Kind = FreeParameter::Kind;
 
 constexpr double zero = 273.15;
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -52,7 +52,7 @@ effect = "air_convection"
 key = "lambda_h"
 )"));
     ASSERT_EQ(read_one.parameters.size(), 1U);
-    const Adjustable& number = read_one.parameters.front();
+    const FreeParameter& number = read_one.parameters.front();
     EXPECT_EQ(number.name, "air_convection.lambda_h");
     EXPECT_EQ(number.unit, "1");
     EXPECT_TRUE(number.everywhere);
@@ -83,13 +83,13 @@ standard_deviation = "0.5 degC"
 low = "-3 degC"
 )"));
     ASSERT_EQ(experiment.parameters.size(), 2U);
-    const Adjustable& Hc = experiment.parameters[0];
+    const FreeParameter& Hc = experiment.parameters[0];
     EXPECT_NEAR(Hc.prior, 600.0, 1e-10);
     EXPECT_EQ(Hc.standard_deviation, 50.0);
     EXPECT_NEAR(Hc.low, 100.0, 1e-10);
     EXPECT_NEAR(Hc.high, 1000.0, 1e-10);
     EXPECT_EQ(Hc.unit, "W m-2 K-1");
-    const Adjustable& offset = experiment.parameters[1];
+    const FreeParameter& offset = experiment.parameters[1];
     EXPECT_EQ(offset.name, "sensor_offset.kelvin at bulk_temperature");
     EXPECT_FALSE(offset.everywhere);
     EXPECT_EQ(offset.scope, physics::Scope::channel);
@@ -148,7 +148,7 @@ expected = "2 kJ/kgK"
 )"));
     ASSERT_EQ(experiment.parameters.size(), 4U);
     for (std::size_t k = 0; k < 3; ++k) {
-        const Adjustable& number = experiment.parameters[k];
+        const FreeParameter& number = experiment.parameters[k];
         EXPECT_EQ(number.kind, Kind::conductivity);
         EXPECT_EQ(number.layers, (std::vector<int>{0, 1}));  // tread and carcass are of one rubber
         EXPECT_EQ(number.knots, (std::vector<double>{zero + 40.0, zero + 90.0, 413.15}));
@@ -202,7 +202,7 @@ standard_deviation = "3 K"
     const mesh::Mesh& mesh = experiment.runs.front().problem.mesh;
     // Crown and shoulders, 4 + 2 * 2 columns, have 2 cells of tread and an outer surface each.
     EXPECT_EQ(experiment.parameters[0].nodes.size(), 8U * 3U);
-    EXPECT_EQ(experiment.parameters[2].nodes, std::vector<int>{mesh.find_appended("gas")});
+    EXPECT_EQ(experiment.parameters[2].nodes, std::vector<int>{mesh.find_lumped_node("gas")});
 }
 
 TEST(Parameter, WithoutRunsThereIsOneInitialTemperature) {

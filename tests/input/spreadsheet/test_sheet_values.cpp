@@ -59,7 +59,7 @@ TEST(SheetValues, EveryParameterArrivesInTheRun) {
     ASSERT_EQ(problem.initial.size(), 2U);
     EXPECT_DOUBLE_EQ(problem.initial[0], zero + 38.0);
     EXPECT_DOUBLE_EQ(problem.initial[1], zero + 43.0);
-    const physics::Inputs inputs = problem.drive.at(0.0, solver::Limit::after);
+    const physics::Inputs inputs = problem.input_signals.at(0.0, solver::JumpSide::after);
     EXPECT_DOUBLE_EQ(inputs.air_temperature, zero + 21.0);
     EXPECT_DOUBLE_EQ(inputs.road_temperature, zero + 27.0);
     EXPECT_DOUBLE_EQ(tire.minimum_load, 100.0);

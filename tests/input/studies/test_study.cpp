@@ -29,7 +29,7 @@ Study read(const Written& written, const std::string& rest, const std::string& o
 }
 
 physics::Inputs drive(const Study& study, std::size_t run) {
-    return study.problem(run).drive.at(0.0, solver::Limit::after);
+    return study.problem(run).input_signals.at(0.0, solver::JumpSide::after);
 }
 
 double hottest(const Study& study, std::size_t run) {
@@ -114,7 +114,7 @@ values = [20]
                                    [](const auto& e) { return e.effect->id == "strain_energy_loss"; });
     ASSERT_NE(loss, thick.effects.end());
     const auto key = std::find_if(loss->effect->parameters.begin(), loss->effect->parameters.end(),
-                                  [](const physics::Parameter& p) { return p.key == "tan_delta_a"; });
+                                  [](const physics::ParameterSpec& p) { return p.key == "tan_delta_a"; });
     EXPECT_DOUBLE_EQ((*loss)[static_cast<std::size_t>(key - loss->effect->parameters.begin())], 2e15);
 }
 

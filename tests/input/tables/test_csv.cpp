@@ -20,7 +20,7 @@ const solver::Series* find(const Reading& reading, std::string_view name) {
         ADD_FAILURE() << error_report(reading);
         return nullptr;
     }
-    for (const solver::Series& series : reading.problem->drive.series()) {
+    for (const solver::Series& series : reading.problem->input_signals.series()) {
         if (series.signal->name == name) {
             return &series;
         }
@@ -121,10 +121,10 @@ rows = [[0, 0, 0], [1, 36, 0], [1, 72, 1], [2, 72.0, 1]]
     ASSERT_NE(speed, nullptr);
     EXPECT_FALSE(speed->logged);
     EXPECT_EQ(speed->time, (std::vector<double>{0.0, 60.0, 60.0, 120.0}));
-    EXPECT_NEAR(speed->at(60.0, solver::Limit::before), 10.0, 1e-14);
-    EXPECT_NEAR(speed->at(60.0, solver::Limit::after), 20.0, 1e-14);
-    EXPECT_NEAR(speed->at(30.0, solver::Limit::after), 5.0, 1e-14);
-    EXPECT_EQ(reading.problem->drive.stops(), (std::vector<double>{0.0, 60.0, 120.0}));
+    EXPECT_NEAR(speed->at(60.0, solver::JumpSide::before), 10.0, 1e-14);
+    EXPECT_NEAR(speed->at(60.0, solver::JumpSide::after), 20.0, 1e-14);
+    EXPECT_NEAR(speed->at(30.0, solver::JumpSide::after), 5.0, 1e-14);
+    EXPECT_EQ(reading.problem->input_signals.stops(), (std::vector<double>{0.0, 60.0, 120.0}));
 }
 
 }  // namespace tiretherm::input

@@ -86,7 +86,7 @@ TEST(Quantity, EveryInputAndParameterHasAnExampleThatIsAccepted) {
         check(quantity_specs::of(signal), signal.name);
     }
     for (const physics::Effect* effect : physics::catalogue()) {
-        for (const physics::Parameter& parameter : effect->parameters) {
+        for (const physics::ParameterSpec& parameter : effect->parameters) {
             check(quantity_specs::of(parameter), parameter.key);
             EXPECT_GE(parameter.standard, parameter.low) << effect->id << "." << parameter.key;
             EXPECT_LE(parameter.standard, parameter.high) << effect->id << "." << parameter.key;

@@ -107,10 +107,10 @@ solver::Problem ring_with(std::initializer_list<const char*> effects, int sector
 /// Sum of an effect's exchanges and heat on a tire of 1 K above the road. W
 double watts(const solver::Problem& problem, const Inputs& in) {
     solver::System system(problem);
-    std::vector<double> intensities(system.n_intensities());
-    system.drive(in, intensities);
+    std::vector<double> coefficients(system.n_coefficients());
+    system.evaluate_coefficients(in, coefficients);
     const std::vector<double> T(static_cast<std::size_t>(problem.mesh.n_nodes), in.road_temperature + 1.0);
-    system.evaluate(T, intensities);
+    system.evaluate(T, coefficients);
     return system.terms().watts[0];
 }
 

@@ -33,33 +33,35 @@ struct Bench {
         return effect;
     }
 
-    [[nodiscard]] Stock stock() const { return {.materials = materials, .link_laws = link_laws, .tire = tire}; }
+    [[nodiscard]] MaterialModel material_model() const {
+        return {.materials = materials, .link_laws = link_laws, .tire = tire};
+    }
 
     void place(ActiveEffect& effect) const {
         if (effect.effect->place != nullptr) {
-            const Stock stock = this->stock();
-            effect.effect->place({.mesh = mesh, .stock = stock, .effects = {&effect, 1}}, effect);
+            const MaterialModel material_model = this->material_model();
+            effect.effect->place({.mesh = mesh, .material_model = material_model, .effects = {&effect, 1}}, effect);
         }
     }
 
     /// What the effect says at `temperature` under `inputs`. The terms keep a view of `temperature`.
     [[nodiscard]] Terms said(const ActiveEffect& effect, const Inputs& inputs,
                              const std::vector<double>& temperature) const {
-        std::vector<double> intensities(static_cast<std::size_t>(effect.effect->n_intensities));
-        if (effect.effect->drive != nullptr) {
-            effect.effect->drive(effect, {.tire = tire, .inputs = inputs, .laws = {}}, intensities);
+        std::vector<double> coefficients(static_cast<std::size_t>(effect.effect->n_coefficients));
+        if (effect.effect->evaluate_coefficients != nullptr) {
+            effect.effect->evaluate_coefficients(effect, {.tire = tire, .inputs = inputs, .laws = {}}, coefficients);
         }
         Terms terms(mesh, 1);
         terms.begin(temperature);
         const std::vector<double> region_mean = means(temperature);
-        const Stock stock = this->stock();
-        effect.effect->speak({.mesh = mesh,
-                              .stock = stock,
-                              .temperature = temperature,
-                              .region_mean = region_mean,
-                              .active = effect,
-                              .intensities = intensities},
-                             terms);
+        const MaterialModel material_model = this->material_model();
+        effect.effect->add_terms({.mesh = mesh,
+                                  .material_model = material_model,
+                                  .temperature = temperature,
+                                  .region_mean = region_mean,
+                                  .active = effect,
+                                  .coefficients = coefficients},
+                                 terms);
         return terms;
     }
 
@@ -154,12 +156,12 @@ public:
     Whole& operator=(const Whole&) = delete;
     ~Whole() = default;
 
-    /// Lets every effect speak; the answers stay until the next question.
+    /// Lets every effect add its terms; they stay until the next call.
     const Whole& ask(const Inputs& inputs, const std::vector<double>& T) {
-        std::vector<double> intensities(system_.n_intensities());
-        system_.drive(inputs, intensities);
+        std::vector<double> coefficients(system_.n_coefficients());
+        system_.evaluate_coefficients(inputs, coefficients);
         temperature_ = T;
-        system_.evaluate(temperature_, intensities);
+        system_.evaluate(temperature_, coefficients);
         return *this;
     }
     const Whole& ask(const Inputs& inputs) { return ask(inputs, problem_.initial); }
@@ -176,7 +178,7 @@ public:
     [[nodiscard]] double watts(std::string_view id) const { return system_.terms().watts[index(id)]; }
     /// Heat flow into a node. W
     [[nodiscard]] double flow(int node) const { return system_.heat_flow()[static_cast<std::size_t>(node)]; }
-    [[nodiscard]] int node(std::string_view appended) const { return problem_.mesh.find_appended(appended); }
+    [[nodiscard]] int node(std::string_view lumped_node) const { return problem_.mesh.find_lumped_node(lumped_node); }
     [[nodiscard]] const solver::Problem& problem() const { return problem_; }
     [[nodiscard]] const solver::System& system() const { return system_; }
 

@@ -12,11 +12,11 @@
 
 #include "physics/effects/bench.hpp"
 
-/// What tests of every effect share: numbers at which each speaks up, the thesis's effects beside it, inputs under which every
+/// What tests of every effect share: numbers at which each acts, the thesis's effects beside it, inputs under which every
 /// law has something to say.
 namespace tiretherm::physics {
 
-/// Numbers that make an effect speak up whose standard ones change nothing.
+/// Numbers that make an effect act whose standard ones change nothing.
 inline Part loud(std::string_view id) {
     static const std::vector<Part> parts{{"uniform_source", {{"power_density", 1e5}}},
                                          {"road_temperature_drift", {{"rate", 20.0}}},
@@ -47,7 +47,7 @@ inline Part loud(std::string_view id) {
 /// The same with every candidate number where the effect is absent.
 inline Part silent(const Effect& effect) {
     Part part = loud(effect.id);
-    for (const Parameter& parameter : effect.parameters) {
+    for (const ParameterSpec& parameter : effect.parameters) {
         if (!std::isnan(parameter.absent)) {
             part.numbers.emplace_back(parameter.key, parameter.absent);
         }
@@ -56,7 +56,7 @@ inline Part silent(const Effect& effect) {
 }
 
 inline bool has_absent(const Effect& effect) {
-    return std::ranges::any_of(effect.parameters, [](const Parameter& p) { return !std::isnan(p.absent); });
+    return std::ranges::any_of(effect.parameters, [](const ParameterSpec& p) { return !std::isnan(p.absent); });
 }
 
 inline bool can_act(const Effect& effect, const Bench& bench) {

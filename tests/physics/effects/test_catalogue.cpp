@@ -83,7 +83,7 @@ TEST(Catalogue, ReadingsStandInTheirOrder) {
 
 TEST(Catalogue, OrderOfEffectsDoesNotMatter) {
     // Everything that can act, switched on from first to last and from last to first: the same sums but for the order of
-    // additions. Appended nodes, whose numbers differ, are compared by name.
+    // additions. Lumped nodes, whose numbers differ, are compared by name.
     for (const Bench& bench : {two_nodes(), specimen(), section()}) {
         std::vector<Part> parts;
         for (const Effect* effect : catalogue()) {
@@ -98,8 +98,8 @@ TEST(Catalogue, OrderOfEffectsDoesNotMatter) {
         const auto field = [&](const Whole& whole) {
             std::vector<double> T = bench.T;
             T.resize(n_nodes(whole));
-            for (const mesh::Appended& appended : whole.problem().mesh.appended) {
-                T[static_cast<std::size_t>(appended.node)] = 300.0 + static_cast<double>(appended.name.size());
+            for (const mesh::LumpedNode& lumped_node : whole.problem().mesh.lumped_nodes) {
+                T[static_cast<std::size_t>(lumped_node.node)] = 300.0 + static_cast<double>(lumped_node.name.size());
             }
             return T;
         };
@@ -114,9 +114,10 @@ TEST(Catalogue, OrderOfEffectsDoesNotMatter) {
             EXPECT_NEAR(forwards.flow(same), backwards.flow(same), 1e-12 * turnover);
             EXPECT_NEAR(forwards.system().capacity(node, 310.0), backwards.system().capacity(node, 310.0), 1e-9);
         }
-        for (const mesh::Appended& appended : forwards.problem().mesh.appended) {
-            EXPECT_NEAR(forwards.flow(appended.node), backwards.flow(backwards.node(appended.name)), 1e-12 * turnover)
-                << appended.name;
+        for (const mesh::LumpedNode& lumped_node : forwards.problem().mesh.lumped_nodes) {
+            EXPECT_NEAR(forwards.flow(lumped_node.node), backwards.flow(backwards.node(lumped_node.name)),
+                        1e-12 * turnover)
+                << lumped_node.name;
         }
     }
 }

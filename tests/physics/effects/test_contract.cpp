@@ -16,7 +16,7 @@ TEST_P(EveryEffect, SaysWhatItIs) {
     EXPECT_FALSE(effect.source.empty());
     EXPECT_GT(effect.meaning.size(), 30U);
     std::set<std::string_view> keys;
-    for (const Parameter& parameter : effect.parameters) {
+    for (const ParameterSpec& parameter : effect.parameters) {
         EXPECT_TRUE(keys.insert(parameter.key).second) << parameter.key << " is there twice";
         EXPECT_FALSE(parameter.unit.empty()) << parameter.key;
         EXPECT_FALSE(parameter.meaning.empty()) << parameter.key;
@@ -93,11 +93,11 @@ TEST_P(EveryEffect, BooksExactlyTheWattsItGives) {
                 given += q;
                 turnover += std::abs(q);
             }
-            double booked = 0.0;
+            double attributed = 0.0;
             for (const double watts : whole.system().terms().watts) {
-                booked += watts;
+                attributed += watts;
             }
-            EXPECT_NEAR(booked, given, 1e-13 * turnover);
+            EXPECT_NEAR(attributed, given, 1e-13 * turnover);
         }
     }
 }
@@ -123,7 +123,7 @@ TEST_P(EveryLoss, HeatsTowardsWarmerSurroundings) {
         Inputs in = lively();
         in.air_temperature = in.road_temperature = 350.0;
         double watts = whole.ask(in, T).watts(GetParam()->id);
-        in.speed = 0.0;  // natural convection speaks only at rest
+        in.speed = 0.0;  // natural convection acts only at rest
         watts = std::max(watts, whole.ask(in, T).watts(GetParam()->id));
         EXPECT_GT(watts, 0.0);
     }
@@ -164,7 +164,7 @@ TEST_P(EveryEffect, GivesTheDerivativesOfItsHeat) {
             const auto a = static_cast<std::size_t>(mesh.faces[f].a);
             const auto b = static_cast<std::size_t>(mesh.faces[f].b);
             const double change =
-                terms.face_G[f] * (v[b] - v[a]) + terms.face_by_a[f] * v[a] + terms.face_by_b[f] * v[b];
+                terms.face_G[f] * (v[b] - v[a]) + terms.face_dq_dTa[f] * v[a] + terms.face_dq_dTb[f] * v[b];
             product[a] += change;
             product[b] -= change;
         }
@@ -189,7 +189,7 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, EveryPassiveEffect,
                          testing::ValuesIn(effects_that([](const Effect* e) { return e->kind != Kind::source; })),
                          id_of);
 INSTANTIATE_TEST_SUITE_P(Catalogue, EveryLoss, testing::ValuesIn(effects_that([](const Effect* e) {
-                             return e->kind == Kind::loss && e->speak != nullptr;
+                             return e->kind == Kind::loss && e->add_terms != nullptr;
                          })),
                          id_of);
 

@@ -37,15 +37,15 @@ std::vector<double> told(const Bench& bench, const std::vector<Part>& parts) {
     double value = 330.0;
     double lag = 0.0;
     double delay = 0.0;
-    double deeper = 0.0;
+    double depth_offset = 0.0;
     for (const ActiveEffect& active : system.effects()) {
         const Effect& effect = *active.effect;
         value = effect.read != nullptr ? effect.read(active, 0, value, lively()) : value;
         lag += effect.lag != nullptr ? effect.lag(active, 0) : 0.0;
         delay += effect.delay != nullptr ? effect.delay(active, 0) : 0.0;
-        deeper += effect.deeper != nullptr ? effect.deeper(active, 0) : 0.0;
+        depth_offset += effect.depth_offset != nullptr ? effect.depth_offset(active, 0) : 0.0;
     }
-    numbers.insert(numbers.end(), {value, lag, delay, deeper});
+    numbers.insert(numbers.end(), {value, lag, delay, depth_offset});
     return numbers;
 }
 
@@ -60,7 +60,7 @@ double largest_difference(const std::vector<double>& one, const std::vector<doub
 solver::Report run_for_a_minute(const Bench& bench, const std::vector<Part>& parts) {
     solver::Problem problem = Whole::problem_of(bench, parts);
     for (const Signal& signal : signals()) {
-        problem.drive.add(signal, lively().*signal.member);
+        problem.input_signals.add(signal, lively().*signal.member);
     }
     problem.settings.end = 60.0;
     problem.settings.fixed_step = 5.0;
@@ -88,7 +88,7 @@ TEST_P(EveryCandidate, DoesSomethingWhereItIsNot) {
 
 TEST_P(EveryCandidate, LeavesARunAsItIsWhereItIsAbsent) {
     // A minute in fixed steps: the same channels to the tolerance of Newton's iteration, the same joules of the others,
-    // the balance closed with whatever was appended.
+    // the balance closed with all lumped nodes.
     for (const Bench& bench : benches()) {
         const solver::Report without = run_for_a_minute(bench, thesis(bench));
         const solver::Report silenced = run_for_a_minute(bench, with(thesis(bench), silent(*GetParam())));

@@ -133,10 +133,10 @@ std::array<double, 2> simulate(const std::vector<Part>& extensions) {
         }
     }
     const auto log = [&](std::string_view signal, double (*value)(double)) {
-        problem.drive.add({.signal = find_signal(signal),
-                           .time = {0.0, duration},
-                           .value = {value(0.0), value(duration)},
-                           .logged = false});
+        problem.input_signals.add({.signal = find_signal(signal),
+                                   .time = {0.0, duration},
+                                   .value = {value(0.0), value(duration)},
+                                   .logged = false});
     };
     log("speed", Log::V);
     log("vertical_load", Log::Fz);

@@ -39,8 +39,8 @@ TEST(LayerConductivity, ScalesAndTiltsTheLinkOfTwoNodes) {
 TEST(LayerConductivity, KeepsToTheLayersNamed) {
     // On a section the standard layers are those below the tread.
     const Whole whole(section(), {{"layer_conductivity", {{"scale", 2.0}}}});
-    EXPECT_EQ(whole.system().stock().materials[0].along(mesh::Axis::through).value(300.0), 0.29);
-    EXPECT_EQ(whole.system().stock().materials[3].along(mesh::Axis::meridian).value(300.0), 0.58);
+    EXPECT_EQ(whole.system().material_model().materials[0].along(mesh::Axis::through).value(300.0), 0.29);
+    EXPECT_EQ(whole.system().material_model().materials[3].along(mesh::Axis::meridian).value(300.0), 0.58);
 }
 
 TEST(LayerHeatCapacity, ScalesThatOfTheBulk) {
@@ -76,11 +76,11 @@ TEST(BeltAnisotropy, ConductsAlongTheBeltOnly) {
 TEST(TreadWear, IsAThinnerTreadOnTheSameMesh) {
     // 2 of 8 mm worn: w = 0.75 of the mass and of the section across, 4/3 of the conductance through.
     const Whole whole(section(), {{"tread_wear", {{"depth", 0.002}}}});
-    const Material& tread = whole.system().stock().materials[0];
+    const Material& tread = whole.system().material_model().materials[0];
     EXPECT_NEAR(tread.density, 0.75 * 1100.0, 1e-9);
     EXPECT_NEAR(tread.along(mesh::Axis::through).value(300.0), 0.29 / 0.75, 1e-12);
     EXPECT_NEAR(tread.along(mesh::Axis::meridian).value(300.0), 0.29 * 0.75, 1e-12);
-    EXPECT_EQ(whole.system().stock().materials[1].density, 1100.0);
+    EXPECT_EQ(whole.system().material_model().materials[1].density, 1100.0);
     EXPECT_NEAR(whole.system().capacity(2 * 2, 300.0), 0.75 * section().mesh.volume[4] * 1100.0 * 1800.0, 1e-9)
         << "the first cell after two columns of two sidewall cells is tread";
 }
@@ -88,7 +88,7 @@ TEST(TreadWear, IsAThinnerTreadOnTheSameMesh) {
 TEST(TreadWear, SeesTheThicknessOfAGrid) {
     // The specimen's tread is 3 mm: 1.5 mm worn is half.
     const Whole whole(specimen(), {{"tread_wear", {{"depth", 0.0015}}}});
-    EXPECT_NEAR(whole.system().stock().materials[0].density, 550.0, 1e-9);
+    EXPECT_NEAR(whole.system().material_model().materials[0].density, 550.0, 1e-9);
 }
 
 TEST(ConvectionExponent, TurnsTheForcedPartAboutItsPivot) {

@@ -186,10 +186,10 @@ TEST(Summary, TireIsComparedWithATwoNodeModelWhereThatHasAMeaning) {
     EXPECT_NE(told.text().find("  as a two-node model, its link would be 0.125 W/K, or k = 0.00267 W/mK over 10 mm\n"),
               std::string::npos)
         << told.text();
-    EXPECT_EQ(told.json()["effective_link"], 0.125);
-    told.report.effective_link = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(told.json()["effective_two_node_conductance"], 0.125);
+    told.report.effective_two_node_conductance = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(told.text().find("two-node"), std::string::npos);
-    EXPECT_TRUE(told.json()["effective_link"].is_null());
+    EXPECT_TRUE(told.json()["effective_two_node_conductance"].is_null());
 }
 
 TEST(Summary, LumpHasALayerButNoPosition) {

@@ -38,9 +38,9 @@ HotPlace inside_of(const Problem& problem) {
 // 84 K over 1e5 W/m3; by h it is -q L/h^2 = -3 K per W/m2K, by k (scaled at one knot) -q L^2/(2 k^2) = -80 K per W/mK.
 TEST(HotPlaceSlopes, AreThoseOfTheClosedForm) {
     const Problem problem = heated_strip();
-    const std::vector<Adjustable> numbers{number(problem, "uniform_source", "power_density"),
-                                          number(problem, "still_air", "h"),
-                                          law(Adjustable::Kind::conductivity, {0}, {350.0}, 0)};
+    const std::vector<FreeParameter> numbers{number(problem, "uniform_source", "power_density"),
+                                             number(problem, "still_air", "h"),
+                                             law(FreeParameter::Kind::conductivity, {0}, {350.0}, 0)};
     const std::vector<HotPlace> places{inside_of(problem)};
     const PlaceSlopes slopes = place_slopes(problem, places, numbers);
     ASSERT_TRUE(slopes.status.ok()) << slopes.status.message;
@@ -60,7 +60,7 @@ TEST(HotPlaceSlopes, BelongToTheirTime) {
     problem.settings.end = 1800.0;
     problem.settings.tolerance = 1e-4;
     HotPlace place = inside_of(problem);
-    const std::vector<Adjustable> numbers{number(problem, "uniform_source", "power_density")};
+    const std::vector<FreeParameter> numbers{number(problem, "uniform_source", "power_density")};
     for (const double t : {900.0, 1800.0}) {
         place.time = t;
         const PlaceSlopes slopes = place_slopes(problem, std::vector{place}, numbers);

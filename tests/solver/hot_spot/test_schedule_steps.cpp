@@ -18,10 +18,10 @@ Series series(const char* name, std::vector<double> time, std::vector<double> va
 
 // Ten minutes up to 40 m/s, then 40 and 45 m/s for ten minutes each.
 TEST(ScheduleSteps, AreRampsAndStretchesThatStandStill) {
-    Drive drive;
-    drive.add(series("speed", {0, 600, 600, 1200, 1200, 1800}, {0, 40, 40, 40, 45, 45}));
-    drive.add(*physics::find_signal("vertical_load"), 5000.0);
-    const std::vector<ScheduleStep> steps = schedule_steps(drive, 0.0, 1800.0);
+    InputSignals input_signals;
+    input_signals.add(series("speed", {0, 600, 600, 1200, 1200, 1800}, {0, 40, 40, 40, 45, 45}));
+    input_signals.add(*physics::find_signal("vertical_load"), 5000.0);
+    const std::vector<ScheduleStep> steps = schedule_steps(input_signals, 0.0, 1800.0);
     ASSERT_EQ(steps.size(), 3U);
     EXPECT_TRUE(steps[0].ramp);
     EXPECT_EQ(steps[0].number, 1);
@@ -41,25 +41,25 @@ TEST(ScheduleSteps, AreRampsAndStretchesThatStandStill) {
 }
 
 TEST(ScheduleSteps, StopOfAnotherInputEndsNone) {
-    Drive drive;
-    drive.add(series("speed", {0, 1000}, {30, 30}));
-    drive.add(series("air_temperature", {0, 500, 1000}, {290, 300, 290}));
-    EXPECT_EQ(schedule_steps(drive, 0.0, 1000.0).size(), 1U);
+    InputSignals input_signals;
+    input_signals.add(series("speed", {0, 1000}, {30, 30}));
+    input_signals.add(series("air_temperature", {0, 500, 1000}, {290, 300, 290}));
+    EXPECT_EQ(schedule_steps(input_signals, 0.0, 1000.0).size(), 1U);
 }
 
 TEST(ScheduleSteps, ChangeOfLoadIsAStep) {
-    Drive drive;
-    drive.add(*physics::find_signal("speed"), 30.0);
-    drive.add(series("vertical_load", {0, 500, 500, 1000}, {4000, 4000, 5000, 5000}));
-    const std::vector<ScheduleStep> steps = schedule_steps(drive, 0.0, 1000.0);
+    InputSignals input_signals;
+    input_signals.add(*physics::find_signal("speed"), 30.0);
+    input_signals.add(series("vertical_load", {0, 500, 500, 1000}, {4000, 4000, 5000, 5000}));
+    const std::vector<ScheduleStep> steps = schedule_steps(input_signals, 0.0, 1000.0);
     ASSERT_EQ(steps.size(), 2U);
     EXPECT_DOUBLE_EQ(steps[1].load, 5000.0);
 }
 
 TEST(ScheduleSteps, LogHasNone) {
-    Drive drive;
-    drive.add(series("speed", {0, 10, 20}, {30, 31, 30}, true));
-    EXPECT_TRUE(schedule_steps(drive, 0.0, 20.0).empty());
+    InputSignals input_signals;
+    input_signals.add(series("speed", {0, 10, 20}, {30, 31, 30}, true));
+    EXPECT_TRUE(schedule_steps(input_signals, 0.0, 20.0).empty());
 }
 
 // Steady pairs (hot spot, surface): (360, 320), a ramp, (380, 324), (400, 330). Critical 385 K lies a quarter on the way

@@ -11,19 +11,20 @@
 namespace tiretherm::solver {
 
 /// A parameter of an effect that is on.
-inline Adjustable number(const Problem& problem, std::string_view effect, std::string_view key) {
-    Adjustable adjustable{
+inline FreeParameter number(const Problem& problem, std::string_view effect, std::string_view key) {
+    FreeParameter parameter{
         .name = std::string(effect) + "." + std::string(key), .unit = {}, .layers = {}, .knots = {}, .nodes = {}};
     for (std::size_t e = 0; e < problem.effects.size(); ++e) {
         if (problem.effects[e].effect->id == effect) {
-            adjustable.effect = e;
-            adjustable.parameter = static_cast<std::size_t>(physics::find_parameter(*problem.effects[e].effect, key));
+            parameter.effect = e;
+            parameter.parameter = static_cast<std::size_t>(physics::find_parameter(*problem.effects[e].effect, key));
         }
     }
-    return adjustable;
+    return parameter;
 }
 
-inline Adjustable law(Adjustable::Kind kind, std::vector<int> layers, std::vector<double> knots, std::size_t knot) {
+inline FreeParameter law(FreeParameter::Kind kind, std::vector<int> layers, std::vector<double> knots,
+                         std::size_t knot) {
     return {.name = "law",
             .unit = {},
             .kind = kind,
@@ -33,18 +34,18 @@ inline Adjustable law(Adjustable::Kind kind, std::vector<int> layers, std::vecto
             .nodes = {}};
 }
 
-inline Adjustable start_of(const Problem& problem) {
-    Adjustable adjustable{
-        .name = "initial", .unit = "K", .kind = Adjustable::Kind::initial, .layers = {}, .knots = {}, .nodes = {}};
+inline FreeParameter start_of(const Problem& problem) {
+    FreeParameter parameter{
+        .name = "initial", .unit = "K", .kind = FreeParameter::Kind::initial, .layers = {}, .knots = {}, .nodes = {}};
     for (int node = 0; node < problem.mesh.n_nodes; ++node) {
-        adjustable.nodes.push_back(node);
+        parameter.nodes.push_back(node);
     }
-    return adjustable;
+    return parameter;
 }
 
-inline std::vector<double> values_of(const Problem& problem, const std::vector<Adjustable>& numbers) {
+inline std::vector<double> values_of(const Problem& problem, const std::vector<FreeParameter>& numbers) {
     std::vector<double> values;
-    for (const Adjustable& one : numbers) {
+    for (const FreeParameter& one : numbers) {
         values.push_back(value_of(problem, one));
     }
     return values;
@@ -53,7 +54,7 @@ inline std::vector<double> values_of(const Problem& problem, const std::vector<A
 /// Every slope against the central difference of two runs over the same steps, whose stages are converged to round-off.
 /// The difference's own error: (step)^2 times the third derivative and round-off over the step, both below 1e-7 of the
 /// largest slope for steps of 1e-4 of a number's size.
-inline void expect_differences(Problem problem, const std::vector<Adjustable>& numbers, double within = 1e-6) {
+inline void expect_differences(Problem problem, const std::vector<FreeParameter>& numbers, double within = 1e-6) {
     std::vector<double> times;
     for (int i = 0; i <= 20; ++i) {
         times.push_back(problem.settings.start + (problem.settings.end - problem.settings.start) * i / 20.0);

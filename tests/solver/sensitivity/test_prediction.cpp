@@ -5,7 +5,7 @@ namespace tiretherm::solver {
 
 TEST(Prediction, SlopesOfTheTwoNodeTireEqualDifferences) {
     const Problem problem = two_node_tire();
-    using Kind = Adjustable::Kind;
+    using Kind = FreeParameter::Kind;
     expect_differences(
         problem, {number(problem, "air_convection", "lambda_h"), number(problem, "air_convection", "exponent"),
                   number(problem, "strain_energy_loss", "lambda_blk"), number(problem, "road_contact", "Hc"),
@@ -19,8 +19,8 @@ TEST(Prediction, SaysThatANumberStandsAtASwitch) {
     Problem problem = two_node_tire();
     act(problem, "standing_wave", {{"gain", 1e-3}, {"critical_speed", 100.0}});
     const std::vector<double> times{0.0, 300.0, 600.0};
-    const std::vector<Adjustable> numbers{number(problem, "standing_wave", "critical_speed"),
-                                          number(problem, "air_convection", "lambda_h")};
+    const std::vector<FreeParameter> numbers{number(problem, "standing_wave", "critical_speed"),
+                                             number(problem, "air_convection", "lambda_h")};
     const Prediction at_switch =
         predict(problem, {.times = times, .parameters = numbers, .values = values_of(problem, numbers)});
     ASSERT_TRUE(at_switch.status.ok()) << at_switch.status.message;

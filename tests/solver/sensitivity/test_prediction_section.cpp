@@ -11,7 +11,7 @@ TEST(Prediction, SlopesOfASectionEqualDifferences) {
     }
     support::read(problem, "drag", {});
     problem.channels.back().quantity = Quantity::drag_force;
-    using Kind = Adjustable::Kind;
+    using Kind = FreeParameter::Kind;
     expect_differences(
         problem, {number(problem, "air_convection", "lambda_h"), number(problem, "strain_energy_loss", "lambda_blk"),
                   law(Kind::conductivity, {0}, {300.0, 330.0, 360.0}, 1), law(Kind::heat_capacity, {1}, {300.0}, 0),

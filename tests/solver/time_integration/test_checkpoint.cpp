@@ -29,10 +29,10 @@ Observer keep_rows(std::vector<Row>& rows, std::size_t most = 1000000) {
 /// A jump of the speed, nonlinear laws, a tolerance that makes some 200 steps.
 Problem eventful() {
     Problem problem = two_node_tire();
-    problem.drive = {};
-    problem.drive.add({.signal = physics::find_signal("speed"),
-                       .time = {0.0, 200.0, 200.0, 600.0},
-                       .value = {28.0, 28.0, 40.0, 10.0}});
+    problem.input_signals = {};
+    problem.input_signals.add({.signal = physics::find_signal("speed"),
+                               .time = {0.0, 200.0, 200.0, 600.0},
+                               .value = {28.0, 28.0, 40.0, 10.0}});
     hold(problem, "vertical_load", 4000.0);
     hold(problem, "air_temperature", 296.15);
     hold(problem, "road_temperature", 310.0);

@@ -15,7 +15,7 @@ struct Rows {
     std::vector<std::vector<double>> channels;
     std::vector<bool> field;
     std::vector<double> stored;
-    std::vector<double> booked;
+    std::vector<double> attributed;
 };
 
 Report collect(const Problem& problem, Rows& rows) {
@@ -28,7 +28,7 @@ Report collect(const Problem& problem, Rows& rows) {
         for (const double joules : s.joules) {
             sum += joules;
         }
-        rows.booked.push_back(sum);
+        rows.attributed.push_back(sum);
         return true;
     });
 }
@@ -38,26 +38,27 @@ Report quiet(const Problem& problem) {
 }
 
 /// Heat that is not a number above 310 K; a law that never lets Newton settle; a conductance below zero.
-void speak_nan(const physics::Moment& m, physics::Terms& terms) {
+void add_terms_nan(const physics::EvaluationState& m, physics::Terms& terms) {
     terms.heat(0, m.temperature[0] > 310.0 ? std::nan("") : 500.0);
 }
-void speak_jumping(const physics::Moment& m, physics::Terms& terms) {
+void add_terms_jumping(const physics::EvaluationState& m, physics::Terms& terms) {
     terms.heat(0, m.temperature[0] > 310.0 ? -5e12 : 5e12);
 }
-void speak_negative(const physics::Moment& m, physics::Terms& terms) {
+void add_terms_negative(const physics::EvaluationState& m, physics::Terms& terms) {
     terms.exchange(0, m.temperature[0] > 310.0 ? -1.0 : 5.0, 400.0);
 }
 /// k T^2 loss, with and without derivatives of its own.
-void speak_square(const physics::Moment& m, physics::Terms& terms) {
+void add_terms_square(const physics::EvaluationState& m, physics::Terms& terms) {
     const double T = m.temperature[0];
     terms.heat(0, -1e-3 * T * T, -2e-3 * T);
 }
-void speak_square_without(const physics::Moment& m, physics::Terms& terms) {
+void add_terms_square_without(const physics::EvaluationState& m, physics::Terms& terms) {
     const double T = m.temperature[0];
     terms.heat(0, -1e-3 * T * T);
 }
 
-physics::Effect effect(std::string_view id, void (*speak)(const physics::Moment&, physics::Terms&), bool derivatives) {
+physics::Effect effect(std::string_view id, void (*add_terms)(const physics::EvaluationState&, physics::Terms&),
+                       bool derivatives) {
     return {.id = id,
             .kind = physics::Kind::source,
             .on = false,
@@ -69,10 +70,10 @@ physics::Effect effect(std::string_view id, void (*speak)(const physics::Moment&
             .reads = {},
             .needs_tire = false,
             .patches = {},
-            .n_intensities = 0,
+            .n_coefficients = 0,
             .place = nullptr,
-            .drive = nullptr,
-            .speak = speak,
+            .evaluate_coefficients = nullptr,
+            .add_terms = add_terms,
             .gives_derivatives = derivatives};
 }
 
@@ -128,7 +129,7 @@ TEST(Run, BooksAllHeatInEveryRow) {
     EXPECT_LT(report.energy_closure, 1e-10);
     EXPECT_GT(rows.stored.back(), 1e5);
     for (std::size_t i = 0; i < rows.time.size(); ++i) {
-        EXPECT_NEAR(rows.stored[i], rows.booked[i], 1e-9 * rows.stored.back());
+        EXPECT_NEAR(rows.stored[i], rows.attributed[i], 1e-9 * rows.stored.back());
     }
 }
 
@@ -154,8 +155,8 @@ TEST(Run, FirstRowHasTheWattsOfTheStart) {
 TEST(Run, LandsOnEveryPointOfASchedule) {
     Problem problem = heated_strip(5);
     const physics::Signal& air = *physics::find_signal("air_temperature");
-    problem.drive = {};
-    problem.drive.add(
+    problem.input_signals = {};
+    problem.input_signals.add(
         {.signal = &air, .time = {0.0, 123.4, 123.4, 555.5, 1000.0}, .value = {300.0, 300.0, 280.0, 290.0, 290.0}});
     Rows rows;  // output_interval 0: a row for every step
     ASSERT_TRUE(collect(problem, rows).status.ok());
@@ -168,10 +169,10 @@ TEST(Run, SurfaceFollowsAJumpAtOnceAndTheInsideDoesNot) {
     // Air from 300 to 250 K at 500 s. The row at the jump shows the state before it; 1 s later the surface has moved.
     Problem problem = strip(40);
     problem.channels = {{.name = "surface", .meaning = "", .where = problem.mesh.regions[0].mean}};
-    problem.drive = {};
-    problem.drive.add({.signal = physics::find_signal("air_temperature"),
-                       .time = {0.0, 500.0, 500.0, 1000.0},
-                       .value = {300.0, 300.0, 250.0, 250.0}});
+    problem.input_signals = {};
+    problem.input_signals.add({.signal = physics::find_signal("air_temperature"),
+                               .time = {0.0, 500.0, 500.0, 1000.0},
+                               .value = {300.0, 300.0, 250.0, 250.0}});
     problem.settings.output_interval = 1.0;
     Rows rows;
     ASSERT_TRUE(collect(problem, rows).status.ok());
@@ -240,7 +241,7 @@ TEST(Run, StopsWhenTheObserverSaysSo) {
 }
 
 TEST(Run, SaysWhereAndWhenTheBalanceIsNotANumber) {
-    const physics::Effect bad = effect("bad_heat", speak_nan, true);
+    const physics::Effect bad = effect("bad_heat", add_terms_nan, true);
     const Report report = quiet(with(bad));
     EXPECT_EQ(report.status.outcome, Outcome::not_finite);
     EXPECT_NE(report.status.message.find("bad_heat"), std::string::npos) << report.status.message;
@@ -250,22 +251,22 @@ TEST(Run, SaysWhereAndWhenTheBalanceIsNotANumber) {
 }
 
 TEST(Run, SaysWhichEffectKeepsTheBalanceFromConverging) {
-    const physics::Effect bad = effect("jumping_heat", speak_jumping, true);
+    const physics::Effect bad = effect("jumping_heat", add_terms_jumping, true);
     const Report report = quiet(with(bad));
     EXPECT_FALSE(report.status.ok());
     EXPECT_NE(report.status.message.find("jumping_heat"), std::string::npos) << report.status.message;
 }
 
 TEST(Run, SaysWhichEffectGaveANegativeConductance) {
-    const physics::Effect bad = effect("backward_exchange", speak_negative, true);
+    const physics::Effect bad = effect("backward_exchange", add_terms_negative, true);
     const Report report = quiet(with(bad));
     EXPECT_EQ(report.status.outcome, Outcome::negative_conductance);
     EXPECT_NE(report.status.message.find("backward_exchange"), std::string::npos) << report.status.message;
 }
 
 TEST(Run, DerivativesByDifferenceGiveTheSameSolution) {
-    const physics::Effect own = effect("square", speak_square, true);
-    const physics::Effect difference = effect("square", speak_square_without, false);
+    const physics::Effect own = effect("square", add_terms_square, true);
+    const physics::Effect difference = effect("square", add_terms_square_without, false);
     const Report with_own = quiet(with(own));
     const Report with_difference = quiet(with(difference));
     ASSERT_TRUE(with_own.status.ok());
@@ -288,7 +289,7 @@ TEST(Run, EffectiveLinkOfTwoNodesIsTheLink) {
     const Problem problem = two_node_tire();
     const Report report = quiet(problem);
     const double k = problem.link_laws[0].value(report.channel_final[1]);
-    EXPECT_NEAR(report.effective_link, k / 0.010 * problem.tire.outer_area(), 1e-9);
+    EXPECT_NEAR(report.effective_two_node_conductance, k / 0.010 * problem.tire.outer_area(), 1e-9);
 }
 
 TEST(Run, EffectiveLinkOfASlabIsThreeConductivitiesOverItsThickness) {
@@ -305,7 +306,7 @@ TEST(Run, EffectiveLinkOfASlabIsThreeConductivitiesOverItsThickness) {
     problem.channels.clear();
     problem.settings.steady = true;
     const double skin_share = 0.5 * 1e-4 / 0.01;  // the skin's own heat passes half the skin only
-    EXPECT_NEAR(quiet(problem).effective_link, 84.46, 84.46 * (0.0003 + 0.03 * skin_share));
+    EXPECT_NEAR(quiet(problem).effective_two_node_conductance, 84.46, 84.46 * (0.0003 + 0.03 * skin_share));
 }
 
 TEST(Run, EffectiveLinkOfOneLayerIsToItsOuterSurface) {
@@ -313,7 +314,7 @@ TEST(Run, EffectiveLinkOfOneLayerIsToItsOuterSurface) {
     Problem problem = heated_strip(60);
     problem.effects[1].patches = {0};
     problem.settings.steady = true;
-    EXPECT_NEAR(quiet(problem).effective_link, 87.0, 87.0 * 0.0003);
+    EXPECT_NEAR(quiet(problem).effective_two_node_conductance, 87.0, 87.0 * 0.0003);
 }
 
 TEST(Run, WarnsWhenTheSurfaceLeavesTheRangeOfTheConvectionLaw) {
@@ -343,12 +344,12 @@ TEST(Defects, ListsAllThatIsWrongWithAProblem) {
 // other: in a step of no length a reading would be a difference over nothing.
 TEST(March, NoStepOfNoLengthIsLeftUpToASample) {
     Problem problem = heated_strip(10);
-    problem.drive.add(
+    problem.input_signals.add(
         {.signal = physics::find_signal("vertical_load"), .time = {0.0, 0.3, 0.9}, .value = {0.0, 1.0, 0.0}});
-    problem.drive.add({.signal = physics::find_signal("speed"),
-                       .time = {0.0, 0.1 + 0.2, 0.9},
-                       .value = {0.0, 1.0, 0.0},
-                       .logged = true});
+    problem.input_signals.add({.signal = physics::find_signal("speed"),
+                               .time = {0.0, 0.1 + 0.2, 0.9},
+                               .value = {0.0, 1.0, 0.0},
+                               .logged = true});
     problem.settings.end = 0.9;
     problem.settings.tolerance = 1e-6;
     double last = 0.0;

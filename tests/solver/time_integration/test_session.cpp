@@ -49,14 +49,14 @@ TEST(Session, GivesTheNumbersOfTheBatchRunAtTheSameSteps) {
     constexpr double dt = 0.5;
     constexpr int steps = 120;
     Problem problem = two_node_tire();
-    problem.drive = {};
+    problem.input_signals = {};
     for (const physics::Signal& signal : physics::signals()) {
         Series series{.signal = &signal, .time = {}, .value = {}};
         for (int i = 0; i <= steps; ++i) {
             series.time.push_back(dt * i);
             series.value.push_back(inputs_at(dt * i).*signal.member);
         }
-        problem.drive.add(std::move(series));
+        problem.input_signals.add(std::move(series));
     }
     problem.settings.end = dt * steps;
     problem.settings.fixed_step = dt;

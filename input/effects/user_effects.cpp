@@ -1,0 +1,262 @@
+#include "input/effects/user_effects.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "input/effects/user_formula.hpp"
+#include "input/model/problem_builder.hpp"
+#include "input/text/quantity_specs.hpp"
+#include "input/text/suggestions.hpp"
+#include "physics/user_effect_place.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+constexpr std::string_view air = "air_temperature";
+
+const std::vector<TomlValue>& items_of(const TomlValue& document, std::string_view list) {
+    static const std::vector<TomlValue> none;
+    const TomlValue* found = document.find(list);
+    return found != nullptr ? found->items : none;
+}
+
+bool is_number(std::string_view text) { return leading_number(text).has_value(); }
+
+/// Where a piece of a text in quotes stands, if the text is in one line without escapes; else the whole.
+SourceLocation piece(const SourceLocation& text, const std::string& written, const Formula::Wrong& wrong) {
+    if (wrong.length == 0 || text.length != static_cast<int>(written.size()) + 2) {
+        return text;
+    }
+    return {.file = text.file,
+            .line = text.line,
+            .column = text.column + 1 + static_cast<int>(wrong.from),
+            .length = static_cast<int>(std::min(wrong.length, written.size() - wrong.from))};
+}
+
+/// What a formula may refer to in this run.
+std::vector<std::string> known_signals(const ProblemBuilder& builder) {
+    std::vector<std::string> known;
+    for (const physics::Signal& signal : physics::signals()) {
+        if (builder.given.contains(signal.name)) {
+            known.emplace_back(signal.name);
+        }
+    }
+    known.emplace_back("time");
+    if (builder.run) {
+        std::ranges::copy(builder.run->headings, std::back_inserter(known));
+    }
+    std::ranges::sort(known);
+    known.erase(std::unique(known.begin(), known.end()), known.end());
+    std::erase(known, "");
+    return known;
+}
+
+const UserColumn* find_column(const ProblemBuilder& builder, std::string_view name) {
+    for (const std::vector<UserColumn>* columns :
+         {builder.run ? &builder.run->columns : &builder.columns, &builder.columns}) {
+        if (const auto found = std::ranges::find(*columns, name, &UserColumn::name); found != columns->end()) {
+            return &*found;
+        }
+    }
+    return nullptr;
+}
+
+/// Whether a signal can be followed. What is missing is an error; what could not be read has been reported.
+bool can_follow(const TomlTable& table, std::string_view key, const std::string& signal,
+                const ProblemBuilder& builder) {
+    if (signal == "time") {
+        return true;
+    }
+    if (const UserColumn* column = find_column(builder, signal)) {
+        return !column->signal.time.empty();
+    }
+    if (const physics::Signal* input = physics::find_signal(signal);
+        input != nullptr && builder.given.contains(signal)) {
+        return builder.problem.input_signals.gives(*input);
+    }
+    if (builder.run && builder.run->unreadable) {
+        return false;
+    }
+    const std::string remedy = suggest(signal, known_signals(builder), "signals");
+    if (builder.run) {
+        table.errors().add(
+            builder.run->place,
+            fmt::format("run {}: neither its file nor [drive] gives {}, which {} at {} follows", builder.run->name,
+                        signal, table.title(), table.errors().spell(table.place(key))),
+            remedy);
+    } else {
+        table.add_error(key, fmt::format("[drive] gives no signal \"{}\"", signal), remedy);
+    }
+    return false;
+}
+
+/// The signal of a formula under a key.
+std::optional<solver::SignalHistory> read_signal_history(TomlTable& table, std::string_view key,
+                                                         const std::string& text, const ProblemBuilder& builder) {
+    Formula::Wrong wrong;
+    const std::optional<Formula> formula =
+        find_column(builder, text) != nullptr ? Formula::of_signal(text) : Formula::read(text, key, wrong);
+    if (!formula) {
+        table.errors().add(piece(table.place(key), text, wrong), wrong.error);
+        return std::nullopt;
+    }
+    bool known = true;
+    for (const std::string& signal : formula->signals()) {
+        known = can_follow(table, key, signal, builder) && known;
+    }
+    if (!known) {
+        return std::nullopt;
+    }
+    std::vector<UserColumn> columns = builder.columns;
+    if (builder.run) {
+        columns.insert(columns.begin(), builder.run->columns.begin(), builder.run->columns.end());
+    }
+    return signal_history_of(*formula, builder.problem.input_signals, columns, builder.problem.settings);
+}
+
+/// The temperature of the surroundings: an input, a column or a constant. @returns false after an error
+bool read_surroundings(TomlTable& table, const ProblemBuilder& builder, solver::UserEffect& user_effect) {
+    user_effect.temperature = table.text("temperature").value_or(std::string(air));
+    if (is_number(user_effect.temperature)) {
+        const auto constant = table.quantity("temperature", quantity_specs::temperature);
+        user_effect.surroundings = {{builder.problem.settings.start}, {constant.value_or(0.0)}};
+        return constant.has_value();
+    }
+    const auto history = read_signal_history(table, "temperature", user_effect.temperature, builder);
+    const physics::Signal* input = physics::find_signal(user_effect.temperature);
+    const UserColumn* column = find_column(builder, user_effect.temperature);
+    // Spelled out: a choice between a text and a literal would be a text of its own, gone before it is looked at.
+    std::string_view unit;
+    if (input != nullptr) {
+        unit = input->unit;
+    } else if (column != nullptr) {
+        unit = column->unit;
+    }
+    if (history && unit != "K") {
+        table.add_error("temperature", fmt::format("{} is not a temperature", user_effect.temperature),
+                        "name an input or a column in degC or K, or write a value such as \"25 degC\"");
+        return false;
+    }
+    if (history && user_effect.temperature != air) {  // the air's is taken from the input signals, its drift included
+        user_effect.surroundings = *history;
+    }
+    return history.has_value();
+}
+
+void read_places(TomlTable& table, const ProblemBuilder& builder, solver::UserEffect& user_effect) {
+    const std::vector<LocatedString> words = table.texts("at", Need::required);
+    if (table.has("at") && words.empty()) {
+        table.add_error("at", "at names no place", "write at = \"surface\"");
+    }
+    for (const LocatedString& word : words) {
+        user_effect.places.push_back(word.text);
+        if (builder.has_mesh && physics::nodes_of_place(builder.problem.mesh, word.text).empty()) {
+            table.errors().add(word.place, fmt::format("the mesh has no place \"{}\"", word.text),
+                               suggest(word.text, physics::names_of_places(builder.problem.mesh), "places"));
+        }
+    }
+}
+
+/// A name that nothing else has.
+std::string read_name(TomlTable& table, const std::vector<solver::UserEffect>& before) {
+    const std::string name = table.name("name", Need::required).value_or("");
+    if (physics::find_effect(name) != nullptr) {
+        table.add_error("name", fmt::format("{} is an effect of the catalogue", name), "choose another name");
+    }
+    if (std::ranges::count(before, name, &solver::UserEffect::name) > 0 && !name.empty()) {
+        table.add_error("name", fmt::format("a second effect is called \"{}\"", name), "choose another name");
+    }
+    return name;
+}
+
+void read_list(TomlTable& root, ProblemBuilder& builder, const UserEffectKind& kind,
+               std::vector<solver::UserEffect>& sound, std::vector<solver::UserEffect>& all) {
+    root.each(kind.list, [&](TomlTable& table) {
+        const std::size_t before = table.errors().count();
+        solver::UserEffect user_effect;
+        user_effect.exchange = kind.list == user_heat_transfer.list;
+        user_effect.name = read_name(table, all);
+        read_places(table, builder, user_effect);
+        const physics::ParameterSpec& number = physics::find_effect(kind.effect)->parameters.front();
+        user_effect.amount = table.quantity(kind.number, quantity_specs::of(number), Need::required).value_or(0.0);
+        user_effect.follows =
+            table.text("follows", user_effect.exchange ? Need::optional : Need::required).value_or("1");
+        all.push_back(user_effect);
+        const bool readable = table.has("follows") || user_effect.exchange;
+        const auto history =
+            readable ? read_signal_history(table, "follows", user_effect.follows, builder) : std::nullopt;
+        const bool surrounded = !user_effect.exchange || read_surroundings(table, builder, user_effect);
+        if (!history || !surrounded || !builder.has_mesh || table.errors().count() != before) {
+            return;
+        }
+        user_effect.signal = *history;
+        for (const std::string& sentence : solver::defects(builder.problem, user_effect)) {
+            table.errors().add(
+                table.place(), fmt::format("{}: {}", user_effect.name, sentence),
+                sentence.starts_with("the signal is -")
+                    ? fmt::format("follow what is never negative, such as \"max(0, {})\"", user_effect.follows)
+                    : "");
+        }
+        if (table.errors().count() == before) {
+            sound.push_back(std::move(user_effect));
+        }
+    });
+}
+
+}  // namespace
+
+std::vector<std::string> followed_names(const TomlValue& document) {
+    std::vector<std::string> names;
+    const auto add_name = [&](const std::string& name) {
+        if (std::ranges::find(names, name) == names.end()) {
+            names.push_back(name);
+        }
+    };
+    const auto add = [&](const std::string& text) {
+        add_name(text);  // which may be the name of a column, whatever it looks like
+        Formula::Wrong wrong;
+        if (const std::optional<Formula> formula = Formula::read(text, "follows", wrong)) {
+            std::ranges::for_each(formula->signals(), add_name);
+        }
+    };
+    for (const UserEffectKind& kind : {user_heat_source, user_heat_transfer}) {
+        for (const TomlValue& item : items_of(document, kind.list)) {
+            for (const std::string_view key : {"follows", "temperature"}) {
+                const TomlValue* text = item.find(key);
+                if (text != nullptr && text->kind == TomlValue::Kind::text) {
+                    add(text->text);
+                }
+            }
+            if (kind.list == user_heat_transfer.list && item.find("temperature") == nullptr) {
+                add(std::string(air));
+            }
+        }
+    }
+    return names;
+}
+
+std::vector<std::string> user_effect_names(const TomlValue& document, std::string_view list) {
+    std::vector<std::string> names;
+    for (const TomlValue& item : items_of(document, list)) {
+        if (const TomlValue* name = item.find("name"); name != nullptr) {
+            names.push_back(name->text);
+        }
+    }
+    return names;
+}
+
+/// All signals are read before the first effect is on: its samples are no business of the others.
+void read_user_effects(TomlTable& root, ProblemBuilder& builder) {
+    std::vector<solver::UserEffect> sound;
+    std::vector<solver::UserEffect> all;
+    for (const UserEffectKind& kind : {user_heat_source, user_heat_transfer}) {
+        read_list(root, builder, kind, sound, all);
+    }
+    for (const solver::UserEffect& user_effect : sound) {
+        solver::add_user_effect(builder.problem, user_effect);
+    }
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "input/effects/user_formula.hpp"
+#include "input/measurements/experiment.hpp"
+#include "solver/user_effect.hpp"
+
+/// What a user effect may follow: inputs, columns of a file, the time since the run's start, and formulas
+/// of these.
+namespace tiretherm::input {
+
+/// A column of a file that formulas may refer to, in SI base units: "37 %" is 0.37, "20 degC" is 293.15 K.
+struct UserColumn {
+    std::string name;
+    std::string unit;  ///< the base units, "1", "K", "Pa" as "kg.m-1.s-2"
+    solver::SignalHistory signal;
+};
+
+/// The base units into which a column's own unit is turned; "1" where it has none or an unknown one.
+[[nodiscard]] std::string base_unit(const std::optional<std::string>& unit);
+
+/// What a formula makes of a run's signals, at the samples of those that it needs; where these are schedules and
+/// constants alone, at points close enough that straight lines between them are within 1e-4 of its largest value.
+/// @param columns must have all signals of the formula that the input signals do not give
+[[nodiscard]] solver::SignalHistory signal_history_of(const Formula& formula, const solver::InputSignals& input_signals,
+                                                      const std::vector<UserColumn>& columns,
+                                                      const solver::Settings& settings);
+
+/// The same for a measured run, as a table [[source]] with this formula is read: inputs, unused columns, sensors.
+/// @errors std::invalid_argument for what is no formula of the run's signals
+[[nodiscard]] solver::SignalHistory signal_history_of(std::string_view follows, const MeasuredRun& run);
+
+}  // namespace tiretherm::input

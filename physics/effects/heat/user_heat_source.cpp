@@ -1,0 +1,51 @@
+#include <array>
+
+#include "physics/user_effect_place.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { watts };
+enum : std::size_t { signal };
+
+constexpr std::array parameters{
+    ParameterSpec{"watts", "W", 0.0, -1e9, 1e9, "heat at a signal of 1; below 0 it is taken away", false, 0.0},
+};
+constexpr std::array tables{
+    Table{"course", "s", "1", "the signal against the time since the run's start, held beyond its ends"},
+};
+
+void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
+    out[0] = active.tables[signal] ? active[watts] * active.tables[signal]->value(point.inputs.time) : 0.0;
+}
+
+void add_terms(const EvaluationState& m, Terms& terms) {
+    for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
+        terms.heat(m.active.nodes[i], m.coefficients[0] * m.active.weights[i]);
+    }
+}
+
+}  // namespace
+
+extern const Effect user_heat_source;
+const Effect user_heat_source{
+    .id = "own_source",
+    .kind = Kind::source,
+    .equation = "q = watts s(t), s the signal that it follows",
+    .source = "definition: what the user, or a diagnosis, found",
+    .meaning =
+        "Heat of the user's own, written [[source]] in a case: in named parts of the mesh, following any logged "
+        "signal. "
+        "Cells share it by heat capacity, surfaces by area. All of it goes into the mesh, also where that is a "
+        "quarter.",
+    .parameters = parameters,
+    .tables = tables,
+    .n_coefficients = 1,
+    .place = place_user_effect,
+    .evaluate_coefficients = evaluate_coefficients,
+    .add_terms = add_terms,
+    .invalid_on_mesh = user_effect_invalid_on_mesh,
+};
+
+}  // namespace tiretherm::physics::effects

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "physics/signals.hpp"
+
+namespace tiretherm::solver {
+
+/// Which value counts at a jump: the one before or the one after.
+enum class JumpSide : std::uint8_t { before, after };
+
+/// One input against time, straight between its points and held beyond them. Two points at the same time are a jump.
+struct Series {
+    const physics::Signal* signal = nullptr;
+    std::vector<double> time;   ///< s, not descending
+    std::vector<double> value;  ///< SI
+    bool logged = false;        ///< a logger's samples, which do not bound the step; otherwise a schedule, which does
+
+    [[nodiscard]] double at(double t, JumpSide side) const;
+};
+
+/// All input signals of a run. A signal without a series keeps the value of Inputs{} unless `add` gave a constant.
+class InputSignals {
+public:
+    void add(const physics::Signal& signal, double constant);
+    void add(Series series);
+
+    /// The run's start, from which effects that drift count. @param t s
+    void start_at(double t) { start_ = t; }
+
+    [[nodiscard]] bool gives(const physics::Signal& signal) const;
+    [[nodiscard]] physics::Inputs at(double t, JumpSide side) const;
+    /// Times a step must end on: points of schedules, and jumps of logged series. Ascending, unique.
+    [[nodiscard]] const std::vector<double>& stops() const { return stops_; }
+    /// Times of logged samples of any series. Ascending, unique.
+    [[nodiscard]] const std::vector<double>& samples() const { return samples_; }
+    [[nodiscard]] std::span<const Series> series() const { return series_; }
+    [[nodiscard]] const physics::Inputs& constants() const { return constants_; }
+
+private:
+    physics::Inputs constants_;
+    double start_ = 0.0;
+    std::vector<const physics::Signal*> given_;
+    std::vector<Series> series_;
+    std::vector<double> stops_;
+    std::vector<double> samples_;
+};
+
+}  // namespace tiretherm::solver

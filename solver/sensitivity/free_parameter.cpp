@@ -1,0 +1,132 @@
+#include "solver/sensitivity/free_parameter.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tiretherm::solver {
+
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// A law after the value at one of its knots has moved: scaled with one knot, otherwise by the polynomial that is 1 at
+/// this knot and 0 at the others.
+physics::Curve moved(const physics::Curve& law, const FreeParameter& parameter, double from, double to) {
+    const std::vector<double>& x = parameter.knots;
+    if (x.size() == 1) {
+        return law.scaled(to / from);
+    }
+    const double here = x[parameter.knot];
+    double by = to - from;
+    double slope = 0.0;      // of the basis at its knot
+    double curvature = 1.0;  // coefficient of (T - here)^2
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        if (k != parameter.knot) {
+            slope += 1.0 / (here - x[k]);
+            curvature /= here - x[k];
+        }
+    }
+    return law.plus_quadratic(here, by, by * slope, x.size() == 3 ? by * curvature : 0.0);
+}
+
+/// All conductivities of a material that are the same law as that through its thickness.
+void move_conductivity(physics::Material& material, const FreeParameter& parameter, double from, double to) {
+    const physics::Curve before = material.along(mesh::Axis::through);
+    const physics::Curve after = moved(before, parameter, from, to);
+    for (physics::Curve& law : material.conductivity) {
+        if (law == before) {
+            law = after;
+        }
+    }
+}
+
+void move_parameter(physics::ActiveEffect& active, const FreeParameter& parameter, double to) {
+    for (const FreeParameter::Companion& companion : parameter.companions) {
+        active.parameters[companion.parameter] = companion.factor * to;
+    }
+    if (parameter.everywhere) {
+        active.parameters[parameter.parameter] = to;
+        return;
+    }
+    const auto found = std::find_if(active.overrides.begin(), active.overrides.end(), [&](const auto& other) {
+        return other.scope == parameter.scope && other.index == parameter.place &&
+               other.parameter == parameter.parameter;
+    });
+    if (found != active.overrides.end()) {
+        found->value = to;
+        return;
+    }
+    active.overrides.push_back(
+        {.scope = parameter.scope, .index = parameter.place, .parameter = parameter.parameter, .value = to});
+}
+
+}  // namespace
+
+double value_of(const Problem& problem, const FreeParameter& parameter) {
+    using Kind = FreeParameter::Kind;
+    switch (parameter.kind) {
+        case Kind::effect: {
+            const physics::ActiveEffect& active = problem.effects[parameter.effect];
+            return parameter.everywhere ? active[parameter.parameter]
+                                        : active.at(parameter.parameter, parameter.scope, parameter.place);
+        }
+        case Kind::conductivity:
+            return problem.materials[at(parameter.layers.front())]
+                .along(mesh::Axis::through)
+                .value(parameter.knots[parameter.knot]);
+        case Kind::heat_capacity:
+            return problem.materials[at(parameter.layers.front())].heat_capacity.value(parameter.knots[parameter.knot]);
+        case Kind::link_conductivity:
+            return problem.link_laws.front().value(parameter.knots[parameter.knot]);
+        case Kind::initial:
+            return 0.0;
+    }
+    return 0.0;
+}
+
+void move(Problem& problem, const FreeParameter& parameter, double from, double to) {
+    using Kind = FreeParameter::Kind;
+    switch (parameter.kind) {
+        case Kind::effect:
+            move_parameter(problem.effects[parameter.effect], parameter, to);
+            return;
+        case Kind::conductivity:
+            for (const int layer : parameter.layers) {
+                move_conductivity(problem.materials[at(layer)], parameter, from, to);
+            }
+            return;
+        case Kind::heat_capacity:
+            for (const int layer : parameter.layers) {
+                physics::Curve& law = problem.materials[at(layer)].heat_capacity;
+                law = moved(law, parameter, from, to);
+            }
+            return;
+        case Kind::link_conductivity:
+            for (physics::Curve& law : problem.link_laws) {
+                law = moved(law, parameter, from, to);
+            }
+            return;
+        case Kind::initial:
+            for (const int node : parameter.nodes) {
+                problem.initial[at(node)] += to - from;
+            }
+            return;
+    }
+}
+
+double typical_step(const FreeParameter& parameter, double value) {
+    double size = std::max(std::abs(value), std::abs(parameter.prior));
+    if (std::isfinite(parameter.standard_deviation)) {
+        size = std::max(size, parameter.standard_deviation);
+    }
+    if (parameter.kind == FreeParameter::Kind::initial) {
+        size = std::max(size, 1.0);
+    }
+    if (size == 0.0 && std::isfinite(parameter.high) && std::isfinite(parameter.low)) {
+        size = 1e-3 * (parameter.high - parameter.low);
+    }
+    return 1e-4 * (size > 0.0 ? size : 1.0);
+}
+
+}  // namespace tiretherm::solver

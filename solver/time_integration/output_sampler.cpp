@@ -1,0 +1,166 @@
+#include "solver/time_integration/output_sampler.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace tiretherm::solver {
+
+OutputSampler::OutputSampler(const Problem& problem, const Observer& observer, const Stepper& stepper)
+    : problem_(&problem),
+      observer_(&observer),
+      stepper_(&stepper),
+      sensor_outputs_(problem, stepper.system()),
+      channels_(problem.channels.size()),
+      field_(problem.initial),
+      joules_(problem.effects.size()),
+      coldest_(problem.effects.size(), std::numeric_limits<double>::infinity()),
+      hottest_(problem.effects.size(), -std::numeric_limits<double>::infinity()),
+      next_output_(output_time(1)),
+      next_field_(problem.settings.start + problem.settings.field_interval) {}
+
+void OutputSampler::begin_sensor_outputs() {
+    const double t = stepper_->time();
+    sensor_outputs_.begin(t, stepper_->temperature(), stepper_->watts(),
+                          problem_->input_signals.at(t, JumpSide::after));
+}
+
+void OutputSampler::read(double t) {
+    sensor_outputs_.at(t, problem_->input_signals.at(t, JumpSide::before), channels_);
+}
+
+void OutputSampler::take_step() {
+    inputs_.clear();
+    for (const Stage& stage : stepper_->stages()) {
+        inputs_.push_back(problem_->input_signals.at(stage.time, inputs_.empty() ? JumpSide::after : JumpSide::before));
+    }
+    sensor_outputs_.take_step(stepper_->stages(), inputs_);
+}
+
+void OutputSampler::watch(Report& report) {
+    const std::span<const double> T = stepper_->temperature();
+    for (std::size_t n = 0; n < T.size(); ++n) {
+        if (T[n] > report.hottest.temperature) {
+            report.hottest = {T[n], stepper_->time(), static_cast<int>(n)};
+        }
+        if (T[n] < report.coldest.temperature) {
+            report.coldest = {T[n], stepper_->time(), static_cast<int>(n)};
+        }
+    }
+    for (std::size_t e = 0; e < problem_->effects.size(); ++e) {
+        const physics::ActiveEffect& active = problem_->effects[e];
+        if (active.effect->range_warning == nullptr) {
+            continue;
+        }
+        for (const int patch : active.patches) {
+            for (const mesh::PatchFace& face : problem_->mesh.patches[static_cast<std::size_t>(patch)].faces) {
+                coldest_[e] = std::min(coldest_[e], T[static_cast<std::size_t>(face.node)]);
+                hottest_[e] = std::max(hottest_[e], T[static_cast<std::size_t>(face.node)]);
+            }
+        }
+    }
+    if (report.channel_final.empty()) {
+        begin_sensor_outputs();
+    }
+    read(stepper_->time());
+    if (report.channel_final.empty()) {
+        report.channel_min = report.channel_max = channels_;
+    }
+    report.channel_final = channels_;
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+        report.channel_min[c] = std::min(report.channel_min[c], channels_[c]);
+        report.channel_max[c] = std::max(report.channel_max[c], channels_[c]);
+    }
+}
+
+std::vector<std::string> OutputSampler::range_warnings() const {
+    std::vector<std::string> sentences;
+    for (std::size_t e = 0; e < problem_->effects.size(); ++e) {
+        const physics::ActiveEffect& active = problem_->effects[e];
+        if (active.effect->range_warning != nullptr) {
+            if (std::string sentence = active.effect->range_warning(active, coldest_[e], hottest_[e]);
+                !sentence.empty()) {
+                sentences.push_back(std::move(sentence));
+            }
+        }
+    }
+    return sentences;
+}
+
+bool OutputSampler::emit(double t, std::span<const double> T, std::span<const double> joules, double stored,
+                         bool field) {
+    const auto begin = std::chrono::steady_clock::now();
+    read(t);
+    const bool go_on = *observer_ == nullptr || (*observer_)({.time = t,
+                                                              .temperature = T,
+                                                              .channels = channels_,
+                                                              .watts = stepper_->watts(),
+                                                              .joules = joules,
+                                                              .stored = stored,
+                                                              .field = field});
+    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return go_on;
+}
+
+bool OutputSampler::emit_state(bool field) {
+    return emit(stepper_->time(), stepper_->temperature(), stepper_->joules(), stepper_->stored(), field);
+}
+
+bool OutputSampler::show() { return emit_state(true); }
+
+bool OutputSampler::emit_inside_step(double t) {
+    stepper_->interpolate(t, field_);
+    stepper_->interpolate_joules(t, joules_);
+    const double stored = std::accumulate(joules_.begin(), joules_.end(), 0.0);
+    return emit(t, field_, joules_, stored, field_due(t));
+}
+
+bool OutputSampler::advance() {
+    const Settings& settings = problem_->settings;
+    const double t = stepper_->time();
+    const bool at_end = t >= settings.end;
+    if (settings.output_interval <= 0.0) {
+        return emit_state(field_due(t) || at_end);
+    }
+    const double slack = 1e-9 * settings.output_interval;
+    while (next_output_ < t - slack) {
+        if (!emit_inside_step(next_output_)) {
+            return false;
+        }
+        next_output_ = output_time(++outputs_);
+    }
+    const bool due = next_output_ <= t + slack;
+    if (due) {
+        next_output_ = output_time(++outputs_);
+    }
+    return !(due || at_end) || emit_state(field_due(t) || at_end);
+}
+
+/// Multiplied out, not summed up, so that late output times do not drift.
+double OutputSampler::output_time(long index) const {
+    return problem_->settings.start + static_cast<double>(index) * problem_->settings.output_interval;
+}
+
+bool OutputSampler::field_due(double t) {
+    const Settings& settings = problem_->settings;
+    const double interval = settings.field_interval;
+    if (interval <= 0.0 || t < next_field_ - 1e-9 * interval) {
+        return false;
+    }
+    next_field_ = settings.start + interval * (std::floor((t - settings.start) / interval + 1e-9) + 1.0);
+    return true;
+}
+
+void OutputSampler::visit(Archive& archive) {
+    archive(next_output_);
+    archive(next_field_);
+    archive.whole(outputs_);
+    sensor_outputs_.visit(archive);
+    archive(coldest_);
+    archive(hottest_);
+}
+
+}  // namespace tiretherm::solver

@@ -1,0 +1,227 @@
+#include "solver/time_integration/sensor_outputs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "mesh/probe.hpp"
+
+namespace tiretherm::solver {
+
+namespace {
+
+/// Half the step of a difference quotient with temperature: readings are smooth over kelvins. K
+constexpr double difference = 0.01;
+
+/// The parabola through three points, or the line through two; times u since the begin.
+struct Parabola {
+    double a = 0.0;
+    double b = 0.0;
+    double c = 0.0;
+};
+
+Parabola through(std::span<const double> u, std::span<const double> v) {
+    const std::size_t last = u.size() - 1;
+    const double chord = (v[last] - v[0]) / (u[last] - u[0]);
+    // In a step as short as the rounding of its times the stages fall together.
+    if (u.size() == 2 || !(u[0] < u[1] && u[1] < u[last])) {
+        return {.a = v[0], .b = chord, .c = 0.0};
+    }
+    const double first = (v[1] - v[0]) / (u[1] - u[0]);
+    const double c = (chord - first) / (u[last] - u[1]);
+    return {.a = v[0], .b = first - c * (u[1] - u[0]), .c = c};
+}
+
+}  // namespace
+
+SensorOutputs::SensorOutputs(const Problem& problem, const System& system)
+    : problem_(&problem), system_(&system), chains_(problem.channels.size()), coefficients_(system.n_coefficients()) {
+    const std::span<const physics::ActiveEffect> effects = system.effects();
+    for (std::size_t c = 0; c < chains_.size(); ++c) {
+        Chain& chain = chains_[c];
+        const Channel& channel = problem.channels[c];
+        chain.where = channel.where;
+        double depth_offset = 0.0;
+        for (const physics::ActiveEffect& active : effects) {
+            const physics::Effect& effect = *active.effect;
+            const auto found = std::find(active.channels.begin(), active.channels.end(), static_cast<int>(c));
+            if (!effect.on_channels || found == active.channels.end()) {
+                continue;
+            }
+            const auto position = static_cast<std::size_t>(found - active.channels.begin());
+            depth_offset += effect.depth_offset != nullptr ? effect.depth_offset(active, position) : 0.0;
+            chain.delay += effect.delay != nullptr ? effect.delay(active, position) : 0.0;
+            chain.lag += effect.lag != nullptr ? effect.lag(active, position) : 0.0;
+            if (effect.read != nullptr) {
+                (effect.before_lag ? chain.before : chain.after).push_back({&active, position});
+            }
+        }
+        if (depth_offset != 0.0 && channel.point) {
+            mesh::Point point = *channel.point;
+            point[2] = std::max(0.0, point[2] + depth_offset);
+            chain.where = mesh::contains(problem.mesh, point) ? mesh::at_point(problem.mesh, point) : chain.where;
+        }
+    }
+    for (std::size_t e = 0; e < effects.size(); ++e) {
+        if (effects[e].effect->by_deformation) {
+            deformation_.push_back(e);
+        }
+    }
+}
+
+/// What is followed along a step: the temperature at the channel's place, or the power that deformation loses.
+double SensorOutputs::followed_quantity(std::size_t channel, std::span<const double> T,
+                                        std::span<const double> watts) const {
+    const Quantity kind = problem_->channels[channel].quantity;
+    if (kind != Quantity::drag_force && kind != Quantity::rolling_moment) {
+        return chains_[channel].where(T);
+    }
+    double lost = 0.0;
+    for (const std::size_t e : deformation_) {
+        lost += watts[e];
+    }
+    return lost;
+}
+
+void SensorOutputs::begin(double t, std::span<const double> T, std::span<const double> watts,
+                          const physics::Inputs& inputs) {
+    // The cold pressure is that at the start of the case, also where T is a steady state.
+    const int gas = problem_->mesh.find_lumped_node("gas");
+    gas_start_ = gas < 0 ? inputs.air_temperature : system_->initial()[static_cast<std::size_t>(gas)];
+    for (std::size_t c = 0; c < chains_.size(); ++c) {
+        Chain& chain = chains_[c];
+        double value = followed_quantity(c, T, watts);
+        for (const SensorModel& reader : chain.before) {
+            value = reader.active->effect->read(*reader.active, reader.position, value, inputs);
+        }
+        chain.past.assign(1, {.begin = t, .end = t, .a = value, .b = 0.0, .c = 0.0, .lagged = value});
+    }
+}
+
+void SensorOutputs::take_step(std::span<const Stage> stages, std::span<const physics::Inputs> inputs) {
+    const std::size_t n = stages.size();
+    std::array<double, 3> u{};
+    std::array<double, 3> v{};
+    const double begin = stages.front().time;
+    const double end = stages.back().time;
+    for (std::size_t c = 0; c < chains_.size(); ++c) {
+        Chain& chain = chains_[c];
+        const double lagged = followed(chain, chain.past.back(), begin);
+        for (std::size_t i = 0; i < n; ++i) {
+            const Stage& stage = stages[i];
+            u[i] = stage.time - begin;
+            v[i] = followed_quantity(c, stage.temperature, stage.watts);
+            for (const SensorModel& reader : chain.before) {
+                v[i] = reader.active->effect->read(*reader.active, reader.position, v[i], inputs[i]);
+            }
+        }
+        const Parabola p = through({u.data(), n}, {v.data(), n});
+        // Only as much of the past is kept as the delay looks back.
+        const double oldest = begin - std::max(0.0, chain.delay);
+        std::erase_if(chain.past, [&](const Piece& piece) { return piece.end < oldest; });
+        if (chain.delay <= 0.0) {
+            chain.past.clear();
+        }
+        chain.past.push_back({.begin = begin, .end = end, .a = p.a, .b = p.b, .c = p.c, .lagged = lagged});
+    }
+}
+
+/// Solves lag dm/dt = v - m along a piece, v a parabola.
+double SensorOutputs::followed(const Chain& chain, const Piece& piece, double t) {
+    if (chain.lag <= 0.0) {
+        return piece.value(t);
+    }
+    const auto particular = [&](double when) {
+        return piece.value(when) - chain.lag * piece.slope(when) + 2.0 * chain.lag * chain.lag * piece.c;
+    };
+    const double decay = std::exp(-(t - piece.begin) / chain.lag);
+    return particular(t) + (piece.lagged - particular(piece.begin)) * decay;
+}
+
+double SensorOutputs::ahead(const Chain& chain, const Piece& piece, double t) {
+    const double value = followed(chain, piece, piece.end);
+    const double slope = chain.lag > 0.0 ? (piece.value(piece.end) - value) / chain.lag : piece.slope(piece.end);
+    return value + (t - piece.end) * slope;
+}
+
+/// Lag and delay commute: a delayed reading is the lagged one of an earlier time.
+double SensorOutputs::delayed(const Chain& chain, double t) {
+    const double when = t - chain.delay;
+    const Piece& now = chain.past.back();
+    if (when > now.end) {  // a clock that runs ahead
+        return ahead(chain, now, when);
+    }
+    const auto piece = std::find_if(chain.past.rbegin(), chain.past.rend(),
+                                    [&](const Piece& candidate) { return when >= candidate.begin; });
+    return piece == chain.past.rend() ? chain.past.front().lagged : followed(chain, *piece, when);
+}
+
+void SensorOutputs::at(double t, const physics::Inputs& logged, std::span<double> out) const {
+    for (std::size_t c = 0; c < chains_.size(); ++c) {
+        out[c] = shown(c, delayed(chains_[c], t), logged);
+    }
+}
+
+double SensorOutputs::shown(std::size_t channel, double followed, const physics::Inputs& logged) const {
+    double value = quantity(channel, followed, logged);
+    for (const SensorModel& reader : chains_[channel].after) {
+        value = reader.active->effect->read(*reader.active, reader.position, value, logged);
+    }
+    return value;
+}
+
+double SensorOutputs::slope(std::size_t channel, double t, const physics::Inputs& logged) const {
+    const double followed = delayed(chains_[channel], t);
+    return (shown(channel, followed + difference, logged) - shown(channel, followed - difference, logged)) /
+           (2.0 * difference);
+}
+
+SensorOutputs::Form SensorOutputs::form(std::size_t channel, std::span<const Stage> stages,
+                                        std::span<const physics::Inputs> inputs, double t) const {
+    const Quantity kind = problem_->channels[channel].quantity;
+    if (kind == Quantity::drag_force || kind == Quantity::rolling_moment || kind == Quantity::loaded_radius) {
+        return {};
+    }
+    const Chain& chain = chains_[channel];
+    const std::size_t n = stages.size();
+    const double begin = stages.front().time;
+    const double end = stages.back().time;
+    std::array<double, 3> u{};
+    for (std::size_t i = 0; i < n; ++i) {
+        u[i] = stages[i].time - begin;
+    }
+    const auto response = [&](const std::array<double, 3>& v, double lagged) {
+        const Parabola p = through({u.data(), n}, {v.data(), n});
+        const Piece piece{.begin = begin, .end = end, .a = p.a, .b = p.b, .c = p.c, .lagged = lagged};
+        return t > end ? ahead(chain, piece, t) : followed(chain, piece, t);
+    };
+    Form form{.lagged = response({}, 1.0)};
+    for (std::size_t i = 0; i < n; ++i) {
+        std::array<double, 3> unit{};
+        unit[i] = 1.0;
+        double above = chain.where(stages[i].temperature) + difference;
+        double below = above - 2.0 * difference;
+        for (const SensorModel& reader : chain.before) {
+            above = reader.active->effect->read(*reader.active, reader.position, above, inputs[i]);
+            below = reader.active->effect->read(*reader.active, reader.position, below, inputs[i]);
+        }
+        form.stage[i] = response(unit, 0.0) * (above - below) / (2.0 * difference);
+    }
+    return form;
+}
+
+void SensorOutputs::visit(Archive& archive) {
+    archive(gas_start_);
+    for (Chain& chain : chains_) {
+        int n = static_cast<int>(chain.past.size());
+        archive.whole(n);
+        chain.past.resize(static_cast<std::size_t>(std::max(n, 1)));
+        for (Piece& piece : chain.past) {
+            for (double* number : {&piece.begin, &piece.end, &piece.a, &piece.b, &piece.c, &piece.lagged}) {
+                archive(*number);
+            }
+        }
+    }
+}
+
+}  // namespace tiretherm::solver

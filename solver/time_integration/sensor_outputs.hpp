@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "solver/time_integration/checkpoint.hpp"
+#include "solver/time_integration/stepper.hpp"
+
+namespace tiretherm::solver {
+
+/// The channels of a run as its sensors give them: the quantity at its place, then the sensor models in the order of
+/// the catalogue. Between the stages of a step a channel follows the parabola through them, along which a sensor's lag
+/// is integrated exactly and into whose past a delay looks.
+class SensorOutputs {
+public:
+    /// @param system placed effects and laws; lives as long as this
+    SensorOutputs(const Problem& problem, const System& system);
+
+    /// The state at the start, before any step. @param inputs logged
+    void begin(double t, std::span<const double> T, std::span<const double> watts, const physics::Inputs& inputs);
+    /// After an accepted step. @param stages its begin and its end among them  @param inputs logged ones at its stages
+    void take_step(std::span<const Stage> stages, std::span<const physics::Inputs> inputs);
+    /// A moment of the last step, or the start. @param t s  @param logged inputs of that moment
+    /// @param out [n_channels] SI
+    void at(double t, const physics::Inputs& logged, std::span<double> out) const;
+
+    /// What a channel follows at a moment, as a linear form of small changes: of the temperature at its place at the
+    /// stages of a step, and of what a lagging sensor gave at its begin. All zero for what follows no temperature.
+    struct Form {
+        std::array<double, 3> stage{};
+        double lagged = 0.0;
+    };
+    /// @param stages of the step, in which the moment lies or after which it comes  @param t s, on the sensor's clock
+    [[nodiscard]] Form form(std::size_t channel, std::span<const Stage> stages, std::span<const physics::Inputs> inputs,
+                            double t) const;
+    /// Slope of what a channel shows with what it follows. @param t s, @param logged inputs of that moment
+    [[nodiscard]] double slope(std::size_t channel, double t, const physics::Inputs& logged) const;
+    [[nodiscard]] double delay(std::size_t channel) const { return chains_[channel].delay; }  ///< s
+    [[nodiscard]] const mesh::Functional& place(std::size_t channel) const { return chains_[channel].where; }
+
+    void visit(Archive& archive);
+
+private:
+    /// A channel's value over one step: a + b u + c u^2 with u seconds since its begin.
+    struct Piece {
+        double begin = 0.0;
+        double end = 0.0;
+        double a = 0.0;
+        double b = 0.0;
+        double c = 0.0;
+        double lagged = 0.0;  ///< what a lagging sensor gave at the begin
+
+        [[nodiscard]] double value(double t) const { return a + (t - begin) * (b + c * (t - begin)); }
+        [[nodiscard]] double slope(double t) const { return b + 2.0 * c * (t - begin); }
+    };
+    /// One sensor model on one channel.
+    struct SensorModel {
+        const physics::ActiveEffect* active = nullptr;
+        std::size_t position = 0;  ///< of the channel in the effect's list
+    };
+    struct Chain {
+        mesh::Functional where;
+        std::vector<SensorModel> before;  ///< the lag
+        std::vector<SensorModel> after;
+        double lag = 0.0;         ///< s
+        double delay = 0.0;       ///< s
+        std::vector<Piece> past;  ///< as far back as the delay looks
+    };
+
+    [[nodiscard]] double followed_quantity(std::size_t channel, std::span<const double> T,
+                                           std::span<const double> watts) const;
+    [[nodiscard]] double quantity(std::size_t channel, double followed, const physics::Inputs& logged) const;
+    [[nodiscard]] double flash(Quantity quantity, const physics::Inputs& logged, double T) const;
+    [[nodiscard]] double stiffness(const physics::Tire& tire, const physics::Inputs& inputs, double T) const;
+    [[nodiscard]] double magic_formula(Quantity quantity, const physics::Tire& tire, const physics::Inputs& inputs,
+                                       double T) const;
+    [[nodiscard]] static double followed(const Chain& chain, const Piece& piece, double t);
+    /// After the end of the last piece, as it is changing there.
+    [[nodiscard]] static double ahead(const Chain& chain, const Piece& piece, double t);
+    [[nodiscard]] double shown(std::size_t channel, double followed, const physics::Inputs& logged) const;
+    [[nodiscard]] static double delayed(const Chain& chain, double t);
+
+    const Problem* problem_;
+    const System* system_;
+    std::vector<Chain> chains_;
+    std::vector<std::size_t> deformation_;      ///< effects whose watts are rolling resistance
+    double gas_start_ = 0.0;                    ///< K
+    mutable std::vector<double> coefficients_;  ///< of all effects at the inputs of a moment
+};
+
+}  // namespace tiretherm::solver

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "solver/system.hpp"
+#include "solver/time_integration/tableau.hpp"
+
+namespace tiretherm::solver {
+
+/// The coefficients of all effects over one step, at the times of its stages.
+///
+/// A step that holds no logged sample inside takes them at the stage times. A step that spans samples takes, for each
+/// coefficient, the straight line with the same mean and first moment as the series has over the step (Simpson's rule
+/// between samples, exact for products of two straight inputs); its slope is limited so that the line stays within the
+/// values of the series. `unresolved` is what such a line leaves out.
+class StepForcing {
+public:
+    StepForcing(const System& system, const InputSignals& input_signals, const Tableau& tableau);
+
+    /// @param t0, t1 s; no stop of the input signals lies between them
+    void open(double t0, double t1);
+    /// For real time: inputs that go straight from one moment to the next.
+    void open(const physics::Inputs& from, const physics::Inputs& to);
+
+    /// @returns [n_coefficients] at stage i of the last opened step
+    [[nodiscard]] std::span<const double> stage(int i) const { return stages_[static_cast<std::size_t>(i)]; }
+    /// Whether the step spans logged samples.
+    [[nodiscard]] bool averaged() const { return averaged_; }
+    /// First stage's coefficients plus the largest integral that the line leaves out, divided by the step.
+    [[nodiscard]] std::span<const double> unresolved() const { return unresolved_; }
+
+private:
+    void sample(double t, JumpSide side, std::span<double> out) const;
+    void average(double t0, double t1, std::ptrdiff_t first, std::ptrdiff_t last);
+
+    const System* system_;
+    const InputSignals* input_signals_;
+    const Tableau* tableau_;
+    std::vector<std::vector<double>> stages_;
+    bool averaged_ = false;
+    std::vector<double> unresolved_;
+    std::vector<double> nodes_;   ///< times of samples and midpoints of the step
+    std::vector<double> values_;  ///< [nodes][n_coefficients]
+};
+
+}  // namespace tiretherm::solver

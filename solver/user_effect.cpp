@@ -1,0 +1,172 @@
+#include "solver/user_effect.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "physics/user_effect_place.hpp"
+
+namespace tiretherm::solver {
+
+namespace {
+
+/// How long a jump of a signal takes, since a table has one value at a time. s
+constexpr double jump_width = 1e-3;
+
+/// The points that count, a jump as a short ramp whose two ends are in `stops`.
+SignalHistory tidy(const SignalHistory& history, std::vector<double>& stops) {
+    SignalHistory kept;
+    for (std::size_t i = 0; i < history.time.size(); ++i) {
+        if (!std::isfinite(history.value[i]) || !std::isfinite(history.time[i])) {
+            continue;
+        }
+        double t = history.time[i];
+        if (!kept.time.empty() && t <= kept.time.back()) {
+            if (history.value[i] == kept.value.back()) {
+                continue;
+            }
+            stops.push_back(kept.time.back());
+            t = kept.time.back() + jump_width;
+            stops.push_back(t);
+        }
+        kept.time.push_back(t);
+        kept.value.push_back(history.value[i]);
+    }
+    return kept;
+}
+
+/// The same input with more points on it, so that the steps see them: the straight lines stay as they are.
+void add_points(InputSignals& input_signals, const std::vector<double>& times, bool logged) {
+    const std::vector<double>& known = logged ? input_signals.samples() : input_signals.stops();
+    std::vector<double> missing;
+    std::ranges::set_difference(times, known, std::back_inserter(missing));
+    if (missing.empty()) {
+        return;
+    }
+    // A constant input stays one. A series takes its own points along.
+    const auto series = input_signals.series();
+    const auto is_constant = [&](const physics::Signal& signal) {
+        return input_signals.gives(signal) &&
+               std::ranges::none_of(series, [&](const Series& s) { return s.signal == &signal; });
+    };
+    const auto constant = std::ranges::find_if(physics::signals(), is_constant);
+    Series carrier{.signal = &physics::signals().front(), .time = times, .value = {}, .logged = logged};
+    if (constant != physics::signals().end()) {
+        carrier.signal = &*constant;
+    } else if (!series.empty()) {
+        carrier.signal = series.front().signal;
+        carrier.time.clear();
+        std::ranges::set_union(series.front().time, times, std::back_inserter(carrier.time));
+    }
+    for (std::size_t i = 0; i < carrier.time.size(); ++i) {
+        const bool after = i > 0 && carrier.time[i] == carrier.time[i - 1];
+        carrier.value.push_back(input_signals.at(carrier.time[i], after ? JumpSide::after : JumpSide::before).*
+                                (carrier.signal->member));
+    }
+    input_signals.add(std::move(carrier));
+}
+
+/// A signal as an effect's table, against the time since the run's start.
+physics::Curve table_of(const SignalHistory& history, InputSignals& input_signals) {
+    std::vector<double> stops;
+    SignalHistory kept = tidy(history, stops);
+    add_points(input_signals, kept.time, true);
+    std::ranges::sort(stops);
+    stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
+    add_points(input_signals, stops, false);
+    for (double& t : kept.time) {
+        t = input_signals.at(t, JumpSide::before).time;
+    }
+    return physics::Curve::table(std::move(kept.time), std::move(kept.value));
+}
+
+std::vector<int> nodes_of(const Problem& problem, const UserEffect& user_effect) {
+    std::vector<int> nodes;
+    for (const std::string& place : user_effect.places) {
+        for (const int node : physics::nodes_of_place(problem.mesh, place)) {
+            if (std::ranges::find(nodes, node) == nodes.end()) {
+                nodes.push_back(node);
+            }
+        }
+    }
+    return nodes;
+}
+
+void check_history(const SignalHistory& history, std::string_view what, double low, std::vector<std::string>& found) {
+    if (history.time.size() != history.value.size() || !std::ranges::is_sorted(history.time)) {
+        found.push_back(fmt::format("the times of {} go backwards, or are not as many as its values", what));
+        return;
+    }
+    const auto finite = [](double value) { return std::isfinite(value); };
+    if (std::ranges::none_of(history.value, finite)) {
+        found.push_back(fmt::format("{} has no value", what));
+        return;
+    }
+    const auto below = std::ranges::find_if(history.value, [&](double value) { return value < low; });
+    if (below != history.value.end()) {
+        const double t = history.time[static_cast<std::size_t>(below - history.value.begin())];
+        found.push_back(fmt::format("{} is {:.6g} at {:.6g} s: {}", what, *below, t,
+                                    low == 0.0 && what != "the temperature of the surroundings"
+                                        ? "a conductance cannot be negative"
+                                        : "no temperature in kelvin"));
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> defects(const Problem& problem, const UserEffect& user_effect) {
+    std::vector<std::string> found;
+    if (user_effect.name.empty() || physics::find_effect(user_effect.name) != nullptr ||
+        find_user_effect(problem, user_effect.name) < problem.effects.size()) {
+        found.push_back(fmt::format("the name \"{}\" is empty or taken", user_effect.name));
+    }
+    for (const std::string& place : user_effect.places) {
+        if (physics::nodes_of_place(problem.mesh, place).empty()) {
+            found.push_back(fmt::format("the mesh has no region, layer, zone or patch \"{}\"", place));
+        }
+    }
+    const std::vector<int> nodes = nodes_of(problem, user_effect);
+    if (user_effect.places.empty()) {
+        found.emplace_back("it acts nowhere");
+    } else if (!nodes.empty() && physics::shares_of_nodes(problem.mesh, problem.materials, nodes).empty()) {
+        found.emplace_back("its places are surfaces and volumes, which cannot share by area and by heat capacity");
+    }
+    check_history(user_effect.signal, "the signal",
+                  user_effect.exchange ? 0.0 : -std::numeric_limits<double>::infinity(), found);
+    if (user_effect.exchange && !user_effect.surroundings.time.empty()) {
+        check_history(user_effect.surroundings, "the temperature of the surroundings", 0.0, found);
+    }
+    if (!std::isfinite(user_effect.amount) || (user_effect.exchange && user_effect.amount < 0.0)) {
+        found.push_back(fmt::format("{} is no {}", user_effect.amount, user_effect.exchange ? "conductance" : "heat"));
+    }
+    return found;
+}
+
+std::size_t add_user_effect(Problem& problem, const UserEffect& user_effect) {
+    if (const std::vector<std::string> found = defects(problem, user_effect); !found.empty()) {
+        throw std::invalid_argument(fmt::format("{}: {}", user_effect.name, found.front()));
+    }
+    physics::ActiveEffect active =
+        physics::activate(*physics::find_effect(user_effect.exchange ? "own_exchange" : "own_source"), problem.mesh);
+    active.name = user_effect.name;
+    active.parameters.front() = user_effect.amount;
+    active.nodes = nodes_of(problem, user_effect);
+    active.tables[0] = table_of(user_effect.signal, problem.input_signals);
+    if (user_effect.exchange && !user_effect.surroundings.time.empty()) {
+        active.tables[1] = table_of(user_effect.surroundings, problem.input_signals);
+    }
+    return switch_on(problem, std::move(active), 0.0);
+}
+
+std::size_t find_user_effect(const Problem& problem, std::string_view name) {
+    const auto found = std::ranges::find_if(problem.effects, [&](const physics::ActiveEffect& active) {
+        return !active.name.empty() && active.name == name;
+    });
+    return static_cast<std::size_t>(found - problem.effects.begin());
+}
+
+}  // namespace tiretherm::solver

@@ -1,0 +1,57 @@
+#include <gtest/gtest.h>
+
+#include "physics/contact/contact_in_revolutions.hpp"
+#include "solver/time_integration/march.hpp"
+#include "tests/support/tire_section.hpp"
+
+namespace tiretherm::solver {
+
+// A tread of 60 degC on a road of 23 degC at 100 km/h and 4 kN, 2 kN across at 2 degrees. The road takes its part of the 37
+// K; 0.6 * 2000 * 27.78 tan(2 deg) = 1164 W of friction on 93.32 cm2 are 124.7 kW/m2. At the exit that is
+// 2 sqrt(3.48 ms/pi)/757.8 less the mean of the revolution: 10.9 K less 1.46 * 3.48 ms/(757.8 * 0.4793) * 124.7e3 = 1.75 K.
+TEST(SensorOutputs, TheTreadsSurfaceSwingsInEveryRevolution) {
+    Problem problem = support::tire_problem(1);
+    problem.effects.erase(problem.effects.begin() + 4);
+    ASSERT_EQ(problem.effects[4].effect->id, "sidewall_convection") << "the lumped contact is gone";
+    const mesh::Functional surface =
+        problem.mesh.regions[static_cast<std::size_t>(problem.mesh.find_region("surface"))].mean;
+    for (const Quantity quantity : {Quantity::temperature, Quantity::surface_at_entry, Quantity::surface_at_exit}) {
+        problem.channels.push_back({.name = "c", .meaning = "", .where = surface, .quantity = quantity});
+    }
+    support::start_at(problem, 333.15);
+    problem.settings.end = 1.0;
+    std::vector<double> first;
+    const auto keep_first = [&](const Snapshot& now) {
+        if (first.empty()) {
+            first.assign(now.channels.begin(), now.channels.end());
+        }
+        return true;
+    };
+    (void)support::run_closed(problem, keep_first);
+    EXPECT_EQ(first[1], first[0]) << "without the effect nothing is known of the contact";
+
+    support::switch_on(problem, "resolved_contact");
+    first.clear();
+    (void)support::run_closed(problem, keep_first);
+    const physics::ContactInRevolutions contact =
+        *physics::contact_in_revolutions(problem.effects.back(), problem.tire, problem.input_signals.constants());
+    EXPECT_EQ(first[0], 333.15);
+    EXPECT_NEAR(first[1] - first[0], (first[0] - 296.15) * contact.at_entry(), 1e-9);
+    EXPECT_NEAR(first[2] - first[0], (first[0] - 296.15) * contact.at_exit(), 1e-9);
+    EXPECT_GT(first[1] - first[2], 10.0);
+
+    support::hold(problem, "lateral_force", 2000.0);
+    support::hold(problem, "slip_angle", 2.0 * support::deg);
+    first.clear();
+    (void)support::run_closed(problem, keep_first);
+    const double heated = first[2] - first[0] - (first[0] - 296.15) * contact.at_exit();
+    EXPECT_NEAR(heated, 10.9 - 1.75, 0.1);
+
+    // Half the exchange, half the swing that it makes; the heat of sliding stays.
+    problem.effects.back().parameters[0] = 0.5;
+    first.clear();
+    (void)support::run_closed(problem, keep_first);
+    EXPECT_NEAR(first[2] - first[0], 0.5 * (first[0] - 296.15) * contact.at_exit() + heated, 1e-9);
+}
+
+}  // namespace tiretherm::solver
