@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t widest_value = 24;  // a law is told with its reason
+constexpr std::size_t widest_value = 24;  // a law is reported with its reason
 
 struct Options {
     std::string sheet;

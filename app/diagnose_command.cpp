@@ -75,14 +75,13 @@ void add_diagnose_command(CLI::App& program, int& exit_code) {
     add_measured_options(*command, *call, "[[run]] and [[parameter]]",
                          "files of an earlier diagnosis there are replaced. Default: out/<case name>");
     command->footer(
-        "The free numbers of the case are fitted; what is left is held against every effect of the catalogue that is\n"
-        "not in the model (or those of [diagnose] candidates), alone and in pairs, and against heat that no effect "
-        "is.\n"
+        "The free numbers of the case are fitted; what is left is compared with every effect of the catalogue that is\n"
+        "not in the model (or those of [diagnose] candidates), alone and in pairs, and with heat that no effect is.\n"
         "The answer is a set: one cause is named, several that the data cannot tell apart are all listed.\n"
         "A camera is taken as the means of three rings about the spot.\n"
         "Differences are simulated - measured.\n"
         "Files: diagnosis.json, extended.toml (the case with the cause switched on, where there is one),\n"
-        "residuals.csv (a row for each sample), residuals.png, what_is_asked.csv and .png (heat that windows of the "
+        "residuals.csv (a row for each sample), residuals.png, missing_heat.csv and .png (heat that windows of the "
         "runs lack).\n\n"
         "Exit code: 0 done, whatever the answer; 1 an error in the call, the case or the data; 2 the solver "
         "failed.\n\n"

@@ -66,7 +66,7 @@ int plan(const Options& options, input::ExperimentReading& reading) {
     } else {
         fmt::print("{}", post::identification_text(record, may_be_bold()));
         fmt::print(
-            "\nNoise assumed: as stated with the sensors; {:.0f} % of its variance new in every sample, the rest "
+            "\nNoise assumed: as stated with the sensors; {:.0f} % of its variance is white noise, the rest "
             "forgotten over {:g} s (--correlation-time).\n",
             100.0 * (options.correlation_time > 0.0 ? white_share : 1.0), options.correlation_time);
     }
@@ -93,7 +93,7 @@ int identify(const Options& options) {
     }
     const input::Experiment& experiment = *reading->experiment;
     const diagnosis::Observations observations = diagnosis::observe(experiment);
-    // Thousands of pixels see the grid's own error, which a finer one shows.
+    // Thousands of pixels see the discretisation error of the grid, which a finer one shows.
     std::optional<input::Experiment> finer;
     if (!observations.images.empty()) {
         finer =

@@ -63,7 +63,7 @@ void report_wrong_call(const CLI::App& program, const CLI::ParseError& error, bo
 
 int main(int argc, char** argv) {
     int exit_code = app::Exit::done;
-    CLI::App program{"tiretherm: temperature field of a tire, held against measured data", "tiretherm"};
+    CLI::App program{"tiretherm: temperature field of a tire, compared with measured data", "tiretherm"};
     program.set_version_flag("--version", "tiretherm " TIRETHERM_VERSION);
     program.require_subcommand(1);
     app::add_run_command(program, exit_code);

@@ -67,12 +67,12 @@ int run(const Options& options) {
     }
 
     const std::string directory = options.directory.empty() ? "out/" + problem.name : options.directory;
-    const post::Origin origin{
+    const post::Provenance provenance{
         .version = TIRETHERM_VERSION, .case_file = options.case_file, .case_text = post::read_text(options.case_file)};
     std::optional<post::RunFiles> files;
     try {
-        files.emplace(directory, problem, origin,
-                      post::FileChoice{.vtk = !options.no_vtk, .pictures = !options.no_pictures});
+        files.emplace(directory, problem, provenance,
+                      post::FileOptions{.vtk = !options.no_vtk, .pictures = !options.no_pictures});
     } catch (const post::FileError& error) {
         report_error(error.what(), "nothing was run; choose another directory with --out", options.json);
         return Exit::input_error;
@@ -91,7 +91,7 @@ int run(const Options& options) {
     const post::RunRecord record{.problem = problem,
                                  .report = report,
                                  .history = files->history(),
-                                 .origin = origin,
+                                 .provenance = provenance,
                                  .seconds = seconds,
                                  .warnings = reading.warnings,
                                  .files = files->written(),
@@ -131,7 +131,7 @@ void add_run_command(CLI::App& program, int& exit_code) {
     command->footer(
         "Files: results.h5 (everything, SI units), channels.csv, field.pvd with field_*.vtu (ParaView),\n"
         "picture.png (temperature across the thickness), channels.png (channels against time).\n"
-        "A case with [[critical]] temperatures is told where and when it passes them, what is left if it does not, in\n"
+        "A case with [[critical]] temperatures: where and when it passes them, what is left if it does not, in\n"
         "which further step it would, and what drives that; hot_spots.csv and .png have the hottest places against "
         "time.\n"
         "Ctrl-C ends a run early and keeps what it has.\n\n"

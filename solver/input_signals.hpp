@@ -12,7 +12,7 @@ namespace tiretherm::solver {
 /// Which value counts at a jump: the one before or the one after.
 enum class JumpSide : std::uint8_t { before, after };
 
-/// One input against time, straight between its points and held beyond them. Two points at the same time are a jump.
+/// One input against time, linear between its points and held beyond them. Two points at the same time are a jump.
 struct Series {
     const physics::Signal* signal = nullptr;
     std::vector<double> time;   ///< s, not descending

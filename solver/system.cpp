@@ -219,9 +219,9 @@ void System::enthalpy(std::span<const double> T, std::span<double> H) const {
 
 Status System::failure_at(Outcome outcome, std::string_view why, int node, double time, std::span<const double> T,
                           std::span<const double> coefficients) {
-    return {outcome, fmt::format("{} at t = {:.6g} s, in {} ({:.2f} degC); the effect that pushes hardest there is {}",
-                                 why, time, describe_node(problem_->mesh, node), T[at(node)] - 273.15,
-                                 loudest_effect(node, T, coefficients))};
+    return {outcome, fmt::format("{} at t = {:.6g} s, in {} ({:.2f} degC); largest heat source there: {}", why, time,
+                                 describe_node(problem_->mesh, node), T[at(node)] - 273.15,
+                                 largest_heat_source(node, T, coefficients))};
 }
 
 int System::first_not_finite() const {
@@ -229,10 +229,10 @@ int System::first_not_finite() const {
     return bad == flow_.end() ? -1 : static_cast<int>(bad - flow_.begin());
 }
 
-std::string System::loudest_effect(int node, std::span<const double> T, std::span<const double> coefficients) {
+std::string System::largest_heat_source(int node, std::span<const double> T, std::span<const double> coefficients) {
     find_means(T, means_);
     find_loss_factors(T, means_);
-    double loudest = -1.0;
+    double largest = -1.0;
     std::string name = "none";
     for (std::size_t e = 0; e < effects_.size(); ++e) {
         if (effects_[e].effect->add_terms == nullptr) {
@@ -247,8 +247,8 @@ std::string System::loudest_effect(int node, std::span<const double> T, std::spa
                 watts += std::abs(here_.face_G[f] * (T[at(face.b)] - T[at(face.a)]));
             }
         }
-        if (!(watts <= loudest)) {  // true also for NaN, which is loudest of all
-            loudest = watts;
+        if (!(watts <= largest)) {  // true also for NaN, which is largest of all
+            largest = watts;
             name = effects_[e].title();
             if (std::isnan(watts)) {
                 break;

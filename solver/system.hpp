@@ -67,7 +67,7 @@ public:
     /// been evaluated at the result.
     void make_consistent(std::span<double> T, std::span<const double> coefficients);
 
-    /// A failure at a node in a sentence: why, when, where, and which effect pushes hardest there.
+    /// A failure at a node in a sentence: why, when, where, and the largest heat source there.
     [[nodiscard]] Status failure_at(Outcome outcome, std::string_view why, int node, double time,
                                     std::span<const double> T, std::span<const double> coefficients);
     /// First node whose heat flow at the last evaluation is not finite, or -1.
@@ -79,7 +79,8 @@ private:
                                                             std::span<const double> means,
                                                             std::span<const double> coefficients) const;
     void find_loss_factors(std::span<const double> T, std::span<const double> means) const;
-    [[nodiscard]] std::string loudest_effect(int node, std::span<const double> T, std::span<const double> coefficients);
+    [[nodiscard]] std::string largest_heat_source(int node, std::span<const double> T,
+                                                  std::span<const double> coefficients);
     void find_means(std::span<const double> T, std::span<double> means) const;
 
     const Problem* problem_;

@@ -103,7 +103,7 @@ void check_history(const SignalHistory& history, std::string_view what, double l
     }
     const auto finite = [](double value) { return std::isfinite(value); };
     if (std::ranges::none_of(history.value, finite)) {
-        found.push_back(fmt::format("{} has no value", what));
+        found.push_back(fmt::format("{} is not a finite number at any time", what));
         return;
     }
     const auto below = std::ranges::find_if(history.value, [&](double value) { return value < low; });

@@ -8,7 +8,7 @@
 
 namespace tiretherm::solver {
 
-/// A signal along a run, straight between its points and held beyond them. Two points at one time are a jump.
+/// A signal along a run, linear between its points and held beyond them. Two points at one time are a jump.
 struct SignalHistory {
     std::vector<double> time;   ///< s, as in the input signals and in a measured run; not descending
     std::vector<double> value;  ///< [time]; what is not finite counts as missing

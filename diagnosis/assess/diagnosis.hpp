@@ -18,8 +18,8 @@
 namespace tiretherm::diagnosis {
 
 enum class Verdict : std::uint8_t {
-    named,       ///< one explanation is left, a cause or a pair of causes
-    confounded,  ///< several explanations that these data cannot tell apart
+    named,       ///< one hypothesis is left, a cause or a pair of causes
+    confounded,  ///< several hypotheses that these data cannot tell apart
     unknown,     ///< something is missing that the catalogue does not have
     consistent,  ///< nothing significant is left
     cannot_tell  ///< the grid, the steps or the data are too poor
@@ -35,7 +35,7 @@ struct CauseNumber {
     double high = 0.0;
 };
 
-/// An effect of the catalogue as an explanation of what the model gets wrong.
+/// An effect of the catalogue as a possible reason for what the model gets wrong.
 struct Cause {
     std::string id;
     std::string channel{};               ///< of a sensor's effect
@@ -43,9 +43,9 @@ struct Cause {
     std::vector<CauseNumber> numbers{};  ///< that were fitted, and those it was tried at
     /// What the case says of the number, where the effect is on and its number is wrong.
     std::optional<double> instead_of{};
-    double sigma = 0.0;        ///< standard deviations from absent, or from what the case says
+    double sigma = 0.0;        ///< standard deviations from no effect, or from what the case says
     double gain = 0.0;         ///< log likelihood ratio over the model without it
-    double probability = 0.0;  ///< among the single explanations, before the data all alike
+    double probability = 0.0;  ///< among the single hypotheses, before the data all alike
     bool in_set = false;
     int rank = 0;         ///< 1: the most likely
     std::string bound{};  ///< what to say when a number ended at its bound
@@ -91,7 +91,7 @@ struct Gain {
 /// An experiment that would tell what these data do not.
 struct NextExperiment {
     std::string name;   ///< "coast-down from 150 km/h, 5 min"
-    double now = 0.0;   ///< standard deviations by which the explanations differ today
+    double now = 0.0;   ///< standard deviations by which the hypotheses differ today
     double then = 0.0;  ///< with the experiment in addition
 };
 
@@ -106,9 +106,9 @@ struct UpperLimit {
     double high = 0.0;
 };
 
-/// Heat that the data ask for over a window of time: what it would have to be for the base model to fit there, all else as
-/// it is.
-struct AskedHeat {
+/// Missing heat over a window of time, inferred from the data: what it would have to be for the base model to fit
+/// there, all else as it is.
+struct MissingHeat {
     std::size_t run = 0;
     std::string place;
     double from = 0.0;  ///< s
@@ -123,12 +123,12 @@ struct Diagnosis {
     Verdict verdict = Verdict::cannot_tell;
     std::vector<Cause> causes;  ///< every candidate, the most likely first
     std::vector<std::vector<std::size_t>>
-        explanations;  ///< the set: indices into causes, one or two each, the best first
+        hypotheses;  ///< the set: indices into causes, one or two each, the best first
     std::optional<UnknownSource> unknown;
     std::string reason;
     std::vector<NextExperiment> next;  ///< the most telling first
     std::vector<UpperLimit> limits;    ///< when nothing is found
-    std::vector<AskedHeat> asked;      ///< where and when, of the base model
+    std::vector<MissingHeat> missing_heat;  ///< where and when, of the base model
     std::vector<ChannelGain> channels;
     Gain gain;
     double numerical_error_sigma = 0.0;
@@ -136,8 +136,8 @@ struct Diagnosis {
     std::vector<std::string> remarks;
     Eigen::VectorXd values;    ///< [n_parameters] of the base fit
     Eigen::VectorXd base;      ///< [n_rows] SI, simulated with the fitted base model
-    Eigen::VectorXd extended;  ///< [n_rows] SI, with the best explanation; equal to base where there is none
-    /// The base experiment with the best explanation switched on, its numbers free after the experiment's own; nothing
+    Eigen::VectorXd extended;  ///< [n_rows] SI, with the best hypothesis; equal to base where there is none
+    /// The base experiment with the best hypothesis switched on, its numbers free after the experiment's own; nothing
     /// where nothing is to be switched on.
     std::optional<input::Experiment> extended_model;
     Eigen::VectorXd extended_values;                          ///< [n_parameters of extended_model] as fitted
@@ -146,7 +146,7 @@ struct Diagnosis {
     double seconds = 0.0;
 };
 
-struct DiagnosisChoice {
+struct DiagnosisOptions {
     bool measure_gain = true;
     /// The same experiment on a grid of half the spacing (read_experiment with finer = 2), where the model has a grid: what
     /// changes is taken for the grid's error and corrected.
@@ -155,8 +155,8 @@ struct DiagnosisChoice {
     std::function<void(long simulations)> progress{};
 };
 
-/// Fits the base model, estimates its own numerical error and the noise, and looks for what explains the rest.
+/// Fits the base model, estimates the discretisation error and the noise, and looks for what explains the rest.
 [[nodiscard]] Diagnosis diagnose(const input::Experiment& experiment, const Observations& observations,
-                                 const DiagnosisChoice& choice = {});
+                                 const DiagnosisOptions& choice = {});
 
 }  // namespace tiretherm::diagnosis

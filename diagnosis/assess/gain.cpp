@@ -3,8 +3,8 @@
 #include <limits>
 #include <random>
 
-#include "diagnosis/assess/findings.hpp"
-#include "diagnosis/fit/picture.hpp"
+#include "diagnosis/assess/diagnosis_state.hpp"
+#include "diagnosis/fit/linearised_model.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -12,8 +12,8 @@ namespace {
 
 /// What takes no part, and what the rest is.
 struct Fold {
-    Rows test;
-    Rows rest;
+    RowIndices test;
+    RowIndices rest;
     int run = -1;  ///< whose start is fitted to the test itself; -1: to the rest
 };
 
@@ -49,11 +49,12 @@ std::vector<Fold> folds_of(const Observations& observations) {
 
 /// Log of the e-value of a size that others gave, on rows that took no part: exp(a U - a^2 I / 2) has mean 1 where the
 /// cause is absent, whatever the free numbers are.
-double log_e_value(const Evidence& evidence, const Eigen::VectorXd& signature, double size, const Rows& test) {
-    const Refit& base = evidence.base;
-    const Remainder remainder(base.slopes(test, Eigen::all), base.precision);
-    const Eigen::VectorXd left = remainder.of(base.residual(test), base.known);
-    const Eigen::VectorXd column = remainder.of(Eigen::MatrixXd(signature(test))).col(0);
+double log_e_value(const ScoreTestData& score_data, const Eigen::VectorXd& signature, double size,
+                   const RowIndices& test) {
+    const Refit& base = score_data.base;
+    const NuisanceProjector projector(base.slopes(test, Eigen::all), base.precision);
+    const Eigen::VectorXd left = projector.project(base.residual(test), base.known);
+    const Eigen::VectorXd column = projector.project(Eigen::MatrixXd(signature(test))).col(0);
     return size * column.dot(left) - 0.5 * size * size * column.squaredNorm();
 }
 
@@ -100,22 +101,23 @@ void find_share(const Losses& losses, std::size_t block, Gain& gain) {
 
 /// Which unknown number the extension adds, chosen and sized from some of the runs alone.
 struct Trained {
-    Picture picture;
-    Eigen::VectorXd step;       ///< [n] of the picture's numbers
+    LinearisedModel model;
+    Eigen::VectorXd step;       ///< [n] of the model's numbers
     Eigen::VectorXd signature;  ///< [n_rows] whitened, of what was chosen
     double size = 0.0;
 };
 
-/// The extension that these rows alone would have chosen: the explanation itself where it is still the best of its kind,
+/// The extension that these rows alone would have chosen: the hypothesis itself where it is still the best of its kind,
 /// otherwise the best signature at the base model.
-Trained train(const Findings& found, const Picture& base, const Picture& extended, const Rows& rows) {
-    const Evidence& evidence = found.evidence;
-    const Refit& fit = evidence.base;
-    const Remainder remainder(fit.slopes(rows, Eigen::all), fit.precision);
-    const Eigen::VectorXd left = remainder.of(fit.residual(rows), fit.known);
+Trained train(const DiagnosisState& found, const LinearisedModel& base, const LinearisedModel& extended,
+              const RowIndices& rows) {
+    const ScoreTestData& score_data = found.score_data;
+    const Refit& fit = score_data.base;
+    const NuisanceProjector projector(fit.slopes(rows, Eigen::all), fit.precision);
+    const Eigen::VectorXd left = projector.project(fit.residual(rows), fit.known);
     const auto best_of = [&](const Eigen::MatrixXd& columns, const Eigen::VectorXi* sign) {
         const Eigen::MatrixXd some = columns(rows, Eigen::all);
-        const Scores scores = score(remainder.of(some), left, some.colwise().norm());
+        const Scores scores = score(projector.project(some), left, some.colwise().norm());
         Eigen::Index best = 0;
         double most = 0.0;
         for (Eigen::Index k = 0; k < scores.z.size(); ++k) {
@@ -128,26 +130,26 @@ Trained train(const Findings& found, const Picture& base, const Picture& extende
         return best;
     };
     const bool unknown = found.verdict == Verdict::unknown;
-    const Explanation& best = *found.best();
-    const Eigen::MatrixXd& columns = unknown ? evidence.unknown_columns : evidence.columns;
-    const Eigen::Index chosen = best_of(columns, unknown ? nullptr : &evidence.sign);
+    const FittedHypothesis& best = *found.best();
+    const Eigen::MatrixXd& columns = unknown ? score_data.unknown_columns : score_data.columns;
+    const Eigen::Index chosen = best_of(columns, unknown ? nullptr : &score_data.sign);
     const std::size_t ours = unknown ? found.unknown.term : best.candidates.front();
-    const bool same = unknown
-                          ? static_cast<std::size_t>(chosen) == ours
-                          : best.candidates.size() > 1 || evidence.candidates[static_cast<std::size_t>(chosen)].cause ==
-                                                              evidence.candidates[ours].cause;
+    const bool same =
+        unknown ? static_cast<std::size_t>(chosen) == ours
+                : best.candidates.size() > 1 || score_data.candidates[static_cast<std::size_t>(chosen)].cause ==
+                                                    score_data.candidates[ours].cause;
     Trained trained;
     const Eigen::Index n = fit.values.size();
     if (same) {
-        trained.picture = extended;
+        trained.model = extended;
         trained.step = solve(extended, rows);
         trained.signature = extended.slopes.col(n);
-        const double absent = unknown ? 0.0 : evidence.candidates[ours].absent;
+        const double absent = unknown ? 0.0 : score_data.candidates[ours].absent;
         trained.size = (best.fit.values[n] - absent) / best.fit.scale[n] + trained.step[n];
     } else {
-        const Eigen::MatrixXd& raw = unknown ? evidence.unknowns.columns : evidence.signatures;
-        trained.picture = with_column(base, columns.col(chosen), raw.col(chosen));
-        trained.step = solve(trained.picture, rows);
+        const Eigen::MatrixXd& raw = unknown ? score_data.unknowns.columns : score_data.signatures;
+        trained.model = with_column(base, columns.col(chosen), raw.col(chosen));
+        trained.step = solve(trained.model, rows);
         trained.signature = columns.col(chosen);
         trained.size = trained.step[n];
     }
@@ -156,11 +158,11 @@ Trained train(const Findings& found, const Picture& base, const Picture& extende
 
 }  // namespace
 
-void measure_gain(const Findings& found, Diagnosis& into) {
-    const Evidence& evidence = found.evidence;
-    const Observations& observations = *evidence.observations;
+void measure_gain(const DiagnosisState& found, Diagnosis& into) {
+    const ScoreTestData& score_data = found.score_data;
+    const Observations& observations = *score_data.observations;
     const std::size_t n_noises = observations.channels.size();
-    const Explanation* best = found.best();
+    const FittedHypothesis* best = found.best();
     const auto n_rows = static_cast<std::size_t>(observations.measured.size());
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     std::vector<int> noise_of(n_rows, -1);
@@ -183,8 +185,8 @@ void measure_gain(const Findings& found, Diagnosis& into) {
     Eigen::VectorXd before = Eigen::VectorXd::Constant(observations.measured.size(), none);
     Eigen::VectorXd after = before;
     if (best != nullptr && n_noises > 0) {
-        const Picture base = picture_of(evidence.base, observations);
-        const Picture extended = picture_of(best->fit, observations);
+        const LinearisedModel base = linearise(score_data.base, observations);
+        const LinearisedModel extended = linearise(best->fit, observations);
         std::vector<double> log_e;
         for (const Fold& fold : folds_of(observations)) {
             const auto& [test, rest, run] = fold;
@@ -192,21 +194,21 @@ void measure_gain(const Findings& found, Diagnosis& into) {
                 continue;
             }
             const Trained trained = train(found, base, extended, rest);
-            std::vector<bool> own(static_cast<std::size_t>(trained.picture.slopes.cols()), false);
-            for (std::size_t j = 0; j < evidence.experiment->parameters.size(); ++j) {
-                own[j] = run >= 0 && evidence.experiment->parameters[j].run == run;
+            std::vector<bool> own(static_cast<std::size_t>(trained.model.slopes.cols()), false);
+            for (std::size_t j = 0; j < score_data.experiment->parameters.size(); ++j) {
+                own[j] = run >= 0 && score_data.experiment->parameters[j].run == run;
             }
-            after(test) = left_of(trained.picture, trained.step, test, own);
+            after(test) = left_of(trained.model, trained.step, test, own);
             own.resize(static_cast<std::size_t>(base.slopes.cols()));
             before(test) = left_of(base, solve(base, rest), test, own);
-            log_e.push_back(log_e_value(evidence, trained.signature, trained.size, test));
+            log_e.push_back(log_e_value(score_data, trained.signature, trained.size, test));
         }
         Losses losses;
         double longest = 1.0;
         for (std::size_t row = 0; row < n_rows; ++row) {
             const auto i = static_cast<Eigen::Index>(row);
             if (noise_of[row] >= 0 && std::isfinite(before[i])) {
-                const Noise& noise = evidence.noise.channels[static_cast<std::size_t>(noise_of[row])];
+                const Noise& noise = score_data.noise.channels[static_cast<std::size_t>(noise_of[row])];
                 const double least = std::pow(observations.measured[i] - into.extended[i], 2);
                 losses.before.push_back((before[i] * before[i] - least) / (noise.sigma * noise.sigma));
                 losses.after.push_back((after[i] * after[i] - least) / (noise.sigma * noise.sigma));

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "diagnosis/assess/findings.hpp"
+#include "diagnosis/assess/diagnosis_state.hpp"
 #include "solver/in_parallel.hpp"
 
 namespace tiretherm::diagnosis {
@@ -96,7 +96,7 @@ double largest_power(const input::Experiment& experiment) {
 }
 
 /// The experiment with nothing but this manoeuvre as a run, under the surroundings of the first run; sensors as there.
-input::Experiment rehearse(const input::Experiment& experiment, const Manoeuvre& manoeuvre) {
+input::Experiment planned_run_of(const input::Experiment& experiment, const Manoeuvre& manoeuvre) {
     input::Experiment planned = experiment;
     planned.runs.resize(1);
     input::MeasuredRun& run = planned.runs.front();
@@ -162,7 +162,7 @@ input::Experiment rehearse(const input::Experiment& experiment, const Manoeuvre&
     return planned;
 }
 
-/// What two explanations differ by, squared, in standard deviations: nothing free of either can bring them together.
+/// What two hypotheses differ by, squared, in standard deviations: nothing free of either can bring them together.
 /// @param a, b signatures at the sizes that the data gave
 double separation(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& precision, const Eigen::VectorXd& a,
                   const Eigen::VectorXd& b) {
@@ -170,21 +170,22 @@ double separation(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& precisio
     free << slopes, b;
     Eigen::VectorXd known(precision.size() + 1);
     known << precision, 0.0;
-    return Remainder(free, known).of(Eigen::MatrixXd(a)).squaredNorm();
+    return NuisanceProjector(free, known).project(Eigen::MatrixXd(a)).squaredNorm();
 }
 
-/// Signature of an explanation in whole: what it makes of the fitted base model.
+/// Signature of a hypothesis in whole: what it makes of the fitted base model.
 struct Shape {
     Eigen::VectorXd old;   ///< whitened, of the data there are
     Eigen::VectorXd more;  ///< whitened, of the manoeuvre
 };
 
-/// Problems of the planned run with an explanation's causes at their fitted numbers, all else as in the base fit.
-input::Experiment with_causes(const Findings& found, const input::Experiment& planned, const Explanation& one) {
+/// Problems of the planned run with a hypothesis' causes at their fitted numbers, all else as in the base fit.
+input::Experiment with_causes(const DiagnosisState& found, const input::Experiment& planned,
+                              const FittedHypothesis& one) {
     std::vector<Candidate> on;
     std::vector<double> values;
     for (std::size_t i = 0; i < one.candidates.size(); ++i) {
-        on.push_back(found.evidence.candidates[one.candidates[i]]);
+        on.push_back(found.score_data.candidates[one.candidates[i]]);
         values.push_back(one.fit.values[one.number_of(i)]);
     }
     input::Experiment model = with(planned, on, values);
@@ -194,43 +195,43 @@ input::Experiment with_causes(const Findings& found, const input::Experiment& pl
 
 }  // namespace
 
-void plan_next(const Findings& found, Diagnosis& into) {
-    const Evidence& evidence = found.evidence;
-    const Observations& observations = *evidence.observations;
+void plan_next(const DiagnosisState& found, Diagnosis& into) {
+    const ScoreTestData& score_data = found.score_data;
+    const Observations& observations = *score_data.observations;
     if (found.set.size() < 2 || observations.channels.empty()) {
         return;
     }
     const std::size_t n_shapes = std::min<std::size_t>(3, found.set.size());
     const std::vector<Manoeuvre> all = menu();
-    const Eigen::Index n = evidence.base.values.size();
+    const Eigen::Index n = score_data.base.values.size();
     std::vector<Shape> shapes(n_shapes);
     for (std::size_t s = 0; s < n_shapes; ++s) {
         shapes[s].old = Eigen::VectorXd::Zero(observations.measured.size());
-        const Explanation& one = *found.set[s];
+        const FittedHypothesis& one = *found.set[s];
         for (std::size_t i = 0; i < one.candidates.size(); ++i) {
             const std::size_t k = one.candidates[i];
-            shapes[s].old += (one.fit.values[one.number_of(i)] - evidence.candidates[k].absent) *
-                             evidence.columns.col(static_cast<Eigen::Index>(k));
+            shapes[s].old += (one.fit.values[one.number_of(i)] - score_data.candidates[k].absent) *
+                             score_data.columns.col(static_cast<Eigen::Index>(k));
         }
     }
     const auto apart = [&](const Eigen::MatrixXd& slopes, const auto& shape) {
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t j = 0; j < n_shapes; ++j) {
             for (std::size_t k = 0; k < j; ++k) {
-                least = std::min({least, separation(slopes, evidence.base.precision, shape(j), shape(k)),
-                                  separation(slopes, evidence.base.precision, shape(k), shape(j))});
+                least = std::min({least, separation(slopes, score_data.base.precision, shape(j), shape(k)),
+                                  separation(slopes, score_data.base.precision, shape(k), shape(j))});
             }
         }
         return std::sqrt(std::max(0.0, least));
     };
     const double now =
-        apart(evidence.base.slopes, [&](std::size_t s) -> const Eigen::VectorXd& { return shapes[s].old; });
+        apart(score_data.base.slopes, [&](std::size_t s) -> const Eigen::VectorXd& { return shapes[s].old; });
     for (const Manoeuvre& manoeuvre : all) {
-        const input::Experiment& experiment = *evidence.experiment;
+        const input::Experiment& experiment = *score_data.experiment;
         if (!experiment.runs.front().problem.input_signals.gives(*physics::find_signal(manoeuvre.needs))) {
             continue;
         }
-        input::Experiment planned = rehearse(experiment, manoeuvre);
+        input::Experiment planned = planned_run_of(experiment, manoeuvre);
         const Simulator fitted(experiment, observations);
         // Numbers of all runs at their fitted values, the start as the first run's.
         const Observations seen = observe(planned);
@@ -239,7 +240,7 @@ void plan_next(const Findings& found, Diagnosis& into) {
         for (Eigen::Index j = 0; j < n; ++j) {
             const solver::FreeParameter& number = experiment.parameters[static_cast<std::size_t>(j)];
             values[j] = number.run < 0 || number.kind == solver::FreeParameter::Kind::initial
-                            ? (number.run > 0 ? 0.0 : evidence.base.values[j])
+                            ? (number.run > 0 ? 0.0 : score_data.base.values[j])
                             : values[j];
         }
         const ModelPrediction& plain = base.at(values);
@@ -251,9 +252,9 @@ void plan_next(const Findings& found, Diagnosis& into) {
         Covariance noise;
         for (const std::size_t channel : seen.channels) {
             const auto known = std::ranges::find(observations.channels, channel) - observations.channels.begin();
-            noise.channels.push_back(evidence.noise.channels[static_cast<std::size_t>(known)]);
+            noise.channels.push_back(score_data.noise.channels[static_cast<std::size_t>(known)]);
         }
-        Eigen::MatrixXd slopes = plain.slope * evidence.base.scale.asDiagonal();
+        Eigen::MatrixXd slopes = plain.slope * score_data.base.scale.asDiagonal();
         whiten(seen.blocks, noise, slopes);
         planned.runs.front().problem = base.problem(0, values);
         bool sound = true;
@@ -274,8 +275,8 @@ void plan_next(const Findings& found, Diagnosis& into) {
             continue;
         }
         // The new run starts for itself: its own start is a further number, which the first run's stands in for.
-        Eigen::MatrixXd together = Eigen::MatrixXd::Zero(evidence.base.slopes.rows() + slopes.rows(), n);
-        together.topRows(evidence.base.slopes.rows()) = evidence.base.slopes;
+        Eigen::MatrixXd together = Eigen::MatrixXd::Zero(score_data.base.slopes.rows() + slopes.rows(), n);
+        together.topRows(score_data.base.slopes.rows()) = score_data.base.slopes;
         together.bottomRows(slopes.rows()) = slopes;
         const double then = apart(together, [&](std::size_t s) {
             Eigen::VectorXd joined(together.rows());

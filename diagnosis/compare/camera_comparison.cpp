@@ -110,11 +110,11 @@ ComparedImages compare_images(const input::MeasuredRun& run, std::size_t index, 
         view.read(std::span(prediction.value).subspan(at * prediction.n_channels, prediction.n_channels),
                   std::span(images.simulated).subspan(f * images.pixels(), images.pixels()));
     }
-    reckon(images);
+    evaluate(images);
     return images;
 }
 
-void reckon(ComparedImages& images) {
+void evaluate(ComparedImages& images) {
     const std::size_t n_frames = images.time.size();
     const std::size_t n_pixels = images.pixels();
     Sum all;
@@ -132,7 +132,8 @@ void reckon(ComparedImages& images) {
             images.worst = f;
         }
     }
-    // Pixels share what the model lacks: how sure the bias is follows from how the mean of the frames goes along time.
+    // Pixels share missing effects of the model: how sure the bias is follows from how the mean of the frames goes
+    // along time.
     images.figures = figures({means});
     images.figures.samples = n_frames * n_pixels;
     images.figures.bias = all.mean();
@@ -146,7 +147,7 @@ void reckon(ComparedImages& images) {
             differences[p][f] = images.difference(f, p);
         }
     }
-    images.noise = quick_noise(times, differences);
+    images.noise = sample_to_sample_noise(times, differences);
     if (!images.sensor_is_stated) {
         images.sensor = std::isnan(images.noise) ? 0.0 : images.noise;
     }

@@ -59,6 +59,6 @@ struct ComparedImages {
                                             const input::MeasuredFrames& frames, const std::vector<double>& times,
                                             const solver::Prediction& prediction);
 /// The figures, from what is measured and simulated.
-void reckon(ComparedImages& images);
+void evaluate(ComparedImages& images);
 
 }  // namespace tiretherm::diagnosis

@@ -66,7 +66,7 @@ ComparedSeries Beside::series(const input::MeasuredSeries& measured) const {
         result.simulated.push_back(simulated);
         result.surroundings.push_back(!is_temperature ? 0.0 : has_air ? inputs.air_temperature : missing);
         result.phase.push_back(phase_at(run.problem, t));
-        const Moment moment{
+        const SampleContext moment{
             .run = run, .sample = i, .inputs = inputs, .simulated = simulated, .is_temperature = is_temperature};
         for (std::size_t r = 0; r < regressors.size(); ++r) {
             result.regressor[r].push_back(regressors[r].value(moment));
@@ -154,7 +154,7 @@ Comparison compare(const input::Experiment& experiment, const std::string& name)
         }
     }
     for (auto& [index, channel] : channels) {
-        reckon(channel, names);
+        evaluate(channel, names);
         if (channel.figures.samples > 0) {
             result.channels.push_back(std::move(channel));
         }

@@ -76,7 +76,7 @@ struct ComparedNumber {
     [[nodiscard]] double in_uncertainties() const { return (simulated - measured) / uncertainty; }
 };
 
-/// Measured held against simulated. Every difference is simulated - measured.
+/// Measured compared with simulated. Every difference is simulated - measured.
 struct Comparison {
     std::string name;
     std::vector<std::string> runs;
@@ -94,6 +94,6 @@ struct Comparison {
 [[nodiscard]] Comparison compare(const input::Experiment& experiment, const std::string& name);
 /// The figures of a channel, from its series.
 /// @param regressors names and units, in the order of ComparedSeries::regressor
-void reckon(ComparedChannel& channel, const std::vector<std::pair<std::string, std::string>>& regressors);
+void evaluate(ComparedChannel& channel, const std::vector<std::pair<std::string, std::string>>& regressors);
 
 }  // namespace tiretherm::diagnosis

@@ -18,7 +18,7 @@ bool any_run_gives(const input::Experiment& experiment, std::string_view signal)
     });
 }
 
-double slip_power(const Moment& moment) {
+double slip_power(const SampleContext& moment) {
     const physics::Inputs& u = moment.inputs;
     return std::abs(u.lateral_force * u.speed * std::tan(u.slip_angle)) +
            std::abs(u.longitudinal_force * u.speed * u.slip_ratio);
@@ -26,7 +26,7 @@ double slip_power(const Moment& moment) {
 
 /// A column of the log that may be missing in some runs.
 Regressor unused(const std::string& name, const std::string& unit) {
-    return {.name = name, .unit = unit, .value = [name](const Moment& moment) {
+    return {.name = name, .unit = unit, .value = [name](const SampleContext& moment) {
                 for (const input::UnusedSignal& signal : moment.run.unused) {
                     if (signal.name == name) {
                         return signal.value[moment.sample];
@@ -40,7 +40,7 @@ Regressor unused(const std::string& name, const std::string& unit) {
 
 std::vector<Regressor> regressors_of(const input::Experiment& experiment) {
     std::vector<Regressor> regressors;
-    regressors.push_back({.name = "time since start", .unit = "s", .value = [](const Moment& moment) {
+    regressors.push_back({.name = "time since start", .unit = "s", .value = [](const SampleContext& moment) {
                               return moment.run.time[moment.sample] - moment.run.problem.settings.start;
                           }});
     const auto add = [&](const char* signal, const char* name, const char* unit, auto value) {
@@ -48,22 +48,22 @@ std::vector<Regressor> regressors_of(const input::Experiment& experiment) {
             regressors.push_back({.name = name, .unit = unit, .value = value});
         }
     };
-    add("speed", "speed", "km/h", [](const Moment& m) { return 3.6 * m.inputs.speed; });
-    add("vertical_load", "vertical load", "N", [](const Moment& m) { return m.inputs.vertical_load; });
+    add("speed", "speed", "km/h", [](const SampleContext& m) { return 3.6 * m.inputs.speed; });
+    add("vertical_load", "vertical load", "N", [](const SampleContext& m) { return m.inputs.vertical_load; });
     if (any_run_gives(experiment, "lateral_force") || any_run_gives(experiment, "longitudinal_force")) {
         regressors.push_back({.name = "slip power", .unit = "W", .value = slip_power});
     }
-    add("camber", "camber", "deg", [](const Moment& m) { return m.inputs.camber * 45.0 / std::atan(1.0); });
+    add("camber", "camber", "deg", [](const SampleContext& m) { return m.inputs.camber * 45.0 / std::atan(1.0); });
     add("inflation_pressure", "inflation pressure", "kPa",
-        [](const Moment& m) { return 1e-3 * m.inputs.inflation_pressure; });
-    add("laser_power", "laser power", "W", [](const Moment& m) { return m.inputs.laser_power; });
-    add("wet", "wet", "-", [](const Moment& m) { return m.inputs.wet; });
+        [](const SampleContext& m) { return 1e-3 * m.inputs.inflation_pressure; });
+    add("laser_power", "laser power", "W", [](const SampleContext& m) { return m.inputs.laser_power; });
+    add("wet", "wet", "-", [](const SampleContext& m) { return m.inputs.wet; });
     add("air_temperature", "air temperature", "degC",
-        [](const Moment& m) { return solver::celsius(m.inputs.air_temperature); });
+        [](const SampleContext& m) { return solver::celsius(m.inputs.air_temperature); });
     add("road_temperature", "road temperature", "degC",
-        [](const Moment& m) { return solver::celsius(m.inputs.road_temperature); });
+        [](const SampleContext& m) { return solver::celsius(m.inputs.road_temperature); });
     add("air_temperature", "simulated rise over air", "K",
-        [](const Moment& m) { return m.is_temperature ? m.simulated - m.inputs.air_temperature : missing; });
+        [](const SampleContext& m) { return m.is_temperature ? m.simulated - m.inputs.air_temperature : missing; });
     for (const input::MeasuredRun& run : experiment.runs) {
         for (const input::UnusedSignal& signal : run.unused) {
             const bool known = std::any_of(regressors.begin(), regressors.end(),

@@ -10,7 +10,7 @@
 namespace tiretherm::diagnosis {
 
 /// A sample of a channel, as far as differences may follow it.
-struct Moment {
+struct SampleContext {
     const input::MeasuredRun& run;
     std::size_t sample = 0;  ///< of the run's log
     const physics::Inputs& inputs;
@@ -18,11 +18,11 @@ struct Moment {
     bool is_temperature = true;
 };
 
-/// A signal that differences are held against.
+/// A signal that differences are compared with.
 struct Regressor {
     std::string name;
     std::string unit;
-    std::function<double(const Moment&)> value;  ///< in its unit; NaN where it is missing
+    std::function<double(const SampleContext&)> value;  ///< in its unit; NaN where it is missing
 };
 
 /// Time, the inputs that make or carry heat, the simulated rise over the air, and the columns that no model uses. The

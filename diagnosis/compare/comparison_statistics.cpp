@@ -134,7 +134,7 @@ Figures figures(const Pieces& differences) {
     return result;
 }
 
-double quick_noise(const Pieces& time, const Pieces& value) {
+double sample_to_sample_noise(const Pieces& time, const Pieces& value) {
     double squares = 0.0;
     double weights = 0.0;
     for (std::size_t p = 0; p < value.size(); ++p) {

@@ -32,7 +32,7 @@ struct Figures {
 /// Standard deviation of what changes from one sample to the next: of each sample about the line between its neighbours.
 /// It is the whole noise where that is white, less of it the slower it is, and nothing of what is smooth over three samples.
 /// @param time pieces like those of the values   @returns NaN with fewer than three samples in every piece
-[[nodiscard]] double quick_noise(const Pieces& time, const Pieces& value);
+[[nodiscard]] double sample_to_sample_noise(const Pieces& time, const Pieces& value);
 
 /// How far the model itself is off, the sensor's uncertainty removed: McGrattan and Toman, "Quantifying the predictive
 /// uncertainty of complex numerical models", Metrologia 48 (2011) 173, as in the FDS Validation Guide.

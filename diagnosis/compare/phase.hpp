@@ -8,7 +8,7 @@
 
 namespace tiretherm::diagnosis {
 
-/// What a tire is doing, told from its inputs alone; the first that holds.
+/// What a tire is doing, determined from its inputs alone; the first that holds.
 enum class Phase : std::uint8_t {
     standing,     ///< slower than 0.1 m/s: nothing is made, soak
     slipping,     ///< a slip angle of 0.3 degrees or more, or a slip ratio of 0.5 % or more

@@ -19,7 +19,7 @@ constexpr int draws = 20'000;
 /// What a statistic of correlated normal z exceeds with a given probability.
 template <typename Statistic>
 double exceeded_by_chance(const Eigen::MatrixXd& correlation, double probability, const Statistic& statistic) {
-    if (correlation.size() == 0) {  // no cause can act: no score can be loud
+    if (correlation.size() == 0) {  // no cause can act: no score can be significant
         return 0.0;
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(correlation);
@@ -63,7 +63,8 @@ PairScore together(double za, double zb, double c, int sign_a, int sign_b) {
 
 }  // namespace
 
-Remainder::Remainder(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& precision) : n_rows_(slopes.rows()) {
+NuisanceProjector::NuisanceProjector(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& precision)
+    : n_rows_(slopes.rows()) {
     const Eigen::Index n = slopes.cols();
     Eigen::MatrixXd rows(n_rows_ + n, n);
     rows << slopes, Eigen::MatrixXd(precision.cwiseSqrt().asDiagonal());
@@ -72,22 +73,22 @@ Remainder::Remainder(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& preci
     basis_ = qr.householderQ() * Eigen::MatrixXd::Identity(rows.rows(), rank);
 }
 
-Eigen::MatrixXd Remainder::take_out(Eigen::MatrixXd columns) const {
+Eigen::MatrixXd NuisanceProjector::remove_nuisance(Eigen::MatrixXd columns) const {
     const Eigen::MatrixXd along = basis_.transpose() * columns;
     columns.noalias() -= basis_ * along;
     return columns;
 }
 
-Eigen::MatrixXd Remainder::of(const Eigen::MatrixXd& columns) const {
+Eigen::MatrixXd NuisanceProjector::project(const Eigen::MatrixXd& columns) const {
     Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(basis_.rows(), columns.cols());
     rows.topRows(n_rows_) = columns;
-    return take_out(std::move(rows));
+    return remove_nuisance(std::move(rows));
 }
 
-Eigen::VectorXd Remainder::of(const Eigen::VectorXd& residual, const Eigen::VectorXd& known) const {
+Eigen::VectorXd NuisanceProjector::project(const Eigen::VectorXd& residual, const Eigen::VectorXd& known) const {
     Eigen::MatrixXd rows(basis_.rows(), 1);
     rows << residual, known;
-    return take_out(std::move(rows)).col(0);
+    return remove_nuisance(std::move(rows)).col(0);
 }
 
 Scores score(const Eigen::MatrixXd& signatures, const Eigen::VectorXd& residual, const Eigen::VectorXd& before) {

@@ -7,35 +7,37 @@
 
 namespace tiretherm::diagnosis {
 
-/// Takes out of anything what the free numbers of a model can explain of it: the projection that leaves a signature its
-/// part orthogonal to them (Frisch and Waugh, Econometrica 1 (1933) 387). What was known of the numbers before counts as
-/// further rows of the data.
-class Remainder {
+/// Removes from signatures and residuals what the free numbers of a model (nuisance parameters) can explain: the
+/// projection that leaves the part orthogonal to them (Frisch and Waugh, Econometrica 1 (1933) 387). What was known of
+/// the numbers before counts as further rows of the data.
+class NuisanceProjector {
 public:
     /// @param slopes [n_rows][n] whitened, in units of the numbers' scales
     /// @param precision [n] of what was known of each number, in the same units; 0: nothing
-    Remainder(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& precision);
+    NuisanceProjector(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& precision);
 
     /// @param columns [n_rows][m] whitened  @returns [n_rows + n][m]
-    [[nodiscard]] Eigen::MatrixXd of(const Eigen::MatrixXd& columns) const;
+    [[nodiscard]] Eigen::MatrixXd project(const Eigen::MatrixXd& columns) const;
     /// @param residual [n_rows] whitened, measured - simulated
     /// @param known [n] what was known of each number less its value, in standard deviations  @returns [n_rows + n]
-    [[nodiscard]] Eigen::VectorXd of(const Eigen::VectorXd& residual, const Eigen::VectorXd& known) const;
+    [[nodiscard]] Eigen::VectorXd project(const Eigen::VectorXd& residual, const Eigen::VectorXd& known) const;
 
     [[nodiscard]] Eigen::Index rows() const { return basis_.rows(); }
     /// @param columns [n_rows + n][m] with rows for what was known
-    [[nodiscard]] Eigen::MatrixXd of_all(Eigen::MatrixXd columns) const { return take_out(std::move(columns)); }
+    [[nodiscard]] Eigen::MatrixXd project_extended(Eigen::MatrixXd columns) const {
+        return remove_nuisance(std::move(columns));
+    }
 
 private:
-    Eigen::MatrixXd take_out(Eigen::MatrixXd columns) const;
+    Eigen::MatrixXd remove_nuisance(Eigen::MatrixXd columns) const;
     Eigen::MatrixXd basis_;  ///< [n_rows + n][n] orthonormal
     Eigen::Index n_rows_;
 };
 
-/// Of a signature that the free numbers leave less than this share of, round-off and bent slopes are what is seen.
+/// Of a signature that the free numbers leave less than this share of, round-off and nonlinearity are what is seen.
 inline constexpr double least_share = 1e-3;
 
-/// How strongly data ask for each of some signatures (score test: Rao, Proc. Cambridge Phil. Soc. 44 (1948) 50).
+/// How significant each of some signatures is in the data (score test: Rao, Proc. Cambridge Phil. Soc. 44 (1948) 50).
 struct Scores {
     Eigen::VectorXd z;       ///< [m] standard deviations; normal with variance 1 where a signature is absent
     Eigen::VectorXd length;  ///< [m] standard deviations per unit of the signature; 0: not to be seen in these data
@@ -60,7 +62,7 @@ struct Scores {
 
 using Pair = std::pair<Eigen::Index, Eigen::Index>;
 
-/// Two signatures fitted together in the straight picture.
+/// Two signatures fitted together in the linearised model.
 struct PairScore {
     double first = 0.0;   ///< amplitude of the first over that which one standard deviation of it alone would have
     double second = 0.0;  ///< the same of the second

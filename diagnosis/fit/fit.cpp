@@ -114,7 +114,7 @@ void Fit::find_noise(const Eigen::MatrixXd& also) {
 }
 
 Fit::Turn Fit::minimise_squares() {
-    const LeastSquaresResult result = minimise(question());
+    const LeastSquaresResult result = minimise(least_squares());
     const Eigen::VectorXd by = result.values - values_;
     Turn turn{.iterations = result.iterations, .converged = result.converged};
     if (move_to(result.values)) {
@@ -123,7 +123,7 @@ Fit::Turn Fit::minimise_squares() {
     return turn;
 }
 
-LeastSquares Fit::question() {
+LeastSquares Fit::least_squares() {
     return {.residuals = [this](const Eigen::VectorXd& values) { return residuals(values); },
             .n_rows = observations_.measured.size() + n_,
             .start = values_,

@@ -35,8 +35,8 @@ public:
     };
     /// Least squares from the present values on, with the noise held.
     [[nodiscard]] Turn minimise_squares();
-    /// The same as a question, which refers to this fit.
-    [[nodiscard]] LeastSquares question();
+    /// The same as a problem, which refers to this fit.
+    [[nodiscard]] LeastSquares least_squares();
 
     /// S' V^-1 S + Pi in units of the scales. @returns [n_parameters][n_parameters]
     [[nodiscard]] Eigen::MatrixXd information() const;

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "diagnosis/detect/discretisation_error.hpp"
 #include "diagnosis/fit/fit.hpp"
-#include "diagnosis/fit/judgement.hpp"
-#include "diagnosis/detect/own_error.hpp"
+#include "diagnosis/fit/fit_assessment.hpp"
 #include "diagnosis/fit/profile.hpp"
 
 namespace tiretherm::diagnosis {
@@ -27,7 +27,7 @@ bool settle(Fit& fit, Identification& into) {
         Fit::Turn made = fit.minimise_squares();
         into.iterations += made.iterations;
         if (turn == 0) {  // steps as the fitted values want them
-            fit.simulator().forget_steps();
+            fit.simulator().clear_steps();
             made.moved = std::numeric_limits<double>::infinity();
             if (fit.now().status.ok() && !fit.move_to(fit.values())) {
                 return false;
@@ -77,11 +77,11 @@ Observations corrected(Fit& fit, const input::Experiment& finer) {
 }
 
 /// What was fitted, as numbers, channels and intervals.
-void judge(const Fit& fit, Identification& into) {
+void assess(const Fit& fit, Identification& into) {
     into.values = fit.values();
     into.after = fit.now().simulated;
-    judge_numbers(fit, into, true);
-    judge_channels(fit, into);
+    assess_parameters(fit, into, true);
+    assess_channels(fit, into);
     into.simulations += fit.simulator().simulations();
 }
 
@@ -102,7 +102,7 @@ bool settle_corrected(Fit& rough, const input::Experiment& finer, Identification
         return false;
     }
     fit.find_noise();
-    judge(fit, into);
+    assess(fit, into);
     widen(fit.values() - rough.values(), fit, into);
     return true;
 }
@@ -110,11 +110,11 @@ bool settle_corrected(Fit& rough, const input::Experiment& finer, Identification
 }  // namespace
 
 Identification identify(const input::Experiment& experiment, const Observations& observations,
-                        const IdentificationChoice& choice) {
+                        const IdentificationOptions& choice) {
     const auto begin = std::chrono::steady_clock::now();
     Identification result;
     Fit fit(experiment, observations);
-    fit.simulator().tell(choice.progress);
+    fit.simulator().on_progress(choice.progress);
     fit.take_stated_noise();
     const bool started = fit.move_to(fit.simulator().start());
     result.before = fit.now().simulated;
@@ -128,10 +128,10 @@ Identification identify(const input::Experiment& experiment, const Observations&
             return result;
         }
     } else {
-        judge(fit, result);
+        assess(fit, result);
     }
     if (choice.profile) {
-        profile_intervals(fit.question(), result);
+        profile_intervals(fit.least_squares(), result);
         result.simulations = fit.simulator().simulations();
     }
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

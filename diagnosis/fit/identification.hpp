@@ -15,14 +15,14 @@
 namespace tiretherm::diagnosis {
 
 /// What the data say of a number.
-enum class Sight : std::uint8_t {
+enum class Identifiability : std::uint8_t {
     determined,      ///< its interval comes from the data
     with_prior,      ///< from the data and from what was known before, both
     prior_only,      ///< the data do not see it: the interval is the one known before
     not_determined,  ///< the data do not see it and nothing was known before: there is no interval
     at_bound         ///< the fit ended at a bound: what lies beyond was not tried
 };
-[[nodiscard]] std::string_view word_of(Sight sight);
+[[nodiscard]] std::string_view word_of(Identifiability identifiability);
 
 /// A number after the fit, in its own unit.
 struct Fitted {
@@ -34,8 +34,9 @@ struct Fitted {
     bool profiled = false;     ///< the interval is that of the profile likelihood, not the symmetric one (Wald)
     bool low_is_open = false;  ///< the interval reaches the bound to that side, or has no end
     bool high_is_open = false;
-    double by_grid = 0.0;  ///< by how much the correction for the grid's own error has moved it; of images only
-    Sight sight = Sight::determined;
+    double by_grid =
+        0.0;  ///< by how much the correction for the discretisation error of the grid has moved it; of images only
+    Identifiability identifiability = Identifiability::determined;
 };
 
 /// A combination of the numbers, and how well the data see it.
@@ -75,7 +76,7 @@ struct Identification {
     std::vector<Direction> directions;  ///< the best seen first
     std::vector<ChannelFit> channels;
     std::vector<NumberFit> numbers;
-    std::vector<std::string> kinks;  ///< numbers at a switch or a clamp
+    std::vector<std::string> non_smooth_parameters;  ///< numbers at a switch or a clamp
     Eigen::VectorXd before;          ///< [n_rows] SI, simulated with the case's values
     Eigen::VectorXd after;           ///< [n_rows] SI
     double misfit = 0.0;             ///< sum of the squared whitened residuals
@@ -86,10 +87,11 @@ struct Identification {
     double seconds = 0.0;
 };
 
-struct IdentificationChoice {
+struct IdentificationOptions {
     bool profile = false;  ///< intervals by profile likelihood
-    /// The same experiment on a grid of half the spacing (read_experiment with finer = 2): thousands of pixels see the grid's
-    /// own error, so that where there are images it is corrected and what may be left of it widens the intervals.
+    /// The same experiment on a grid of half the spacing (read_experiment with finer = 2): thousands of pixels see the
+    /// discretisation error of the grid, so that where there are images it is corrected and what may be left of it
+    /// widens the intervals.
     const input::Experiment* finer = nullptr;
     std::function<void(long simulations)> progress{};  ///< called after each prediction
 };
@@ -98,7 +100,7 @@ struct IdentificationChoice {
 /// within the bounds (Levenberg-Marquardt by Ceres), in turn with the noise of each channel (estimate_noise) until
 /// neither moves the other.
 [[nodiscard]] Identification identify(const input::Experiment& experiment, const Observations& observations,
-                                      const IdentificationChoice& choice = {});
+                                      const IdentificationOptions& choice = {});
 
 /// What the fit would say of data that are yet to be measured: the intervals at the case's values, to first order.
 /// @param noise [Observations::channels] assumed

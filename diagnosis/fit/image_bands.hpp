@@ -11,9 +11,9 @@ namespace tiretherm::diagnosis {
 /// the mean of the whole. It is an orthogonal transformation, Haar's wavelets on whatever pixels there are (two blocks of
 /// n and m living pixels make their mean and, with weights that keep lengths, their difference), so that white noise of
 /// the pixels is white noise of the same size in every band. What neighbouring pixels have in common, a drift of the
-/// camera or what the model lacks, stays in the coarse bands, where it is few numbers and not thousands.
-/// Source: Mallat, IEEE Trans. Pattern Anal. 11 (1989) 674; noise that is alike within a band and independent between
-/// bands: Wornell, Proc. IEEE 81 (1993) 1428.
+/// camera or a missing effect, stays in the coarse bands, where it is few numbers and not thousands. Source: Mallat,
+/// IEEE Trans. Pattern Anal. 11 (1989) 674; noise that is alike within a band and independent between bands: Wornell,
+/// Proc. IEEE 81 (1993) 1428.
 class ImageBands {
 public:
     /// @param place row and column of each pixel, none twice

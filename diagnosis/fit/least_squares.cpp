@@ -13,54 +13,55 @@ namespace {
 /// is accepted is not simulated a second time.
 class Whitened final : public ceres::CostFunction {
 public:
-    explicit Whitened(const LeastSquares& question) : question_(question) {
-        set_num_residuals(static_cast<int>(question.n_rows));
-        mutable_parameter_block_sizes()->push_back(static_cast<int>(question.start.size()));
+    explicit Whitened(const LeastSquares& least_squares) : least_squares_(least_squares) {
+        set_num_residuals(static_cast<int>(least_squares.n_rows));
+        mutable_parameter_block_sizes()->push_back(static_cast<int>(least_squares.start.size()));
     }
 
     bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-        const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(parameters[0], question_.start.size());
+        const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(parameters[0], least_squares_.start.size());
         if (x.size() != at_.size() || x != at_) {
-            const std::optional<Residuals> found = question_.residuals(x.cwiseProduct(question_.scale));
+            const std::optional<Residuals> found = least_squares_.residuals(x.cwiseProduct(least_squares_.scale));
             if (!found) {
                 return false;
             }
             at_ = x;
             last_ = *found;
         }
-        Eigen::Map<Eigen::VectorXd>(residuals, question_.n_rows) = last_.value;
+        Eigen::Map<Eigen::VectorXd>(residuals, least_squares_.n_rows) = last_.value;
         if (jacobians != nullptr && jacobians[0] != nullptr) {
             using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-            Eigen::Map<RowMajor>(jacobians[0], question_.n_rows, x.size()) = last_.slope * question_.scale.asDiagonal();
+            Eigen::Map<RowMajor>(jacobians[0], least_squares_.n_rows, x.size()) =
+                last_.slope * least_squares_.scale.asDiagonal();
         }
         return true;
     }
 
 private:
-    const LeastSquares& question_;
+    const LeastSquares& least_squares_;
     mutable Eigen::VectorXd at_;
     mutable Residuals last_;
 };
 
 }  // namespace
 
-LeastSquaresResult minimise(const LeastSquares& question) {
+LeastSquaresResult minimise(const LeastSquares& least_squares) {
     // A trial value at which the model fails is an answer here, not a line on the user's terminal.
     FLAGS_minloglevel = google::FATAL;
-    Eigen::VectorXd x = question.start.cwiseQuotient(question.scale);
+    Eigen::VectorXd x = least_squares.start.cwiseQuotient(least_squares.scale);
     ceres::Problem problem;
-    problem.AddResidualBlock(new Whitened(question), nullptr, x.data());
+    problem.AddResidualBlock(new Whitened(least_squares), nullptr, x.data());
     for (int j = 0; j < static_cast<int>(x.size()); ++j) {
-        if (std::isfinite(question.low[j])) {
-            problem.SetParameterLowerBound(x.data(), j, question.low[j] / question.scale[j]);
+        if (std::isfinite(least_squares.low[j])) {
+            problem.SetParameterLowerBound(x.data(), j, least_squares.low[j] / least_squares.scale[j]);
         }
-        if (std::isfinite(question.high[j])) {
-            problem.SetParameterUpperBound(x.data(), j, question.high[j] / question.scale[j]);
+        if (std::isfinite(least_squares.high[j])) {
+            problem.SetParameterUpperBound(x.data(), j, least_squares.high[j] / least_squares.scale[j]);
         }
     }
-    if (question.held >= 0) {
-        problem.SetManifold(x.data(),
-                            new ceres::SubsetManifold(static_cast<int>(x.size()), {static_cast<int>(question.held)}));
+    if (least_squares.held >= 0) {
+        problem.SetManifold(
+            x.data(), new ceres::SubsetManifold(static_cast<int>(x.size()), {static_cast<int>(least_squares.held)}));
     }
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::DENSE_QR;
@@ -73,7 +74,7 @@ LeastSquaresResult minimise(const LeastSquares& question) {
     options.gradient_tolerance = 1e-8;
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);
-    return {.values = x.cwiseProduct(question.scale),
+    return {.values = x.cwiseProduct(least_squares.scale),
             .sum_of_squares = 2.0 * summary.final_cost,
             .converged = summary.termination_type == ceres::CONVERGENCE,
             .iterations = static_cast<int>(summary.iterations.size())};

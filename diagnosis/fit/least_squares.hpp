@@ -32,6 +32,6 @@ struct LeastSquaresResult {
 };
 
 /// Levenberg-Marquardt by Ceres.
-[[nodiscard]] LeastSquaresResult minimise(const LeastSquares& question);
+[[nodiscard]] LeastSquaresResult minimise(const LeastSquares& least_squares);
 
 }  // namespace tiretherm::diagnosis

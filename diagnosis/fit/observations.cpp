@@ -259,9 +259,9 @@ ModelPrediction Simulator::predict(const Eigen::VectorXd& values) {
                                 fmt::format("run {}: a sensitivity is not a number", experiment_->runs[r].name)};
             return predicted;
         }
-        for (const std::string& kink : prediction.kinks) {
-            if (std::ranges::find(predicted.kinks, kink) == predicted.kinks.end()) {
-                predicted.kinks.push_back(kink);
+        for (const std::string& name : prediction.non_smooth_parameters) {
+            if (std::ranges::find(predicted.non_smooth_parameters, name) == predicted.non_smooth_parameters.end()) {
+                predicted.non_smooth_parameters.push_back(name);
             }
         }
     }

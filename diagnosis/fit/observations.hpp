@@ -40,7 +40,7 @@ struct ModelPrediction {
     solver::Status status;
     Eigen::VectorXd simulated;       ///< [n_rows] SI
     Eigen::MatrixXd slope;           ///< [n_rows][n_parameters] SI per unit of the parameter
-    std::vector<std::string> kinks;  ///< names of numbers at a switch or a clamp
+    std::vector<std::string> non_smooth_parameters;  ///< names of numbers at a switch or a clamp
 };
 
 /// Simulates the runs of an experiment, several at a time, over steps that stay the same from one call to the next, so
@@ -54,7 +54,7 @@ public:
     /// @param values [n_parameters] in the units of the experiment's parameters
     [[nodiscard]] const ModelPrediction& at(const Eigen::VectorXd& values);
     /// The next prediction chooses its steps anew, by the error control of each run.
-    void forget_steps() {
+    void clear_steps() {
         step_ends_.assign(step_ends_.size(), {});
         last_values_.resize(0);
     }
@@ -69,7 +69,7 @@ public:
     /// The values that the experiment's case has.
     [[nodiscard]] const Eigen::VectorXd& start() const { return start_; }
     /// @param progress called after each prediction with the number of runs simulated so far
-    void tell(std::function<void(long)> progress) { progress_ = std::move(progress); }
+    void on_progress(std::function<void(long)> progress) { progress_ = std::move(progress); }
     [[nodiscard]] long simulations() const { return simulations_; }  ///< runs so far
 
 private:

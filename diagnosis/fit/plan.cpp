@@ -1,7 +1,7 @@
 #include <chrono>
 
 #include "diagnosis/fit/fit.hpp"
-#include "diagnosis/fit/judgement.hpp"
+#include "diagnosis/fit/fit_assessment.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -52,7 +52,7 @@ Identification plan(const input::Experiment& experiment, const Observations& obs
     result.converged = true;
     result.values = fit.values();
     result.before = result.after = fit.now().simulated;
-    judge_numbers(fit, result, false);
+    assess_parameters(fit, result, false);
     result.simulations = fit.simulator().simulations();
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return result;

@@ -15,14 +15,14 @@ constexpr double near = 0.01;
 /// One side of one number's profile.
 class Side {
 public:
-    Side(const LeastSquares& question, Eigen::Index number, double least, double step)
-        : question_(question), number_(number), least_(least), step_(step) {}
+    Side(const LeastSquares& least_squares, Eigen::Index number, double least, double step)
+        : least_squares_(least_squares), number_(number), least_(least), step_(step) {}
 
     /// @returns the end; `open` when the bound or the last trial is reached first
     double find(bool& open) {
-        const double bound = step_ > 0.0 ? question_.high[number_] : question_.low[number_];
-        const double fitted = question_.start[number_];
-        double inside = 0.0;  // in steps; the root of the rise is nearly a straight line through 0
+        const double bound = step_ > 0.0 ? least_squares_.high[number_] : least_squares_.low[number_];
+        const double fitted = least_squares_.start[number_];
+        double inside = 0.0;  // in steps; the root of the rise is nearly linear through 0
         double root_inside = 0.0;
         double outside = 0.0;
         double root_outside = 0.0;
@@ -65,14 +65,14 @@ public:
 
 private:
     double root_of_rise(double value) {
-        LeastSquares question = question_;
-        question.start[number_] = value;
-        question.held = number_;
+        LeastSquares least_squares = least_squares_;
+        least_squares.start[number_] = value;
+        least_squares.held = number_;
         if (last_.size() > 0) {  // the others go on from where they were
-            question.start = last_;
-            question.start[number_] = value;
+            least_squares.start = last_;
+            least_squares.start[number_] = value;
         }
-        const LeastSquaresResult result = minimise(question);
+        const LeastSquaresResult result = minimise(least_squares);
         if (!std::isfinite(result.sum_of_squares)) {
             return 1e3;
         }
@@ -80,7 +80,7 @@ private:
         return std::sqrt(std::max(0.0, result.sum_of_squares - least_));
     }
 
-    const LeastSquares& question_;
+    const LeastSquares& least_squares_;
     Eigen::Index number_;
     double least_;
     double step_;  ///< one standard deviation to the side that is looked at
@@ -89,8 +89,8 @@ private:
 
 }  // namespace
 
-void profile_intervals(const LeastSquares& question, Identification& result) {
-    const std::optional<Residuals> at_fit = question.residuals(question.start);
+void profile_intervals(const LeastSquares& least_squares, Identification& result) {
+    const std::optional<Residuals> at_fit = least_squares.residuals(least_squares.start);
     if (!at_fit) {
         return;
     }
@@ -98,13 +98,14 @@ void profile_intervals(const LeastSquares& question, Identification& result) {
     for (std::size_t j = 0; j < result.fitted.size(); ++j) {
         Fitted& one = result.fitted[j];
         const auto number = static_cast<Eigen::Index>(j);
-        const double step = std::isfinite(one.standard_deviation) ? one.standard_deviation : question.scale[number];
+        const double step =
+            std::isfinite(one.standard_deviation) ? one.standard_deviation : least_squares.scale[number];
         one.high_is_open = one.low_is_open = false;
-        one.high = Side(question, number, least, step).find(one.high_is_open);
-        one.low = Side(question, number, least, -step).find(one.low_is_open);
+        one.high = Side(least_squares, number, least, step).find(one.high_is_open);
+        one.low = Side(least_squares, number, least, -step).find(one.low_is_open);
         one.profiled = true;
-        if (one.sight == Sight::not_determined && !one.low_is_open && !one.high_is_open) {
-            one.sight = Sight::determined;  // the straight line of the first order saw no end, the profile does
+        if (one.identifiability == Identifiability::not_determined && !one.low_is_open && !one.high_is_open) {
+            one.identifiability = Identifiability::determined;  // the linear interval saw no end, the profile does
         }
     }
 }

@@ -60,10 +60,10 @@ Eigen::MatrixXd normal_matrix(const Refit& at, Eigen::VectorXd& diagonal) {
 }
 
 /// Moves the fit along a step: all of it, half of it, a quarter, until the cost falls. Where it falls by less than half of
-/// what the step promises the valley is curved, and the lowest point of the parabola through both ends is tried as well:
-/// full steps would cross it from side to side.
+/// what the step predicts the valley is curved, and the lowest point of the parabola through both ends is tried as
+/// well: full steps would cross it from side to side.
 /// @param[out] there where the cost is lowest  @returns whether that is lower than `at`
-bool go(Fit& fit, const Refit& at, const Eigen::VectorXd& step, double promise, Refit& there) {
+bool go(Fit& fit, const Refit& at, const Eigen::VectorXd& step, double predicted, Refit& there) {
     const auto try_part = [&](double part) {
         const Eigen::VectorXd to =
             (at.values + part * step.cwiseProduct(at.scale)).cwiseMax(fit.low()).cwiseMin(fit.high());
@@ -82,9 +82,9 @@ bool go(Fit& fit, const Refit& at, const Eigen::VectorXd& step, double promise, 
         const double part = std::ldexp(1.0, -halvings);
         if (try_part(part)) {
             const double fall = at.cost - there.cost;
-            const double curvature = (2.0 * promise * part - fall) / (part * part);
-            if (fall < 0.5 * promise * part && promise / curvature < part) {
-                try_part(promise / curvature);
+            const double curvature = (2.0 * predicted * part - fall) / (part * part);
+            if (fall < 0.5 * predicted * part && predicted / curvature < part) {
+                try_part(predicted / curvature);
             }
             return true;
         }
@@ -121,15 +121,15 @@ Refit refit(Fit& fit) {
             free[j] = at.at_bound[static_cast<std::size_t>(j)] ? 0.0 : free[j];
         }
         const Eigen::VectorXd step = unit.llt().solve(free.cwiseQuotient(diagonal)).cwiseQuotient(diagonal);
-        // What a full step promises to gain is judged against what is noise: a thousandth of a standard deviation.
-        const double promise = step.dot(free);
-        if (promise < settled * settled) {
+        // The predicted gain of a full step is compared with what is noise: a thousandth of a standard deviation.
+        const double predicted = step.dot(free);
+        if (predicted < settled * settled) {
             at.converged = true;
             break;
         }
-        at.converged = promise < little;
+        at.converged = predicted < little;
         Refit there;
-        if (!go(fit, at, step, promise, there)) {
+        if (!go(fit, at, step, predicted, there)) {
             break;  // where little is promised, round-off of the predictions is as large as what is left to gain
         }
         there.iterations = at.iterations;

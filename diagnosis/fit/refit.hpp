@@ -8,7 +8,7 @@
 
 namespace tiretherm::diagnosis {
 
-/// A model fitted to the data with the noise held, and its straight picture there.
+/// A model fitted to the data with the noise held, and its linearisation there.
 struct Refit {
     solver::Status status;
     Eigen::VectorXd values;     ///< [n]
@@ -28,8 +28,8 @@ struct Refit {
     [[nodiscard]] Eigen::VectorXd deviations() const;
 };
 
-/// Gauss and Newton's method within the bounds, halving a step that makes things worse. Data that are as good as straight
-/// in the numbers need three or four predictions.
+/// Gauss and Newton's method within the bounds, halving a step that makes things worse. Data that are nearly linear in
+/// the numbers need three or four predictions.
 /// @param fit at values where the model runs, with the noise taken
 [[nodiscard]] Refit refit(Fit& fit);
 

@@ -107,7 +107,7 @@ void HotSpotTracker::go_on(HotSpots& into) const {
     const input::ContinuedSchedule further = input::continue_schedule(*case_, problem_.settings, into.steps);
     std::vector<solver::HotSpotHistory> courses;
     std::vector<solver::ScheduleStep> steps;
-    solver::Ending ending;
+    solver::RunEnd ending;
     if (further.problem) {
         for (const solver::Critical& critical : case_->critical) {
             courses.emplace_back(further.problem->mesh, critical);
@@ -159,7 +159,7 @@ void HotSpotTracker::add_spread(HotSpots& into) const {
         into.notes.push_back("What drives the hot spots is not known: " + base.status.message + ".");
         return;
     }
-    for (const std::string& name : base.kinks) {
+    for (const std::string& name : base.non_smooth_parameters) {
         into.notes.push_back(fmt::format("{} stands at a switch: its slope is that of one side.", name));
     }
     // Two runs for each key, one standard deviation to either side.
@@ -187,7 +187,7 @@ void HotSpotTracker::add_spread(HotSpots& into) const {
                                .value = expected,
                                .standard_deviation = number.standard_deviation,
                                .kelvin = slope * number.standard_deviation,
-                               .bend = unknown});
+                               .nonlinearity = unknown});
         }
         for (std::size_t i = 0; i < n; ++i) {
             const input::UncertainKey& key = case_->uncertain[i];
@@ -202,12 +202,13 @@ void HotSpotTracker::add_spread(HotSpots& into) const {
                 }
                 continue;
             }
-            drivers.push_back({.name = key.key.text,
-                               .unit = key.unit,
-                               .value = key.number,
-                               .standard_deviation = key.standard_deviation,
-                               .kelvin = 0.5 * (above.temperature[p] - below.temperature[p]),
-                               .bend = 0.5 * (above.temperature[p] + below.temperature[p]) - base.temperature[p]});
+            drivers.push_back(
+                {.name = key.key.text,
+                 .unit = key.unit,
+                 .value = key.number,
+                 .standard_deviation = key.standard_deviation,
+                 .kelvin = 0.5 * (above.temperature[p] - below.temperature[p]),
+                 .nonlinearity = 0.5 * (above.temperature[p] + below.temperature[p]) - base.temperature[p]});
         }
         into.spots[p].spread = solver::spread_of(std::move(drivers), mean);
     }

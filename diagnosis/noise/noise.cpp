@@ -11,7 +11,7 @@ namespace tiretherm::diagnosis {
 namespace {
 
 /// Phi(1.345) - Phi(-1.345): the mean of min(v^2, 1.345 |v|) over a standard normal v.
-const double huber_mean_square = std::erf(huber_bend / std::sqrt(2.0));
+const double huber_mean_square = std::erf(huber_threshold / std::sqrt(2.0));
 
 /// A step of the filter for one row: what of the predictions' error is believed, and how the rest is scaled.
 struct FilterStep {

@@ -54,7 +54,7 @@ struct Covariance {
 [[nodiscard]] double change(const Covariance& before, const Covariance& after);
 
 /// Where a sample's weight begins to fall: 95 % efficient in normal noise (Huber 1981).
-inline constexpr double huber_bend = 1.345;
+inline constexpr double huber_threshold = 1.345;
 
 /// Multiplies each column by V^-1/2, so that its noise has unit variance and no correlation. A scalar Kalman filter runs
 /// along each block with all columns at once; the result is that of the Cholesky factor of V.

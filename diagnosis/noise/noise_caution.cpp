@@ -60,7 +60,8 @@ std::vector<std::string> cautions(const std::string& channel, const std::string&
     }
     if (noise.correlation_time > 0.99 * found.longest_correlation) {
         said.push_back(
-            fmt::format("{}: the noise is as slow as is allowed, {} or a tenth of the longest run: a drift of the "
+            fmt::format("{}: the noise's correlation time reached its upper limit, {} or a tenth of the longest run: a "
+                        "drift of the "
                         "sensor or an error of the model is taken for noise",
                         channel, duration(found.longest_correlation)));
     }

@@ -5,19 +5,19 @@
 
 namespace tiretherm::diagnosis {
 
-std::vector<Eigen::Index> independent_columns(const NoiseQuestion& question) {
+std::vector<Eigen::Index> independent_columns(const NoiseProblem& problem) {
     // Whether columns depend does not depend on the rows' scales; these only keep round-off of the size of noise.
-    Eigen::VectorXd scale = Eigen::VectorXd::Ones(question.residual.size());
-    std::vector<double> squares(question.data_sheet.size(), 0.0);
-    std::vector<double> rows(question.data_sheet.size(), 0.0);
-    for (const Block& block : question.blocks) {
+    Eigen::VectorXd scale = Eigen::VectorXd::Ones(problem.residual.size());
+    std::vector<double> squares(problem.data_sheet.size(), 0.0);
+    std::vector<double> rows(problem.data_sheet.size(), 0.0);
+    for (const Block& block : problem.blocks) {
         if (block.channel >= 0) {
             squares[static_cast<std::size_t>(block.channel)] +=
-                question.residual.segment(block.first, block.rows()).squaredNorm();
+                problem.residual.segment(block.first, block.rows()).squaredNorm();
             rows[static_cast<std::size_t>(block.channel)] += static_cast<double>(block.rows());
         }
     }
-    for (const Block& block : question.blocks) {
+    for (const Block& block : problem.blocks) {
         for (Eigen::Index i = 0; i < block.rows(); ++i) {
             const double size = block.channel < 0 ? block.standard_deviation[static_cast<std::size_t>(i)]
                                                   : std::sqrt(squares[static_cast<std::size_t>(block.channel)] /
@@ -28,10 +28,10 @@ std::vector<Eigen::Index> independent_columns(const NoiseQuestion& question) {
     constexpr double negligible = 1e-6;
     std::vector<Eigen::Index> kept;
     std::vector<Eigen::VectorXd> directions;
-    for (Eigen::Index j = 0; j < question.span.cols(); ++j) {
-        Eigen::VectorXd column = scale.cwiseProduct(question.span.col(j));
+    for (Eigen::Index j = 0; j < problem.span.cols(); ++j) {
+        Eigen::VectorXd column = scale.cwiseProduct(problem.span.col(j));
         const double length = column.norm();
-        if (question.precision[j] > negligible * negligible * length * length) {
+        if (problem.precision[j] > negligible * negligible * length * length) {
             kept.push_back(j);
             continue;
         }

@@ -25,7 +25,7 @@ constexpr int most_passes = 20;
 
 /// One estimate on its way.
 struct Estimation {
-    const NoiseQuestion& question;
+    const NoiseProblem& problem;
     NoiseLikelihood likelihood;
     std::vector<ChannelNoise> found;
     std::vector<bool> is_correlated;
@@ -40,12 +40,12 @@ struct Estimation {
 
 /// The data sheet's word where the samples have none.
 void Estimation::take_stated(std::size_t c) {
-    const bool stated = question.data_sheet[c] > 0.0;
+    const bool stated = problem.data_sheet[c] > 0.0;
     found[c].source = stated ? NoiseSource::data_sheet : NoiseSource::assumed;
     found[c].sigma_deviation = undetermined;
     found[c].rho_1s_deviation = undetermined;
     const NoiseLikelihood::Trial trial = likelihood.try_noise(
-        c, {.sigma = stated ? question.data_sheet[c] : 1.0, .correlation_time = 0.0, .white_share = 1.0});
+        c, {.sigma = stated ? problem.data_sheet[c] : 1.0, .correlation_time = 0.0, .white_share = 1.0});
     found[c].freedom = trial.freedom;
     likelihood.accept(c, trial);
 }
@@ -77,7 +77,7 @@ void Estimation::improve(std::size_t c) {
     channel.rho_1s_deviation = 0.0;
     channel.gain = 0.0;
     const NoiseBounds bounds{.shortest = likelihood.median_interval(c) / 5.0, .longest = channel.longest_correlation};
-    if (question.model == NoiseModel::correlated && bounds.shortest < bounds.longest) {
+    if (problem.model == NoiseModel::correlated && bounds.shortest < bounds.longest) {
         const NoiseOptimum optimum = search_noise(likelihood, c, bounds, is_correlated[c]);
         channel.gain = white.value - optimum.best.value;
         is_correlated[c] = !optimum.best.empty && channel.gain > significant;
@@ -114,12 +114,12 @@ void Estimation::reweigh() {
     const Covariance& covariance = likelihood.covariance();
     Eigen::MatrixXd v = likelihood.unexplained();
     Eigen::VectorXd weight = Eigen::VectorXd::Ones(v.rows());
-    whiten(question.blocks, covariance, v);
-    const double spread = covariance.weight.size() > 0 ? std::erf(huber_bend / std::sqrt(2.0)) : 1.0;
-    for (const Block& block : question.blocks) {
+    whiten(problem.blocks, covariance, v);
+    const double spread = covariance.weight.size() > 0 ? std::erf(huber_threshold / std::sqrt(2.0)) : 1.0;
+    for (const Block& block : problem.blocks) {
         for (Eigen::Index i = block.first; block.channel >= 0 && i < block.first + block.rows(); ++i) {
             const double counted = covariance.weight.size() > 0 ? covariance.weight[i] : 1.0;
-            weight[i] = std::min(1.0, huber_bend / std::abs(v(i, 0) * std::sqrt(spread / counted)));
+            weight[i] = std::min(1.0, huber_threshold / std::abs(v(i, 0) * std::sqrt(spread / counted)));
         }
     }
     likelihood.set_weight(weight);
@@ -127,24 +127,24 @@ void Estimation::reweigh() {
 
 }  // namespace
 
-NoiseEstimate estimate_noise(const NoiseQuestion& question) {
-    assert(question.residual.size() == question.span.rows() && question.residual.allFinite());
-    assert(question.precision.size() == question.span.cols() && question.span.allFinite());
+NoiseEstimate estimate_noise(const NoiseProblem& problem) {
+    assert(problem.residual.size() == problem.span.rows() && problem.residual.allFinite());
+    assert(problem.precision.size() == problem.span.cols() && problem.span.allFinite());
     NoiseEstimate estimate;
-    const std::vector<Eigen::Index> columns = independent_columns(question);
-    for (Eigen::Index j = 0; j < question.span.cols(); ++j) {
+    const std::vector<Eigen::Index> columns = independent_columns(problem);
+    for (Eigen::Index j = 0; j < problem.span.cols(); ++j) {
         if (!std::binary_search(columns.begin(), columns.end(), j)) {
             estimate.left_out.push_back(j);
         }
     }
-    const std::size_t n_channels = question.data_sheet.size();
-    Estimation estimation{.question = question,
-                          .likelihood = NoiseLikelihood(question, columns),
+    const std::size_t n_channels = problem.data_sheet.size();
+    Estimation estimation{.problem = problem,
+                          .likelihood = NoiseLikelihood(problem, columns),
                           .found = std::vector<ChannelNoise>(n_channels),
                           .is_correlated = std::vector<bool>(n_channels, false)};
     estimation.begin();
     estimation.settle(estimate);
-    if (question.robust) {
+    if (problem.robust) {
         constexpr int most_rounds = 20;
         for (int round = 0; round < most_rounds; ++round) {
             const Eigen::VectorXd before = estimation.likelihood.covariance().weight;

@@ -12,8 +12,8 @@ namespace tiretherm::diagnosis {
 
 enum class NoiseModel : std::uint8_t { correlated, white };
 
-/// Residuals whose noise is asked for, and all that may hide in them beside noise.
-struct NoiseQuestion {
+/// Residuals whose noise is to be estimated, and all that may hide in them beside noise.
+struct NoiseProblem {
     const std::vector<Block>& blocks;
     const Eigen::VectorXd& residual;  ///< [n_rows] measured - simulated, or the other way round
     const Eigen::MatrixXd& span;  ///< [n_rows][n_columns] sensitivities to parameters and to all effects in question
@@ -56,7 +56,7 @@ struct NoiseEstimate {
 ///
 /// Correlation times stay between a fifth of the median sample interval, below which nothing tells them from white
 /// noise, and a tenth of the longest run, above which nothing tells them from the model's own slow errors.
-[[nodiscard]] NoiseEstimate estimate_noise(const NoiseQuestion& question);
+[[nodiscard]] NoiseEstimate estimate_noise(const NoiseProblem& problem);
 
 /// What is to be said about a channel's noise, a sentence each: far above the data sheet, as slow as the tire, as slow
 /// as is allowed, or not estimated at all.

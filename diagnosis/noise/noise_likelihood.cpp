@@ -26,29 +26,29 @@ Noise NoiseLikelihood::Trial::noise() const {
     return {.sigma = std::exp(log_sigma), .correlation_time = correlation_time, .white_share = white_share};
 }
 
-NoiseLikelihood::NoiseLikelihood(const NoiseQuestion& question, const std::vector<Eigen::Index>& columns)
-    : question_(question), columns_(columns), parts_(question.data_sheet.size()) {
+NoiseLikelihood::NoiseLikelihood(const NoiseProblem& problem, const std::vector<Eigen::Index>& columns)
+    : problem_(problem), columns_(columns), parts_(problem.data_sheet.size()) {
     const auto n = static_cast<Eigen::Index>(columns_.size());
     length_.resize(n);
     for (Eigen::Index j = 0; j < n; ++j) {
         const Eigen::Index column = columns_[static_cast<std::size_t>(j)];
-        const double length = std::hypot(question.span.col(column).norm(), std::sqrt(question.precision[column]));
+        const double length = std::hypot(problem.span.col(column).norm(), std::sqrt(problem.precision[column]));
         length_[j] = length > 0.0 ? length : 1.0;
     }
     const auto fill = [&](auto&& rows, const Block& block) {
         for (Eigen::Index j = 0; j < n; ++j) {
-            rows.col(j) = question.span.col(columns_[static_cast<std::size_t>(j)]).segment(block.first, block.rows()) /
-                          length_[j];
+            rows.col(j) =
+                problem.span.col(columns_[static_cast<std::size_t>(j)]).segment(block.first, block.rows()) / length_[j];
         }
-        rows.col(n) = question.residual.segment(block.first, block.rows());
+        rows.col(n) = problem.residual.segment(block.first, block.rows());
     };
 
     known_ = Eigen::MatrixXd::Zero(n + 1, n + 1);
     for (Eigen::Index j = 0; j < n; ++j) {
-        known_(j, j) = question.precision[columns_[static_cast<std::size_t>(j)]] / (length_[j] * length_[j]);
+        known_(j, j) = problem.precision[columns_[static_cast<std::size_t>(j)]] / (length_[j] * length_[j]);
     }
     std::vector<Eigen::Index> size(parts_.size(), 0);
-    for (const Block& block : question.blocks) {
+    for (const Block& block : problem.blocks) {
         if (block.channel < 0) {
             Block numbers = block;
             Eigen::MatrixXd rows(block.rows(), n + 1);
@@ -66,7 +66,7 @@ NoiseLikelihood::NoiseLikelihood(const NoiseQuestion& question, const std::vecto
         parts_[c].products = Eigen::MatrixXd::Zero(n + 1, n + 1);
         covariance_.channels.push_back({.sigma = 1.0, .correlation_time = 0.0, .white_share = 1.0});
     }
-    for (const Block& block : question.blocks) {
+    for (const Block& block : problem.blocks) {
         if (block.channel >= 0) {
             Part& part = parts_[static_cast<std::size_t>(block.channel)];
             const auto first = static_cast<Eigen::Index>(part.row.size());
@@ -93,7 +93,7 @@ NoiseLikelihood::Trial NoiseLikelihood::whitened(std::size_t channel, double cor
     return trial;
 }
 
-double NoiseLikelihood::judge(Trial& trial, const Eigen::MatrixXd& others, double others_determinant) const {
+double NoiseLikelihood::evaluate(Trial& trial, const Eigen::MatrixXd& others, double others_determinant) const {
     const auto n = static_cast<Eigen::Index>(columns_.size());
     const double t = std::exp(-2.0 * trial.log_sigma);
     const Eigen::MatrixXd G = others + t * trial.products;
@@ -125,7 +125,7 @@ NoiseLikelihood::Trial NoiseLikelihood::try_correlation(std::size_t channel, dou
     trial.log_sigma = std::log(covariance_.channels[channel].sigma);
     for (int iteration = 0; iteration < 50; ++iteration) {
         trial.freedom = rows;
-        const double squares = judge(trial, others, others_determinant);
+        const double squares = evaluate(trial, others, others_determinant);
         if (trial.empty) {
             break;
         }
@@ -142,7 +142,7 @@ NoiseLikelihood::Trial NoiseLikelihood::try_noise(std::size_t channel, const Noi
     Trial trial = whitened(channel, noise.correlation_time, noise.white_share);
     trial.log_sigma = std::log(noise.sigma);
     trial.freedom = static_cast<double>(samples(channel));
-    judge(trial, products_without(channel), determinant_without(channel));
+    evaluate(trial, products_without(channel), determinant_without(channel));
     return trial;
 }
 
@@ -199,12 +199,12 @@ double NoiseLikelihood::value() const {
 
 Eigen::VectorXd NoiseLikelihood::unexplained() const {
     const auto n = static_cast<Eigen::Index>(columns_.size());
-    Eigen::VectorXd rest = question_.residual;
+    Eigen::VectorXd rest = problem_.residual;
     if (n > 0) {
         const Eigen::MatrixXd G = products_without(nobody);
         const Eigen::VectorXd b = G.topLeftCorner(n, n).llt().solve(G.col(n).head(n));
         for (Eigen::Index j = 0; j < n; ++j) {
-            rest -= question_.span.col(columns_[static_cast<std::size_t>(j)]) * (b[j] / length_[j]);
+            rest -= problem_.span.col(columns_[static_cast<std::size_t>(j)]) * (b[j] / length_[j]);
         }
     }
     return rest;

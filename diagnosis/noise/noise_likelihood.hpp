@@ -9,12 +9,12 @@
 
 namespace tiretherm::diagnosis {
 
-/// The restricted likelihood of a NoiseQuestion, channel by channel. The products G_c = [X r]' V_c^-1 [X r] of every
+/// The restricted likelihood of a NoiseProblem, channel by channel. The products G_c = [X r]' V_c^-1 [X r] of every
 /// channel are kept, so that a trial of one channel's correlation whitens its rows alone, and one of its sigma nothing.
 class NoiseLikelihood {
 public:
     /// @param columns of the span that are used
-    NoiseLikelihood(const NoiseQuestion& question, const std::vector<Eigen::Index>& columns);
+    NoiseLikelihood(const NoiseProblem& problem, const std::vector<Eigen::Index>& columns);
 
     /// A channel's correlation on trial, with the sigma that suits it best.
     struct Trial {
@@ -34,12 +34,12 @@ public:
     [[nodiscard]] Trial try_noise(std::size_t channel, const Noise& noise) const;
     /// Takes a trial as the channel's noise from now on.
     void accept(std::size_t channel, const Trial& trial);
-    /// @param weight [n_rows of the question] Huber's; all channels keep their noise
+    /// @param weight [n_rows of the problem] Huber's; all channels keep their noise
     void set_weight(const Eigen::VectorXd& weight);
 
     [[nodiscard]] const Covariance& covariance() const { return covariance_; }
     [[nodiscard]] double value() const;
-    /// [n_rows] the question's residual less what the span explains of it at the noise of now.
+    /// [n_rows] the problem's residual less what the span explains of it at the noise of now.
     [[nodiscard]] Eigen::VectorXd unexplained() const;
 
     [[nodiscard]] Eigen::Index samples(std::size_t channel) const { return parts_[channel].data.rows(); }
@@ -51,7 +51,7 @@ private:
     /// The rows of one channel.
     struct Part {
         std::vector<Block> blocks;      ///< of rows that are counted within the part
-        std::vector<Eigen::Index> row;  ///< of the question
+        std::vector<Eigen::Index> row;  ///< of the problem
         Eigen::MatrixXd data;           ///< [n_rows][n_columns + 1] span and residual
         Eigen::VectorXd weight;
         Eigen::MatrixXd products;  ///< G_c
@@ -60,11 +60,11 @@ private:
     [[nodiscard]] Trial whitened(std::size_t channel, double correlation_time, double white_share) const;
     /// Sets freedom, value and emptiness of a trial at its sigma.
     /// @returns whitened sum of squares of the channel's unexplained residual
-    double judge(Trial& trial, const Eigen::MatrixXd& others, double others_determinant) const;
+    double evaluate(Trial& trial, const Eigen::MatrixXd& others, double others_determinant) const;
     [[nodiscard]] Eigen::MatrixXd products_without(std::size_t channel) const;
     [[nodiscard]] double determinant_without(std::size_t channel) const;
 
-    const NoiseQuestion& question_;
+    const NoiseProblem& problem_;
     std::vector<Eigen::Index> columns_;
     Eigen::VectorXd length_;  ///< [n_columns] by which the columns are divided
     Eigen::MatrixXd known_;   ///< products of the single numbers, and the prior
@@ -73,7 +73,7 @@ private:
     Covariance covariance_;
 };
 
-/// Columns of the span that can be told apart: no column without a prior is made up of earlier ones without a prior.
-[[nodiscard]] std::vector<Eigen::Index> independent_columns(const NoiseQuestion& question);
+/// Columns of the span that can be distinguished: no column without a prior is made up of earlier ones without a prior.
+[[nodiscard]] std::vector<Eigen::Index> independent_columns(const NoiseProblem& problem);
 
 }  // namespace tiretherm::diagnosis

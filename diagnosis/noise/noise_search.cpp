@@ -14,7 +14,7 @@ namespace {
 using Trial = NoiseLikelihood::Trial;
 /// log(tau) and log(1 + white variance / (correlated variance dt / tau)), tau the correlation time in seconds and dt the
 /// interval. Over a few samples slow noise is a random walk of which data give the step's variance, 2 dt / tau times
-/// that of the noise, not the two alone: in these measures the likelihood has no bent valley.
+/// that of the noise, not the two alone: in these measures the likelihood has no curved valley.
 using Point = Eigen::Vector2d;
 
 constexpr double difference_step = 0.05;  ///< a third of what a thousand samples leave uncertain

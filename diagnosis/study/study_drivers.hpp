@@ -15,14 +15,14 @@ struct StudyDriver {
     double standard_deviation = 0.0;  ///< of the samples, in `unit`
     double kelvin = 0.0;              ///< K for one standard deviation more, all others held
     double uncertainty = 0.0;         ///< K, half of the 95 % interval
-    double share = 0.0;               ///< of the variance that the straight line explains, together 1
+    double share = 0.0;               ///< of the variance that the linear function explains, together 1
 };
 
-/// The hottest temperature as a straight line of all quantities that were drawn, by least squares.
+/// The hottest temperature as a linear function of all quantities that were drawn, by least squares.
 struct StudyRegression {
     std::vector<StudyDriver> drivers;  ///< the strongest first; empty where there are too few samples
     double mean = 0.0;                 ///< K, of the hottest temperatures
-    double standard_deviation = 0.0;   ///< K, of the straight line over the spreads of the samples
+    double standard_deviation = 0.0;   ///< K, of the linear function over the spreads of the samples
     double residual = 0.0;             ///< K, standard deviation of what the line leaves over
     double r_squared = 0.0;            ///< share of the samples' variance that the line explains
 

@@ -46,10 +46,10 @@ private:
     solver::Report::Extreme peak_;
 };
 
-diagnosis::StudyOutcome outcome_of(const solver::Problem& problem, const solver::Ending& ending, const Hottest& seen) {
-    const solver::Report& report = ending.report;
-    if (!ending.failure.empty()) {
-        return {.failure = ending.failure};
+diagnosis::StudyOutcome outcome_of(const solver::Problem& problem, const solver::RunEnd& run_end, const Hottest& seen) {
+    const solver::Report& report = run_end.report;
+    if (!run_end.failure.empty()) {
+        return {.failure = run_end.failure};
     }
     const solver::Report::Extreme hottest = seen.of(report);
     const mesh::Place place = mesh::place_of(problem.mesh, hottest.node);
@@ -96,24 +96,24 @@ StudyResults run_study(const input::Study& study, CompletedRuns& journal, unsign
         }
         const std::size_t run = open[i];
         const Clock::time_point begin = Clock::now();
-        solver::Ending ending;
+        solver::RunEnd run_end;
         diagnosis::StudyOutcome outcome;
         try {
             const solver::Problem problem = study.problem(run);
             Hottest hottest(problem);
-            ending = solver::run_to_end(problem, [&](const solver::Snapshot& snapshot) { hottest.take(snapshot); });
-            outcome = outcome_of(problem, ending, hottest);
+            run_end = solver::run_to_end(problem, [&](const solver::Snapshot& snapshot) { hottest.take(snapshot); });
+            outcome = outcome_of(problem, run_end, hottest);
         } catch (const std::exception& error) {
-            ending.failure = error.what();
+            run_end.failure = error.what();
         }
         const std::lock_guard lock(talk);
-        if (ending.stopped || broken) {
+        if (run_end.stopped || broken) {
             return;
         }
         try {
             // What is no fault of the solver's, such as memory, may be well another time: it is not kept.
-            if (!ending.failure.empty() && !ending.is_numerical) {
-                throw std::runtime_error(fmt::format("run {}: {}", run + 1, ending.failure));
+            if (!run_end.failure.empty() && !run_end.is_numerical) {
+                throw std::runtime_error(fmt::format("run {}: {}", run + 1, run_end.failure));
             }
             journal.add(identity(study, run), outcome);
         } catch (const std::exception& error) {
@@ -123,7 +123,7 @@ StudyResults run_study(const input::Study& study, CompletedRuns& journal, unsign
         }
         results.outcomes[run] = outcome;
         results.run_seconds += std::chrono::duration<double>(Clock::now() - begin).count();
-        for (const std::string& warning : ending.report.warnings) {
+        for (const std::string& warning : run_end.report.warnings) {
             if (std::find(results.warnings.begin(), results.warnings.end(), warning) == results.warnings.end()) {
                 results.warnings.push_back(warning);
             }

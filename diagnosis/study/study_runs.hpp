@@ -9,7 +9,7 @@
 
 namespace tiretherm::diagnosis {
 
-/// What a run is told apart by: what it is made from, and for the human reader its varied values.
+/// What a run is distinguished by: what it is made from, and for the human reader its varied values.
 struct RunIdentity {
     std::string fingerprint;
     std::vector<std::string> values;  ///< "drive.speed = 80 km/h"

@@ -23,7 +23,7 @@ struct Chance {
 /// Hottest temperatures of the runs at a point of the grid that came to their end, coldest first. degC
 [[nodiscard]] std::vector<double> hottest_at(const StudyRecord& study, std::size_t point);
 
-/// The temperature below which a share of the values lies, straight between them. @param sorted not empty
+/// The temperature below which a share of the values lies, linear between them. @param sorted not empty
 [[nodiscard]] double quantile(const std::vector<double>& sorted, double share);
 
 /// How often the hottest place at a point of the grid passes the critical temperature. @pre study.critical

@@ -28,7 +28,7 @@ solver::ShownUnit unit_of(const input::ValidationNumber& number) {
 
 ModelValue model_value(const input::Expression& expression, const RunResults& results,
                              const solver::ShownUnit& unit) {
-    ModelValue found{.asked = true, .value = std::nullopt, .failure = {}};
+    ModelValue found{.applicable = true, .value = std::nullopt, .failure = {}};
     for (const std::size_t run : expression.runs()) {
         found.failure = results.failures[run].empty() ? found.failure : results.failures[run];
     }

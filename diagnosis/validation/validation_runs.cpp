@@ -37,17 +37,17 @@ RunResults run_all(const std::vector<input::ValidationRun>& runs, unsigned threa
     const auto work = [&](std::size_t i) {
         const std::size_t run = order[i];
         const solver::Problem& problem = runs[run].problem;
-        const solver::Ending ending =
+        const solver::RunEnd run_end =
             solver::run_to_end(problem, [&](const solver::Snapshot& snapshot) { results.traces[run].take(snapshot); });
-        if (!ending.failure.empty()) {
-            results.failures[run] = fmt::format("{}: {}", problem.name, ending.failure);
+        if (!run_end.failure.empty()) {
+            results.failures[run] = fmt::format("{}: {}", problem.name, run_end.failure);
         }
         const std::lock_guard lock(talk);
-        if (ending.failure.empty()) {
-            for (const std::string& warning : ending.report.warnings) {
+        if (run_end.failure.empty()) {
+            for (const std::string& warning : run_end.report.warnings) {
                 warnings[run].push_back(fmt::format("{}: {}", problem.name, warning));
             }
-            results.energy_closure = std::max(results.energy_closure, ending.report.energy_closure);
+            results.energy_closure = std::max(results.energy_closure, run_end.report.energy_closure);
         }
         progress(++done);
     };

@@ -11,7 +11,7 @@ namespace tiretherm::diagnosis {
 
 /// A number as one model gives it.
 struct ModelValue {
-    bool asked = false;           ///< false: the model has no such number
+    bool applicable = false;      ///< false: the model has no such number
     std::optional<double> value;  ///< in the row's unit; empty when its run failed
     std::string failure;          ///< why, otherwise empty
 };

@@ -33,7 +33,7 @@ std::optional<double> difference(const ValidationRow& row, std::size_t model) {
 
 std::string verdict(const ValidationRow& row, std::size_t model) {
     const ModelValue& found = row.models[model];
-    if (found.asked && !found.value) {
+    if (found.applicable && !found.value) {
         return "failed";
     }
     const std::optional<double> off = difference(row, model);

@@ -91,9 +91,12 @@ void check_signals(TomlTable& root, const ProblemBuilder& builder) {
         }
         if (!needing.empty() && !builder.given.contains(signal.name)) {
             const bool one = needing.size() == 1;
-            const std::string lacking = builder.run ? fmt::format("run {}: neither its file nor [drive] gives {}",
-                                                                  builder.run->name, signal.name)
-                                                    : fmt::format("[drive] lacks {}", signal.name);
+            const std::string lacking =
+                builder.run
+                    ? fmt::format(
+                          "run {}: {} is missing (no column of its file is mapped to it and [drive] does not set it)",
+                          builder.run->name, signal.name)
+                    : fmt::format("[drive] lacks {}", signal.name);
             const std::string column =
                 builder.run && !builder.run->inputs.empty() ? fmt::format("map a column to {}, ", signal.name) : "";
             root.errors().add(

@@ -83,8 +83,9 @@ bool can_follow(const TomlTable& table, std::string_view key, const std::string&
     if (builder.run) {
         table.errors().add(
             builder.run->place,
-            fmt::format("run {}: neither its file nor [drive] gives {}, which {} at {} follows", builder.run->name,
-                        signal, table.title(), table.errors().spell(table.place(key))),
+            fmt::format("run {}: {} is missing (no column of its file is mapped to it and [drive] does not set it), "
+                        "which {} at {} follows",
+                        builder.run->name, signal, table.title(), table.errors().spell(table.place(key))),
             remedy);
     } else {
         table.add_error(key, fmt::format("[drive] gives no signal \"{}\"", signal), remedy);

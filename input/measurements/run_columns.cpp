@@ -73,10 +73,10 @@ RunColumns classify_columns(DataFile& file, ColumnKeys& keys, const std::vector<
         }
         const auto [first, is_new] = taken.try_emplace(name.text, heading);
         if (!is_new) {
-            const std::string twins = first->second == heading ? fmt::format("two columns {}", heading)
-                                                               : fmt::format("{} and {}", first->second, heading);
-            errors.add(head.place, fmt::format("{} are both {}", twins, name.text),
-                       fmt::format("leave one of them out: ignore = [\"{}\"]", heading));
+            const std::string duplicate = first->second == heading
+                                              ? fmt::format("the heading \"{}\" stands twice", heading)
+                                              : fmt::format("{} and {} are both {}", first->second, heading, name.text);
+            errors.add(head.place, duplicate, fmt::format("leave one of them out: ignore = [\"{}\"]", heading));
             continue;
         }
         if (is_followed) {

@@ -144,7 +144,7 @@ void require_readings(const MeasuredRun& run, const RunTable& table, const RunFi
     }
     const SourceLocation place = table.place.file >= 0 ? table.place : SourceLocation{.file = file->file.number()};
     errors.add(
-        place, fmt::format("no column of the file is a sensor of the case: the run {} measures nothing", table.name),
+        place, fmt::format("none of the file's columns is mapped to a sensor: the run {} measures nothing", table.name),
         fmt::format("map one: columns = {{ {} = \"{}\" }}; {}",
                     file->columns.unused.empty()
                         ? "T"

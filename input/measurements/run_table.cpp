@@ -70,8 +70,8 @@ RunTable read_run(TomlTable& table) {
 
 void report_duplicates(const std::vector<RunTable>& runs, InputErrors& errors) {
     for (auto run = runs.begin(); run != runs.end(); ++run) {
-        const auto twin = std::find_if(runs.begin(), run, [&](const RunTable& r) { return r.name == run->name; });
-        if (twin != run && !run->name.empty()) {
+        const auto duplicate = std::find_if(runs.begin(), run, [&](const RunTable& r) { return r.name == run->name; });
+        if (duplicate != run && !run->name.empty()) {
             const TomlValue* name = run->table->find("name");
             errors.add(name != nullptr ? name->place : run->place,
                        fmt::format("a second run is called \"{}\"", run->name),
@@ -80,7 +80,7 @@ void report_duplicates(const std::vector<RunTable>& runs, InputErrors& errors) {
     }
 }
 
-/// A run for each file. Files of one name in several folders are told apart by the folder.
+/// A run for each file. Files of one name in several folders are distinguished by the folder.
 std::vector<RunTable> runs_of(const std::vector<fs::path>& data, const RunTable& like, InputErrors& errors) {
     std::vector<RunTable> runs;
     for (const fs::path& file : data) {

@@ -28,7 +28,7 @@ std::optional<double> read_start(TomlTable& initial, std::string_view key, const
     }
     const std::optional<double> air = first_air(builder);
     if (!air) {
-        initial.add_error(key, fmt::format("{} is that of the air, and no air_temperature is given", key),
+        initial.add_error(key, fmt::format("{} is set to \"air_temperature\", but no air temperature is given", key),
                           "add air_temperature to [drive], or write a temperature");
     }
     return air;

@@ -65,8 +65,8 @@ std::vector<ColumnRequest> requests(TomlTable& table, const Csv& csv, ProblemBui
             continue;
         }
         if (followed) {
-            const auto twin = std::ranges::find(builder.columns, name, &UserColumn::name);
-            if (twin != builder.columns.end()) {
+            const auto duplicate = std::ranges::find(builder.columns, name, &UserColumn::name);
+            if (duplicate != builder.columns.end()) {
                 errors.add(head.place, fmt::format("a second column is called {}", name), "ignore one of them");
                 continue;
             }

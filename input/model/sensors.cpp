@@ -71,9 +71,10 @@ Where read_quantity(TomlTable& sensor, const Reading& reading, const ProblemBuil
         }
     }
     if (reading.needs_magic_formula && !builder.problem.handling.magic_formula) {
-        sensor.add_error("kind",
-                         fmt::format("{} is of the Magic Formula, and the tire has no property file", reading.name),
-                         "add property_file = \"....tir\" to [tire]");
+        sensor.add_error(
+            "kind",
+            fmt::format("{} cannot be computed: the tire has no property file that could be used", reading.name),
+            "add property_file = \"....tir\" to [tire]");
         return std::nullopt;
     }
     if (!reading.needs_effect.empty() && std::ranges::none_of(builder.problem.effects, [&](const auto& active) {
@@ -236,7 +237,7 @@ void read_sensors(TomlTable& root, ProblemBuilder& builder) {
         add_channels(sensor, name.value_or(""), std::move(found), builder);
     });
     if (builder.problem.channels.empty() && !root.has("camera")) {
-        root.errors().warn(root.place(), "the case has no [[sensor]]: the run records fields only");
+        root.errors().warn(root.place(), "the case has no [[sensor]]: no channels are written");
     }
 }
 

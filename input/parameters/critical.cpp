@@ -49,7 +49,7 @@ private:
     bool sound_ = true;
 };
 
-std::string part_in_words(const Chosen& layers, const Chosen& zones, const Chosen& materials) {
+std::string part_description(const Chosen& layers, const Chosen& zones, const Chosen& materials) {
     std::string text = listed(layers.names());
     if (!materials.names().empty()) {
         text += (text.empty() ? "" : " of ") + listed(materials.names());
@@ -110,7 +110,7 @@ solver::Critical read_one(TomlTable& table, const solver::Problem& problem, bool
     const Chosen layers(table, "layers", "layers", mesh.layers, has_mesh);
     const Chosen zones(table, "zones", "zones", mesh.zones, has_mesh);
     const Chosen materials(table, "materials", "materials", unique(names_of(problem.materials)), has_mesh);
-    critical.part = part_in_words(layers, zones, materials);
+    critical.part = part_description(layers, zones, materials);
     read_surface(table, problem, has_mesh, critical);
     if (!has_mesh || !layers.sound() || !zones.sound() || !materials.sound() ||
         problem.materials.size() != mesh.layers.size()) {

@@ -161,7 +161,7 @@ void add(const TomlTable& table, const ProblemBuilder& builder, const FreeParame
         table.errors().add(table.place(), std::move(what), std::move(remedy));
     };
     for (const FreeParameter& number : freed.numbers) {
-        // The values of one law at its temperatures are told apart by its knots.
+        // The values of one law at its temperatures are distinguished by its knots.
         for (std::size_t i = 0; i < (is_law(number) ? before : into.size()); ++i) {
             const FreeParameter& other = into[i];
             const std::string where = i < before ? ", at " + table.errors().spell(places[i]) : " in this [[parameter]]";

@@ -81,7 +81,7 @@ ErrorText ColumnReader::error_text(std::string_view field, const std::optional<N
         return *parsed.error;
     }
     return conversion_.to_si(number->value) == last_ && clock
-               ? ErrorText{fmt::format("{} stands still at {}", name, shown), "remove one of the lines"}
+               ? ErrorText{fmt::format("two lines have the same {}, {}", name, shown), "remove one of the lines"}
                : ErrorText{fmt::format("{} goes backwards to {}", name, shown),
                            request_->purpose == Purpose::frame
                                ? "write the frames in ascending order, each with all its points"

@@ -57,9 +57,13 @@ std::vector<Column> read_columns(TomlTable& table) {
     const std::size_t errors_before = table.errors().count();
     for (const TomlValue& row : rows->items) {
         if (row.kind != TomlValue::Kind::array || row.items.size() != columns.size()) {
-            const std::string is =
-                row.kind == TomlValue::Kind::array ? fmt::format("{} values", row.items.size()) : shown(row);
-            table.errors().add(row.place, fmt::format("a row has {}; there are {} columns", is, columns.size()),
+            const std::string is = row.kind == TomlValue::Kind::array
+                                       ? fmt::format("{} value{}", row.items.size(), row.items.size() == 1 ? "" : "s")
+                                       : shown(row);
+            table.errors().add(row.place,
+                               columns.size() == 1
+                                   ? fmt::format("a row has {}; there is 1 column", is)
+                                   : fmt::format("a row has {}; there are {} columns", is, columns.size()),
                                "give each row one number a column");
             continue;
         }

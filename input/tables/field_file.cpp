@@ -64,8 +64,11 @@ private:
         for (const ColumnHead& head : file_->heads()) {
             const std::string& name = head.heading.name;
             if (std::ranges::find(known, name) == known.end()) {
-                errors_->add(head.place, fmt::format("a field has no column \"{}\"", name),
-                             suggest(name, known, "columns"));
+                errors_->add(head.place,
+                             name.empty() ? fmt::format("heading {} is empty: is there a comma at the end of the line?",
+                                                        &head - file_->heads().data() + 1)
+                                          : fmt::format("a field has no column \"{}\"", name),
+                             name.empty() ? std::string("remove the comma") : suggest(name, known, "columns"));
             } else if (std::ranges::find(seen, name) != seen.end()) {
                 errors_->add(head.place, fmt::format("a second column is called {}", name), "remove one of them");
             }

@@ -60,7 +60,8 @@ std::string suggest(std::string_view word, const std::vector<std::string>& known
         return fmt::format("did you mean `{}`?", near);
     }
     if (known.size() < 2) {
-        return known.empty() ? fmt::format("there are no {}", kind) : fmt::format("there is only `{}`", known.front());
+        return known.empty() || known.front().empty() ? fmt::format("there are no {}", kind)
+                                                      : fmt::format("there is only `{}`", known.front());
     }
     return fmt::format("the {} are {}", kind, listed(known));
 }

@@ -8,8 +8,8 @@
 
 namespace tiretherm::post {
 
-/// A side of a study's grid as an axis: numbers at their places, in round powers of ten of their unit; words, and numbers
-/// too unevenly spaced for a straight axis, side by side in steps.
+/// A side of a study's grid as an axis: numbers at their places, in round powers of ten of their unit; words, and
+/// numbers too unevenly spaced for a linear axis, side by side in steps.
 struct StudyAxis {
     std::string name;                 ///< with its unit
     bool is_number = true;            ///< false: steps

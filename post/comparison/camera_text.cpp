@@ -21,7 +21,7 @@ std::string with_sign(double value) { return fmt::format("{:+.3g}", value); }
 
 std::string overview(const std::vector<ComparedImages>& all, const std::vector<std::string>& runs) {
     Table table({true, true, false, false, false, false, false, false, false, false, false});
-    table.add({"camera", "run", "frames", "pixels", "bias K", "+-", "rms", "scatter", "noise", "sensor", "rms left"});
+    table.add({"camera", "run", "frames", "pixels", "bias K", "+-", "rms", "scatter", "noise", "sensor", "rms model"});
     for (const ComparedImages& one : all) {
         table.add({one.camera, runs[one.run], std::to_string(one.time.size()),
                    grouped(static_cast<double>(one.pixels())), with_sign(one.figures.bias),
@@ -32,7 +32,7 @@ std::string overview(const std::vector<ComparedImages>& all, const std::vector<s
     text += wrap(
         "noise: what changes in a pixel from one frame to the next; +- of the bias follows from how the frames' mean "
         "goes "
-        "along time, not from the number of pixels; rms left: once the sensor's is removed.",
+        "along time, not from the number of pixels; rms model: rms without sensor noise.",
         2);
     if (std::ranges::any_of(all, [](const auto& one) { return !one.sensor_is_stated; })) {
         text += wrap("* not stated, noise is taken; state standard_deviation with the [[camera]].", 2);

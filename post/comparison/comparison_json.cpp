@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "post/comparison/comparison_report.hpp"
-#include "post/comparison/comparison_words.hpp"
+#include "post/comparison/comparison_sentences.hpp"
 
 namespace tiretherm::post {
 
@@ -66,7 +66,7 @@ Json channel_json(const Comparison& comparison, const ComparedChannel& channel) 
         json["regressors"].push_back(regressor_json(channel, regressor));
     }
     json["significant_chance"] = channel.significant;
-    json["in_words"] = sentences(channel);
+    json["interpretation"] = sentences(channel);
     return json;
 }
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "post/comparison/comparison_report.hpp"
-#include "post/comparison/comparison_words.hpp"
+#include "post/comparison/comparison_sentences.hpp"
 #include "post/report/number_text.hpp"
 #include "post/report/page.hpp"
 #include "post/report/table.hpp"
@@ -19,7 +19,7 @@ std::string number_of(std::size_t n, const char* thing) { return fmt::format("{}
 
 std::string per_run(const Comparison& comparison) {
     Table table({true, true, true, false, false, false, false, false, false, false, false});
-    table.add({"channel", "unit", "run", "samples", "bias", "+-", "rms", "scatter", "noise", "sensor", "rms left"});
+    table.add({"channel", "unit", "run", "samples", "bias", "+-", "rms", "scatter", "noise", "sensor", "rms model"});
     for (const ComparedChannel& channel : comparison.channels) {
         const auto figures = [&](const Figures& f) -> std::vector<std::string> {
             return {grouped(static_cast<double>(f.samples)), shown_signed(channel, f.bias),
@@ -43,9 +43,8 @@ std::string per_run(const Comparison& comparison) {
     }
     std::string text = table.text(2);
     text += wrap(
-        "noise: what changes from one sample to the next; sensor: the standard deviation stated with it; rms left: "
-        "once "
-        "the sensor's is removed, what a better model could take away.",
+        "noise: what changes from one sample to the next; sensor: the standard deviation stated with it; rms model: "
+        "rms without sensor noise: the part that a better model could remove.",
         2);
     if (std::any_of(comparison.channels.begin(), comparison.channels.end(),
                     [](const ComparedChannel& c) { return !c.sensor_is_stated; })) {
@@ -54,7 +53,7 @@ std::string per_run(const Comparison& comparison) {
     return text;
 }
 
-std::string in_words(const Comparison& comparison) {
+std::string interpretation(const Comparison& comparison) {
     std::string text;
     for (const ComparedChannel& channel : comparison.channels) {
         text += "  " + channel.name + "\n";
@@ -88,21 +87,27 @@ std::string by_phase(const Comparison& comparison) {
 std::string by_signal(const ComparedChannel& channel) {
     constexpr std::size_t most = 4;
     Table table({true, true, false, false, false, false, false, false, false});
-    table.add({"signal", "unit", "corr.", "by chance", "mean in its fifths, lowest first"});
+    table.add({"signal", "unit", "corr.", "p", "the fifths, lowest first"});
     for (std::size_t i = 0; i < std::min(most, channel.regressors.size()); ++i) {
         const RegressorFigures& regressor = channel.regressors[i];
         const Association& a = regressor.association;
         std::vector<std::string> values{regressor.name, regressor.unit, fmt::format("{:+.2f}", a.correlation),
                                         chance_text(a.chance)};
-        std::vector<std::string> ranges{"", "", "", "from"};
+        std::vector<std::string> ranges{"", "", "", "fifth starts at"};
         for (const Bin& bin : regressor.bins) {
             values.push_back(fmt::format("{} +- {}", shown_signed(channel, bin.mean), shown(channel, bin.deviation)));
-            ranges.push_back(fmt::format("{:.4g}", bin.low));
+            // An edge that is zero but for round-off is printed as zero.
+            const double size = std::max(std::abs(regressor.bins.front().low), std::abs(regressor.bins.back().high));
+            ranges.push_back(fmt::format("{:.4g}", std::abs(bin.low) < 1e-9 * size ? 0.0 : bin.low));
         }
         table.add(std::move(values));
         table.add(std::move(ranges));
     }
-    return fmt::format("  {}, mean difference in {}\n", channel.name, difference_unit(channel)) + table.text(4);
+    return fmt::format(
+               "  {}: mean difference [{}] in each fifth of the signal's range of samples\n    p: probability by "
+               "chance\n",
+               channel.name, difference_unit(channel)) +
+           table.text(4);
 }
 
 std::string single_numbers(const Comparison& comparison) {
@@ -131,7 +136,7 @@ std::string comparison_text(const Comparison& comparison, bool bold) {
                          to_its_digits(comparison.seconds, 0.05 * comparison.seconds)));
     if (!comparison.channels.empty()) {
         page.add("Channels", per_run(comparison));
-        page.add("In words", in_words(comparison));
+        page.add("Interpretation", interpretation(comparison));
         page.add("By what the tire does", by_phase(comparison));
         std::string signals;
         for (const ComparedChannel& channel : comparison.channels) {

@@ -6,7 +6,7 @@
 #include "input/model/reader.hpp"
 #include "input/parameters/fitted_case.hpp"
 #include "post/diagnosis/diagnosis_report.hpp"
-#include "post/diagnosis/diagnosis_words.hpp"
+#include "post/diagnosis/diagnosis_sentences.hpp"
 #include "post/report/file.hpp"
 #include "post/report/table.hpp"
 #include "solver/channel_unit.hpp"
@@ -41,12 +41,12 @@ std::string samples_csv(const DiagnosisRecord& record) {
     return text;
 }
 
-std::string asked_csv(const DiagnosisRecord& record) {
+std::string missing_heat_csv(const DiagnosisRecord& record) {
     std::string text = "run,place,from [s],to [s],watts [W],sigma [1]\n";
-    for (const AskedHeat& asked : record.result.asked) {
+    for (const MissingHeat& missing : record.result.missing_heat) {
         fmt::format_to(std::back_inserter(text), "{},{},{:.10g},{:.10g},{:.6g},{:.5g}\n",
-                       record.experiment.runs[asked.run].name, asked.place, asked.from, asked.to, asked.watts,
-                       asked.sigma);
+                       record.experiment.runs[missing.run].name, missing.place, missing.from, missing.to, missing.watts,
+                       missing.sigma);
     }
     return text;
 }
@@ -112,11 +112,11 @@ std::vector<std::filesystem::path> write_diagnosis(DiagnosisRecord& record, cons
     }
     files.push_back(directory / "residuals.csv");
     replace_file(files.back(), samples_csv(record));
-    if (!record.result.asked.empty()) {
-        files.push_back(directory / "what_is_asked.csv");
-        replace_file(files.back(), asked_csv(record));
-        files.push_back(directory / "what_is_asked.png");
-        draw_asked(files.back(), record);
+    if (!record.result.missing_heat.empty()) {
+        files.push_back(directory / "missing_heat.csv");
+        replace_file(files.back(), missing_heat_csv(record));
+        files.push_back(directory / "missing_heat.png");
+        draw_missing_heat(files.back(), record);
     }
     const auto is_series = [](const Block& block) { return block.channel >= 0; };
     if (std::ranges::any_of(record.observations.blocks, is_series)) {

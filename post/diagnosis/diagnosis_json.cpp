@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "post/diagnosis/diagnosis_report.hpp"
-#include "post/diagnosis/diagnosis_words.hpp"
+#include "post/diagnosis/diagnosis_sentences.hpp"
 #include "post/report/number_text.hpp"
 #include "solver/channel_unit.hpp"
 
@@ -96,9 +96,9 @@ std::string diagnosis_json(const DiagnosisRecord& record, const std::vector<std:
         json["causes"].push_back(cause_json(cause));
     }
     json["set"] = Json::array();
-    for (const std::vector<std::size_t>& explanation : result.explanations) {
+    for (const std::vector<std::size_t>& hypothesis : result.hypotheses) {
         Json ids = Json::array();
-        for (const std::size_t cause : explanation) {
+        for (const std::size_t cause : hypothesis) {
             ids.push_back(result.causes[cause].id);
         }
         json["set"].push_back(ids);

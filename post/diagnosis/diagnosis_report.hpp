@@ -26,7 +26,7 @@ struct DiagnosisRecord {
                                          const std::vector<std::filesystem::path>& files);
 /// extended.toml, where there is something to add: the case with the cause switched on at its fitted value.
 /// residuals.csv: a row for each sample. residuals.png: the same as lines,
-/// where there are series. what_is_asked.csv: the heat that the data ask for, a row for each window and place.
+/// where there are series. missing_heat.csv: the missing heat, a row for each window and place.
 /// diagnosis.json: all figures.
 /// A sentence is added to the record's warnings where the extended case cannot be run.
 /// @errors FileError  @returns their paths
@@ -38,8 +38,8 @@ struct DiagnosisRecord {
 /// @errors FileError
 void draw_residuals(const std::filesystem::path& path, const DiagnosisRecord& record);
 
-/// The heat that the data ask for, in standard deviations: places below each other, windows along time, a panel for each
+/// The missing heat, in standard deviations: places below each other, windows along time, a panel for each
 /// run. @errors FileError
-void draw_asked(const std::filesystem::path& path, const DiagnosisRecord& record);
+void draw_missing_heat(const std::filesystem::path& path, const DiagnosisRecord& record);
 
 }  // namespace tiretherm::post

@@ -3,14 +3,14 @@
 
 #include <fmt/format.h>
 
+#include "diagnosis/detect/confounded_effects.hpp"
 #include "post/diagnosis/diagnosis_report.hpp"
-#include "post/diagnosis/diagnosis_where.hpp"
-#include "post/diagnosis/diagnosis_words.hpp"
-#include "diagnosis/detect/look_alikes.hpp"
+#include "post/diagnosis/diagnosis_sentences.hpp"
+#include "post/diagnosis/residual_breakdown.hpp"
 #include "post/report/number_text.hpp"
-#include "solver/channel_unit.hpp"
 #include "post/report/page.hpp"
 #include "post/report/table.hpp"
+#include "solver/channel_unit.hpp"
 
 namespace tiretherm::post {
 
@@ -18,9 +18,9 @@ using namespace diagnosis;  // whose results are rendered here
 
 namespace {
 
-/// Causes that are told beside those of the set.
+/// Causes that are reported beside those of the set.
 constexpr std::size_t most_others = 6;
-/// Windows in which heat is asked for.
+/// Windows of missing heat that are listed.
 constexpr std::size_t most_windows = 5;
 /// Letters of a cause's name in a row.
 constexpr std::size_t widest_name = 36;
@@ -43,7 +43,7 @@ std::string unknown_text(const UnknownSource& unknown, const input::Experiment& 
     return wrap(text, 2);
 }
 
-/// What each cause of the set is, and what looks like it.
+/// What each cause of the set is, and what is confounded with it.
 std::string meanings_text(const DiagnosisRecord& record) {
     const Diagnosis& result = record.result;
     std::string text = result.unknown ? unknown_text(*result.unknown, record.experiment) : "";
@@ -55,10 +55,10 @@ std::string meanings_text(const DiagnosisRecord& record) {
         if (!cause.bound.empty()) {
             text += wrap(cause.bound, 4);
         }
-        for (const Family* family : families_of(cause.id)) {
-            text += wrap(
-                fmt::format("Looks like {}. What separates them: {}.", others_of(*family, cause.id), family->separated),
-                4);
+        for (const ConfoundedGroup* group : confounded_groups_of(cause.id)) {
+            text += wrap(fmt::format("Confounded with {}. What separates them: {}.", others_of(*group, cause.id),
+                                     group->separated),
+                         4);
         }
     }
     return text;
@@ -102,10 +102,10 @@ std::string causes_table(const Diagnosis& result) {
     const bool any = std::ranges::any_of(result.causes, &Cause::in_set);
     std::string text = table.text(2);
     text += wrap(std::string(any ? "*: in the set; " : "") +
-                           "sigma: standard deviations from absent or from the case's number; gain: in log likelihood "
-                           "over the model without it, the "
-                           "free numbers fitted anew each time.",
-                       2);
+                     "sigma: standard deviations from no effect or from the case's number; gain: in log likelihood "
+                     "over the model without it, the "
+                     "free numbers fitted anew each time.",
+                 2);
     if (others > most_others) {
         text += wrap(
             fmt::format("{} more are less likely; all of them stand in diagnosis.json.", others - most_others), 2);
@@ -126,7 +126,7 @@ std::string limits_table(const Diagnosis& result) {
 
 std::string next_text(const Diagnosis& result) {
     Table table({true, false, false});
-    table.add({"experiment in addition", "sigma now", "then"});
+    table.add({"additional experiment", "sigma now", "then"});
     for (const NextExperiment& next : result.next) {
         table.add({next.name, fmt::format("{:.2g}", next.now), fmt::format("{:.2g}", next.then)});
     }
@@ -163,30 +163,31 @@ std::string gain_text(const DiagnosisRecord& record) {
                              2);
 }
 
-/// The windows in which the base model lacks most.
-std::string asked_table(const DiagnosisRecord& record) {
-    std::vector<AskedHeat> asked = record.result.asked;
-    const auto loudest = asked.begin() + static_cast<std::ptrdiff_t>(std::min(most_windows, asked.size()));
-    std::partial_sort(asked.begin(), loudest, asked.end(),
-                      [](const AskedHeat& a, const AskedHeat& b) { return std::abs(a.sigma) > std::abs(b.sigma); });
-    asked.erase(loudest, asked.end());
+/// The windows in which most heat is missing.
+std::string missing_heat_table(const DiagnosisRecord& record) {
+    std::vector<MissingHeat> missing = record.result.missing_heat;
+    const auto largest = missing.begin() + static_cast<std::ptrdiff_t>(std::min(most_windows, missing.size()));
+    std::partial_sort(missing.begin(), largest, missing.end(),
+                      [](const MissingHeat& a, const MissingHeat& b) { return std::abs(a.sigma) > std::abs(b.sigma); });
+    missing.erase(largest, missing.end());
     Table table({true, true, false, false, false, false});
     table.add({"run", "place", "from s", "to s", "W", "sigma"});
-    for (const AskedHeat& one : asked) {
+    for (const MissingHeat& one : missing) {
         table.add({record.experiment.runs[one.run].name, one.place, fmt::format("{:.0f}", one.from),
                    fmt::format("{:.0f}", one.to), fmt::format("{:+.3g}", one.watts),
                    fmt::format("{:+.1f}", one.sigma)});
     }
-    return table.text(2) + wrap(
-                               "The heat that a window lacks if all else is as in the base model; all windows stand in "
-                               "what_is_asked.csv. A large sigma here is no verdict: there are many windows.",
-                               2);
+    return table.text(2) +
+           wrap(
+               "The heat that is missing in a window if all else is as in the base model; all windows are listed in "
+               "missing_heat.csv. A large sigma here is no verdict: there are many windows.",
+               2);
 }
 
 std::string noise_table(const DiagnosisRecord& record) {
     const std::vector<solver::Channel>& channels = record.experiment.runs.front().problem.channels;
     Table table({true, true, false, false, false, false});
-    table.add({"channel", "unit", "sigma", "data sheet", "correlation time", "new in every sample"});
+    table.add({"channel", "unit", "sigma", "data sheet", "correlation time", "white-noise share"});
     for (std::size_t i = 0; i < record.result.noise.size(); ++i) {
         const Noise& noise = record.result.noise[i];
         const solver::Channel& channel = channels[record.observations.channels[i]];
@@ -199,9 +200,9 @@ std::string noise_table(const DiagnosisRecord& record) {
     }
     std::string text = table.text(2);
     if (record.result.numerical_error_sigma > 0.0) {
-        text += wrap(fmt::format("The model's own error of steps and grid is worth {:.2g} standard deviations.",
-                                       record.result.numerical_error_sigma),
-                           2);
+        text += wrap(fmt::format("The discretisation error of steps and grid amounts to {:.2g} standard deviations.",
+                                 record.result.numerical_error_sigma),
+                     2);
     }
     return text;
 }
@@ -219,12 +220,12 @@ std::string diagnosis_text(const DiagnosisRecord& record, bool bold) {
         grouped(static_cast<double>(record.observations.measured.size())), n_free, n_free == 1 ? "" : "s",
         result.simulations, to_its_digits(result.seconds, 0.05 * result.seconds)));
     page.add("Verdict", wrap(reason_of(record), 2));
-    page.add("What that is", meanings_text(record));
-    page.add("What would tell", result.next.empty() ? "" : next_text(result));
-    page.add("Where it shows", where_text(record));
-    page.add("What heat the data ask for", result.asked.empty() ? "" : asked_table(record));
-    page.add("Causes that were tried", result.causes.empty() ? "" : causes_table(result));
-    page.add("How large each could be unseen", result.limits.empty() ? "" : limits_table(result));
+    page.add("Interpretation", meanings_text(record));
+    page.add("Discriminating experiments", result.next.empty() ? "" : next_text(result));
+    page.add("Where it shows", residual_breakdown_text(record));
+    page.add("Inferred heat source", result.missing_heat.empty() ? "" : missing_heat_table(record));
+    page.add("Candidate causes", result.causes.empty() ? "" : causes_table(result));
+    page.add("Upper limits (95 %)", result.limits.empty() ? "" : limits_table(result));
     page.add("Gain", result.channels.empty() ? "" : gain_text(record));
     page.add("Noise", result.noise.empty() ? "" : noise_table(record));
     page.add("Remarks", paragraphs(result.remarks));

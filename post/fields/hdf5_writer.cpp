@@ -20,28 +20,28 @@ std::vector<double> coordinates(const std::vector<mesh::Point>& points) {
 
 }  // namespace
 
-Hdf5Writer::Hdf5Writer(const std::filesystem::path& path, const solver::Problem& problem, const Origin& origin)
+Hdf5Writer::Hdf5Writer(const std::filesystem::path& path, const solver::Problem& problem, const Provenance& provenance)
     : problem_(problem),
-      source_(fmt::format("case {}, tiretherm {}", problem.name, origin.version)),
+      source_(fmt::format("case {}, tiretherm {}", problem.name, provenance.version)),
       file_(path),
       flushed_(std::chrono::steady_clock::now()) {
     file_.add_attribute("/", "format", "tiretherm results 1");
-    write_case(origin);
+    write_case(provenance);
     write_mesh();
     add_columns();
     file_.flush();
 }
 
-void Hdf5Writer::write_case(const Origin& origin) {
+void Hdf5Writer::write_case(const Provenance& provenance) {
     file_.add_group("/case");
     const auto text = [&](const std::string& name, const std::string& value, const std::string& meaning) {
         file_.write("/case/" + name, value, {.units = "1", .long_name = meaning, .source = source_, .coordinates = {}});
     };
     text("name", problem_.name, "name of the case");
     text("title", problem_.title, "title of the case");
-    text("tiretherm_version", origin.version, "version of tiretherm that wrote this file");
-    text("file", origin.case_file, "file the case was read from");
-    text("text", origin.case_text, "text of that file");
+    text("tiretherm_version", provenance.version, "version of tiretherm that wrote this file");
+    text("file", provenance.case_file, "file the case was read from");
+    text("text", provenance.case_text, "text of that file");
     file_.write("/case/source", problem_.sources,
                 {.units = "1", .long_name = "what to cite", .source = source_, .coordinates = {}});
 }

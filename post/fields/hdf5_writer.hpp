@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "post/fields/hdf5_file.hpp"
-#include "post/report/origin.hpp"
+#include "post/report/provenance.hpp"
 #include "solver/time_integration/march.hpp"
 
 namespace tiretherm::post {
@@ -22,7 +22,7 @@ namespace tiretherm::post {
 class Hdf5Writer {
 public:
     /// @param problem must outlive the writer   @errors FileError
-    Hdf5Writer(const std::filesystem::path& path, const solver::Problem& problem, const Origin& origin);
+    Hdf5Writer(const std::filesystem::path& path, const solver::Problem& problem, const Provenance& provenance);
 
     /// @errors FileError
     void take(const solver::Snapshot& snapshot);
@@ -36,7 +36,7 @@ private:
         std::vector<double> waiting;
     };
 
-    void write_case(const Origin& origin);
+    void write_case(const Provenance& provenance);
     void write_mesh();
     void add_columns();
     Column column(const std::string& path, std::size_t width, const Label& label);

@@ -77,7 +77,7 @@ Json spread(const solver::Spread& spread, double critical) {
                            {"standard_deviation", driver.standard_deviation},
                            {"kelvin", driver.kelvin},
                            {"share", spread.share(d)},
-                           {"bend", number(driver.bend)}});
+                           {"nonlinearity", number(driver.nonlinearity)}});
     }
     return {{"mean", solver::celsius(spread.mean)},
             {"standard_deviation", spread.standard_deviation},

@@ -37,14 +37,14 @@ std::string place_text(const solver::HotSpotFinder::Found& found, const mesh::Me
 }
 
 std::string surface_then(const HotSpot& spot, const TestMoment& moment) {
-    return std::isnan(moment.surface)
-               ? std::string()
-               : fmt::format("; {} then reads {} degC", spot.history.critical().surface_name, degrees(moment.surface));
+    return std::isnan(moment.surface) ? std::string()
+                                      : fmt::format("; at that moment {} reads {} degC",
+                                                    spot.history.critical().surface_name, degrees(moment.surface));
 }
 
 std::string steps_table(const HotSpots& all, const HotSpot& spot) {
     Table table(std::vector<bool>(8, false));
-    table.add({"step", "km/h", "N", "min", "at its end", "held for ever", "surface at its end", "held for ever"});
+    table.add({"step", "km/h", "N", "min", "at its end", "steady state", "surface at its end", "steady state"});
     for (std::size_t s = 0; s < all.steps.size(); ++s) {
         const solver::ScheduleStep& step = all.steps[s];
         table.add({step.ramp ? "ramp" : fmt::format("{}", step.number),
@@ -55,16 +55,16 @@ std::string steps_table(const HotSpots& all, const HotSpot& spot) {
     return table.text(indent);
 }
 
-std::string surface_text(const HotSpot& spot) {
+std::string surface_text(const HotSpots& all, const HotSpot& spot) {
     const std::string& name = spot.history.critical().surface_name;
     if (!spot.passing || name.empty()) {
         return {};
     }
     if (std::isnan(spot.surface_threshold)) {
-        return line(
-            fmt::format("No two steps' steady states lie on either side of the critical temperature: what {} "
-                        "would have to read then is not known.",
-                        name));
+        return line(fmt::format(
+            "No alarm threshold for {}: {}.", name,
+            all.steps.empty() ? "the speed does not come from a schedule, so the steps are not known"
+                              : "no two steady states of the steps lie on either side of the critical temperature"));
     }
     const std::string threshold =
         fmt::format("In a steady state with the hot spot at its critical temperature {} would read {} degC. ", name,
@@ -107,15 +107,16 @@ std::string spread_text(const HotSpot& spot) {
     }
     const solver::Spread& spread = *spot.spread;
     Table table({true, false, false, true, false, false, false});
-    table.add({"what drives it", "value", "+-", "unit", "K per +-", "share %", "bend K"});
+    table.add({"what drives it", "value", "+-", "unit", "change K", "share %", "nonlinear K"});
     for (std::size_t d = 0; d < spread.drivers.size(); ++d) {
         const solver::Driver& driver = spread.drivers[d];
         table.add({driver.name, fmt::format("{:.4g}", driver.value), fmt::format("{:.3g}", driver.standard_deviation),
                    driver.unit, fmt::format("{:+.2f}", driver.kelvin), fmt::format("{:.1f}", 100.0 * spread.share(d)),
-                   std::isnan(driver.bend) ? "" : fmt::format("{:+.2f}", driver.bend)});
+                   std::isnan(driver.nonlinearity) ? "" : fmt::format("{:+.2f}", driver.nonlinearity)});
     }
     const double critical = spot.history.critical().temperature;
     return table.text(indent) +
+           line("change K: for one standard deviation; nonlinear K: deviation from a straight line.") +
            line(fmt::format("Together {} +- {:.1f} degC (one standard deviation, first order): above {} degC with a "
                             "probability of {:.1f} %.",
                             degrees(spread.mean), spread.standard_deviation, degrees(critical),
@@ -140,7 +141,7 @@ std::string spot_text(const HotSpots& all, const HotSpot& spot, const mesh::Mesh
     if (!all.steps.empty()) {
         text += steps_table(all, spot);
     }
-    return text + surface_text(spot) + further_text(spot) + spread_text(spot);
+    return text + surface_text(all, spot) + further_text(spot) + spread_text(spot);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ Json fitted_json(const solver::FreeParameter& parameter, const Fitted& one) {
             {"moved_by_grid_correction", number(one.by_grid)},
             {"prior", std::isfinite(parameter.standard_deviation) ? number(parameter.prior) : Json()},
             {"prior_standard_deviation", number(parameter.standard_deviation)},
-            {"sight", word_of(one.sight)}};
+            {"identifiability", word_of(one.identifiability)}};
 }
 
 }  // namespace
@@ -87,7 +87,7 @@ std::string identification_json(const IdentificationRecord& record, const std::v
     }
     json["misfit"] = number(result.misfit);
     json["freedom"] = number(result.freedom);
-    json["kinks"] = result.kinks;
+    json["non_smooth_parameters"] = result.non_smooth_parameters;
     json["findings"] = record.findings;
     json["warnings"] = record.warnings;
     json["outputs"] = Json::array();

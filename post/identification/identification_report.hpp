@@ -31,7 +31,8 @@ struct IdentificationRecord {
 [[nodiscard]] std::vector<std::filesystem::path> write_identification(const IdentificationRecord& record,
                                                                       const std::filesystem::path& directory);
 
-/// A direction in words: "laser.absorptivity +0.031 with K1.conductivity at 90 degC +0.02 W/(m K)", its largest parts.
+/// A direction as a sentence: "laser.absorptivity +0.031 with K1.conductivity at 90 degC +0.02 W/(m K)", its largest
+/// parts.
 [[nodiscard]] std::string describe(const diagnosis::Direction& direction, const input::Experiment& experiment,
                                    const Eigen::VectorXd& values);
 

@@ -18,13 +18,13 @@ namespace {
 
 /// Correlations from here on are shown.
 constexpr double close = 0.9;
-/// Parts of a direction smaller than this are not told.
+/// Parts of a direction smaller than this are not reported.
 constexpr double small = 0.2;
 
 double half_width(const Fitted& one) { return 0.5 * (one.high - one.low); }
 
 std::string interval(const Fitted& one, bool planned) {
-    if (one.sight == Sight::not_determined && !one.profiled) {
+    if (one.identifiability == Identifiability::not_determined && !one.profiled) {
         return "-";
     }
     if (planned) {
@@ -52,11 +52,12 @@ std::string numbers_table(const IdentificationRecord& record) {
         profiled = profiled || one.profiled;
         table.add({parameter.name, parameter.unit == "1" ? "-" : parameter.unit, fmt::format("{:.5g}", one.before),
                    planned ? "" : to_its_digits(one.value, half_width(one)), interval(one, planned),
-                   known_before(parameter), std::string(word_of(one.sight))});
+                   known_before(parameter), std::string(word_of(one.identifiability))});
     }
     std::string text = table.text(2);
-    const auto any = [&](Sight sight) {
-        return std::ranges::any_of(record.result.fitted, [&](const Fitted& one) { return one.sight == sight; });
+    const auto any = [&](Identifiability identifiability) {
+        return std::ranges::any_of(record.result.fitted,
+                                   [&](const Fitted& one) { return one.identifiability == identifiability; });
     };
     std::string moved;
     for (std::size_t j = 0; j < record.result.fitted.size(); ++j) {
@@ -69,26 +70,26 @@ std::string numbers_table(const IdentificationRecord& record) {
     if (!moved.empty()) {
         text += wrap(
             fmt::format("Corrected for the error of grid and steps, of which a quarter is added to the intervals: {}. "
-                        "Intervals are those of the noise and of this grid: what the model lacks may be larger.",
+                        "Intervals are those of the noise and of this grid: a missing effect may be larger.",
                         moved),
             2);
     }
     if (profiled) {
         text += wrap("The intervals are those of the profile likelihood.", 2);
     }
-    if (any(Sight::with_prior)) {
+    if (any(Identifiability::with_prior)) {
         text += wrap("with prior: the data narrow what was known before, but to no less than half of it.", 2);
     }
-    if (any(Sight::prior_only)) {
+    if (any(Identifiability::prior_only)) {
         text += wrap("prior only: the data do not see it; the interval is the one that was known before.", 2);
     }
-    if (any(Sight::not_determined)) {
+    if (any(Identifiability::not_determined)) {
         text += wrap(
             "not determined: the data do not see it and nothing was known before; the value is where "
             "the search ended and means nothing.",
             2);
     }
-    if (any(Sight::at_bound)) {
+    if (any(Identifiability::at_bound)) {
         text += wrap("at bound: the data want a value beyond what is allowed; a finding about the model.", 2);
     }
     return text;
@@ -160,7 +161,7 @@ std::string fit_text(const IdentificationRecord& record) {
             text += wrap(
                 "A camera's frames are taken apart by size, so that what neighbouring pixels have in common counts as "
                 "few values and not as thousands: white noise of the pixels is the same in all its rows, the camera's "
-                "drift and what the model lacks stand in the lower ones.",
+                "drift and missing effects stand in the lower ones.",
                 2);
         }
         for (const ChannelFit& fit : result.channels) {
@@ -232,10 +233,10 @@ std::string identification_text(const IdentificationRecord& record, bool bold) {
     if (!record.planned) {
         page.add("Fit", fit_text(record));
     }
-    if (!result.kinks.empty()) {
+    if (!result.non_smooth_parameters.empty()) {
         page.add("At a switch or a clamp",
                  wrap(fmt::format("{}: the slope is that of one side, and the interval with it.",
-                                  fmt::join(result.kinks, ", ")),
+                                  fmt::join(result.non_smooth_parameters, ", ")),
                       2));
     }
     page.add("Findings about the data", paragraphs(record.findings));

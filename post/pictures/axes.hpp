@@ -18,7 +18,7 @@ inline constexpr double text = 24.0;   ///< px
 inline constexpr double tick = 8.0;    ///< px
 }  // namespace look
 
-/// A straight axis: from the value `low` at pixel `from` to the value `high` at pixel `to`; where both values are equal,
+/// A linear axis: from the value `low` at pixel `from` to the value `high` at pixel `to`; where both values are equal,
 /// all is at `from`.
 struct Scale {
     double low = 0.0;

@@ -84,7 +84,7 @@ void draw_field(const std::filesystem::path& path, const solver::Problem& proble
                 std::span<const double> temperature, const PictureOptions& options) {
     SectionPlane plane = section_plane(problem, temperature, options.shading);
     const double whole = plane.right();
-    cut_quiet_rim(plane);
+    crop_uniform_rim(plane);
     const Layout layout = lay_out(plane, options.stretch);
     const Raster raster = rasterise(plane, layout);
     const Ticks levels = isotherm_levels(raster);

@@ -101,7 +101,7 @@ SectionPlane section_plane(const solver::Problem& problem, std::span<const doubl
     return plane;
 }
 
-void cut_quiet_rim(SectionPlane& plane) {
+void crop_uniform_rim(SectionPlane& plane) {
     if (!plane.mirrored || plane.shading == Shading::cells) {
         return;
     }

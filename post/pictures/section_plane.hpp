@@ -33,7 +33,7 @@ struct SectionPlane {
 /// Cuts off the outer part of a mirrored plane where, at each depth, it differs from its outer end by less than 5 % of
 /// the plane's range: a specimen is made wide so that its rim does not matter. Nothing is cut for less than a third, and
 /// never so much that less than the depth is left on either side.
-void cut_quiet_rim(SectionPlane& plane);
+void crop_uniform_rim(SectionPlane& plane);
 
 /// Whether the mesh extends along x as well as through the thickness.
 [[nodiscard]] bool has_section(const mesh::Mesh& mesh);

@@ -17,7 +17,7 @@ public:
     [[nodiscard]] const std::vector<double>& time() const { return time_; }  ///< [rows] s
     /// A channel's values. @returns [rows] K
     [[nodiscard]] std::vector<double> channel(std::size_t index) const;
-    /// Straight between rows and held beyond them. @param t s  @pre rows() > 0  @returns K
+    /// Linear between rows, constant beyond them. @param t s  @pre rows() > 0  @returns K
     [[nodiscard]] double at(std::size_t channel, double t) const;
 
 private:

@@ -59,21 +59,21 @@ std::string heat_budget_text(const RunRecord& run) {
         table.add({"stored", "", fmt::format("{:.{}f}", run.problem.symmetry * report.stored / 1e3, of_kilojoules)});
     }
     std::string text = table.text(2);
-    text += fmt::format("  energy closure {:.1e}: {} over the heat turned over\n", report.energy_closure,
-                        steady ? "sum" : "stored less sum,");
+    text += fmt::format("  energy balance error {:.1e} ({}, relative to all heat exchanged)\n", report.energy_closure,
+                        steady ? "sum" : "stored minus sum");
     const std::vector<physics::ActiveEffect>& effects = run.problem.effects;
     for (std::size_t e = 0; e < effects.size(); ++e) {
         const double share = run.problem.symmetry * report.law_watts[e];
         if (std::abs(share) >= 0.5 * std::pow(10.0, -of_watts)) {  // neither NaN nor what is shown as nothing
-            text += fmt::format("  of this, {} makes {:+.{}f} W\n", effects[e].title(), share, of_watts);
+            text += fmt::format("  {} contributes {:+.{}f} W of this\n", effects[e].title(), share, of_watts);
         }
     }
     const bool is_tire = std::any_of(effects.begin(), effects.end(),
                                      [](const physics::ActiveEffect& active) { return active.effect->needs_tire; });
     if (is_tire && report.effective_two_node_conductance > 0.0) {  // where heat goes the other way, no link carries it
         const double link = run.problem.symmetry * report.effective_two_node_conductance;
-        text += fmt::format("  as a two-node model, its link would be {:.4g} W/K, or k = {:.3g} W/mK over 10 mm\n",
-                            link, link * bulk_depth / run.problem.tire.outer_area());
+        text += fmt::format("  equivalent two-node link: {:.4g} W/K, or k = {:.3g} W/mK over 10 mm\n", link,
+                            link * bulk_depth / run.problem.tire.outer_area());
     }
     return text;
 }

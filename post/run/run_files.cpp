@@ -22,12 +22,12 @@ std::filesystem::path created(std::filesystem::path directory) {
 
 }  // namespace
 
-RunFiles::RunFiles(std::filesystem::path directory, const solver::Problem& problem, const Origin& origin,
-                   const FileChoice& choice)
+RunFiles::RunFiles(std::filesystem::path directory, const solver::Problem& problem, const Provenance& provenance,
+                   const FileOptions& choice)
     : directory_(created(std::move(directory))),
       problem_(problem),
       choice_(choice),
-      hdf5_(add("results.h5"), problem, origin),
+      hdf5_(add("results.h5"), problem, provenance),
       csv_(add("channels.csv"), problem) {
     std::error_code ignored;  // pictures and fields of an earlier run must not outlive its results
     std::filesystem::remove(directory_ / "picture.png", ignored);

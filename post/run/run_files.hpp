@@ -13,7 +13,7 @@
 namespace tiretherm::post {
 
 /// Which files a run writes besides results.h5 and channels.csv.
-struct FileChoice {
+struct FileOptions {
     bool vtk = true;
     bool pictures = true;
 };
@@ -23,8 +23,8 @@ class RunFiles {
 public:
     /// Creates the directory and opens the files, so that whatever is wrong with them shows before the run.
     /// @param problem must outlive this   @errors FileError
-    RunFiles(std::filesystem::path directory, const solver::Problem& problem, const Origin& origin,
-             const FileChoice& choice);
+    RunFiles(std::filesystem::path directory, const solver::Problem& problem, const Provenance& provenance,
+             const FileOptions& choice);
 
     /// @errors FileError
     void take(const solver::Snapshot& snapshot);
@@ -43,7 +43,7 @@ private:
 
     std::filesystem::path directory_;
     const solver::Problem& problem_;
-    FileChoice choice_;
+    FileOptions choice_;
     std::vector<std::filesystem::path> written_;
     Hdf5Writer hdf5_;
     CsvWriter csv_;

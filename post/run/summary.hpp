@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "post/report/history.hpp"
 #include "post/hot_spot/hot_spots.hpp"
-#include "post/report/origin.hpp"
+#include "post/report/history.hpp"
+#include "post/report/provenance.hpp"
 #include "solver/time_integration/march.hpp"
 
 namespace tiretherm::post {
@@ -16,7 +16,7 @@ struct RunRecord {
     const solver::Problem& problem;
     const solver::Report& report;
     const History& history;
-    Origin origin;
+    Provenance provenance;
     double seconds = 0.0;                      ///< wall time of the whole run
     std::vector<std::string> warnings;         ///< of the reader; the report brings its own
     std::vector<std::filesystem::path> files;  ///< written

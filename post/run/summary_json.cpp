@@ -83,7 +83,7 @@ std::string summary_json(const RunRecord& run) {
     Json json;
     json["case"] = run.problem.name;
     json["title"] = run.problem.title;
-    json["version"] = run.origin.version;
+    json["version"] = run.provenance.version;
     json["cells"] = run.problem.mesh.n_cells;
     json["steps"] = report.steps;
     json["rejected"] = report.rejected;

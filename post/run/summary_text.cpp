@@ -71,7 +71,7 @@ std::string extremes(const RunRecord& run) {
 }
 
 /// Why the run ended early, if it did.
-std::string ending(const RunRecord& run) {
+std::string failure_text(const RunRecord& run) {
     const solver::Status& status = run.report.status;
     return status.ok() ? "" : wrap("ended early: " + status.message, 2);
 }
@@ -83,7 +83,7 @@ std::string summary_text(const RunRecord& run, bool bold) {
     const std::string& title = run.problem.title;
     Page page(bold);
     page.add(page.strong(title.empty() || title == name ? name : fmt::format("{} ({})", title, name)) + "\n");
-    page.add(ending(run));
+    page.add(failure_text(run));
     if (run.history.rows() > 0) {
         page.add("Readings", readings(run) + extremes(run));
         if (run.hot_spots != nullptr) {

@@ -21,7 +21,7 @@ std::string regression_text(const StudyRegression& line, std::optional<double> c
                    fmt::format("{:.1f}", 100.0 * driver.share)});
     }
     std::string worth = fmt::format(
-        "a straight line of these explains {:.1f} % of the variance (R2); it is {:.1f} +- {:.1f} degC (one standard "
+        "a linear function of these explains {:.1f} % of the variance (R2); it is {:.1f} +- {:.1f} degC (one standard "
         "deviation), and leaves {:.2f} K over",
         100.0 * line.r_squared, solver::celsius(line.mean), line.standard_deviation, line.residual);
     if (critical) {

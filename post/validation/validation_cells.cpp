@@ -55,7 +55,7 @@ std::string measured_text(const ValidationRow& row, const char* plus_minus) {
 
 std::string value_text(const ValidationRow& row, std::size_t model) {
     const ModelValue& found = row.models[model];
-    return found.value ? number(row, *found.value) : found.asked ? "failed" : "";
+    return found.value ? number(row, *found.value) : found.applicable ? "failed" : "";
 }
 
 std::string difference_text(const ValidationRow& row, std::size_t model) {

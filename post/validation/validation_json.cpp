@@ -17,7 +17,7 @@ Json closed(double end) { return std::isinf(end) ? Json() : Json(end); }
 
 Json model_json(const ValidationRow& row, std::size_t model) {
     const ModelValue& found = row.models[model];
-    if (!found.asked) {
+    if (!found.applicable) {
         return {};
     }
     Json json{{"value", found.value ? Json(*found.value) : Json()}};

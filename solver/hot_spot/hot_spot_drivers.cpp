@@ -41,7 +41,7 @@ PlaceSlopes place_slopes(const Problem& problem, std::span<const HotPlace> place
         predict(read, {.times = times, .parameters = parameters, .values = values, .step_ends = step_ends});
     PlaceSlopes found{.status = std::move(prediction.status)};
     found.step_ends = std::move(prediction.step_ends);
-    found.kinks = std::move(prediction.kinks);
+    found.non_smooth_parameters = std::move(prediction.non_smooth_parameters);
     if (!found.status.ok()) {
         return found;
     }

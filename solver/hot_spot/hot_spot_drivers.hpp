@@ -25,7 +25,8 @@ struct PlaceSlopes {
     std::vector<double> temperature{};  ///< [places] K
     std::vector<double> slope{};        ///< [parameters][places] K per unit of the parameter
     std::vector<double> step_ends{};    ///< s: the steps taken
-    std::vector<std::string> kinks{};   ///< parameters at a switch or a clamp, where the slope is that of one side
+    std::vector<std::string>
+        non_smooth_parameters{};  ///< parameters at a switch or a clamp, where the slope is that of one side
 };
 
 /// The places' temperatures in a run, with their exact slopes by all parameters: the tangent of the run.
@@ -41,12 +42,12 @@ struct Driver {
     double value = 0.0;               ///< in `unit`
     double standard_deviation = 0.0;  ///< in `unit`
     double kelvin = 0.0;              ///< K, of the hot spot for one standard deviation more
-    /// K, by how much the mean of the hot spots one standard deviation above and below lies over that in the middle: what
-    /// the straight line leaves out. NaN where the slope is a tangent and nobody looked.
-    double bend = 0.0;
+    /// K, by how much the mean of the hot spots one standard deviation above and below lies over that in the middle:
+    /// what a linear model leaves out. NaN where the slope is a tangent and it was not evaluated.
+    double nonlinearity = 0.0;
 };
 
-/// Drivers of one hot spot together: independent, each normal, and the hot spot straight in them.
+/// Drivers of one hot spot together: independent, each normal, and the hot spot linear in them.
 struct Spread {
     std::vector<Driver> drivers{};    ///< the strongest first
     double mean = 0.0;                ///< K

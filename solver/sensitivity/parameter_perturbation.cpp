@@ -9,7 +9,7 @@ namespace tiretherm::solver {
 namespace {
 
 /// Slopes to either side that differ by more than this share belong to a switch or a clamp.
-constexpr double kink = 0.01;
+constexpr double slope_jump = 0.01;
 
 Problem moved(Problem problem, const FreeParameter& parameter, double from, double to) {
     move(problem, parameter, from, to);
@@ -148,8 +148,8 @@ void ParameterPerturbation::flow(int stage, std::span<const double> T, std::span
                 const double up = plus_->shift > 0.0 ? (ours[i] - between[i]) / plus_->shift : 0.0;
                 const double down = minus_->shift < 0.0 ? (between[i] - theirs[i]) / -minus_->shift : up;
                 const double round_off = 1e-12 * std::abs(between[i]) / width_;
-                has_kink_ =
-                    has_kink_ || std::abs(up - down) > kink * std::max(std::abs(up), std::abs(down)) + round_off;
+                has_slope_jump_ = has_slope_jump_ ||
+                                  std::abs(up - down) > slope_jump * std::max(std::abs(up), std::abs(down)) + round_off;
             }
         }
     }

@@ -44,7 +44,7 @@ public:
     void enthalpy(std::span<const double> T, std::span<double> out) const;
 
     /// Whether the heat flow's slope to one side was another than to the other, at some stage so far.
-    [[nodiscard]] bool has_kink() const { return has_kink_; }
+    [[nodiscard]] bool has_kink() const { return has_slope_jump_; }
 
     void begin_sensor_outputs(double t, std::span<const double> T, std::span<const double> S,
                               std::span<const double> watts, const physics::Inputs& inputs);
@@ -80,7 +80,7 @@ private:
     bool follows_watts_ = false;              ///< a channel reads the heat of effects
     std::vector<std::size_t> moved_effects_;  ///< heat effects whose parameters or places differ
     std::vector<std::size_t> contributing_;   ///< those that differ at a stage
-    bool has_kink_ = false;
+    bool has_slope_jump_ = false;
 };
 
 }  // namespace tiretherm::solver

@@ -91,7 +91,7 @@ public:
     void name_kinks() {
         for (std::size_t j = 0; j < tangent_.size(); ++j) {
             if (tangent_.perturbation(j).has_kink()) {
-                into_.kinks.push_back(request_.parameters[j].name);
+                into_.non_smooth_parameters.push_back(request_.parameters[j].name);
             }
         }
     }

@@ -29,7 +29,8 @@ struct Prediction {
     std::vector<double> value;       ///< [n_times][n_channels] SI
     std::vector<double> slope;       ///< [n_parameters][n_times][n_channels] SI per unit of the parameter
     std::vector<double> step_ends;   ///< s: the steps taken
-    std::vector<std::string> kinks;  ///< parameters at a switch or a clamp, where the slope is that of one side
+    std::vector<std::string>
+        non_smooth_parameters;  ///< parameters at a switch or a clamp, where the slope is that of one side
 
     [[nodiscard]] double at(std::size_t time, std::size_t channel) const { return value[time * n_channels + channel]; }
     [[nodiscard]] double slope_at(std::size_t parameter, std::size_t time, std::size_t channel) const {

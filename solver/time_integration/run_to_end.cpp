@@ -8,27 +8,27 @@
 
 namespace tiretherm::solver {
 
-Ending run_to_end(const solver::Problem& problem, const std::function<void(const solver::Snapshot&)>& watch) {
-    Ending ending;
+RunEnd run_to_end(const solver::Problem& problem, const std::function<void(const solver::Snapshot&)>& watch) {
+    RunEnd run_end;
     try {
         if (const std::vector<std::string> defects = solver::defects(problem); !defects.empty()) {
-            ending.failure = fmt::format("{}", fmt::join(defects, "; "));
-            ending.is_numerical = true;
-            return ending;
+            run_end.failure = fmt::format("{}", fmt::join(defects, "; "));
+            run_end.is_numerical = true;
+            return run_end;
         }
-        ending.report = solver::run(problem, [&](const solver::Snapshot& snapshot) {
+        run_end.report = solver::run(problem, [&](const solver::Snapshot& snapshot) {
             watch(snapshot);
             return !stop_requested();
         });
-        if (!ending.report.status.ok()) {
-            ending.failure = ending.report.status.message;
-            ending.stopped = ending.report.status.outcome == solver::Outcome::stopped;
-            ending.is_numerical = !ending.stopped;
+        if (!run_end.report.status.ok()) {
+            run_end.failure = run_end.report.status.message;
+            run_end.stopped = run_end.report.status.outcome == solver::Outcome::stopped;
+            run_end.is_numerical = !run_end.stopped;
         }
     } catch (const std::exception& error) {
-        ending.failure = error.what();
+        run_end.failure = error.what();
     }
-    return ending;
+    return run_end;
 }
 
 }  // namespace tiretherm::solver

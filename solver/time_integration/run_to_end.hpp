@@ -8,7 +8,7 @@
 namespace tiretherm::solver {
 
 /// How one of many runs ended.
-struct Ending {
+struct RunEnd {
     std::string failure;        ///< why it has no result; empty when it has
     bool stopped = false;       ///< because the user asked for an end; `failure` says so
     bool is_numerical = false;  ///< the failure is the solver's, and would come again
@@ -17,7 +17,7 @@ struct Ending {
 
 /// Runs a problem to its end, until the solver fails or until the user asks for an end. Never throws: what one run cannot
 /// do must not end the others.
-[[nodiscard]] Ending run_to_end(const solver::Problem& problem,
+[[nodiscard]] RunEnd run_to_end(const solver::Problem& problem,
                                 const std::function<void(const solver::Snapshot&)>& watch);
 
 }  // namespace tiretherm::solver

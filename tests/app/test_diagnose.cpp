@@ -61,11 +61,11 @@ TEST(Diagnose, FindsWhatThePuzzleHides) {
     EXPECT_TRUE(
         page.out.starts_with("Bench of two nodes, runs of forty minutes\n3 runs, 3 606 values, 8 free numbers; "))
         << page.out;
-    for (const char* section : {"\nVerdict\n", "\nWhere it shows\n", "\nCauses that were tried\n", "\nFiles\n"}) {
+    for (const char* section : {"\nVerdict\n", "\nWhere it shows\n", "\nCandidate causes\n", "\nFiles\n"}) {
         EXPECT_TRUE(has(page.out, section)) << section << page.out;
     }
-    for (const char* name : {"diagnosis.json", "extended.toml", "residuals.csv", "residuals.png", "what_is_asked.csv",
-                             "what_is_asked.png"}) {
+    for (const char* name : {"diagnosis.json", "extended.toml", "residuals.csv", "residuals.png", "missing_heat.csv",
+                             "missing_heat.png"}) {
         EXPECT_GT(std::filesystem::file_size(diagnoses.written.folder() / "out" / name), 100u) << name;
         EXPECT_TRUE(has(page.out, name)) << name;
     }
@@ -73,8 +73,8 @@ TEST(Diagnose, FindsWhatThePuzzleHides) {
     const Json json = Json::parse(post::read_text(diagnoses.file("out/diagnosis.json")));
     ASSERT_FALSE(json["set"].empty()) << json["reason"];
     EXPECT_EQ(json["set"][0], Json::parse(R"(["sidewall_convection"])")) << json["reason"];
-    for (const Json& explanation : json["set"]) {
-        EXPECT_TRUE(explanation[0] == "sidewall_convection" || explanation[0] == "inner_gas") << explanation;
+    for (const Json& hypothesis : json["set"]) {
+        EXPECT_TRUE(hypothesis[0] == "sidewall_convection" || hypothesis[0] == "inner_gas") << hypothesis;
     }
     EXPECT_EQ(json["verdict"], json["set"].size() == 1 ? "named" : "confounded");
     EXPECT_TRUE(json["unknown"].is_null());

@@ -121,8 +121,9 @@ TEST(HotSpots, SteadyStateHasAMarginButNoTime) {
         "[drive]\nair_temperature = \"20 degC\"\nspeed = \"20 m/s\"\n[time]\nend = \"1 s\"\nsteady = true\n";
     const Call done = run(scratch, warming_plate + critical("55 degC") + steady, "");
     EXPECT_EQ(done.exit_code, 0) << done.err;
-    EXPECT_NE(flowing(done.out).find("hottest 60.0 degC in the steady state of 72 km/h, 0 N; top then reads 60.0 degC; "
-                                     "5.0 K too hot"),
+    EXPECT_NE(flowing(done.out).find(
+                  "hottest 60.0 degC in the steady state of 72 km/h, 0 N; at that moment top reads 60.0 degC; "
+                  "5.0 K too hot"),
               std::string::npos)
         << done.out;
     const Json all = spots(warming_plate + critical("55 degC") + steady);
@@ -158,7 +159,7 @@ standard_deviation = "2 K"
     EXPECT_NEAR(uncertainty["drivers"][0]["kelvin"].get<double>(), by_watts, 0.005);
     EXPECT_EQ(uncertainty["drivers"][1]["name"], "drive.air_temperature");
     EXPECT_NEAR(uncertainty["drivers"][1]["kelvin"].get<double>(), by_air, 0.002);
-    EXPECT_NEAR(uncertainty["drivers"][1]["bend"].get<double>(), 0.0, 1e-4);
+    EXPECT_NEAR(uncertainty["drivers"][1]["nonlinearity"].get<double>(), 0.0, 1e-4);
     const double sd = std::hypot(by_watts, by_air);
     EXPECT_NEAR(uncertainty["standard_deviation"].get<double>(), sd, 0.005);
     EXPECT_NEAR(uncertainty["chance_above_critical"].get<double>(), 0.5 * std::erfc((62.0 - end) / sd / std::sqrt(2.0)),
@@ -261,8 +262,8 @@ TEST(HotSpots, ErrorsOfCriticalTemperaturesAreAnObjectToo) {
     const sample::Scratch scratch;
     const Call done = run(scratch, warming_plate + critical("15 degC") + three_steps, "--json");
     EXPECT_EQ(done.exit_code, 1);
-    const Json told = Json::parse(done.out);
-    ASSERT_EQ(told["mistakes"].size(), 1U) << done.out;
+    const Json report = Json::parse(done.out);
+    ASSERT_EQ(report["mistakes"].size(), 1U) << done.out;
     EXPECT_FALSE(std::filesystem::exists(scratch / "out"));
 }
 

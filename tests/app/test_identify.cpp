@@ -99,7 +99,7 @@ TEST(Identify, FindsTheNumbersOfTheBenchAgain) {
     EXPECT_EQ(json["outputs"].size(), 2u);
     const Json& film = number(json, "air_convection.lambda_h");
     EXPECT_TRUE(holds(film, 1.05)) << film;
-    EXPECT_EQ(film["sight"], "determined");
+    EXPECT_EQ(film["identifiability"], "determined");
     // The prior of 0.1 by itself gives an interval of 0.39; one that is hardly narrower would hold the truth by no merit.
     EXPECT_LT(film["high"].get<double>() - film["low"].get<double>(), 0.039);
     EXPECT_TRUE(holds(number(json, "strain_energy_loss.tan_delta_a"), 0.93 * 2.14e15));
@@ -135,10 +135,10 @@ TEST(Identify, SaysWhatThreeTemperaturesDoNotTell) {
     const Json json = Json::parse(fit.out);
     ASSERT_EQ(json["parameters"].size(), 4u);
     const Json& link = number(json, "link.conductivity at 70 degC");
-    EXPECT_EQ(link["sight"], "determined");
+    EXPECT_EQ(link["identifiability"], "determined");
     EXPECT_NEAR(link["value"], 1.667, 0.01);
     for (const char* name : {"air_convection.lambda_h", "strain_energy_loss.tan_delta_a", "road_contact.Hc"}) {
-        EXPECT_EQ(number(json, name)["sight"], "prior only") << name;
+        EXPECT_EQ(number(json, name)["identifiability"], "prior only") << name;
     }
     EXPECT_NEAR(number(json, "air_convection.lambda_h")["standard_deviation"], 0.2, 0.01);
     EXPECT_NEAR(number(json, "road_contact.Hc")["standard_deviation"], 350.0, 3.5);
@@ -236,7 +236,7 @@ TEST(IdentifyLong, FourTemperaturesFixOneConductivity) {
     EXPECT_NEAR(number(json, "K1.conductivity at 90 degC")["value"], 1.204, 0.005);
     EXPECT_NEAR(number(json, "K2.conductivity at 90 degC")["value"], 0.0749, 0.001);
     for (const char* name : {"laser.absorptivity", "still_air.h"}) {
-        EXPECT_EQ(number(json, name)["sight"], "prior only") << name;
+        EXPECT_EQ(number(json, name)["identifiability"], "prior only") << name;
     }
 }
 
@@ -254,7 +254,7 @@ TEST(IdentifyLong, TheLasersIntervalsHoldTheTruth) {
         held += holds(json["parameters"][j], truth[j]) ? 1 : 0;
     }
     EXPECT_GE(held, 11);
-    EXPECT_EQ(number(json, "laser.absorptivity")["sight"], "with prior");
+    EXPECT_EQ(number(json, "laser.absorptivity")["identifiability"], "with prior");
 }
 
 }  // namespace

@@ -135,13 +135,13 @@ TEST(Run, NumericalFailureNamesPlaceEffectAndTimeAndKeepsTheResults) {
     const Call run = call(arguments, scratch.path());
     EXPECT_EQ(run.exit_code, 2);
     for (const char* part :
-         {"t = ", "layer tread", "the effect that pushes hardest there is", "the results so far are in results"}) {
+         {"t = ", "layer tread", "largest heat source there:", "the results so far are in results"}) {
         EXPECT_NE(run.err.find(part), std::string::npos) << part << " is not in: " << run.err;
     }
     EXPECT_EQ(post::read_text(scratch / "results/channels.csv"), "time [s],inside [degC]\n0,23.0000\n");
     const Call json = call(arguments + " --json", scratch.path());
     EXPECT_EQ(json.exit_code, 2);
-    EXPECT_NE(Json::parse(json.out)["error"].get<std::string>().find("pushes hardest"), std::string::npos);
+    EXPECT_NE(Json::parse(json.out)["error"].get<std::string>().find("largest heat source"), std::string::npos);
 }
 
 TEST(Run, CtrlCEndsItAfterTheStepWithWholeFiles) {

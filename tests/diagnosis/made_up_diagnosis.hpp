@@ -63,7 +63,7 @@ inline Cause lag() {
 inline MadeUp named() {
     MadeUp one(Verdict::named);
     one.result.causes = {sidewalls(), lag()};
-    one.result.explanations = {{0}};
+    one.result.hypotheses = {{0}};
     one.result.channels = {
         {.channel = 0, .rmse_before = 1.5, .rmse_after = 0.5, .heldout_before = 1.6, .heldout_after = 0.52},
         {.channel = 1, .rmse_before = 1.9, .rmse_after = 0.31, .heldout_before = 2.0, .heldout_after = 0.33}};
@@ -74,13 +74,13 @@ inline MadeUp named() {
 inline MadeUp pair() {
     MadeUp one = named();
     one.result.causes[1].in_set = true;
-    one.result.explanations = {{0, 1}};
+    one.result.hypotheses = {{0, 1}};
     return one;
 }
 inline MadeUp confounded() {
     MadeUp one(Verdict::confounded);
     one.result.causes = {sidewalls(), gas(), lag()};
-    one.result.explanations = {{0}, {1}, {1, 2}};
+    one.result.hypotheses = {{0}, {1}, {1, 2}};
     one.result.next = {{.name = "coast-down from 150 km/h, 5 min", .now = 1.2, .then = 7.0}};
     return one;
 }

@@ -86,7 +86,7 @@ inline input::Experiment practice_bench(const std::vector<Log>& logs) {
     return read_bench(practice() / "two_node_bench.toml", data);
 }
 
-inline Identification fit(const input::Experiment& experiment, const IdentificationChoice& choice = {}) {
+inline Identification fit(const input::Experiment& experiment, const IdentificationOptions& choice = {}) {
     Identification result = identify(experiment, observe(experiment), choice);
     EXPECT_TRUE(result.status.ok()) << result.status.message;
     EXPECT_TRUE(result.converged);

@@ -1,4 +1,4 @@
-// What must hold of any diagnosis, whatever the data: on papers of the exam of the bench.
+// What must hold of any diagnosis, whatever the data: on data sets of the exam of the bench.
 #include <algorithm>
 #include <fstream>
 #include <iterator>
@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "diagnosis/assess/diagnosis.hpp"
-#include "diagnosis/assess/findings.hpp"
-#include "hidden_effects/exam/exam_sitting.hpp"
+#include "diagnosis/assess/diagnosis_state.hpp"
+#include "hidden_effects/exam/exam_evaluation.hpp"
 #include "hidden_effects/made_up_bench.hpp"
 #include "input/measurements/measured_bench.hpp"
 
@@ -22,15 +22,15 @@ using tiretherm::input::Experiment;
 /// s between samples: half of the bench's, which is quick enough for a tire.
 constexpr double interval = 4.0;
 
-Experiment paper(Kind kind, double sigma, std::uint64_t seed) {
-    return read_paper(draw_paper(kind, sigma, seed, interval));
+Experiment data_set(Kind kind, double sigma, std::uint64_t seed) {
+    return read_data_set(draw_data_set(kind, sigma, seed, interval));
 }
 
 std::set<std::set<std::string>> set_of(const diagnosis::Diagnosis& found) {
     std::set<std::set<std::string>> all;
-    for (const auto& explanation : found.explanations) {
+    for (const auto& hypothesis : found.hypotheses) {
         std::set<std::string> names;
-        for (const std::size_t i : explanation) {
+        for (const std::size_t i : hypothesis) {
             names.insert(found.causes[i].id + found.causes[i].channel);
         }
         all.insert(std::move(names));
@@ -55,8 +55,8 @@ double misfit_without_noise(Experiment experiment) {
 
 // The order in which a case lists its candidates is nobody's knowledge.
 TEST(DiagnosisBench, DoesNotFollowTheOrderOfTheCandidates) {
-    Experiment experiment = paper(Kind::single, 10.0, 4203);
-    const diagnosis::DiagnosisChoice choice{.measure_gain = false, .plan_next = false};
+    Experiment experiment = data_set(Kind::single, 10.0, 4203);
+    const diagnosis::DiagnosisOptions choice{.measure_gain = false, .plan_next = false};
     const diagnosis::Diagnosis one = diagnosis::diagnose(experiment, diagnosis::observe(experiment), choice);
     std::ranges::reverse(experiment.candidates);
     const diagnosis::Diagnosis other = diagnosis::diagnose(experiment, diagnosis::observe(experiment), choice);
@@ -65,22 +65,22 @@ TEST(DiagnosisBench, DoesNotFollowTheOrderOfTheCandidates) {
     EXPECT_NE(one.verdict, diagnosis::Verdict::consistent);
 }
 
-// A camera that reads 2.7 % too little hides a warm gas: the loudest cause alone shows at less than three standard
-// deviations, both together at ten each.
+// A camera that reads 2.7 % too little hides a warm gas: the most significant cause alone shows at less than three
+// standard deviations, both together at ten each.
 TEST(DiagnosisBench, TwoCausesThatHideEachOtherAreSeen) {
-    const Experiment experiment = paper(Kind::pair, 10.0, 734004);
+    const Experiment experiment = data_set(Kind::pair, 10.0, 734004);
     const diagnosis::Observations observations = diagnosis::observe(experiment);
-    diagnosis::Findings found;
-    found.evidence = diagnosis::gather_evidence(experiment, observations,
-                                                diagnosis::candidates_of(experiment, experiment.candidates));
-    EXPECT_LT(found.evidence.scores.z.cwiseAbs().maxCoeff(), found.evidence.threshold);
-    diagnosis::inquire(found);
+    diagnosis::DiagnosisState found;
+    found.score_data = diagnosis::prepare_score_tests(experiment, observations,
+                                                      diagnosis::candidates_of(experiment, experiment.candidates));
+    EXPECT_LT(found.score_data.scores.z.cwiseAbs().maxCoeff(), found.score_data.threshold);
+    diagnosis::search_hypotheses(found);
     ASSERT_FALSE(found.set.empty());
     EXPECT_TRUE(found.singles.empty());
-    const auto is_truth = [&](const diagnosis::Explanation* one) {
+    const auto is_truth = [&](const diagnosis::FittedHypothesis* one) {
         std::set<std::string_view> ids;
         for (const std::size_t k : one->candidates) {
-            ids.insert(found.evidence.candidates[k].effect->id);
+            ids.insert(found.score_data.candidates[k].effect->id);
         }
         return ids == std::set<std::string_view>{"inner_gas", "sensor_gain"};
     };
@@ -89,7 +89,7 @@ TEST(DiagnosisBench, TwoCausesThatHideEachOtherAreSeen) {
 
 // An effect that is on may have a wrong number: 0.85 of the friction power are said to enter the tire, 0.6 do.
 TEST(DiagnosisBench, ANumberOfAnEffectThatIsOnMayBeWrong) {
-    Experiment experiment = paper(Kind::nothing, 0.0, 4101);
+    Experiment experiment = data_set(Kind::nothing, 0.0, 4101);
     const tiretherm::physics::Effect& friction = *tiretherm::physics::find_effect("sliding_friction");
     const auto partition = static_cast<std::size_t>(tiretherm::physics::find_parameter(friction, "partition"));
     for (auto& run : experiment.runs) {
@@ -104,7 +104,7 @@ TEST(DiagnosisBench, ANumberOfAnEffectThatIsOnMayBeWrong) {
     const diagnosis::Diagnosis found =
         diagnosis::diagnose(experiment, diagnosis::observe(experiment), {.plan_next = false});
     ASSERT_EQ(found.verdict, diagnosis::Verdict::named);
-    const diagnosis::Cause& cause = found.causes.at(found.explanations.front().front());
+    const diagnosis::Cause& cause = found.causes.at(found.hypotheses.front().front());
     EXPECT_EQ(cause.id, "sliding_friction");
     EXPECT_EQ(cause.instead_of, 0.85);
     ASSERT_EQ(cause.numbers.size(), 1U);
@@ -118,16 +118,16 @@ TEST(DiagnosisBench, ANumberOfAnEffectThatIsOnMayBeWrong) {
 // side: twelve of them left 0.006 to gain in the steps' own terms, and the fit did not count. The parabola along a step ends it,
 // and so would that so little counts as an end (refit.cpp): without both the pair is not found.
 TEST(DiagnosisBench, AFitInACurvedValleyEnds) {
-    const Experiment experiment = read_paper(draw_paper(Kind::pair, 10.0, 740019, 2.0));
+    const Experiment experiment = read_data_set(draw_data_set(Kind::pair, 10.0, 740019, 2.0));
     const diagnosis::Diagnosis found =
         diagnosis::diagnose(experiment, diagnosis::observe(experiment), {.measure_gain = false, .plan_next = false});
     EXPECT_EQ(set_of(found), (std::set<std::set<std::string>>{{"convection_exponent", "standing_wave"}}));
 }
 
-// A cornering loss of this paper's noise looks somewhat more like heat that follows the lateral force, by e^5.8 (e^3 to
-// e^6.5 are told beside the cause): both are said, and no name is alone.
+// A cornering loss of this data set's noise looks somewhat more like heat that follows the lateral force, by e^5.8 (e^3
+// to e^6.5 are reported beside the cause): both are said, and no name is alone.
 TEST(DiagnosisBench, AnUnknownSourceThatIsSomewhatLikelierStandsBesideTheCause) {
-    const Experiment experiment = read_paper(draw_paper(Kind::single, 10.0, 900106, 2.0));
+    const Experiment experiment = read_data_set(draw_data_set(Kind::single, 10.0, 900106, 2.0));
     const diagnosis::Diagnosis found =
         diagnosis::diagnose(experiment, diagnosis::observe(experiment), {.measure_gain = false, .plan_next = false});
     EXPECT_EQ(found.verdict, diagnosis::Verdict::confounded);
@@ -139,43 +139,43 @@ TEST(DiagnosisBench, AnUnknownSourceThatIsSomewhatLikelierStandsBesideTheCause) 
 
 // Two causes with one signature are a set of two, never a toss of a coin.
 TEST(DiagnosisBench, ACauseThatStandsTwiceIsASetOfTwo) {
-    const Experiment experiment = paper(Kind::single, 20.0, 4205);
+    const Experiment experiment = data_set(Kind::single, 20.0, 4205);
     const diagnosis::Observations observations = diagnosis::observe(experiment);
     std::vector<diagnosis::Candidate> candidates = diagnosis::candidates_of(experiment, experiment.candidates);
-    diagnosis::Findings found;
-    found.evidence = diagnosis::gather_evidence(experiment, observations, candidates);
-    diagnosis::inquire(found);
+    diagnosis::DiagnosisState found;
+    found.score_data = diagnosis::prepare_score_tests(experiment, observations, candidates);
+    diagnosis::search_hypotheses(found);
     ASSERT_FALSE(found.set.empty());
     ASSERT_EQ(found.set.front()->candidates.size(), 1U);
     const std::size_t members = found.set.size();
-    diagnosis::Candidate twin = candidates[found.set.front()->candidates.front()];
-    const std::size_t cause = twin.cause;
-    twin.cause = candidates.back().cause + 1;
-    candidates.push_back(twin);
-    diagnosis::Findings again;
-    again.evidence = diagnosis::gather_evidence(experiment, observations, candidates);
-    diagnosis::inquire(again);
+    diagnosis::Candidate duplicate = candidates[found.set.front()->candidates.front()];
+    const std::size_t cause = duplicate.cause;
+    duplicate.cause = candidates.back().cause + 1;
+    candidates.push_back(duplicate);
+    diagnosis::DiagnosisState again;
+    again.score_data = diagnosis::prepare_score_tests(experiment, observations, candidates);
+    diagnosis::search_hypotheses(again);
     EXPECT_EQ(again.verdict, diagnosis::Verdict::confounded);
     EXPECT_EQ(again.set.size(), members + 1);
     const auto holds = [&](std::size_t wanted) {
-        return std::ranges::any_of(again.set, [&](const diagnosis::Explanation* one) {
-            return one->candidates.size() == 1 && again.evidence.candidates[one->candidates.front()].cause == wanted;
+        return std::ranges::any_of(again.set, [&](const diagnosis::FittedHypothesis* one) {
+            return one->candidates.size() == 1 && again.score_data.candidates[one->candidates.front()].cause == wanted;
         });
     };
     EXPECT_TRUE(holds(cause));
-    EXPECT_TRUE(holds(twin.cause));
+    EXPECT_TRUE(holds(duplicate.cause));
 }
 
 // Beside a cause that is switched on its own signature is round-off and must not count among what could be missing. The
 // noise was drawn with 0.5 and 0.3 K, 0.9 over a second, of 3 times 600 samples a channel: sigma is then known to some 4 %,
 // the correlation to 0.02; three of these are allowed.
 TEST(DiagnosisBench, FindsTheSameNoiseBesideALargeCause) {
-    const Experiment experiment = paper(Kind::single, 20.0, 4205);
+    const Experiment experiment = data_set(Kind::single, 20.0, 4205);
     const diagnosis::Observations observations = diagnosis::observe(experiment);
-    diagnosis::Evidence evidence = diagnosis::gather_evidence(
+    diagnosis::ScoreTestData score_data = diagnosis::prepare_score_tests(
         experiment, observations, diagnosis::candidates_of(experiment, experiment.candidates));
-    for (const diagnosis::Explanation& one : diagnosis::explain_by_one(evidence)) {
-        diagnosis::Evidence beside = evidence;
+    for (const diagnosis::FittedHypothesis& one : diagnosis::fit_single_causes(score_data)) {
+        diagnosis::ScoreTestData beside = score_data;
         ASSERT_TRUE(diagnosis::settle_noise(beside, one));
         EXPECT_NEAR(beside.noise.channels[0].sigma, 0.5, 0.06);
         EXPECT_NEAR(beside.noise.channels[1].sigma, 0.3, 0.036);
@@ -252,7 +252,7 @@ TEST(DiagnosisBench, RefusesAGridThatCouldPassForACause) {
         diagnosis::diagnose(experiment, diagnosis::observe(experiment), {.finer = &finer});
     EXPECT_EQ(found.verdict, diagnosis::Verdict::cannot_tell);
     EXPECT_GT(found.numerical_error_sigma, 3.0);
-    EXPECT_TRUE(found.explanations.empty());
+    EXPECT_TRUE(found.hypotheses.empty());
 }
 
 }  // namespace hidden_effects

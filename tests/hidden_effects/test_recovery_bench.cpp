@@ -37,7 +37,8 @@ std::map<std::string, Coverage> recover(std::uint64_t first, std::uint64_t last,
         for (std::size_t j = 0; j < fit.fitted.size(); ++j) {
             const diagnosis::Fitted& one = fit.fitted[j];
             const tiretherm::solver::FreeParameter& parameter = experiment.parameters[j];
-            EXPECT_EQ(one.sight, diagnosis::Sight::determined) << "seed " << seed << ", " << parameter.name;
+            EXPECT_EQ(one.identifiability, diagnosis::Identifiability::determined)
+                << "seed " << seed << ", " << parameter.name;
             found[kind_of(parameter)].add(made.truth_of(parameter), one.value, one.low, one.high);
         }
     }

@@ -67,7 +67,7 @@ public:
             for (std::size_t r = 0; r < experiment_.runs.size(); ++r) {
                 solver::Problem& problem = experiment_.runs[r].problem;
                 const bool own = parameter.run < 0 || parameter.run == static_cast<int>(r);
-                // A shift of the start is told from 0 on, whatever the start is.
+                // A shift of the start is counted from 0 on, whatever the start is.
                 if (own && parameter.kind != solver::FreeParameter::Kind::initial) {
                     solver::move(problem, parameter, solver::value_of(problem, parameter), truth);
                 }

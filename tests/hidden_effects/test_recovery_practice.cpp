@@ -26,7 +26,7 @@ void expect_recovered(const std::string& name, const std::vector<double>& truth)
     ASSERT_EQ(fit.fitted.size(), truth.size());
     for (std::size_t j = 0; j < truth.size(); ++j) {
         const diagnosis::Fitted& one = fit.fitted[j];
-        EXPECT_EQ(one.sight, diagnosis::Sight::determined) << experiment.parameters[j].name;
+        EXPECT_EQ(one.identifiability, diagnosis::Identifiability::determined) << experiment.parameters[j].name;
         EXPECT_LT(one.low, truth[j]) << experiment.parameters[j].name;
         EXPECT_GT(one.high, truth[j]) << experiment.parameters[j].name;
     }

@@ -20,7 +20,7 @@ namespace {
 namespace cases = tiretherm::input;
 namespace diagnosis = tiretherm::diagnosis;
 namespace sample = tiretherm::diagnosis::sample;
-using diagnosis::Sight;
+using diagnosis::Identifiability;
 
 /// The practice case with the link's conductivity free too, without runs of its own.
 std::string free_case(bool with_priors) {
@@ -62,9 +62,9 @@ TEST(UnseenRecovery, WhatADullRunDoesNotSeeIsNamedAndNoIntervalIsFalse) {
             const diagnosis::Fitted& one = found.fit.fitted[j];
             const tiretherm::solver::FreeParameter& parameter = found.experiment.parameters[j];
             if (parameter.name.starts_with("initial surface")) {
-                EXPECT_EQ(one.sight, Sight::prior_only) << "seed " << seed;
+                EXPECT_EQ(one.identifiability, Identifiability::prior_only) << "seed " << seed;
             }
-            if (one.sight == Sight::not_determined) {
+            if (one.identifiability == Identifiability::not_determined) {
                 EXPECT_TRUE(std::isnan(one.low) && std::isnan(one.high)) << parameter.name;
                 one_without_interval = true;
             } else {
@@ -86,12 +86,14 @@ TEST(UnseenRecovery, WithPriorsIntervalsAreThoseOfThePriors) {
         const Recovered found = recover(made, true);
         const std::size_t film = sample::index_of(found.experiment, sample::film);
         const diagnosis::Fitted& one = found.fit.fitted[film];
-        EXPECT_TRUE(one.sight == Sight::prior_only || one.sight == Sight::with_prior) << word_of(one.sight);
+        EXPECT_TRUE(one.identifiability == Identifiability::prior_only ||
+                    one.identifiability == Identifiability::with_prior)
+            << word_of(one.identifiability);
         EXPECT_LE(one.standard_deviation, 0.1);
         EXPECT_LT(one.low, made.lambda_h);
         EXPECT_GT(one.high, made.lambda_h);
         for (const diagnosis::Fitted& other : found.fit.fitted) {
-            EXPECT_TRUE(other.sight == Sight::not_determined || std::isfinite(other.low));
+            EXPECT_TRUE(other.identifiability == Identifiability::not_determined || std::isfinite(other.low));
         }
     }
 }

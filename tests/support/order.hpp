@@ -21,7 +21,7 @@ inline std::vector<double> orders(const std::vector<double>& errors, double refi
     return result;
 }
 
-inline std::string in_words(const std::vector<double>& values) {
+inline std::string formatted(const std::vector<double>& values) {
     std::ostringstream text;
     text.precision(4);
     for (const double value : values) {
@@ -34,7 +34,7 @@ inline std::string in_words(const std::vector<double>& values) {
 inline void expect_order(std::string_view name, const std::vector<double>& errors, double low, double high,
                          double refinement = 2.0) {
     const std::vector<double> observed = orders(errors, refinement);
-    const std::string figures = "errors " + in_words(errors) + "orders " + in_words(observed);
+    const std::string figures = "errors " + formatted(errors) + "orders " + formatted(observed);
     testing::Test::RecordProperty(std::string(name), figures);
     for (const double order : observed) {
         EXPECT_GE(order, low) << name << ": " << figures;
@@ -44,7 +44,7 @@ inline void expect_order(std::string_view name, const std::vector<double>& error
 
 /// An error that must stay below a bound; the figure also goes to the test's XML report.
 inline void expect_below(std::string_view name, double error, double bound) {
-    testing::Test::RecordProperty(std::string(name), in_words({error, bound}));
+    testing::Test::RecordProperty(std::string(name), formatted({error, bound}));
     EXPECT_LE(std::abs(error), bound) << name;
 }
 

@@ -55,17 +55,17 @@ Histories run(const std::filesystem::path& path) {
 
 // Numbers of this program, printed to 0.1 K and 0.1 min; half a digit, and the stepper's 0.01 K, which is 0.1 min where a
 // plateau is nearly reached. A change must be meant.
-struct Promise {
+struct LinearisedGain {
     std::string name;
     double belt_edge = 0.0;   ///< degC, hottest
     double whole_tire = 0.0;  ///< degC
     double passing = 0.0;     ///< min, of 110 degC at the belt edge; NaN: never
 };
 
-class Durability : public testing::TestWithParam<Promise> {};
+class Durability : public testing::TestWithParam<LinearisedGain> {};
 
 TEST_P(Durability, CaseDoesAsItsPageSays) {
-    const Promise& promise = GetParam();
+    const LinearisedGain& promise = GetParam();
     const Histories histories = run(file(promise.name));
     ASSERT_EQ(histories.all.size(), 2U);
     EXPECT_EQ(histories.all[0].critical().name, "belt edge");
@@ -80,12 +80,12 @@ TEST_P(Durability, CaseDoesAsItsPageSays) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, Durability,
-                         testing::Values(Promise{"fmvss_139_high_speed", 113.4, 115.8, 272.1},
-                                         Promise{"fmvss_139_endurance", 115.5, 117.7, 600.2},
-                                         Promise{"fmvss_139_low_pressure", 120.1, 122.3, 4.8},
-                                         Promise{"un_r30_load_speed", 112.3, 115.0, 34.5},
-                                         Promise{"sae_j1561_step_speed", 108.2, 110.6, std::nan("")},
-                                         Promise{"sae_j1561_standing_wave", 109.8, 112.2, std::nan("")}),
+                         testing::Values(LinearisedGain{"fmvss_139_high_speed", 113.4, 115.8, 272.1},
+                                         LinearisedGain{"fmvss_139_endurance", 115.5, 117.7, 600.2},
+                                         LinearisedGain{"fmvss_139_low_pressure", 120.1, 122.3, 4.8},
+                                         LinearisedGain{"un_r30_load_speed", 112.3, 115.0, 34.5},
+                                         LinearisedGain{"sae_j1561_step_speed", 108.2, 110.6, std::nan("")},
+                                         LinearisedGain{"sae_j1561_standing_wave", 109.8, 112.2, std::nan("")}),
                          [](const auto& promise) { return promise.param.name; });
 
 // Cells halved in both directions, 6 144 of them, in the steady state of the last step: the hot spot moves by less than

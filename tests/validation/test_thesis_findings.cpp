@@ -1,7 +1,7 @@
 #include "validation/library.hpp"
 
 // What the thesis found, as far as both of its own model and the section show it. Orders and signs only; how far the
-// numbers are from the measured ones is told by `tiretherm validate`.
+// numbers are from the measured ones is reported by `tiretherm validate`.
 namespace tiretherm::validation {
 
 namespace {

@@ -113,7 +113,7 @@ void expect_all_below(const std::array<double, 9>& found, std::string_view of, d
 }
 
 TEST(LaserSlab, TableOfTheLinearProblemIsItsSeries) {
-    // The double cosine series times the modes of two layers, laser_slab.hpp, computed here and held against the
+    // The double cosine series times the modes of two layers, laser_slab.hpp, computed here and compared with the
     // printed table: its temperatures are good to 0.0005 K, its heats are printed to 1e-5 J, and the series is cut at
     // 1e-4 K.
     const support::LaserSlab exact(
@@ -137,7 +137,7 @@ TEST(LaserSlab, NonlinearBlockIsWithinAFifthOfAPercentInTenSeconds) {
     const std::clock_t begin = std::clock();  // of this process, so that other work on the machine does not count
     expect_all_below(errors(block(false), nonlinear, 1.0), "", 5e-3);
     const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-    testing::Test::RecordProperty("seconds", support::in_words({seconds}));
+    testing::Test::RecordProperty("seconds", support::formatted({seconds}));
 #if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__)
     EXPECT_LE(seconds, 10.0);
 #endif

@@ -162,8 +162,8 @@ TEST(TireSection, HottestCellConvergesWithTheGrid) {
     const double last = hottest[2] - hottest[1];
     const double order = std::log2(std::abs(change / last));
     support::expect_below("change of the hottest cell, 8 against 4, K", last, 0.5);
-    RecordProperty("observed order", support::in_words({order}));
-    EXPECT_GT(order, 0.8) << support::in_words(hottest);
+    RecordProperty("observed order", support::formatted({order}));
+    EXPECT_GT(order, 0.8) << support::formatted(hottest);
 }
 
 namespace {

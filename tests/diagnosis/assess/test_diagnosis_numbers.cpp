@@ -48,7 +48,7 @@ Diagnosis diagnosis_of(const input::Experiment& experiment) {
 
 std::vector<std::string> names_in_set(const Diagnosis& result) {
     std::vector<std::string> names;
-    for (const std::vector<std::size_t>& one : result.explanations) {
+    for (const std::vector<std::size_t>& one : result.hypotheses) {
         for (const std::size_t cause : one) {
             names.push_back(result.causes[cause].id);
         }
@@ -69,7 +69,7 @@ TEST(DiagnosisOfNumbers, NamesTheSidewallAmongTwoCauses) {
         diagnosis_of(made_up({"sidewall_convection", "loss_tangent_slope"}, "sidewall_convection", 15.0));
     ASSERT_EQ(result.verdict, Verdict::named) << result.reason;
     ASSERT_EQ(names_in_set(result), std::vector<std::string>{"sidewall_convection"});
-    const CauseNumber& number = result.causes[result.explanations[0][0]].numbers.at(0);
+    const CauseNumber& number = result.causes[result.hypotheses[0][0]].numbers.at(0);
     EXPECT_LT(number.low, 15.0);
     EXPECT_GT(number.high, 15.0);
     EXPECT_GT(number.low, 0.0);
@@ -78,7 +78,7 @@ TEST(DiagnosisOfNumbers, NamesTheSidewallAmongTwoCauses) {
 TEST(DiagnosisOfNumbers, NamesNothingWhereNothingIsHidden) {
     const Diagnosis result = diagnosis_of(made_up({}, "", 0.0));
     EXPECT_EQ(result.verdict, Verdict::consistent);
-    EXPECT_TRUE(result.explanations.empty());
+    EXPECT_TRUE(result.hypotheses.empty());
     const auto sidewall = std::ranges::find(result.limits, "sidewall_convection", &UpperLimit::id);
     ASSERT_NE(sidewall, result.limits.end());
     EXPECT_EQ(sidewall->low, 0.0);

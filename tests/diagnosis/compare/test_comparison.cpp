@@ -164,7 +164,7 @@ ComparedChannel made_up(double offset, double share, double noise) {
         series.regressor[1].push_back(std::sin(t / 3.0));
     }
     channel.series.push_back(series);
-    reckon(channel, {{"slip power", "W"}, {"speed", "km/h"}});
+    evaluate(channel, {{"slip power", "W"}, {"speed", "km/h"}});
     return channel;
 }
 
@@ -184,7 +184,7 @@ TEST(Comparison, SaysInWordsWhatItFinds) {
 TEST(Comparison, SaysSoWhereNothingShows) {
     const ComparedChannel channel = made_up(0.0, 0.0, 0.2);
     const std::vector<std::string> said = sentences(channel);
-    EXPECT_EQ(said[0].find("no bias that shows: "), 0u) << said[0];
+    EXPECT_EQ(said[0].find("no significant bias: "), 0u) << said[0];
     EXPECT_EQ(said[1].find("the differences scatter by 0.14 K, less than the sensor may by itself, 0.30 K (stated)"),
               0u)
         << said[1];

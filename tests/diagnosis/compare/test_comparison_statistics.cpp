@@ -89,10 +89,10 @@ TEST(ComparisonFigures, DifferencesThatKeepTheirSignForAWholeRunAreFewSamples) {
 TEST(ComparisonNoise, IsWhatLeavesTheLineBetweenNeighbours) {
     // 0, 0, 3, 0 at 0, 1, 2, 4 s. Middle at 1 s: line 1.5, off -1.5, weights 1 + 1/4 + 1/4 = 1.5: 2.25 / 1.5 = 1.5. Middle at
     // 2 s: neighbours 0 and 0, off 3, shares 2/3 and 1/3: 1 + 5/9, 9 / (14/9) = 5.786. Mean 3.643.
-    EXPECT_NEAR(quick_noise({{0, 1, 2, 4}}, {{0, 0, 3, 0}}), std::sqrt(0.5 * (1.5 + 81.0 / 14.0)), 1e-14);
+    EXPECT_NEAR(sample_to_sample_noise({{0, 1, 2, 4}}, {{0, 0, 3, 0}}), std::sqrt(0.5 * (1.5 + 81.0 / 14.0)), 1e-14);
     // A ramp of uneven steps has none.
-    EXPECT_NEAR(quick_noise({{0, 1, 5, 6}}, {{0, 2, 10, 12}}), 0.0, 1e-14);
-    EXPECT_TRUE(std::isnan(quick_noise({{0, 1}, {0, 1}}, {{3, 4}, {5, 6}})));
+    EXPECT_NEAR(sample_to_sample_noise({{0, 1, 5, 6}}, {{0, 2, 10, 12}}), 0.0, 1e-14);
+    EXPECT_TRUE(std::isnan(sample_to_sample_noise({{0, 1}, {0, 1}}, {{3, 4}, {5, 6}})));
 }
 
 TEST(ComparisonNoise, OfWhiteNoiseIsItsStandardDeviation) {
@@ -102,7 +102,7 @@ TEST(ComparisonNoise, OfWhiteNoiseIsItsStandardDeviation) {
     for (std::size_t i = 0; i < e.size(); ++i) {
         time[i] = static_cast<double>(i);
     }
-    EXPECT_NEAR(quick_noise({time}, {e}), 1.0, 3.0 * 0.5 * std::sqrt(3.9 / 10000.0));
+    EXPECT_NEAR(sample_to_sample_noise({time}, {e}), 1.0, 3.0 * 0.5 * std::sqrt(3.9 / 10000.0));
 }
 
 TEST(ModelUncertainty, WhatIsLeftOnceTheSensorIsRemoved) {

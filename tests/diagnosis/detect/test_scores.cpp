@@ -88,8 +88,8 @@ TEST(Scores, AreNormalWhereNothingIsMissing) {
     precision.head(2).setConstant(400.0);
     Eigen::MatrixXd columns = drawn(engine, 300, 10) * drawn(engine, 10, 10);
     columns.rightCols(5) += slopes.leftCols(5) * 10.0;
-    const Remainder remainder(slopes, precision);
-    const Eigen::MatrixXd signatures = remainder.of(columns);
+    const NuisanceProjector projector(slopes, precision);
+    const Eigen::MatrixXd signatures = projector.project(columns);
     std::vector<std::vector<double>> z(10);
     for (int draw = 0; draw < 2000; ++draw) {
         const Eigen::VectorXd noise = drawn(engine, 300, 1);
@@ -97,7 +97,7 @@ TEST(Scores, AreNormalWhereNothingIsMissing) {
         Eigen::VectorXd truth = 5.0 * drawn(engine, 6, 1);
         truth.head(2) = drawn(engine, 2, 1) / 20.0;
         const Scores scores =
-            score(signatures, remainder.of(Eigen::VectorXd(noise + slopes * truth), Eigen::VectorXd::Zero(6)),
+            score(signatures, projector.project(Eigen::VectorXd(noise + slopes * truth), Eigen::VectorXd::Zero(6)),
                   columns.colwise().norm());
         for (std::size_t k = 0; k < z.size(); ++k) {
             z[k].push_back(scores.z[static_cast<Eigen::Index>(k)]);
@@ -113,10 +113,10 @@ TEST(Scores, FindTheAmplitudeBesideFreeNumbers) {
     std::mt19937_64 engine(8);
     const Eigen::MatrixXd slopes = drawn(engine, 50, 4);
     const Eigen::MatrixXd columns = drawn(engine, 50, 2);
-    const Remainder remainder(slopes, Eigen::VectorXd::Zero(4));
+    const NuisanceProjector projector(slopes, Eigen::VectorXd::Zero(4));
     const Eigen::VectorXd data = 3.0 * columns.col(0) + slopes * Eigen::Vector4d(1.0, -2.0, 0.5, 4.0);
     const Scores scores =
-        score(remainder.of(columns), remainder.of(data, Eigen::VectorXd::Zero(4)), columns.colwise().norm());
+        score(projector.project(columns), projector.project(data, Eigen::VectorXd::Zero(4)), columns.colwise().norm());
     EXPECT_NEAR(scores.amplitude(0), 3.0, 1e-12);
     EXPECT_NEAR(scores.z[0], 3.0 * scores.length[0], 1e-11);
     EXPECT_NEAR(scores.z[1], scores.correlation(0, 1) * scores.z[0], 1e-11);
@@ -128,10 +128,10 @@ TEST(Scores, LeaveOutWhatTheFreeNumbersMakeUp) {
     const Eigen::MatrixXd slopes = drawn(engine, 50, 4);
     Eigen::MatrixXd column = slopes * Eigen::Vector4d(1.0, 1.0, 1.0, 1.0);
     column += 1e-5 * drawn(engine, 50, 1);
-    const Remainder remainder(slopes, Eigen::VectorXd::Zero(4));
-    const Scores scores =
-        score(remainder.of(column), remainder.of(Eigen::VectorXd(drawn(engine, 50, 1)), Eigen::VectorXd::Zero(4)),
-              column.colwise().norm());
+    const NuisanceProjector projector(slopes, Eigen::VectorXd::Zero(4));
+    const Scores scores = score(projector.project(column),
+                                projector.project(Eigen::VectorXd(drawn(engine, 50, 1)), Eigen::VectorXd::Zero(4)),
+                                column.colwise().norm());
     EXPECT_EQ(scores.length[0], 0.0);
     EXPECT_EQ(scores.z[0], 0.0);
 }

@@ -11,11 +11,11 @@ TEST(IdentificationBounds, AFitThatWantsToGoFurtherEndsAtTheBound) {
     const std::size_t film = sample::index_of(experiment, sample::film);
     experiment.parameters[film].high = 1.02;
     const Identification result = sample::fit(experiment);
-    EXPECT_EQ(result.fitted[film].sight, Sight::at_bound);
+    EXPECT_EQ(result.fitted[film].identifiability, Identifiability::at_bound);
     EXPECT_NEAR(result.fitted[film].value, 1.02, 1e-6);
     EXPECT_LE(result.fitted[film].high, 1.02);
     const std::size_t loss = sample::index_of(experiment, sample::loss);
-    EXPECT_EQ(result.fitted[loss].sight, Sight::determined);
+    EXPECT_EQ(result.fitted[loss].identifiability, Identifiability::determined);
     EXPECT_NEAR(result.fitted[loss].value, 0.93 * 2.14e15, 0.02 * 2.14e15);
 }
 
@@ -45,7 +45,7 @@ TEST(IdentificationBounds, TheSearchFindsTheTruthBesideValuesAtWhichTheModelFail
     const Identification result = sample::fit(experiment);
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
     for (const auto& [j, truth] : {std::pair{at_60, 0.6672}, std::pair{at_62, 0.68606}}) {
-        EXPECT_EQ(result.fitted[j].sight, Sight::determined);
+        EXPECT_EQ(result.fitted[j].identifiability, Identifiability::determined);
         EXPECT_LT(result.fitted[j].low, truth);
         EXPECT_GT(result.fitted[j].high, truth);
     }

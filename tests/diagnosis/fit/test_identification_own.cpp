@@ -12,7 +12,7 @@ TEST(IdentificationOwn, FindsTheExchangeThatThePuzzleHides) {
          {std::pair{"throttle_heat.watts", 0.0}, std::pair{"wall.conductance", 0.8},
           std::pair{"air_convection.lambda_h", 0.96}, std::pair{"strain_energy_loss.tan_delta_a", 1.06 * 2.14e15}}) {
         const Fitted& number = result.fitted[sample::index_of(experiment, name)];
-        EXPECT_EQ(number.sight, Sight::determined) << name;
+        EXPECT_EQ(number.identifiability, Identifiability::determined) << name;
         EXPECT_LT(number.low, truth) << name;
         EXPECT_GT(number.high, truth) << name;
     }

@@ -5,7 +5,7 @@
 
 #include "diagnosis/compare/camera_comparison.hpp"
 #include "diagnosis/compare/camera_rings.hpp"
-#include "diagnosis/detect/own_error.hpp"
+#include "diagnosis/detect/discretisation_error.hpp"
 #include "diagnosis/fit/camera_bench.hpp"
 #include "diagnosis/fit/identification.hpp"
 
@@ -152,8 +152,8 @@ TEST(CameraFit, FindsWhatIsTrueWithinItsIntervals) {
     EXPECT_NEAR(result.channels.back().noise.sigma, 0.80, 0.35);
 }
 
-// The drift is told from the pixels' noise: with 0.5 K of it in place of none, the absorbed share, which the level of the
-// frames tells, is known less well; where the image lies, which differences tell, stays known as it was.
+// The drift is distinguished from the pixels' noise: with 0.5 K of it in place of none, the absorbed share, which the
+// level of the frames tells, is known less well; where the image lies, which differences tell, stays known as it was.
 TEST(CameraFit, TakesADriftOfTheFramesForWhatItIs) {
     const auto deviations = [](double drift) {
         input::Experiment experiment = camera_experiment();

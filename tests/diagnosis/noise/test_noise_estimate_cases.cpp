@@ -197,7 +197,7 @@ TEST(NoiseEstimate, CautionWhereNoiseEatsPhysics) {
     EXPECT_EQ(said[1].find("bulk: the noise forgets itself in 50 s, as fast as the tire does (80 s)"), 0u) << said[1];
     EXPECT_EQ(cautions("bulk", "K", {.sigma = 0.5, .correlation_time = 119.9, .white_share = 0.3}, found, 0.0, {})
                   .front()
-                  .find("bulk: the noise is as slow as is allowed, 2 min"),
+                  .find("bulk: the noise's correlation time reached its upper limit, 2 min"),
               0u);
 }
 

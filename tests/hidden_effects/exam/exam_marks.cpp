@@ -28,37 +28,37 @@ bool is_same(const Cause& truth, const diagnosis::Cause& found) {
     return truth.channel.empty() || truth.channel == found.channel;
 }
 
-bool is_true(const Paper& paper, const diagnosis::Cause& found) {
-    return std::ranges::any_of(paper.hidden, [&](const Cause& truth) { return is_same(truth, found); });
+bool is_true(const ExamDataSet& data_set, const diagnosis::Cause& found) {
+    return std::ranges::any_of(data_set.hidden, [&](const Cause& truth) { return is_same(truth, found); });
 }
 
-/// Whether an explanation is what is hidden, no more and no less.
-bool is_truth(const Paper& paper, const Diagnosis& diagnosis, const std::vector<std::size_t>& explanation) {
-    return !paper.hidden.empty() && explanation.size() == paper.hidden.size() &&
-           std::ranges::all_of(paper.hidden, [&](const Cause& truth) {
-               return std::ranges::any_of(explanation,
+/// Whether a hypothesis is what is hidden, no more and no less.
+bool is_truth(const ExamDataSet& data_set, const Diagnosis& diagnosis, const std::vector<std::size_t>& hypothesis) {
+    return !data_set.hidden.empty() && hypothesis.size() == data_set.hidden.size() &&
+           std::ranges::all_of(data_set.hidden, [&](const Cause& truth) {
+               return std::ranges::any_of(hypothesis,
                                           [&](std::size_t i) { return is_same(truth, diagnosis.causes[i]); });
            });
 }
 
 /// How like the truth a cause is that was found, 0 where the oracle does not know it.
-double likeness_of(const Paper& paper, const diagnosis::Cause& found) {
+double likeness_of(const ExamDataSet& data_set, const diagnosis::Cause& found) {
     const auto is_found = [&](const Variant& variant) { return is_same(cause_of(variant, 0.0, 0.0), found); };
-    for (const Likeness& one : paper.alike) {
+    for (const Likeness& one : data_set.alike) {
         if (is_found(*one.variant)) {
             return one.strength();
         }
     }
-    if (paper.oracle_of_runs && paper.runs.rig->costly) {
-        const auto variant = std::ranges::find_if(*paper.runs.rig->variants, is_found);
-        return variant == paper.runs.rig->variants->end() ? 0.0 : likeness(paper, *variant).strength();
+    if (data_set.oracle_of_runs && data_set.runs.rig->costly) {
+        const auto variant = std::ranges::find_if(*data_set.runs.rig->variants, is_found);
+        return variant == data_set.runs.rig->variants->end() ? 0.0 : likeness(data_set, *variant).strength();
     }
     return 0.0;
 }
 
-std::string text_of(const Diagnosis& diagnosis, const std::vector<std::size_t>& explanation) {
+std::string text_of(const Diagnosis& diagnosis, const std::vector<std::size_t>& hypothesis) {
     std::string text;
-    for (const std::size_t i : explanation) {
+    for (const std::size_t i : hypothesis) {
         text += (text.empty() ? "" : " + ") + name_of(diagnosis.causes[i]);
     }
     return text;
@@ -79,22 +79,23 @@ std::optional<bool> holds(const Cause& truth, const Diagnosis& diagnosis) {
     return std::nullopt;
 }
 
-void mark_names(const Paper& paper, const Diagnosis& diagnosis, Mark& mark) {
-    const auto& set = diagnosis.explanations;
-    const auto right = [&](const auto& explanation) { return is_truth(paper, diagnosis, explanation); };
+void mark_names(const ExamDataSet& data_set, const Diagnosis& diagnosis, Mark& mark) {
+    const auto& set = diagnosis.hypotheses;
+    const auto right = [&](const auto& hypothesis) { return is_truth(data_set, diagnosis, hypothesis); };
     mark.in_set = std::ranges::any_of(set, right);
     mark.first_right = !set.empty() && right(set.front());
-    const bool first_alike = !mark.first_right && mark.in_set && set.front().size() == 1 && paper.hidden.size() == 1 &&
-                             likeness_of(paper, diagnosis.causes[set.front().front()]) > alike;
+    const bool first_alike = !mark.first_right && mark.in_set && set.front().size() == 1 &&
+                             data_set.hidden.size() == 1 &&
+                             likeness_of(data_set, diagnosis.causes[set.front().front()]) > alike;
     mark.first_right_or_alike = mark.first_right || first_alike;
     mark.only_right = diagnosis.verdict == Verdict::named && set.size() == 1 && mark.first_right;
     if (!mark.in_set) {
         return;
     }
-    mark.size_held = holds(paper.hidden.front(), diagnosis);
+    mark.size_held = holds(data_set.hidden.front(), diagnosis);
     // Both numbers of a pair were fitted together only where the pair is all that is left.
-    if (paper.hidden.size() == 2) {
-        const std::optional<bool> second = holds(paper.hidden.back(), diagnosis);
+    if (data_set.hidden.size() == 2) {
+        const std::optional<bool> second = holds(data_set.hidden.back(), diagnosis);
         mark.size_held =
             mark.only_right && mark.size_held && second ? std::optional(*mark.size_held && *second) : std::nullopt;
     }
@@ -119,22 +120,22 @@ bool follows(const HiddenSource& source, const std::string& said) {
            });
 }
 
-void mark_unknown(const Paper& paper, const Diagnosis& diagnosis, Mark& mark) {
-    mark.named_though_unknown = !diagnosis.explanations.empty();
+void mark_unknown(const ExamDataSet& data_set, const Diagnosis& diagnosis, Mark& mark) {
+    mark.named_though_unknown = !diagnosis.hypotheses.empty();
     mark.unknown = diagnosis.verdict == Verdict::unknown && diagnosis.unknown.has_value();
     if (!mark.unknown) {
         return;
     }
     const diagnosis::UnknownSource& found = *diagnosis.unknown;
     mark.first = "heat after " + found.follows + " in the " + found.place;
-    const bool part = std::ranges::find(paper.source.or_at, found.place) != paper.source.or_at.end();
-    mark.place_right = (found.place == paper.source.place || part) && !found.sensor;
-    mark.signal_right = paper.source.signals.empty()
-                            ? is_window(paper.source, found, "run" + std::to_string(paper.source.run + 1))
-                            : follows(paper.source, found.follows);
+    const bool part = std::ranges::find(data_set.source.or_at, found.place) != data_set.source.or_at.end();
+    mark.place_right = (found.place == data_set.source.place || part) && !found.sensor;
+    mark.signal_right = data_set.source.signals.empty()
+                            ? is_window(data_set.source, found, "run" + std::to_string(data_set.source.run + 1))
+                            : follows(data_set.source, found.follows);
     // The watts of a part that stands for a place which the program does not know are not those of the place.
     if (mark.place_right && !part && mark.signal_right && found.low < found.high) {
-        mark.size_held = found.low <= paper.source.watts && paper.source.watts <= found.high;
+        mark.size_held = found.low <= data_set.source.watts && data_set.source.watts <= found.high;
     }
 }
 
@@ -166,43 +167,43 @@ std::string Mark::faults() const {
     return all;
 }
 
-Mark mark_of(const Paper& paper, const Diagnosis& diagnosis) {
-    Mark mark{.bench = paper.runs.rig->name,
-              .kind = paper.kind,
-              .seed = paper.seed,
-              .sigma = paper.sigma,
-              .answer = answer_of(paper),
+Mark mark_of(const ExamDataSet& data_set, const Diagnosis& diagnosis) {
+    Mark mark{.bench = data_set.runs.rig->name,
+              .kind = data_set.kind,
+              .seed = data_set.seed,
+              .sigma = data_set.sigma,
+              .answer = answer_of(data_set),
               .verdict = std::string(diagnosis::word_of(diagnosis.verdict)),
               .first = {},
               .set = {}};
-    mark.apart = paper.twin ? std::optional(paper.twin->apart) : std::nullopt;
+    mark.apart = data_set.confounded ? std::optional(data_set.confounded->apart) : std::nullopt;
     mark.numerical_error_sigma = diagnosis.numerical_error_sigma;
     mark.simulations = diagnosis.simulations;
     mark.seconds = diagnosis.seconds;
     if (!diagnosis.status.ok()) {
         mark.verdict = diagnosis.status.message;
         mark.first = "failed";
-        mark.false_alarm = hides_nothing(paper.kind);
+        mark.false_alarm = hides_nothing(data_set.kind);
         return mark;
     }
     const Verdict verdict = diagnosis.verdict;
-    mark.first = diagnosis.explanations.empty() ? mark.verdict : text_of(diagnosis, diagnosis.explanations.front());
-    for (const auto& explanation : diagnosis.explanations) {
-        mark.set += (mark.set.empty() ? "{" : ", {") + text_of(diagnosis, explanation) + "}";
+    mark.first = diagnosis.hypotheses.empty() ? mark.verdict : text_of(diagnosis, diagnosis.hypotheses.front());
+    for (const auto& hypothesis : diagnosis.hypotheses) {
+        mark.set += (mark.set.empty() ? "{" : ", {") + text_of(diagnosis, hypothesis) + "}";
     }
-    if (hides_nothing(paper.kind)) {
+    if (hides_nothing(data_set.kind)) {
         mark.false_alarm = verdict != Verdict::consistent;
         return mark;
     }
     mark.detected = verdict != Verdict::consistent && verdict != Verdict::cannot_tell;
-    mark.wrong_with_confidence = verdict == Verdict::named && diagnosis.explanations.size() == 1 &&
-                                 std::ranges::any_of(diagnosis.explanations.front(), [&](std::size_t i) {
-                                     return !is_true(paper, diagnosis.causes[i]);
+    mark.wrong_with_confidence = verdict == Verdict::named && diagnosis.hypotheses.size() == 1 &&
+                                 std::ranges::any_of(diagnosis.hypotheses.front(), [&](std::size_t i) {
+                                     return !is_true(data_set, diagnosis.causes[i]);
                                  });
-    if (is_unknown(paper.kind)) {
-        mark_unknown(paper, diagnosis, mark);
+    if (is_unknown(data_set.kind)) {
+        mark_unknown(data_set, diagnosis, mark);
     } else {
-        mark_names(paper, diagnosis, mark);
+        mark_names(data_set, diagnosis, mark);
     }
     if (diagnosis.gain.measured) {
         mark.removed = diagnosis.gain.removable_removed;

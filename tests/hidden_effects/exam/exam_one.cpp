@@ -1,4 +1,4 @@
-// Draws one paper of the exam, diagnoses it and says what came of it:
+// Draws one data set of the exam, diagnoses it and says what came of it:
 //     exam_one [BENCH] KIND SIGMA SEED [FOLDER]
 // BENCH: two_node (when left out), layers, section, laser. With a FOLDER its logs are written there too, for
 // `tiretherm diagnose cases/practice/BENCH_bench.toml --data FOLDER/run1.csv ...`
@@ -8,35 +8,37 @@
 
 #include <fmt/format.h>
 
-#include "hidden_effects/exam/exam_sitting.hpp"
+#include "hidden_effects/exam/exam_evaluation.hpp"
 
 namespace {
 
 using namespace hidden_effects;
 namespace diagnosis = tiretherm::diagnosis;
 
-void print_truth(const Paper& paper) {
-    const Rig& rig = *paper.runs.rig;
-    fmt::print("truth      {}, {}", rig.name, answer_of(paper));
+void print_truth(const ExamDataSet& data_set) {
+    const Rig& rig = *data_set.runs.rig;
+    fmt::print("truth      {}, {}", rig.name, answer_of(data_set));
     for (std::size_t i = 0; i < rig.of_bench.size(); ++i) {
-        fmt::print("; {} {:.4f}", rig.of_bench[i].name, paper.runs.of_bench[i]);
+        fmt::print("; {} {:.4f}", rig.of_bench[i].name, data_set.runs.of_bench[i]);
     }
     fmt::print("\n");
-    for (std::size_t i = 0; i < paper.hidden.size(); ++i) {
-        for (const auto& [key, value] : paper.hidden[i].parameters) {
-            fmt::print("           {}.{} {:.6g}, oracle {:.2f} sigma\n", name_of(paper.hidden[i]), key, value,
-                       paper.oracle[i]);
+    for (std::size_t i = 0; i < data_set.hidden.size(); ++i) {
+        for (const auto& [key, value] : data_set.hidden[i].parameters) {
+            fmt::print("           {}.{} {:.6g}, oracle {:.2f} sigma\n", name_of(data_set.hidden[i]), key, value,
+                       data_set.oracle[i]);
         }
     }
-    if (is_unknown(paper.kind)) {
+    if (is_unknown(data_set.kind)) {
         fmt::print("           {:.1f} W at most, oracle {:.2f} sigma; window: run {} {:g} to {:g} s\n",
-                   paper.source.watts, paper.oracle.front(), paper.source.run + 1, paper.source.from, paper.source.to);
+                   data_set.source.watts, data_set.oracle.front(), data_set.source.run + 1, data_set.source.from,
+                   data_set.source.to);
     }
-    if (paper.twin) {
-        fmt::print("           nearest other: {}, misses {:.2f} sigma\n", paper.twin->name, paper.twin->apart);
+    if (data_set.confounded) {
+        fmt::print("           nearest other: {}, misses {:.2f} sigma\n", data_set.confounded->name,
+                   data_set.confounded->apart);
     }
-    for (std::size_t i = 0; i < std::min<std::size_t>(5, paper.alike.size()); ++i) {
-        fmt::print("           like {} {:+.4f}\n", paper.alike[i].variant->name(), paper.alike[i].correlation);
+    for (std::size_t i = 0; i < std::min<std::size_t>(5, data_set.alike.size()); ++i) {
+        fmt::print("           like {} {:+.4f}\n", data_set.alike[i].variant->name(), data_set.alike[i].correlation);
     }
 }
 
@@ -45,9 +47,9 @@ void print_diagnosis(const diagnosis::Diagnosis& found) {
         fmt::print("failed     {}\n", found.status.message);
     }
     fmt::print("verdict    {}: {}\n", diagnosis::word_of(found.verdict), found.reason);
-    for (const auto& explanation : found.explanations) {
+    for (const auto& hypothesis : found.hypotheses) {
         std::string text;
-        for (const std::size_t i : explanation) {
+        for (const std::size_t i : hypothesis) {
             text += (text.empty() ? "" : " + ") + name_of(found.causes[i]);
         }
         fmt::print("set        {}\n", text);
@@ -98,15 +100,15 @@ int main(int count, char** words) {
         return 1;
     }
     try {
-        const Paper paper =
-            draw_paper(kind_from(said[0]), std::stod(said[1]), std::stoull(said[2]), 0.0, rig_of(bench));
-        for (std::size_t run = 0; said.size() > 3 && run < paper.logs.size(); ++run) {
-            write(std::filesystem::path(said[3]) / fmt::format("run{}.csv", run + 1), paper.logs[run]);
+        const ExamDataSet data_set =
+            draw_data_set(kind_from(said[0]), std::stod(said[1]), std::stoull(said[2]), 0.0, rig_of(bench));
+        for (std::size_t run = 0; said.size() > 3 && run < data_set.logs.size(); ++run) {
+            write(std::filesystem::path(said[3]) / fmt::format("run{}.csv", run + 1), data_set.logs[run]);
         }
-        print_truth(paper);
-        const diagnosis::Diagnosis found = diagnose_paper(paper);
+        print_truth(data_set);
+        const diagnosis::Diagnosis found = diagnose_data_set(data_set);
         print_diagnosis(found);
-        const std::string faults = mark_of(paper, found).faults();
+        const std::string faults = mark_of(data_set, found).faults();
         fmt::print("faults     {}\n", faults.empty() ? "none" : faults);
     } catch (const std::exception& failure) {
         fmt::print(stderr, "{}\n", failure.what());

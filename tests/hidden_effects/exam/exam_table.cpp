@@ -24,11 +24,11 @@ struct Question {
 bool is_hidden(const Mark& m) { return !hides_nothing(m.kind); }
 bool is_single(const Mark& m) { return m.kind == Kind::single || m.kind == Kind::dull_single; }
 bool is_pair(const Mark& m) { return m.kind == Kind::pair; }
-/// A pair that no other explanation, single or pair, comes near to. Where the nearest misses d standard deviations, data
-/// tell the log likelihood ratio d^2/2 +- d: at d = 4 it exceeds 4.6, a hundred to one, in four papers of five. Nearer by,
-/// nobody can demand that three pairs of four be named alone.
+/// A pair that no other hypothesis, single or pair, comes near to. Where the nearest misses d standard deviations, data
+/// tell the log likelihood ratio d^2/2 +- d: at d = 4 it exceeds 4.6, a hundred to one, in four data sets of five.
+/// Nearer by, nobody can demand that three pairs of four be named alone.
 bool stands_apart(const Mark& m) { return is_pair(m) && m.apart > 4.0; }
-bool is_unknown_paper(const Mark& m) { return is_unknown(m.kind); }
+bool is_unknown_data_set(const Mark& m) { return is_unknown(m.kind); }
 
 /// What the diagnosis is asked, with the least shares that are demanded of it.
 const std::vector<Question>& questions() {
@@ -37,8 +37,8 @@ const std::vector<Question>& questions() {
          [](const Mark& m) { return !m.false_alarm; }, 0.98},
         {"detected", is_hidden, [](const Mark& m) { return m.detected; }, 0.90, 6.0},
         {"right name first", is_single, [](const Mark& m) { return m.first_right; }},
-        {"right name first, or its look-alike", is_single, [](const Mark& m) { return m.first_right_or_alike; }, 0.90,
-         10.0},
+        {"right name first, or one confounded with it", is_single, [](const Mark& m) { return m.first_right_or_alike; },
+         0.90, 10.0},
         {"truth in the set, when detected", [](const Mark& m) { return (is_single(m) || is_pair(m)) && m.detected; },
          [](const Mark& m) { return m.in_set; }, 0.93},
         {"no wrong name with confidence", is_hidden, [](const Mark& m) { return !m.wrong_with_confidence; }, 0.97},
@@ -46,9 +46,9 @@ const std::vector<Question>& questions() {
         {"both and nothing else", is_pair, [](const Mark& m) { return m.only_right; }, 0.75, 10.0},
         {"both in the set, no other near", stands_apart, [](const Mark& m) { return m.in_set; }, 0.93, 10.0},
         {"both and nothing else, no other near", stands_apart, [](const Mark& m) { return m.only_right; }, 0.75, 10.0},
-        {"no name of the catalogue", is_unknown_paper, [](const Mark& m) { return !m.named_though_unknown; }, 0.80,
+        {"no name of the catalogue", is_unknown_data_set, [](const Mark& m) { return !m.named_though_unknown; }, 0.80,
          10.0},
-        {"recognised as unknown", is_unknown_paper, [](const Mark& m) { return m.unknown; }},
+        {"recognised as unknown", is_unknown_data_set, [](const Mark& m) { return m.unknown; }},
         {"its place", [](const Mark& m) { return m.unknown; }, [](const Mark& m) { return m.place_right; }},
         {"its signal", [](const Mark& m) { return m.unknown; }, [](const Mark& m) { return m.signal_right; }},
         {"size within its interval", [](const Mark& m) { return m.size_held.has_value(); },
@@ -88,10 +88,10 @@ int Row::most_wrong() const {
 
 std::vector<Row> rows_of(const std::vector<Mark>& marks) {
     std::vector<Row> rows;
-    for (const auto& [group, papers] : grouped(marks)) {
+    for (const auto& [group, data_sets] : grouped(marks)) {
         for (const Question& question : questions()) {
             Row row{.group = name_of(group), .question = question.text};
-            for (const Mark* mark : papers) {
+            for (const Mark* mark : data_sets) {
                 if (question.applies(*mark)) {
                     ++row.count;
                     row.right += question.is_right(*mark) ? 1 : 0;
@@ -126,15 +126,15 @@ std::string table_of(const std::vector<Row>& rows) {
 
 std::string costs_of(const std::vector<Mark>& marks) {
     std::string text;
-    for (const auto& [group, papers] : grouped(marks)) {
+    for (const auto& [group, data_sets] : grouped(marks)) {
         double draw = 0.0;
-        double think = 0.0;
-        for (const Mark* mark : papers) {
-            draw += mark->draw_seconds / static_cast<double>(papers.size());
-            think += mark->think_seconds / static_cast<double>(papers.size());
+        double diagnose = 0.0;
+        for (const Mark* mark : data_sets) {
+            draw += mark->draw_seconds / static_cast<double>(data_sets.size());
+            diagnose += mark->diagnose_seconds / static_cast<double>(data_sets.size());
         }
-        text += fmt::format("{:<30} a paper takes {:.1f} s to draw and {:.1f} s to diagnose\n", name_of(group), draw,
-                            think);
+        text += fmt::format("{:<30} a data set takes {:.1f} s to draw and {:.1f} s to diagnose\n", name_of(group), draw,
+                            diagnose);
     }
     return text;
 }

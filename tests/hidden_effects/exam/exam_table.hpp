@@ -7,7 +7,7 @@
 
 namespace hidden_effects {
 
-/// How often something was right in the papers of one kind and size.
+/// How often something was right in the data sets of one kind and size.
 struct Row {
     std::string group;     ///< "two_node, single, 10 sigma"
     std::string question;  ///< "detected"
@@ -24,11 +24,11 @@ struct Row {
 [[nodiscard]] std::vector<Row> rows_of(const std::vector<Mark>& marks);
 /// A line a row: counts, share with Wilson's 95 % interval, what must be.
 [[nodiscard]] std::string table_of(const std::vector<Row>& rows);
-/// What drawing and diagnosing a paper of each kind and size took on average, where one was sat at a time.
+/// What drawing and diagnosing a data set of each kind and size took on average, where one was evaluated at a time.
 [[nodiscard]] std::string costs_of(const std::vector<Mark>& marks);
 /// For each truth the first names that came, and how often.
 [[nodiscard]] std::string confusions_of(const std::vector<Mark>& marks);
-/// A line for each paper with a fault: bench, kind, size, seed, truth, verdict, set.
+/// A line for each data set with a fault: bench, kind, size, seed, truth, verdict, set.
 [[nodiscard]] std::string faults_of(const std::vector<Mark>& marks);
 
 }  // namespace hidden_effects

@@ -1,4 +1,4 @@
-// The examiner: does the oracle see what it says it sees, and does a paper hide what it is asked to hide?
+// The examiner: does the oracle see what it says it sees, and does a data set hide what it is asked to hide?
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -6,15 +6,15 @@
 #include <gtest/gtest.h>
 #include <Eigen/Cholesky>
 
-#include "exam/exam_paper_truth.hpp"
+#include "exam/exam_data_set_truth.hpp"
 #include "exam/exam_signals_truth.hpp"
 
 namespace hidden_effects {
 
 namespace {
 
-/// Two runs of a paper as the oracle is given them, with a sample every 4 s.
-Oracle oracle_of(std::uint64_t seed) { return Oracle(draw_paper(Kind::nothing, 0.0, seed, 4.0).runs); }
+/// Two runs of a data set as the oracle is given them, with a sample every 4 s.
+Oracle oracle_of(std::uint64_t seed) { return Oracle(draw_data_set(Kind::nothing, 0.0, seed, 4.0).runs); }
 
 Readings with_noise(Readings readings, const BenchRuns& runs, Random& random) {
     for (std::size_t run = 0; run < readings.size(); ++run) {
@@ -115,7 +115,7 @@ TEST(ExamOracle, FindsASizeForEveryCause) {
         EXPECT_GE(size->number, variant.low);
         EXPECT_LE(size->number, variant.high);
     }
-    const Oracle dull(draw_paper(Kind::dull_nothing, 0.0, 13, 4.0).runs);
+    const Oracle dull(draw_data_set(Kind::dull_nothing, 0.0, 13, 4.0).runs);
     for (const char* slips : {"cornering_loss", "partition_speed", "slip_input_gain"}) {
         const auto variant = std::ranges::find(single_variants(), slips, &Variant::id);
         EXPECT_FALSE(size_for(dull, *variant, 1.0, 6.0, 120.0).has_value()) << slips;
@@ -124,17 +124,17 @@ TEST(ExamOracle, FindsASizeForEveryCause) {
 
 TEST(ExamPaper, HidesWhatItsKindSays) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-        EXPECT_TRUE(draw_paper(Kind::nothing, 10.0, seed, 4.0).hidden.empty());
-        EXPECT_EQ(draw_paper(Kind::decoy, 10.0, seed, 4.0).logs.front().size() % 2, 1U);  // 10 columns and 1 or 3
-        const Paper single = draw_paper(Kind::single, 14.0, seed, 4.0);
+        EXPECT_TRUE(draw_data_set(Kind::nothing, 10.0, seed, 4.0).hidden.empty());
+        EXPECT_EQ(draw_data_set(Kind::decoy, 10.0, seed, 4.0).logs.front().size() % 2, 1U);  // 10 columns and 1 or 3
+        const ExamDataSet single = draw_data_set(Kind::single, 14.0, seed, 4.0);
         ASSERT_EQ(single.hidden.size(), 1U);
         EXPECT_NEAR(single.oracle.front(), 14.0, 0.07);
         // The most like the truth is the truth, with which it correlates perfectly but for the size it is tried at.
         EXPECT_EQ(single.alike.front().variant->id, single.hidden.front().id);
         EXPECT_GT(std::abs(single.alike.front().correlation), 0.99);
-        EXPECT_EQ(draw_paper(Kind::single, 6.0, seed, 4.0).hidden.front().id, single.hidden.front().id);
+        EXPECT_EQ(draw_data_set(Kind::single, 6.0, seed, 4.0).hidden.front().id, single.hidden.front().id);
 
-        const Paper pair = draw_paper(Kind::pair, 10.0, seed, 4.0);
+        const ExamDataSet pair = draw_data_set(Kind::pair, 10.0, seed, 4.0);
         ASSERT_EQ(pair.hidden.size(), 2U);
         const Oracle oracle(pair.runs);
         const auto left = [&](std::size_t i) { return oracle.left_by({pair.hidden[i]}); };
@@ -142,7 +142,7 @@ TEST(ExamPaper, HidesWhatItsKindSays) {
         EXPECT_NEAR(left(1).norm(), 10.0, 0.05);
 
         for (const Kind kind : {Kind::unknown, Kind::unknown_odd}) {
-            const Paper unknown = draw_paper(kind, 10.0, seed, 4.0);
+            const ExamDataSet unknown = draw_data_set(kind, 10.0, seed, 4.0);
             EXPECT_NEAR(unknown.oracle.front(), 10.0, 0.05);
             EXPECT_LT(std::abs(unknown.alike.front().correlation), 0.9);
             EXPECT_EQ(unknown.source.signals == std::vector<std::string>{"throttle"}, kind == Kind::unknown);
@@ -155,7 +155,7 @@ TEST(ExamPaper, EverythingIsDrawnSometimes) {
     std::set<std::string> names;
     std::set<std::string> sources;
     for (std::uint64_t seed = 1; seed <= 25; ++seed) {
-        names.insert(answer_of(draw_paper(Kind::single, 10.0, seed, 8.0)));
+        names.insert(answer_of(draw_data_set(Kind::single, 10.0, seed, 8.0)));
     }
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
         Random random(seed);
@@ -167,11 +167,11 @@ TEST(ExamPaper, EverythingIsDrawnSometimes) {
     EXPECT_EQ(sources.size(), 10U);  // 2 places; a window or one of four combinations
 }
 
-// The same seed, the same paper, to the last digit of its logs; another seed, another one.
+// The same seed, the same data set, to the last digit of its logs; another seed, another one.
 TEST(ExamPaper, IsDrawnFromItsSeedAlone) {
-    const Paper a = draw_paper(Kind::pair, 10.0, 21, 8.0);
-    const Paper b = draw_paper(Kind::pair, 10.0, 21, 8.0);
-    const Paper c = draw_paper(Kind::pair, 10.0, 22, 8.0);
+    const ExamDataSet a = draw_data_set(Kind::pair, 10.0, 21, 8.0);
+    const ExamDataSet b = draw_data_set(Kind::pair, 10.0, 21, 8.0);
+    const ExamDataSet c = draw_data_set(Kind::pair, 10.0, 22, 8.0);
     EXPECT_EQ(written(a.logs.back()), written(b.logs.back()));
     EXPECT_NE(written(a.logs.back()), written(c.logs.back()));
 }

@@ -1,5 +1,5 @@
 // The benches to which an exam is set: does each say of itself what its case says, does its truth know what may be hidden,
-// and is a paper of layers what it is asked to be?
+// and is a data set of layers what it is asked to be?
 #include <algorithm>
 #include <set>
 
@@ -7,7 +7,7 @@
 
 #include "exam/exam_hiding_truth.hpp"
 #include "exam/exam_signals_truth.hpp"
-#include "hidden_effects/exam/exam_sitting.hpp"
+#include "hidden_effects/exam/exam_evaluation.hpp"
 #include "laser/laser_causes_truth.hpp"
 #include "section/section_causes_truth.hpp"
 
@@ -34,10 +34,10 @@ BenchRuns one_run(const Rig& rig, double interval) {
 // the same priors (the loss's scale in shares of tan_delta_a), the same channels with the same deviations.
 TEST(ExamRigs, SayWhatTheirCasesSay) {
     for (const Rig* rig : every_rig) {
-        Paper paper{.runs = {.rig = rig}, .hidden = {}, .oracle = {}};
+        ExamDataSet data_set{.runs = {.rig = rig}, .hidden = {}, .oracle = {}};
         const BenchRuns runs = one_run(*rig, 8.0);
-        paper.logs = {rig->log(runs.programmes.front(), readings_of_run(runs, 0, {}, 1e-2))};
-        const tiretherm::input::Experiment experiment = read_paper(paper);
+        data_set.logs = {rig->log(runs.programmes.front(), readings_of_run(runs, 0, {}, 1e-2))};
+        const tiretherm::input::Experiment experiment = read_data_set(data_set);
         std::vector<FreeNumber> free = rig->of_bench;
         free.insert(free.end(), rig->of_run.begin(), rig->of_run.end());
         ASSERT_EQ(experiment.parameters.size(), free.size()) << rig->name;
@@ -79,7 +79,7 @@ TEST(ExamRigs, TheirTruthsKnowEveryCause) {
         EXPECT_NO_THROW((void)gather_laser({cause_of(variant, variant.typical, 0.0)}));
     }
     EXPECT_THROW((void)rig_of("threads"), std::invalid_argument);
-    EXPECT_THROW((void)draw_paper(Kind::decoy, 0.0, 1, 0.0, layers_rig()), std::invalid_argument);
+    EXPECT_THROW((void)draw_data_set(Kind::decoy, 0.0, 1, 0.0, layers_rig()), std::invalid_argument);
 }
 
 // The search for a size begins at a typical step and may go tenfold at once: what shows at 0.05 to 50 standard deviations
@@ -94,7 +94,7 @@ TEST(ExamRigs, EveryCauseOfLayersShows) {
 }
 
 TEST(ExamRigs, APaperOfLayersHidesWhatItsKindSays) {
-    const Paper single = draw_paper(Kind::single, 10.0, 3, 8.0, layers_rig());
+    const ExamDataSet single = draw_data_set(Kind::single, 10.0, 3, 8.0, layers_rig());
     ASSERT_EQ(single.hidden.size(), 1U);
     EXPECT_NEAR(single.oracle.front(), 10.0, 0.05);
     EXPECT_TRUE(single.alike.empty());
@@ -105,21 +105,21 @@ TEST(ExamRigs, APaperOfLayersHidesWhatItsKindSays) {
 
 // Every cause of the bench is tried on a source, which takes five seconds.
 TEST(ExamRigsLong, ASourceOfLayersLooksLikeNoCause) {
-    const Paper unknown = draw_paper(Kind::unknown, 10.0, 3, 8.0, layers_rig());
+    const ExamDataSet unknown = draw_data_set(Kind::unknown, 10.0, 3, 8.0, layers_rig());
     EXPECT_NEAR(unknown.oracle.front(), 10.0, 0.05);
     EXPECT_LT(std::abs(unknown.alike.front().correlation), 0.9);
     EXPECT_TRUE(unknown.source.id == "unknown_surface" || unknown.source.id == "unknown_crown") << unknown.source.id;
 }
 
-// Another explanation than the truth; and never further away than one of the two alone, which misses at most what the other
-// shows: 10 standard deviations.
+// Another hypothesis than the truth; and never further away than one of the two alone, which misses at most what the
+// other shows: 10 standard deviations.
 TEST(ExamRigs, ATwinIsAnotherExplanationThatComesNear) {
     for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
-        const Paper paper = draw_paper(Kind::pair, 10.0, seed, 8.0);
-        ASSERT_TRUE(paper.twin.has_value());
-        EXPECT_NE(paper.twin->name, answer_of(paper));
-        EXPECT_LT(paper.twin->apart, 10.05) << answer_of(paper);
-        EXPECT_GT(paper.twin->apart, 0.0);
+        const ExamDataSet data_set = draw_data_set(Kind::pair, 10.0, seed, 8.0);
+        ASSERT_TRUE(data_set.confounded.has_value());
+        EXPECT_NE(data_set.confounded->name, answer_of(data_set));
+        EXPECT_LT(data_set.confounded->apart, 10.05) << answer_of(data_set);
+        EXPECT_GT(data_set.confounded->apart, 0.0);
     }
 }
 

@@ -59,7 +59,7 @@ TEST(Frames, AreNoBusinessOfAPlainRun) {
     }
 }
 
-// r1c2 is missing in one frame: it is left out of all, and told.
+// r1c2 is missing in one frame: it is left out of all, and reported.
 TEST(Frames, LeaveADeadPixelOut) {
     const ExperimentReading reading = read_csv(frames_csv("nan"));
     ASSERT_TRUE(reading.experiment) << error_report(reading);

@@ -89,7 +89,7 @@ TEST(Hdf5Frames, InMinutesAndFahrenheitAreConverted) {
     EXPECT_NEAR(frames.time.back(), 12.0, 1e-12);
 }
 
-// Wrong unit, wrong number of moments and a size without unit are told together.
+// Wrong unit, wrong number of moments and a size without unit are reported together.
 TEST(Hdf5Frames, ThatAreWrongInSeveralWaysAreToldOfAll) {
     const ExperimentReading reading = read_hdf5([](post::Hdf5File& file) {
         add_frames(file, frames_of_two(), "W");

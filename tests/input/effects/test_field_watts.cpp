@@ -1,4 +1,4 @@
-// Watts of a structural code are taken as they are: the user is told which of his keys then say nothing.
+// Watts of a structural code are taken as they are: the user is informed which of his keys then say nothing.
 #include <gtest/gtest.h>
 
 #include "input/effects/field_bench.hpp"
@@ -25,12 +25,12 @@ std::string warnings(const std::string& tables, const std::string& field) {
 
 TEST(FieldOfWatts, SilencesTheScalesAndSwitchesOfFriction) {
     const std::string keys = "lambda_x = 0.5\nlambda_y = 1.2\nlongitudinal = \"off\"\npartition = 0.5\n";
-    const std::string told = warnings(friction_watts + keys, contact);
+    const std::string report = warnings(friction_watts + keys, contact);
     for (const std::string key : {"lambda_x", "lambda_y", "longitudinal"}) {
-        EXPECT_NE(told.find(key + " has no say where the field gives the watts"), std::string::npos) << told;
+        EXPECT_NE(report.find(key + " has no say where the field gives the watts"), std::string::npos) << report;
     }
     // The tire's share of the watts is not in the file, and the law scales a shape.
-    EXPECT_EQ(told.find("partition has"), std::string::npos) << told;
+    EXPECT_EQ(report.find("partition has"), std::string::npos) << report;
     EXPECT_EQ(warnings(friction + keys, contact), "");
 }
 
@@ -38,9 +38,9 @@ TEST(FieldOfWatts, SaysNothingOfKeysThatNobodyWrote) { EXPECT_EQ(warnings(fricti
 
 TEST(FieldOfWatts, SilencesTheNumbersOfTheLoss) {
     const std::string field = "y [mm],loss_density [W/m3]\n-50,1e5\n0,1e5\n50,1e5\n";
-    const std::string told = warnings(loss + "use = \"watts\"\nlambda_blk = 1.1\ntan_delta_a = 2e15\n", field);
-    EXPECT_NE(told.find("lambda_blk has no say"), std::string::npos) << told;
-    EXPECT_NE(told.find("tan_delta_a has no say"), std::string::npos) << told;
+    const std::string report = warnings(loss + "use = \"watts\"\nlambda_blk = 1.1\ntan_delta_a = 2e15\n", field);
+    EXPECT_NE(report.find("lambda_blk has no say"), std::string::npos) << report;
+    EXPECT_NE(report.find("tan_delta_a has no say"), std::string::npos) << report;
 }
 
 }  // namespace tiretherm::input

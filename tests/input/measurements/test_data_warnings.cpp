@@ -6,8 +6,8 @@
 #include "input/measurements/data_warnings.hpp"
 #include "input/measurements/measured_bench.hpp"
 
-// What is suspicious about data is told before any fit, in sentences that are held to the letter here. Each test starts
-// from a recording about which there is nothing to say.
+// What is suspicious about data is reported before any fit, in sentences that are held to the letter here. Each test
+// starts from a recording about which there is nothing to say.
 namespace tiretherm::input {
 
 namespace {

@@ -155,7 +155,7 @@ TEST(Runs, WithoutAirNothingCanStartAtItsTemperature) {
     const fs::path file = written.add("case.toml", replaced(std::string(slab), "\"23 degC\"", "\"air_temperature\""));
     const Reading reading = read_case(file);
     ASSERT_EQ(reading.errors.size(), 1U) << render(reading);
-    EXPECT_EQ(reading.errors[0].what, "temperature is that of the air, and no air_temperature is given");
+    EXPECT_EQ(reading.errors[0].what, "temperature is set to \"air_temperature\", but no air temperature is given");
     EXPECT_EQ(reading.errors[0].remedy, "add air_temperature to [drive], or write a temperature");
 }
 

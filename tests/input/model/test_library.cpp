@@ -61,7 +61,7 @@ std::vector<double> placed_weights(const solver::Problem& problem, std::string_v
     return {};
 }
 
-/// A case as it is held against what was measured.
+/// A case as it is compared with what was measured.
 Experiment read_measured(std::string_view name) {
     ExperimentReading reading = read_experiment(source_folder() / "cases" / (std::string(name) + ".toml"));
     EXPECT_TRUE(reading.experiment.has_value()) << (reading.errors.empty() ? "" : render(reading.errors.front()));

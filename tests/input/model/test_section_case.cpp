@@ -102,8 +102,8 @@ TEST(SectionCase, GasAndRimStartWithTheAir) {
     };
     EXPECT_NEAR(at("gas"), zero + 10.0, 1e-12);
     EXPECT_NEAR(at("rim"), zero + 10.0, 1e-12);
-    const solver::Problem told = read(included(effects + "[initial]\nrim = \"60 degC\"\n"));
-    EXPECT_NEAR(told.initial[static_cast<std::size_t>(told.mesh.find_lumped_node("rim"))], zero + 60.0, 1e-12);
+    const solver::Problem stated = read(included(effects + "[initial]\nrim = \"60 degC\"\n"));
+    EXPECT_NEAR(stated.initial[static_cast<std::size_t>(stated.mesh.find_lumped_node("rim"))], zero + 60.0, 1e-12);
 }
 
 // (51) F_R = SEL R_R/(V R_L); (52) with the bulk's temperature; (60) lambda_Tb = CP / K; and the lateral force that (59)

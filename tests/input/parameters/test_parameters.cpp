@@ -217,9 +217,9 @@ TEST(Identify, SaysHowTheNoiseIsModelled) {
     const Experiment standard = read(including("tire.toml", ""));
     EXPECT_EQ(standard.noise, "correlated");
     EXPECT_FALSE(standard.robust);
-    const Experiment told = read(including("tire.toml", "[identify]\nnoise = \"white\"\nrobust = true\n"));
-    EXPECT_EQ(told.noise, "white");
-    EXPECT_TRUE(told.robust);
+    const Experiment stated = read(including("tire.toml", "[identify]\nnoise = \"white\"\nrobust = true\n"));
+    EXPECT_EQ(stated.noise, "white");
+    EXPECT_TRUE(stated.robust);
 }
 
 // A number of an effect that is on may be doubted even where it has no value at which the effect is absent; of one that is

@@ -8,13 +8,13 @@ namespace tiretherm::input {
 
 namespace {
 
-std::string told(const sheets::Texts& texts) {
+std::string rendered(const sheets::Texts& texts) {
     const SheetCase made = sheets::convert(texts);
     EXPECT_TRUE(made.text.empty());
     return sheets::report(made);
 }
 
-void expect_told(const std::string& report, std::string_view sentence) {
+void expect_reported(const std::string& report, std::string_view sentence) {
     EXPECT_NE(report.find(sentence), std::string::npos) << sentence << "\nin\n" << report;
 }
 
@@ -37,21 +37,21 @@ TEST(SheetBad, AllErrorsAreReportedAtOnceWithTheirPlaces) {
     sheets::replace(texts["SWITCH"], "Air-Tire Exchange,OFF", "Air-Tire Exchange,perhaps");
     texts["Radus"] = texts["Radius"];
     texts.erase("Radius");
-    const std::string report = told(texts);
-    expect_told(report, "INFO.csv:10:1: Track Temperature stands twice, here as \"Road Temperature\", first at ");
-    expect_told(report, "PARA.csv:14:17: Tread Thickness has no unit\n");
-    expect_told(report, "    remedy: write mm\n");
-    expect_told(report,
-                "PARA.csv:15:17: Unloaded Radius is \"-0.317 m\"; it must be between 0.01 m and 5 m\n"
-                "    Unloaded Radius,-0.317,m\n                    ^~~~~~\n");
-    expect_told(report, ": Hc is in \"W/m\", a quantity in m.kg.s-3; a heat transfer coefficient is wanted\n");
-    expect_told(report, ": Surface Mass is -1; it must be above 0\n");
-    expect_told(report, ": SEL has no parameter \"Referense Frequency\"\n");
-    expect_told(report, "    remedy: did you mean `Reference Frequency`?\n");
-    expect_told(report, ": C1 is \"minus nine\"; a number is wanted\n");
-    expect_told(report, "SF.csv: the file is empty\n");
-    expect_told(report, ": Switch on/off Air-Tire Exchange is \"perhaps\"\n");
-    expect_told(report, "tire: there is no sheet Radius.csv\n    remedy: rename Radus.csv?\n");
+    const std::string report = rendered(texts);
+    expect_reported(report, "INFO.csv:10:1: Track Temperature stands twice, here as \"Road Temperature\", first at ");
+    expect_reported(report, "PARA.csv:14:17: Tread Thickness has no unit\n");
+    expect_reported(report, "    remedy: write mm\n");
+    expect_reported(report,
+                    "PARA.csv:15:17: Unloaded Radius is \"-0.317 m\"; it must be between 0.01 m and 5 m\n"
+                    "    Unloaded Radius,-0.317,m\n                    ^~~~~~\n");
+    expect_reported(report, ": Hc is in \"W/m\", a quantity in m.kg.s-3; a heat transfer coefficient is wanted\n");
+    expect_reported(report, ": Surface Mass is -1; it must be above 0\n");
+    expect_reported(report, ": SEL has no parameter \"Referense Frequency\"\n");
+    expect_reported(report, "    remedy: did you mean `Reference Frequency`?\n");
+    expect_reported(report, ": C1 is \"minus nine\"; a number is wanted\n");
+    expect_reported(report, "SF.csv: the file is empty\n");
+    expect_reported(report, ": Switch on/off Air-Tire Exchange is \"perhaps\"\n");
+    expect_reported(report, "tire: there is no sheet Radius.csv\n    remedy: rename Radus.csv?\n");
     EXPECT_EQ(sheets::convert(texts).errors.size(), 10U) << report;
 }
 
@@ -63,19 +63,19 @@ TEST(SheetBad, WorkbookIsToldByItsCells) {
         const SheetCase made = convert_sheet(source_folder() / "tests" / "cases" / "data" / file);
         EXPECT_TRUE(made.text.empty());
         const std::string report = sheets::report(made);
-        expect_told(report, file +
-                                ", INFO!A10: Air Temperature stands twice, first at INFO!A7\n"
-                                "    remedy: remove one of them\n" +
-                                file +
-                                ", PARA!B3: Unloaded Radius is \"-0.3308 m\"; it must be between 0.01 m and 5 m\n" +
-                                file +
-                                ", PARA!C9: Hc is in \"W/m\", a quantity in m.kg.s-3; a heat transfer coefficient is "
-                                "wanted\n    remedy: write W/m2K\n" +
-                                file +
-                                ", SEL!A4: SEL has no parameter \"Referense Frequency\"\n"
-                                "    remedy: did you mean `Reference Frequency`?\n" +
-                                file + ", SEL!B8: C1 is \"abc\"; a number is wanted\n");
-        expect_told(report, file + ", ContactPatch!B9: Contact Length is \"9x6\"; a number is wanted\n");
+        expect_reported(report,
+                        file +
+                            ", INFO!A10: Air Temperature stands twice, first at INFO!A7\n"
+                            "    remedy: remove one of them\n" +
+                            file + ", PARA!B3: Unloaded Radius is \"-0.3308 m\"; it must be between 0.01 m and 5 m\n" +
+                            file +
+                            ", PARA!C9: Hc is in \"W/m\", a quantity in m.kg.s-3; a heat transfer coefficient is "
+                            "wanted\n    remedy: write W/m2K\n" +
+                            file +
+                            ", SEL!A4: SEL has no parameter \"Referense Frequency\"\n"
+                            "    remedy: did you mean `Reference Frequency`?\n" +
+                            file + ", SEL!B8: C1 is \"abc\"; a number is wanted\n");
+        expect_reported(report, file + ", ContactPatch!B9: Contact Length is \"9x6\"; a number is wanted\n");
         const bool formula = report.find(", SEL!A9: the value of C2 is empty or a formula") != std::string::npos;
         EXPECT_EQ(formula, ending == ".xls") << report;
         EXPECT_EQ(made.errors.size(), formula ? 7U : 6U) << report;
@@ -122,17 +122,17 @@ TEST(SheetBad, WhatIsNoSpreadsheetIsRefused) {
 TEST(SheetBad, ParameterInTheWrongSheetIsSentToItsOwn) {
     sheets::Texts texts = sheets::complete();
     texts["SEL"] += "Tire Rubber Density,1100,kg/m3\n";
-    const std::string report = told(texts);
-    expect_told(report, "SEL has no parameter \"Tire Rubber Density\"");
-    expect_told(report, "remedy: it belongs into the sheet PARA\n");
+    const std::string report = rendered(texts);
+    expect_reported(report, "SEL has no parameter \"Tire Rubber Density\"");
+    expect_reported(report, "remedy: it belongs into the sheet PARA\n");
 }
 
 TEST(SheetBad, DecimalCommasAreRefusedWithAHint) {
     sheets::Texts texts = sheets::complete();
     texts["SEL"] = "Parameter;Value;Units\nC1;-8,86;[-]\n";
-    const std::string report = told(texts);
-    expect_told(report, "SEL.csv:2:4: C1 is \"-8,86\", with a comma in the number\n");
-    expect_told(report, "remedy: write a decimal point\n");
+    const std::string report = rendered(texts);
+    expect_reported(report, "SEL.csv:2:4: C1 is \"-8,86\", with a comma in the number\n");
+    expect_reported(report, "remedy: write a decimal point\n");
 }
 
 TEST(SheetBad, WrongTablesAreToldByTheirCells) {
@@ -141,26 +141,27 @@ TEST(SheetBad, WrongTablesAreToldByTheirCells) {
     texts["Radius"] += "\nVertical Load [N],Loaded Radius [m],Speed [km/h]\n4000,0.30,80\n2000,x,80\n3000,0.31,80\n";
     sheets::drop(texts["ContactPatch"], "Contact Length");
     texts["ContactPatch"] += "\nVertical Load [N],Contact Length [kg]\n2000,55\n";
-    const std::string report = told(texts);
-    expect_told(report, "Radius.csv:6:37: Radius has no column \"Speed\"\n");
-    expect_told(report, "Radius.csv:8:6: Loaded Radius is \"x\"; a number is wanted\n");
-    expect_told(report, "Radius.csv:9:6: Loaded Radius: load must ascend from row to row\n");
-    expect_told(report, "ContactPatch.csv:6:19: Contact Length is in \"kg\", a mass; a length is wanted\n");
+    const std::string report = rendered(texts);
+    expect_reported(report, "Radius.csv:6:37: Radius has no column \"Speed\"\n");
+    expect_reported(report, "Radius.csv:8:6: Loaded Radius is \"x\"; a number is wanted\n");
+    expect_reported(report, "Radius.csv:9:6: Loaded Radius: load must ascend from row to row\n");
+    expect_reported(report, "ContactPatch.csv:6:19: Contact Length is in \"kg\", a mass; a length is wanted\n");
 }
 
 TEST(SheetBad, SizeHasNoDefault) {
     sheets::Texts texts = sheets::complete();
     sheets::drop(texts["INFO"], "Size");
-    EXPECT_EQ(told(texts), "INFO.csv: the sheet has no Size\n    remedy: add a row: Size, 225/50 R17\n");
+    EXPECT_EQ(rendered(texts), "INFO.csv: the sheet has no Size\n    remedy: add a row: Size, 225/50 R17\n");
 }
 
 TEST(SheetBad, LawNeedsItsConstantTerm) {
     sheets::Texts texts = sheets::complete();
     sheets::drop(texts["THRCOND"], "Thermal Conductivity coeff. C");
-    expect_told(told(texts), "THRCOND.csv:4:1: Thermal Conductivity coeff. A is given without coeff. C\n");
+    expect_reported(rendered(texts), "THRCOND.csv:4:1: Thermal Conductivity coeff. A is given without coeff. C\n");
     sheets::Texts cold = sheets::complete();
     sheets::replace(cold["THRCOND"], "0.12,W/mK\n", "-0.3,W/mK\n");
-    expect_told(told(cold), "THRCOND.csv:6:31: the law of THRCOND: value is \"-0.3 W/mK\"; it must be above 0 W/mK");
+    expect_reported(rendered(cold),
+                    "THRCOND.csv:6:31: the law of THRCOND: value is \"-0.3 W/mK\"; it must be above 0 W/mK");
 }
 
 TEST(SheetBad, SheetOfAnotherNameIsWarnedOf) {

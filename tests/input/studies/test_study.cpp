@@ -17,14 +17,14 @@ namespace {
 const std::string two_node = (source_folder() / "cases/two_node/4000N_100kmh.toml").string();
 const std::string section = (source_folder() / "cases/section/4000N_100kmh.toml").string();
 
-std::string told(const StudyReading& reading) {
+std::string rendered(const StudyReading& reading) {
     return render(Reading{.problem = {}, .errors = reading.errors, .warnings = reading.warnings});
 }
 
 /// A study of a case of the library. @param rest its [[vary]] and [[draw]]
 Study read(const Written& written, const std::string& rest, const std::string& of = two_node) {
     StudyReading reading = read_study(written.add("study.toml", "case = \"" + of + "\"\n" + rest));
-    EXPECT_TRUE(reading.study.has_value()) << told(reading);
+    EXPECT_TRUE(reading.study.has_value()) << rendered(reading);
     return reading.study ? std::move(*reading.study) : Study{};
 }
 
@@ -87,7 +87,7 @@ TEST(Study, LeavesTheCaseAsItIsWhereItVariesNothingElse) {
     EXPECT_EQ(study.channels.size(), alone.problem->channels.size());
 }
 
-// A list's table is told by its name, with blanks in it; a table that the case lacks is made.
+// A list's table is reported by its name, with blanks in it; a table that the case lacks is made.
 TEST(Study, ReachesNamedTablesAndEffectsThatTheCaseDoesNotSpeakOf) {
     const Written written;
     const Study study = read(written,
@@ -206,7 +206,7 @@ TEST(Study, ReportsAnErrorOfTheCaseOnceAndAtItsPlace) {
         "study.toml",
         "case = \"base.toml\"\n[[vary]]\nkey = \"initial.temperature\"\nvalues = [\"20 degC\", \"30 degC\"]\n"));
     EXPECT_FALSE(reading.study.has_value());
-    ASSERT_EQ(reading.errors.size(), 1U) << told(reading);
+    ASSERT_EQ(reading.errors.size(), 1U) << rendered(reading);
     EXPECT_TRUE(reading.errors[0].file.ends_with("base.toml"));
 }
 
@@ -242,8 +242,8 @@ TEST(ShippedStudies, EveryOneIsSound) {
     for (const auto& entry : std::filesystem::directory_iterator(source_folder() / "cases/studies")) {
         if (entry.path().extension() == ".toml") {
             const StudyReading reading = read_study(entry.path());
-            EXPECT_TRUE(reading.study.has_value()) << told(reading);
-            EXPECT_TRUE(reading.warnings.empty()) << told(reading);
+            EXPECT_TRUE(reading.study.has_value()) << rendered(reading);
+            EXPECT_TRUE(reading.warnings.empty()) << rendered(reading);
             ++count;
         }
     }
@@ -252,7 +252,7 @@ TEST(ShippedStudies, EveryOneIsSound) {
 
 TEST(ShippedStudies, SpeedAndLoadOfTwoNodesMeetTheCasesOfTheLibrary) {
     const StudyReading reading = read_study(source_folder() / "cases/studies/speed_and_load_two_node.toml");
-    ASSERT_TRUE(reading.study.has_value()) << told(reading);
+    ASSERT_TRUE(reading.study.has_value()) << rendered(reading);
     const Study& study = *reading.study;
     const auto at = [&](const char* speed, const char* load) {
         for (std::size_t run = 0; run < study.runs.size(); ++run) {

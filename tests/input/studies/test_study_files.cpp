@@ -78,11 +78,11 @@ TEST_P(StudyOfFiles, ChangeIsSeenInTheFingerprint) {
         const StudyReading reading = read_study(written.add(
             "study.toml",
             "case = \"case.toml\"\n[[vary]]\nkey = \"initial.temperature\"\nvalues = [\"20 degC\", \"21 degC\"]\n"));
-        std::string told;
+        std::string report;
         for (const InputError& error : reading.errors) {
-            told += render(error);
+            report += render(error);
         }
-        EXPECT_TRUE(reading.study.has_value()) << told;
+        EXPECT_TRUE(reading.study.has_value()) << report;
         return reading.study ? reading.study->runs.at(1).fingerprint : std::string();
     };
     const std::string before = print(reads.before);

@@ -19,8 +19,8 @@ class BadTable : public testing::TestWithParam<std::string> {};
 TEST_P(BadTable, IsExplainedToTheCharacter) {
     const ValidationReading reading = read_validation(folder() / (GetParam() + ".toml"));
     EXPECT_FALSE(reading.table.has_value());
-    const std::string told = render(Reading{.problem = {}, .errors = reading.errors, .warnings = reading.warnings});
-    EXPECT_EQ(expected::relative(told), expected::text_of(folder() / (GetParam() + ".txt")));
+    const std::string report = render(Reading{.problem = {}, .errors = reading.errors, .warnings = reading.warnings});
+    EXPECT_EQ(expected::relative(report), expected::text_of(folder() / (GetParam() + ".txt")));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BadTable, testing::ValuesIn(expected::names(folder())),

@@ -13,7 +13,7 @@ namespace {
 
 /// All that an effect can change, as numbers: inputs, initial state, capacities, heat flow, rolling and at rest, into the
 /// nodes that are there without it, and readings.
-std::vector<double> told(const Bench& bench, const std::vector<Part>& parts) {
+std::vector<double> evaluated(const Bench& bench, const std::vector<Part>& parts) {
     Whole whole(bench, parts);
     whole.ask(lively());
     const solver::System& system = whole.system();
@@ -72,16 +72,16 @@ solver::Report run_for_a_minute(const Bench& bench, const std::vector<Part>& par
 
 TEST_P(EveryCandidate, DoesNothingWhereItIsAbsent) {
     for (const Bench& bench : benches()) {
-        const std::vector<double> without = told(bench, thesis(bench));
-        EXPECT_LT(largest_difference(told(bench, with(thesis(bench), silent(*GetParam()))), without), 1e-13);
+        const std::vector<double> without = evaluated(bench, thesis(bench));
+        EXPECT_LT(largest_difference(evaluated(bench, with(thesis(bench), silent(*GetParam()))), without), 1e-13);
     }
 }
 
 TEST_P(EveryCandidate, DoesSomethingWhereItIsNot) {
     double largest = 0.0;
     for (const Bench& bench : benches()) {
-        largest =
-            std::max(largest, largest_difference(told(bench, with(thesis(bench), part())), told(bench, thesis(bench))));
+        largest = std::max(largest, largest_difference(evaluated(bench, with(thesis(bench), part())),
+                                                       evaluated(bench, thesis(bench))));
     }
     EXPECT_GT(largest, 1e-4);
 }

@@ -1,5 +1,5 @@
-// The extensions that can be told apart on the bench of two nodes, each against an integration of its definition that
-// shares no source file with the program: the thesis's model of tests/support, and the lines below.
+// The extensions that can be distinguished on the bench of two nodes, each against an integration of its definition
+// that shares no source file with the program: the thesis's model of tests/support, and the lines below.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -10,9 +10,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "diagnosis/detect/look_alikes.hpp"
+#include "diagnosis/detect/confounded_effects.hpp"
 #include "input/model/reader.hpp"
-#include "post/diagnosis/diagnosis_words.hpp"
+#include "post/diagnosis/diagnosis_sentences.hpp"
 #include "post/report/file.hpp"
 #include "post/report/number_text.hpp"
 #include "tests/diagnosis/made_up_diagnosis.hpp"
@@ -42,12 +42,12 @@ TEST(DiagnosisReport, ANamedCauseIsSaidWithItsSizeAndWhatItIs) {
     const MadeUp made_up = sample::named();
     EXPECT_EQ(reason_of(made_up.record()),
               "One cause explains what the model gets wrong: sidewall_convection, conductance 8.10 W/K (7.20 to 9.00), "
-              "17.6 standard deviations from absent.");
+              "17.6 standard deviations from no effect.");
     const std::string text = on_one_line(page(made_up));
     EXPECT_TRUE(has(text, "Heat that leaves through the sidewalls")) << text;
-    // Its families: what it cannot be told from in principle, and what would tell
-    EXPECT_TRUE(has(text, "Looks like inner_gas, radiation. What separates them: a channel in the gas")) << text;
-    EXPECT_TRUE(has(text, "Looks like sensor_offset.")) << text;
+    // Its confounded groups: what it cannot be distinguished from in principle, and what would discriminate
+    EXPECT_TRUE(has(text, "Confounded with inner_gas, radiation. What separates them: a channel in the gas")) << text;
+    EXPECT_TRUE(has(text, "Confounded with sensor_offset.")) << text;
     EXPECT_FALSE(has(text, "clock_delay")) << "sensor_lag is not in the set: " << text;
     EXPECT_TRUE(has(text, "97 % of the error that a model could remove is removed (95 %: 93 to 99 %); confirmed"))
         << text;
@@ -57,8 +57,8 @@ TEST(DiagnosisReport, APairIsOneExplanationOfTwoCauses) {
     const MadeUp made_up = sample::pair();
     EXPECT_EQ(reason_of(made_up.record()),
               "Two causes together explain what the model gets wrong, none of them alone: sidewall_convection, "
-              "conductance 8.10 W/K (7.20 to 9.00), 17.6 standard deviations from absent; and sensor_lag of "
-              "bulk_temperature, tau 12.0 s (9.0 to 15.0), 7.8 standard deviations from absent.");
+              "conductance 8.10 W/K (7.20 to 9.00), 17.6 standard deviations from no effect; and sensor_lag of "
+              "bulk_temperature, tau 12.0 s (9.0 to 15.0), 7.8 standard deviations from no effect.");
     EXPECT_EQ(json(made_up)["set"], Json::parse(R"([["sidewall_convection", "sensor_lag"]])"));
 }
 
@@ -68,7 +68,8 @@ TEST(DiagnosisReport, ConfoundedListsAllWithTheirSizesAndWhatWouldTell) {
               "Something is missing, and these data cannot tell apart: sidewall_convection, conductance 8.10 W/K (7.20 "
               "to 9.00); or inner_gas, liner 9.0 W/K (8.0 to 10.0), rim 4.00 W/K (3.60 to 4.40); or inner_gas, liner "
               "9.0 W/K (8.0 to 10.0), rim 4.00 W/K (3.60 to 4.40) with sensor_lag of bulk_temperature, tau 12.0 s (9.0 "
-              "to 15.0). To tell them apart: coast-down from 150 km/h, 5 min: from 1.2 to 7 sigma.");
+              "to 15.0). To tell them apart: coast-down from 150 km/h, 5 min. This additional test would raise their "
+              "separation from 1.2 to 7 standard deviations (2 to 3 are needed).");
     const Json said = json(made_up);
     EXPECT_EQ(said["set"], Json::parse(R"([["sidewall_convection"], ["inner_gas"], ["inner_gas", "sensor_lag"]])"));
     EXPECT_EQ(said["next_experiment"], "coast-down from 150 km/h, 5 min: from 1.2 to 7 sigma");
@@ -78,7 +79,7 @@ TEST(DiagnosisReport, AnUnknownSourceMayStandBesideACause) {
     MadeUp made_up = sample::unknown();
     made_up.result.verdict = Verdict::confounded;
     made_up.result.causes = {sample::sidewalls()};
-    made_up.result.explanations = {{0}};
+    made_up.result.hypotheses = {{0}};
     EXPECT_EQ(
         reason_of(made_up.record()),
         "Something is missing, and these data cannot tell apart: sidewall_convection, conductance 8.10 W/K (7.20 "
@@ -154,10 +155,10 @@ TEST(DiagnosisReport, ConsistentQuotesUpperLimits) {
 
 TEST(DiagnosisReport, CannotTellSaysWhyAndWhatHelps) {
     MadeUp made_up = sample::cannot_tell();
-    EXPECT_TRUE(
-        has(reason_of(made_up.record()),
-            "its own error of steps and grid is 5.3 standard deviations, and 3 are allowed. It falls with the square "
-            "of the spacing: 1.3 times as many cells in every direction would do."))  // sqrt(5.3 / 3) = 1.33
+    EXPECT_TRUE(has(reason_of(made_up.record()),
+                    "its discretisation error (steps and grid) is 5.3 standard deviations, and 3 are allowed. It falls "
+                    "with the square "
+                    "of the spacing: 1.3 times as many cells in every direction would do."))  // sqrt(5.3 / 3) = 1.33
         << reason_of(made_up.record());
     made_up.result.reason = "the run lasts 20 s; a run of some minutes would help.";
     EXPECT_EQ(reason_of(made_up.record()),
@@ -271,10 +272,10 @@ TEST(DiagnosisReport, AUnitIsWrittenAsAFraction) {
     EXPECT_EQ(slashed_unit(""), "");
 }
 
-TEST(DiagnosisReport, FamiliesAreOfCausesThatThereAre) {
-    for (const Family& family : families()) {
-        EXPECT_GE(family.members.size(), 2u);
-        for (const std::string_view member : family.members) {
+TEST(DiagnosisReport, ConfoundedGroupsAreOfCausesThatThereAre) {
+    for (const ConfoundedGroup& group : confounded_groups()) {
+        EXPECT_GE(group.members.size(), 2u);
+        for (const std::string_view member : group.members) {
             const std::string_view id = member.substr(0, member.find('.'));
             const physics::Effect* effect = physics::find_effect(id);
             ASSERT_NE(effect, nullptr) << member;
@@ -283,7 +284,7 @@ TEST(DiagnosisReport, FamiliesAreOfCausesThatThereAre) {
             }
         }
     }
-    EXPECT_TRUE(families_of("standing_wave").empty());
+    EXPECT_TRUE(confounded_groups_of("standing_wave").empty());
 }
 
 // 3 runs of 601 samples of 2 channels. In white noise of 0.5 and 0.3 K, 0.5 K too cold are
@@ -340,14 +341,14 @@ TEST(DiagnosisReport, TheExtendedCaseHoldsTheCauseAtItsFittedValue) {
         << post::read_text(files[1]);
 }
 
-// The loudest windows, whatever their sign, the loudest first.
-TEST(DiagnosisReport, WindowsThatAskForHeatAreToldAndWritten) {
+// The most significant windows, whatever their sign, the most significant first.
+TEST(DiagnosisReport, WindowsOfMissingHeatAreReportedAndWritten) {
     MadeUp made_up = sample::unknown();
     for (int i = 0; i < 7; ++i) {
-        made_up.result.asked.push_back(
+        made_up.result.missing_heat.push_back(
             {.run = 1, .place = "bulk", .from = 30.0 * i, .to = 30.0 * (i + 1), .watts = 10.0, .sigma = 0.5 * i});
     }
-    made_up.result.asked.push_back(
+    made_up.result.missing_heat.push_back(
         {.run = 2, .place = "surface", .from = 600.0, .to = 630.0, .watts = -85.0, .sigma = -4.25});
     const std::string text = on_one_line(page(made_up));
     EXPECT_TRUE(has(text, "run place from s to s W sigma run3 surface 600 630 -85 -4.2 run2 bulk 180 210 +10 +3.0"))
@@ -356,8 +357,8 @@ TEST(DiagnosisReport, WindowsThatAskForHeatAreToldAndWritten) {
     const input::Written written;
     DiagnosisRecord record = made_up.record();
     EXPECT_EQ(write_diagnosis(record, written.folder()).size(), 5u);
-    EXPECT_EQ(post::read_text(written.folder() / "what_is_asked.png").substr(1, 3), "PNG");
-    EXPECT_TRUE(has(post::read_text(written.folder() / "what_is_asked.csv"), "run3,surface,600,630,-85,-4.25\n"));
+    EXPECT_EQ(post::read_text(written.folder() / "missing_heat.png").substr(1, 3), "PNG");
+    EXPECT_TRUE(has(post::read_text(written.folder() / "missing_heat.csv"), "run3,surface,600,630,-85,-4.25\n"));
 }
 
 // An extended case of an earlier diagnosis would pass for this one's.

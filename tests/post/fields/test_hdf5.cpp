@@ -12,7 +12,7 @@
 namespace tiretherm::post {
 namespace {
 
-const Origin origin{.version = "9.9", .case_file = "spot.toml", .case_text = "title = \"A warm spot\"\n"};
+const Provenance provenance{.version = "9.9", .case_file = "spot.toml", .case_text = "title = \"A warm spot\"\n"};
 
 /// A results file, read with the C library itself.
 class Results {
@@ -99,7 +99,7 @@ TEST(Hdf5, FieldIsReadBackWithItsTimes) {
     const sample::Scratch scratch;
     const solver::Problem problem = sample::problem();
     {
-        Hdf5Writer writer(scratch / "results.h5", problem, origin);
+        Hdf5Writer writer(scratch / "results.h5", problem, provenance);
         writer.take(sample::Moment(problem, 0.0, {296.15, 296.15}, true).snapshot);
         writer.take(sample::Moment(problem, 30.0, {353.15, 303.15}, false).snapshot);
         writer.take(sample::Moment(problem, 60.0, {370.65, 313.15}, true).snapshot);
@@ -121,7 +121,7 @@ TEST(Hdf5, ChannelsHaveARowAtEveryOutputTime) {
     const sample::Scratch scratch;
     const solver::Problem problem = sample::problem();
     {
-        Hdf5Writer writer(scratch / "results.h5", problem, origin);
+        Hdf5Writer writer(scratch / "results.h5", problem, provenance);
         writer.take(sample::Moment(problem, 0.0, {296.15, 296.15}, true).snapshot);
         writer.take(sample::Moment(problem, 30.0, {353.15, 303.15}, false).snapshot);
         writer.finish();
@@ -141,7 +141,7 @@ TEST(Hdf5, LedgerCallsEffectsOfTheUsersOwnByTheirNames) {
     problem.effects[1] = physics::activate(*physics::find_effect("own_source"), problem.mesh);
     problem.effects[1].name = "throttle_heat";
     {
-        Hdf5Writer writer(scratch / "results.h5", problem, origin);
+        Hdf5Writer writer(scratch / "results.h5", problem, provenance);
         writer.take(sample::Moment(problem, 10.0, {300.0, 300.0}, true).snapshot);
     }
     EXPECT_EQ(Results(scratch / "results.h5").words("/ledger/effect"),
@@ -154,7 +154,7 @@ TEST(Hdf5, LedgerIsOfTheWholeSpecimen) {
     solver::Problem problem = sample::problem();
     problem.symmetry = 4.0;
     {
-        Hdf5Writer writer(scratch / "results.h5", problem, origin);
+        Hdf5Writer writer(scratch / "results.h5", problem, provenance);
         writer.take(sample::Moment(problem, 10.0, {300.0, 300.0}, true).snapshot);
     }
     const Results results(scratch / "results.h5");
@@ -167,7 +167,7 @@ TEST(Hdf5, LedgerIsOfTheWholeSpecimen) {
 TEST(Hdf5, EveryDatasetSaysItsUnitsMeaningAndSource) {
     const sample::Scratch scratch;
     const solver::Problem problem = sample::problem();
-    { const Hdf5Writer writer(scratch / "results.h5", problem, origin); }
+    { const Hdf5Writer writer(scratch / "results.h5", problem, provenance); }
     const Results results(scratch / "results.h5");
     const std::vector<std::string> datasets = results.datasets();
     EXPECT_EQ(datasets.size(), 21u);
@@ -181,7 +181,7 @@ TEST(Hdf5, EveryDatasetSaysItsUnitsMeaningAndSource) {
 TEST(Hdf5, MeshIsReadBackInMetres) {
     const sample::Scratch scratch;
     const solver::Problem problem = sample::problem();
-    { const Hdf5Writer writer(scratch / "results.h5", problem, origin); }
+    { const Hdf5Writer writer(scratch / "results.h5", problem, provenance); }
     const Results results(scratch / "results.h5");
     EXPECT_EQ(results.table("/mesh/volume").values, problem.mesh.volume);
     const Results::Table corners = results.table("/mesh/corners");
@@ -197,7 +197,7 @@ TEST(Hdf5, KilledWriterLeavesEveryStoredField) {
     const solver::Problem problem = sample::problem();
     const pid_t child = fork();
     if (child == 0) {
-        Hdf5Writer writer(scratch / "results.h5", problem, origin);
+        Hdf5Writer writer(scratch / "results.h5", problem, provenance);
         for (int i = 0; i < 5; ++i) {
             writer.take(sample::Moment(problem, 10.0 * i, {300.0 + i, 300.0}, true).snapshot);
         }
@@ -218,7 +218,7 @@ TEST(Hdf5, LargeFieldsAreCompressed) {
     const solver::Problem problem = sample::problem(mesh::build(mesh::Axisymmetric{
         .radius = {{.to = 0.02, .cells = 100}}, .stack = {{.name = "tread", .thickness = 0.008, .cells = 50}}}));
     {
-        Hdf5Writer writer(scratch / "results.h5", problem, origin);
+        Hdf5Writer writer(scratch / "results.h5", problem, provenance);
         writer.take(sample::Moment(problem, 0.0, {300.0, 300.0}, true).snapshot);
     }
     const Results results(scratch / "results.h5");
@@ -233,7 +233,7 @@ TEST(Hdf5, FailureNamesTheFileAndTheReasonOfTheSystem) {
     const solver::Problem problem = sample::problem();
     replace_file(scratch / "file", "not a directory");
     try {
-        const Hdf5Writer writer(scratch / "file/results.h5", problem, origin);
+        const Hdf5Writer writer(scratch / "file/results.h5", problem, provenance);
         FAIL() << "a file below a file was created";
     } catch (const FileError& error) {
         EXPECT_EQ(error.what(),

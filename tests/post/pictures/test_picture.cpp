@@ -82,14 +82,14 @@ TEST(SectionPlane, RimWithoutChangeIsCutAndAHotOneIsNot) {
     SectionPlane spot = section_plane(
         problem, field(problem, [](const mesh::Point& p) { return 300.0 + 80.0 * std::exp(-1e4 * p[0] * p[0]); }),
         Shading::smooth);
-    cut_quiet_rim(spot);
+    crop_uniform_rim(spot);
     // 5 % of the range is left at sqrt(ln 20) cm = 17.3 mm; the next column is 1 mm further at most.
     EXPECT_NEAR(spot.right(), 0.0178, 0.0007);
     EXPECT_EQ(spot.kelvin.size(), spot.x.size() * spot.depth.size());
 
     SectionPlane slope = section_plane(problem, field(problem, [](const mesh::Point& p) { return 300.0 + 1e3 * p[0]; }),
                                        Shading::smooth);
-    cut_quiet_rim(slope);
+    crop_uniform_rim(slope);
     EXPECT_EQ(slope.right(), 0.06);
 }
 

@@ -10,7 +10,7 @@ namespace tiretherm::post {
 namespace {
 
 /// The summary of the sample, after changes to the problem and the report.
-struct Told {
+struct MadeUpRun {
     solver::Problem problem = sample::problem();
     solver::Report report = sample::report();
 
@@ -18,7 +18,7 @@ struct Told {
         return {.problem = problem,
                 .report = report,
                 .history = history,
-                .origin = {.version = "9.9", .case_file = "", .case_text = ""},
+                .provenance = {.version = "9.9", .case_file = "", .case_text = ""},
                 .seconds = 0.02,
                 .warnings = {"spot.toml:3: 8 m is an unusual thickness"},
                 .files = {"out/results.h5", "out/channels.csv"}};
@@ -35,7 +35,7 @@ struct Told {
 
 TEST(Summary, TextIsThisLineByLine) {
     // spot: 97.5 - 85 = 12.5 K. liner at 30 s: 30 degC simulated, 37 to 47 measured, 7 K below the nearer end.
-    EXPECT_EQ(Told().text(),
+    EXPECT_EQ(MadeUpRun().text(),
               "A warm spot (sample/spot)\n"
               "\n"
               "Readings\n"
@@ -51,7 +51,7 @@ TEST(Summary, TextIsThisLineByLine) {
               "  still_air          -0.2500    -0.0060\n"
               "  sum                 0.7500     0.0540\n"
               "  stored                         0.0540\n"
-              "  energy closure 1.2e-13: stored less sum, over the heat turned over\n"
+              "  energy balance error 1.2e-13 (stored minus sum, relative to all heat exchanged)\n"
               "\n"
               "Cost\n"
               "  mesh    patch about its axis, 24 cells, layers tread, bulk\n"
@@ -73,88 +73,88 @@ TEST(Summary, TextIsThisLineByLine) {
 }
 
 TEST(Summary, HeatOfAQuarterIsToldOfTheWholeSpecimen) {
-    Told told;
-    told.problem.symmetry = 4.0;
-    const std::string text = told.text();
+    MadeUpRun made_up;
+    made_up.problem.symmetry = 4.0;
+    const std::string text = made_up.text();
     EXPECT_NE(text.find("Heat budget of the whole specimen, 4 times the mesh\n"), std::string::npos) << text;
     EXPECT_NE(text.find("  laser               4.0000     0.2400\n"), std::string::npos) << text;
-    const nlohmann::json json = told.json();
+    const nlohmann::json json = made_up.json();
     EXPECT_EQ(json["budget"][1]["watts_final"], 4.0);
     EXPECT_EQ(json["budget"][1]["joules"], 240.0);
     EXPECT_EQ(json["stored_joules"], 216.0);
 }
 
-// Effects of the user's own share an entry of the catalogue; each is told by its own name.
+// Effects of the user's own share an entry of the catalogue; each is reported by its own name.
 TEST(Summary, EffectsOfTheUsersOwnAreToldApart) {
-    Told told;
-    told.problem.effects[1] = told.problem.effects[2] =
-        physics::activate(*physics::find_effect("own_source"), told.problem.mesh);
-    told.problem.effects[1].name = "throttle_heat";
-    told.problem.effects[2].name = "brake_heat";
-    const std::string text = told.text();
+    MadeUpRun made_up;
+    made_up.problem.effects[1] = made_up.problem.effects[2] =
+        physics::activate(*physics::find_effect("own_source"), made_up.problem.mesh);
+    made_up.problem.effects[1].name = "throttle_heat";
+    made_up.problem.effects[2].name = "brake_heat";
+    const std::string text = made_up.text();
     EXPECT_NE(text.find("  throttle_heat        1.0000     0.0600\n"
                         "  brake_heat          -0.2500    -0.0060\n"),
               std::string::npos)
         << text;
-    EXPECT_EQ(told.json()["budget"][1]["effect"], "throttle_heat");
-    EXPECT_EQ(told.json()["budget"][2]["effect"], "brake_heat");
+    EXPECT_EQ(made_up.json()["budget"][1]["effect"], "throttle_heat");
+    EXPECT_EQ(made_up.json()["budget"][2]["effect"], "brake_heat");
 }
 
 TEST(Summary, ValueInsideAMeasuredRangeIsWithinIt) {
-    Told told;
-    told.problem.measured = {{.channel = "liner", .time = 60.0, .low = 312.15, .high = 314.15, .source = "camera"}};
-    EXPECT_NE(told.text().find("39 to 41      within  camera\n"), std::string::npos) << told.text();
+    MadeUpRun made_up;
+    made_up.problem.measured = {{.channel = "liner", .time = 60.0, .low = 312.15, .high = 314.15, .source = "camera"}};
+    EXPECT_NE(made_up.text().find("39 to 41      within  camera\n"), std::string::npos) << made_up.text();
 }
 
 TEST(Summary, MeasuredValueBeyondTheEndIsLeftOut) {
-    Told told;
-    told.problem.measured[0].time = 61.0;
-    EXPECT_EQ(told.text().find("camera"), std::string::npos);
-    EXPECT_EQ(told.json()["measured"].size(), 1u);
+    MadeUpRun made_up;
+    made_up.problem.measured[0].time = 61.0;
+    EXPECT_EQ(made_up.text().find("camera"), std::string::npos);
+    EXPECT_EQ(made_up.json()["measured"].size(), 1u);
 }
 
 TEST(Summary, SteadyStateHasNoSumsOverTime) {
-    Told told;
-    told.problem.settings.steady = true;
-    const std::string text = told.text();
+    MadeUpRun made_up;
+    made_up.problem.settings.steady = true;
+    const std::string text = made_up.text();
     EXPECT_EQ(text.find("kJ"), std::string::npos) << text;
     EXPECT_EQ(text.find("stored"), std::string::npos) << text;
     EXPECT_NE(text.find("steady state"), std::string::npos) << text;
 }
 
 TEST(Summary, EarlyEndIsToldFirst) {
-    Told told;
-    told.report.status = {.outcome = solver::Outcome::not_converged, .message = "cell 3 did not settle"};
-    EXPECT_TRUE(told.text().starts_with("A warm spot (sample/spot)\n  ended early: cell 3 did not settle\n"))
-        << told.text();
-    EXPECT_EQ(told.json()["error"], "cell 3 did not settle");
+    MadeUpRun made_up;
+    made_up.report.status = {.outcome = solver::Outcome::not_converged, .message = "cell 3 did not settle"};
+    EXPECT_TRUE(made_up.text().starts_with("A warm spot (sample/spot)\n  ended early: cell 3 did not settle\n"))
+        << made_up.text();
+    EXPECT_EQ(made_up.json()["error"], "cell 3 did not settle");
 }
 
 TEST(Summary, RunThatFailedBeforeItsFirstRowStillHasASummary) {
-    Told told;
-    told.report = {};
-    told.report.status = {.outcome = solver::Outcome::not_converged, .message = "no steady state"};
+    MadeUpRun made_up;
+    made_up.report = {};
+    made_up.report.status = {.outcome = solver::Outcome::not_converged, .message = "no steady state"};
     const History nothing;
-    EXPECT_NE(summary_text(told.record(nothing), false).find("no steady state"), std::string::npos);
-    EXPECT_EQ(nlohmann::json::parse(summary_json(told.record(nothing)))["error"], "no steady state");
+    EXPECT_NE(summary_text(made_up.record(nothing), false).find("no steady state"), std::string::npos);
+    EXPECT_EQ(nlohmann::json::parse(summary_json(made_up.record(nothing)))["error"], "no steady state");
 }
 
 TEST(Summary, CaseWithoutATitleIsNamedOnce) {
-    Told told;
-    told.problem.title = told.problem.name;
-    EXPECT_TRUE(told.text().starts_with("sample/spot\n\n")) << told.text();
+    MadeUpRun made_up;
+    made_up.problem.title = made_up.problem.name;
+    EXPECT_TRUE(made_up.text().starts_with("sample/spot\n\n")) << made_up.text();
 }
 
 TEST(Summary, HeadingsAreBoldOnATerminalOnly) {
-    const Told told;
-    const History history = sample::history(told.problem);
-    EXPECT_TRUE(summary_text(told.record(history), true)
+    const MadeUpRun made_up;
+    const History history = sample::history(made_up.problem);
+    EXPECT_TRUE(summary_text(made_up.record(history), true)
                     .starts_with("\033[1mA warm spot (sample/spot)\033[0m\n\n\033[1mReadings"));
-    EXPECT_EQ(told.text().find('\033'), std::string::npos);
+    EXPECT_EQ(made_up.text().find('\033'), std::string::npos);
 }
 
 TEST(Summary, JsonHasTheAgreedKeys) {
-    const nlohmann::json json = Told().json();
+    const nlohmann::json json = MadeUpRun().json();
     EXPECT_EQ(json["case"], "sample/spot");
     EXPECT_EQ(json["cells"], 24);
     EXPECT_EQ(json["steps"], 1234);
@@ -181,24 +181,24 @@ TEST(Summary, JsonHasTheAgreedKeys) {
 
 TEST(Summary, TireIsComparedWithATwoNodeModelWhereThatHasAMeaning) {
     // k = G dZ / S_tot = 0.125 * 0.010 / (2 pi 0.3308 0.225) = 0.00267
-    Told told;
-    told.problem.effects[2] = physics::activate(*physics::find_effect("air_convection"), told.problem.mesh);
-    EXPECT_NE(told.text().find("  as a two-node model, its link would be 0.125 W/K, or k = 0.00267 W/mK over 10 mm\n"),
+    MadeUpRun made_up;
+    made_up.problem.effects[2] = physics::activate(*physics::find_effect("air_convection"), made_up.problem.mesh);
+    EXPECT_NE(made_up.text().find("  equivalent two-node link: 0.125 W/K, or k = 0.00267 W/mK over 10 mm\n"),
               std::string::npos)
-        << told.text();
-    EXPECT_EQ(told.json()["effective_two_node_conductance"], 0.125);
-    told.report.effective_two_node_conductance = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(told.text().find("two-node"), std::string::npos);
-    EXPECT_TRUE(told.json()["effective_two_node_conductance"].is_null());
+        << made_up.text();
+    EXPECT_EQ(made_up.json()["effective_two_node_conductance"], 0.125);
+    made_up.report.effective_two_node_conductance = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(made_up.text().find("two-node"), std::string::npos);
+    EXPECT_TRUE(made_up.json()["effective_two_node_conductance"].is_null());
 }
 
 TEST(Summary, LumpHasALayerButNoPosition) {
-    Told told;
-    told.problem.mesh =
+    MadeUpRun made_up;
+    made_up.problem.mesh =
         mesh::build(mesh::TwoNode{.area = 1.0, .surface_volume = 1e-3, .bulk_volume = 1e-2, .bulk_depth = 0.01});
-    told.report.hottest.node = 1;
-    EXPECT_NE(told.text().find("hottest  97.50 degC  at 60 s  bulk\n"), std::string::npos) << told.text();
-    EXPECT_TRUE(told.json()["hottest"]["position"].is_null());
+    made_up.report.hottest.node = 1;
+    EXPECT_NE(made_up.text().find("hottest  97.50 degC  at 60 s  bulk\n"), std::string::npos) << made_up.text();
+    EXPECT_TRUE(made_up.json()["hottest"]["position"].is_null());
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-ModelValue value(double number) { return {.asked = true, .value = number, .failure = {}}; }
+ModelValue value(double number) { return {.applicable = true, .value = number, .failure = {}}; }
 
 ValidationRow row(const char* unit, double low, double high, double u, std::vector<ModelValue> models) {
     return {.id = "M1",
@@ -35,11 +35,11 @@ ValidationRecord record() {
     ValidationRecord made;
     made.title = "Two models";
     made.models = {{"two_node", "two nodes"}, {"section", "section"}};
-    made.rows = {row("degC", 50.0, 50.0, 2.0, {value(58.0), value(51.0)}),
-                 row("degC", 60.0, 70.0, 1.0, {value(74.0), value(65.0)}),
-                 row("degC", 100.0, 100.0, 5.0, {{}, value(88.0)}),
-                 row("K", -infinity, 0.0, 0.0, {value(-3.0), value(2.5)}),
-                 row("K", 15.0, 15.0, 2.0, {value(15.5), {.asked = true, .value = {}, .failure = "case x: it broke"}})};
+    made.rows = {
+        row("degC", 50.0, 50.0, 2.0, {value(58.0), value(51.0)}),
+        row("degC", 60.0, 70.0, 1.0, {value(74.0), value(65.0)}), row("degC", 100.0, 100.0, 5.0, {{}, value(88.0)}),
+        row("K", -infinity, 0.0, 0.0, {value(-3.0), value(2.5)}),
+        row("K", 15.0, 15.0, 2.0, {value(15.5), {.applicable = true, .value = {}, .failure = "case x: it broke"}})};
     made.runs = 7;
     made.seconds = 1.25;
     made.energy_closure = 2e-13;

@@ -113,9 +113,9 @@ TEST(HotSpotFinder, PartEndsWhereItsLayerEndsAndAKinkDoesNotDisturbIt) {
     EXPECT_DOUBLE_EQ(inside.point[2], 0.012);
 }
 
-// A field that rises towards the end of the columns of one thickness is told where its last node is, 300 + 1e3 s, and not
-// half a cell further: there it turns into a neighbour that the parabola does not know. On the shipped section at 180 km/h
-// and 8 kN carrying it on would give 109.6 degC, the node 109.1, a grid twice as fine 108.9.
+// A field that rises towards the end of the columns of one thickness is reported where its last node is, 300 + 1e3 s,
+// and not half a cell further: there it turns into a neighbour that the parabola does not know. On the shipped section
+// at 180 km/h and 8 kN carrying it on would give 109.6 degC, the node 109.1, a grid twice as fine 108.9.
 TEST(HotSpotFinder, DoesNotCarryTheFieldOnTowardsAnEnd) {
     const mesh::Mesh mesh = crown(9, 7);
     const std::vector<double> T =
@@ -128,7 +128,7 @@ TEST(HotSpotFinder, DoesNotCarryTheFieldOnTowardsAnEnd) {
     EXPECT_NEAR(found.point[2], 0.0073, 1e-9);
 }
 
-// Both shoulders equally hot but for round-off: the first one is told, whichever has the last digit more.
+// Both shoulders equally hot but for round-off: the first one is reported, whichever has the last digit more.
 TEST(HotSpotFinder, TellsTheFirstOfTwoMirroredPlaces) {
     const mesh::Mesh mesh = crown(8, 4);
     std::vector<double> T(at(mesh.n_nodes), 300.0);
@@ -181,7 +181,7 @@ TEST(HotSpotHistory, PassesBetweenItsRows) {
     EXPECT_DOUBLE_EQ(passing_time(history.time(), history.temperature(), 305.0), 0.0);
 }
 
-// 360 K is reached to 3 mK at 100 s and exactly at 300 s: a plateau is told by when it was reached.
+// 360 K is reached to 3 mK at 100 s and exactly at 300 s: a plateau is identified by when it was reached.
 TEST(HotSpotHistory, PlateauIsHottestWhereItIsReached) {
     const mesh::Mesh mesh =
         mesh::build(mesh::TwoNode{.area = 0.5, .surface_volume = 1e-3, .bulk_volume = 5e-3, .bulk_depth = 0.01});

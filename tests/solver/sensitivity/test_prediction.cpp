@@ -24,12 +24,12 @@ TEST(Prediction, SaysThatANumberStandsAtASwitch) {
     const Prediction at_switch =
         predict(problem, {.times = times, .parameters = numbers, .values = values_of(problem, numbers)});
     ASSERT_TRUE(at_switch.status.ok()) << at_switch.status.message;
-    EXPECT_EQ(at_switch.kinks, std::vector<std::string>{"standing_wave.critical_speed"});
+    EXPECT_EQ(at_switch.non_smooth_parameters, std::vector<std::string>{"standing_wave.critical_speed"});
     problem.effects.back().parameters[numbers[0].parameter] = 90.0;
     const Prediction beside =
         predict(problem, {.times = times, .parameters = numbers, .values = values_of(problem, numbers)});
     ASSERT_TRUE(beside.status.ok()) << beside.status.message;
-    EXPECT_TRUE(beside.kinks.empty());
+    EXPECT_TRUE(beside.non_smooth_parameters.empty());
 }
 
 }  // namespace tiretherm::solver

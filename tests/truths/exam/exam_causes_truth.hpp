@@ -32,7 +32,7 @@ struct Variant {
 [[nodiscard]] const std::vector<Variant>& section_variants();
 [[nodiscard]] const std::vector<Variant>& laser_variants();
 
-/// Whether an effect acts on a layer, which a truth is told as the cause's channel.
+/// Whether an effect acts on a layer, which a truth gets as the cause's channel.
 [[nodiscard]] bool acts_on_layer(std::string_view id);
 /// "sensor_lag of bulk_temperature", "layer_conductivity in tread", "layer_conductivity" of two nodes
 [[nodiscard]] std::string name_of(const Cause& cause);

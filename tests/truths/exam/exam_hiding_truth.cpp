@@ -74,10 +74,10 @@ double critical_speed_of(const std::vector<Cause>& hidden) {
 }
 
 /// Every single cause beside what is hidden; those that do not show at all are like nothing.
-std::vector<Likeness> likenesses(const Paper& paper) {
+std::vector<Likeness> likenesses(const ExamDataSet& data_set) {
     std::vector<Likeness> alike;
-    for (const Variant& variant : *paper.runs.rig->variants) {
-        if (const Likeness one = likeness(paper, variant); one.correlation != 0.0) {
+    for (const Variant& variant : *data_set.runs.rig->variants) {
+        if (const Likeness one = likeness(data_set, variant); one.correlation != 0.0) {
             alike.push_back(one);
         }
     }
@@ -86,28 +86,29 @@ std::vector<Likeness> likenesses(const Paper& paper) {
 }
 }  // namespace
 
-Eigen::VectorXd left_beside(const Paper& paper, const Variant& variant, double step) {
-    return paper.oracle_of_runs->left_by({cause_of(variant, variant.absent + step, critical_speed_of(paper.hidden))});
+Eigen::VectorXd left_beside(const ExamDataSet& data_set, const Variant& variant, double step) {
+    return data_set.oracle_of_runs->left_by(
+        {cause_of(variant, variant.absent + step, critical_speed_of(data_set.hidden))});
 }
 
-Likeness likeness(const Paper& paper, const Variant& variant) {
-    Eigen::VectorXd left = left_beside(paper, variant, variant.typical);
+Likeness likeness(const ExamDataSet& data_set, const Variant& variant) {
+    Eigen::VectorXd left = left_beside(data_set, variant, variant.typical);
     if (left.norm() < 1e-3) {
         return {.variant = &variant, .correlation = 0.0};
     }
-    if (!paper.runs.rig->costly) {
+    if (!data_set.runs.rig->costly) {
         const double room = (variant.typical > 0.0 ? variant.high : variant.low) - variant.absent;
-        const double step = variant.typical * paper.left.norm() / left.norm();
-        left = left_beside(paper, variant, std::abs(step) < std::abs(room) ? step : room);
+        const double step = variant.typical * data_set.left.norm() / left.norm();
+        left = left_beside(data_set, variant, std::abs(step) < std::abs(room) ? step : room);
     }
-    return {.variant = &variant, .correlation = correlation(paper.left, left)};
+    return {.variant = &variant, .correlation = correlation(data_set.left, left)};
 }
 
-bool hide_causes(Paper& paper, Random& random) {
-    const Oracle& oracle = *paper.oracle_of_runs;
+bool hide_causes(ExamDataSet& data_set, Random& random) {
+    const Oracle& oracle = *data_set.oracle_of_runs;
     std::vector<Sized> drawn;
-    for (std::size_t i = 0; i < (paper.kind == Kind::pair ? 2U : 1U); ++i) {
-        std::optional<Sized> one = draw_cause(oracle, paper.sigma, random, paper.rejected);
+    for (std::size_t i = 0; i < (data_set.kind == Kind::pair ? 2U : 1U); ++i) {
+        std::optional<Sized> one = draw_cause(oracle, data_set.sigma, random, data_set.rejected);
         if (!one) {
             return false;
         }
@@ -116,42 +117,42 @@ bool hide_causes(Paper& paper, Random& random) {
     Eigen::VectorXd left = drawn.front().left;
     if (drawn.size() == 2) {
         if (std::abs(correlation(left, drawn.back().left)) >= least_apart) {
-            paper.rejected.push_back(name_of(drawn[0].cause) + " and " + name_of(drawn[1].cause) + ": look alike");
+            data_set.rejected.push_back(name_of(drawn[0].cause) + " and " + name_of(drawn[1].cause) + ": look alike");
             return false;
         }
         left = oracle.left_by({drawn[0].cause, drawn[1].cause});
     }
     for (const Sized& one : drawn) {
-        paper.hidden.push_back(one.cause);
-        paper.oracle.push_back(one.left.norm());
+        data_set.hidden.push_back(one.cause);
+        data_set.oracle.push_back(one.left.norm());
     }
-    paper.left = std::move(left);
-    if (!paper.runs.rig->costly) {
-        paper.alike = likenesses(paper);
+    data_set.left = std::move(left);
+    if (!data_set.runs.rig->costly) {
+        data_set.alike = likenesses(data_set);
     }
     return true;
 }
 
-bool hide_source(Paper& paper, Random& random) {
-    HiddenSource source = draw_source(*paper.runs.rig, paper.kind, paper.runs.programmes.size(), random);
+bool hide_source(ExamDataSet& data_set, Random& random) {
+    HiddenSource source = draw_source(*data_set.runs.rig, data_set.kind, data_set.runs.programmes.size(), random);
     const Variant watts{.id = source.id, .key = "watts", .typical = 30.0, .high = 2000.0};
-    BenchRuns driven = paper.runs;
-    driven.programmes = driven_by(source, paper.runs.programmes);
-    std::optional<Size> size = size_for(*paper.oracle_of_runs, watts, 1.0, paper.sigma, 0.0, &driven);
+    BenchRuns driven = data_set.runs;
+    driven.programmes = driven_by(source, data_set.runs.programmes);
+    std::optional<Size> size = size_for(*data_set.oracle_of_runs, watts, 1.0, data_set.sigma, 0.0, &driven);
     if (!size) {
-        paper.rejected.emplace_back("a source: not physical at that size");
+        data_set.rejected.emplace_back("a source: not physical at that size");
         return false;
     }
-    paper.left = std::move(size->left);
-    std::vector<Likeness> alike = likenesses(paper);
+    data_set.left = std::move(size->left);
+    std::vector<Likeness> alike = likenesses(data_set);
     if (std::abs(alike.front().correlation) >= least_apart) {
-        paper.rejected.push_back("a source: looks like " + alike.front().variant->name());
+        data_set.rejected.push_back("a source: looks like " + alike.front().variant->name());
         return false;
     }
     source.watts = size->number;
-    paper.source = std::move(source);
-    paper.oracle = {paper.left.norm()};
-    paper.alike = std::move(alike);
+    data_set.source = std::move(source);
+    data_set.oracle = {data_set.left.norm()};
+    data_set.alike = std::move(alike);
     return true;
 }
 }  // namespace hidden_effects

@@ -56,7 +56,7 @@ struct Rig {
     RigTrace (*drive)(std::span<const double> numbers, const std::vector<Cause>& causes, const RigProgramme& programme,
                       double tolerance) = nullptr;
     std::vector<Column> (*log)(const RigProgramme& programme, const RigTrace& trace) = nullptr;
-    double interval = 2.0;       ///< s between samples, unless a paper asks for another
+    double interval = 2.0;       ///< s between samples, unless a data set asks for another
     double tolerance = 1e-6;     ///< K, of the readings that are logged
     double oracle_error = 1e-6;  ///< K, of the readings that the oracle compares
     double size_error = 0.005;   ///< relative, of the size at which a cause shows

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "exam/exam_paper_truth.hpp"
+#include "exam/exam_data_set_truth.hpp"
 
 namespace hidden_effects {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-/// Truths that the project is held against. Files called *_truth share no source file with it: they include only the
+/// Truths that the project is compared with. Files called *_truth share no source file with it: they include only the
 /// standard library, Eigen and each other, and a test watches that border.
 namespace hidden_effects {
 

@@ -1,4 +1,4 @@
-#include "post/comparison/comparison_words.hpp"
+#include "post/comparison/comparison_sentences.hpp"
 
 #include <cmath>
 #include <string_view>
@@ -22,10 +22,10 @@ std::string bias_sentence(const ComparedChannel& channel) {
     }
     const std::string deviation = shown(channel, f.bias_deviation);
     if (std::abs(f.bias) < plain * f.bias_deviation) {
-        return fmt::format("no bias that shows: {} +- {} {}, from what is worth {:.0f} independent samples",
+        return fmt::format("no significant bias: {} +- {} {} (effective sample size {:.0f})",
                            shown_signed(channel, f.bias), deviation, unit, f.independent);
     }
-    return fmt::format("{} +- {} {} too {} on the whole, from what is worth {:.0f} independent samples",
+    return fmt::format("{} +- {} {} too {} on the whole (effective sample size {:.0f})",
                        shown(channel, std::abs(f.bias)), deviation, unit, too(channel.unit, f.bias > 0.0),
                        f.independent);
 }
@@ -43,7 +43,7 @@ std::string scatter_sentence(const ComparedChannel& channel) {
             "bias is left to the model",
             shown(channel, channel.figures.scatter), unit, sensor_text(channel));
     }
-    return fmt::format("once the sensor's {} is removed, the model scatters by {} {}, and its rms is {} {}",
+    return fmt::format("without the sensor's {} the model scatters by {} {}, and its rms is {} {}",
                        sensor_text(channel), shown(channel, channel.model.scatter), unit,
                        shown(channel, channel.model.removable), unit);
 }
@@ -62,7 +62,7 @@ std::string regressor_sentence(const ComparedChannel& channel) {
     const RegressorFigures& closest = channel.regressors.front();
     const Association& a = closest.association;
     const std::string strength =
-        fmt::format("correlation {:+.2f}, worth {:.0f} independent samples", a.correlation, a.independent);
+        fmt::format("correlation {:+.2f}, effective sample size {:.0f}", a.correlation, a.independent);
     if (a.chance > channel.significant) {
         return fmt::format("the differences follow none of {} signals beyond chance; the closest is {} ({})",
                            channel.regressors.size(), closest.name, strength);
@@ -70,9 +70,8 @@ std::string regressor_sentence(const ComparedChannel& channel) {
     const Bin& low = closest.bins.front();
     const Bin& high = closest.bins.back();
     return fmt::format(
-        "of {} signals the differences follow {} closest ({}, {:.1f} standard deviations): {} {} up to {:.4g} {}, {} "
-        "{} "
-        "from {:.4g} {} on",
+        "of {} signals the differences follow {} closest ({}, {:.1f} standard deviations): {} {} where it is below "
+        "{:.4g} {}, {} {} where it is above {:.4g} {}",
         channel.regressors.size(), closest.name, strength, std::abs(a.sigmas), shown_signed(channel, low.mean),
         difference_unit(channel), low.high, closest.unit, shown_signed(channel, high.mean), difference_unit(channel),
         high.low, closest.unit);

@@ -5,7 +5,7 @@
 namespace tiretherm::post {
 
 /// Where results come from, so that a file found later explains itself.
-struct Origin {
+struct Provenance {
     std::string version;    ///< of tiretherm
     std::string case_file;  ///< path as the user gave it
     std::string case_text;  ///< the case as it was read; empty if unknown

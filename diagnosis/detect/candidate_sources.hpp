@@ -21,22 +21,22 @@ struct HeatPlace {
 [[nodiscard]] std::vector<HeatPlace> heat_places(const solver::Problem& problem, bool all);
 
 /// A signal that a source may follow, in every run.
-struct Course {
+struct SourceSignal {
     std::string follows;  ///< a logged signal or a formula of signals, as a [[source]] has it
     std::string unit;
     std::vector<std::vector<double>> time;   ///< [n_runs][n] s
-    std::vector<std::vector<double>> value;  ///< [n_runs][n], straight between
+    std::vector<std::vector<double>> value;  ///< [n_runs][n], linear between
     double largest = 0.0;                    ///< absolute value over all runs
 };
 /// Inputs and products of them, and the columns that the model does not use. Those that never change are left out but
 /// for "1".
 /// @param all otherwise a few that stand for the rest
-[[nodiscard]] std::vector<Course> courses_of(const input::Experiment& experiment, bool all);
+[[nodiscard]] std::vector<SourceSignal> source_signals_of(const input::Experiment& experiment, bool all);
 
 /// A source that no effect of the catalogue is: heat at a place that follows a signal, or a reading that does.
 struct UnknownTerm {
     std::size_t place = 0;   ///< index into the places, or of Problem::channels for a sensor
-    std::size_t course = 0;  ///< index into the courses; of an event nothing
+    std::size_t signal = 0;  ///< index into the signals; of an event nothing
     bool sensor = false;     ///< the reading changes, not the heat
     bool event = false;      ///< constant heat over a window of one run
     std::size_t run = 0;     ///< of an event
@@ -45,9 +45,9 @@ struct UnknownTerm {
 };
 
 /// Unknown sources and what the channels would read of each.
-struct Dictionary {
+struct CandidateSources {
     std::vector<HeatPlace> places;
-    std::vector<Course> courses;
+    std::vector<SourceSignal> signals;
     std::vector<UnknownTerm> terms;  ///< events last
     Eigen::Index n_followers = 0;    ///< terms that follow a signal
     Eigen::MatrixXd columns;  ///< [n_rows][n_terms] SI per unit of the signal's largest value, per W of an event
@@ -57,8 +57,9 @@ struct Dictionary {
 /// A source costs a run of the linear equations: on meshes of more than 50 nodes a few places and signals stand for all,
 /// and there are no events.
 /// @param windows that each run is divided into for events
-[[nodiscard]] Dictionary dictionary_of(const input::Experiment& experiment, const Observations& observations,
-                                       const std::vector<solver::Problem>& problems,
-                                       const std::vector<std::vector<double>>& steps, int windows);
+[[nodiscard]] CandidateSources candidate_sources_of(const input::Experiment& experiment,
+                                                    const Observations& observations,
+                                                    const std::vector<solver::Problem>& problems,
+                                                    const std::vector<std::vector<double>>& steps, int windows);
 
 }  // namespace tiretherm::diagnosis

@@ -5,15 +5,16 @@
 
 #include <Eigen/Core>
 
+#include "diagnosis/detect/candidate_sources.hpp"
 #include "diagnosis/detect/candidates.hpp"
-#include "diagnosis/detect/dictionary.hpp"
-#include "diagnosis/fit/refit.hpp"
 #include "diagnosis/detect/scores.hpp"
+#include "diagnosis/fit/refit.hpp"
 
 namespace tiretherm::diagnosis {
 
-/// What measured data say against a fitted model: the noise, and for everything that may be missing its signature.
-struct Evidence {
+/// Score tests of a fitted model against measured data: the noise, and the signature of every effect that may be
+/// missing.
+struct ScoreTestData {
     solver::Status status;
     const input::Experiment* experiment = nullptr;
     const Observations* observations = nullptr;
@@ -25,15 +26,15 @@ struct Evidence {
     Eigen::VectorXi sign;        ///< [n_candidates] to which side of absent they may go; 0: either
     Eigen::MatrixXd signatures;  ///< [n_rows][n_candidates] SI per unit of the candidate's number
     Eigen::MatrixXd columns;     ///< the same, whitened
-    Dictionary unknowns;
+    CandidateSources unknowns;
     Eigen::MatrixXd unknown_columns;  ///< [n_rows][n_terms] whitened
 
     Scores scores;  ///< of the candidates against the base model
     Scores unknown_scores;
     double threshold = 0.0;  ///< that the largest score of a sound model exceeds by chance twice in a thousand times
     double unknown_threshold = 0.0;
-    /// Indices of candidates that two causes can be told apart by, and the gain that the best of these pairs has by chance
-    /// as rarely. Two causes that hide each other are seen by this alone.
+    /// Indices of candidates that two causes can be distinguished by, and the gain that the best of these pairs has by
+    /// chance as rarely. Two causes that hide each other are seen by this alone.
     std::vector<Pair> pairs;
     double pair_threshold = 0.0;
     long simulations = 0;
@@ -45,18 +46,18 @@ struct Evidence {
     [[nodiscard]] Scores unknown_scores_after(const Refit& model) const;
     /// Combinations of all signatures that stand for nearly all of what they span beside a model's free numbers.
     /// @returns [n_rows][as many as it takes] SI
-    [[nodiscard]] Eigen::MatrixXd essence(const Refit& model) const;
-    /// Judges everything anew by another noise. @param refitted the base model fitted with it
+    [[nodiscard]] Eigen::MatrixXd principal_signatures(const Refit& model) const;
+    /// Repeats all score tests with another noise. @param refitted the base model fitted with it
     void take_noise(Covariance found, Refit refitted);
-    /// The same for other measured values. The signatures stay: a correction of the data does not bend them.
+    /// The same for other measured values. The signatures stay: a correction of the data does not change them.
     /// @param corrected lives longer
     void take_observations(const Observations& corrected);
 };
 
 /// Fits the base model with the noise that is most likely whatever is missing, and takes every signature.
 /// @param experiment, observations live longer  @param candidates causes that may be missing
-[[nodiscard]] Evidence gather_evidence(const input::Experiment& experiment, const Observations& observations,
-                                       std::vector<Candidate> candidates,
-                                       std::function<void(long simulations)> progress = {});
+[[nodiscard]] ScoreTestData prepare_score_tests(const input::Experiment& experiment, const Observations& observations,
+                                                std::vector<Candidate> candidates,
+                                                std::function<void(long simulations)> progress = {});
 
 }  // namespace tiretherm::diagnosis

@@ -1,13 +1,13 @@
-#include "exam/exam_paper_truth.hpp"
+#include "exam/exam_data_set_truth.hpp"
 
 #include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <utility>
 
+#include "exam/exam_confounded_truth.hpp"
 #include "exam/exam_hiding_truth.hpp"
 #include "exam/exam_signals_truth.hpp"
-#include "exam/exam_twins_truth.hpp"
 
 namespace hidden_effects {
 
@@ -46,15 +46,16 @@ BenchRuns draw_runs(const Rig& rig, Kind kind, std::uint64_t seed, double interv
     return runs;
 }
 
-/// What the sensors of a paper's bench give, without noise.
-Readings true_readings(const Paper& paper) {
-    const double tolerance = paper.runs.rig->tolerance;
-    if (!is_unknown(paper.kind)) {
-        return readings_of(paper.runs, paper.hidden, tolerance);
+/// What the sensors of a data set's bench give, without noise.
+Readings true_readings(const ExamDataSet& data_set) {
+    const double tolerance = data_set.runs.rig->tolerance;
+    if (!is_unknown(data_set.kind)) {
+        return readings_of(data_set.runs, data_set.hidden, tolerance);
     }
-    BenchRuns driven = paper.runs;
-    driven.programmes = driven_by(paper.source, paper.runs.programmes);
-    return readings_of(driven, {{.id = paper.source.id, .parameters = {{"watts", paper.source.watts}}}}, tolerance);
+    BenchRuns driven = data_set.runs;
+    driven.programmes = driven_by(data_set.source, data_set.runs.programmes);
+    return readings_of(driven, {{.id = data_set.source.id, .parameters = {{"watts", data_set.source.watts}}}},
+                       tolerance);
 }
 
 }  // namespace
@@ -69,31 +70,31 @@ Kind kind_from(const std::string& word) {
         }
         all += std::string(i > 0 ? ", " : "") + words[i];
     }
-    throw std::invalid_argument("no kind of paper is called '" + word + "'; there are " + all);
+    throw std::invalid_argument("no kind of data set is called '" + word + "'; there are " + all);
 }
 
 bool hides_nothing(Kind kind) { return kind == Kind::nothing || kind == Kind::decoy || kind == Kind::dull_nothing; }
 
 bool is_unknown(Kind kind) { return kind == Kind::unknown || kind == Kind::unknown_odd; }
 
-Paper draw_paper(Kind kind, double sigma, std::uint64_t seed, double interval, const Rig& rig) {
+ExamDataSet draw_data_set(Kind kind, double sigma, std::uint64_t seed, double interval, const Rig& rig) {
     if (!rig.every_kind && kind > Kind::unknown) {
         throw std::invalid_argument("the bench " + rig.name +
-                                    " has papers of nothing, single, pair and unknown, none of " + word_of(kind));
+                                    " has data sets of nothing, single, pair and unknown, none of " + word_of(kind));
     }
     Random random(1000003ULL * seed + static_cast<std::uint64_t>(kind));
-    Paper paper{.kind = kind,
-                .seed = seed,
-                .sigma = hides_nothing(kind) ? 0.0 : sigma,
-                .runs = draw_runs(rig, kind, seed, interval > 0.0 ? interval : rig.interval, random),
-                .hidden = {},
-                .oracle = {}};
+    ExamDataSet data_set{.kind = kind,
+                         .seed = seed,
+                         .sigma = hides_nothing(kind) ? 0.0 : sigma,
+                         .runs = draw_runs(rig, kind, seed, interval > 0.0 ? interval : rig.interval, random),
+                         .hidden = {},
+                         .oracle = {}};
     Random noise(2000003ULL * seed + static_cast<std::uint64_t>(kind) + 500);
     if (!hides_nothing(kind)) {
-        paper.oracle_of_runs = std::make_shared<Oracle>(paper.runs);
+        data_set.oracle_of_runs = std::make_shared<Oracle>(data_set.runs);
         bool hidden = false;
         for (int draw = 0; draw < 200 && !hidden; ++draw) {
-            hidden = is_unknown(kind) ? hide_source(paper, random) : hide_causes(paper, random);
+            hidden = is_unknown(kind) ? hide_source(data_set, random) : hide_causes(data_set, random);
         }
         if (!hidden) {
             throw std::runtime_error("nothing can be hidden at " + std::to_string(sigma) + " standard deviations in " +
@@ -101,37 +102,37 @@ Paper draw_paper(Kind kind, double sigma, std::uint64_t seed, double interval, c
         }
     }
     if (kind == Kind::pair && rig.finds_twins) {
-        paper.twin = nearest_twin(paper);
+        data_set.confounded = nearest_confounded(data_set);
     }
-    Readings readings = true_readings(paper);
+    Readings readings = true_readings(data_set);
     for (std::size_t run = 0; run < n_runs; ++run) {
-        const RigProgramme& programme = paper.runs.programmes[run];
+        const RigProgramme& programme = data_set.runs.programmes[run];
         for (std::size_t c = 0; c < rig.channels.size(); ++c) {
             std::vector<double>& values = readings[run][c];
             const std::vector<double> drawn = draw_noise(rig.channels[c].noise, programme.time, noise);
             std::transform(values.begin(), values.end(), drawn.begin(), values.begin(), std::plus<>());
         }
-        paper.logs.push_back(rig.log(programme, readings[run]));
+        data_set.logs.push_back(rig.log(programme, readings[run]));
     }
     if (kind == Kind::decoy) {
-        add_decoys(paper.logs, paper.runs.programmes, random);
+        add_decoys(data_set.logs, data_set.runs.programmes, random);
     }
-    return paper;
+    return data_set;
 }
 
-std::string answer_of(const Paper& paper) {
-    if (is_unknown(paper.kind)) {
+std::string answer_of(const ExamDataSet& data_set) {
+    if (is_unknown(data_set.kind)) {
         std::string follows;
-        for (const std::string& signal : paper.source.signals) {
+        for (const std::string& signal : data_set.source.signals) {
             follows += (follows.empty() ? "" : " x ") + signal;
         }
         if (follows.empty()) {
             follows = "a time window";
         }
-        return "heat after " + follows + " in the " + paper.source.place;
+        return "heat after " + follows + " in the " + data_set.source.place;
     }
     std::string names;
-    for (const Cause& cause : paper.hidden) {
+    for (const Cause& cause : data_set.hidden) {
         names += (names.empty() ? "" : " + ") + name_of(cause);
     }
     return names.empty() ? "nothing" : names;

@@ -1,11 +1,11 @@
-#include "diagnosis/detect/look_alikes.hpp"
+#include "diagnosis/detect/confounded_effects.hpp"
 
 #include <algorithm>
 
 namespace tiretherm::diagnosis {
 
-std::span<const Family> families() {
-    static const std::vector<Family> all{
+std::span<const ConfoundedGroup> confounded_groups() {
+    static const std::vector<ConfoundedGroup> all{
         {.members = {"convection_exponent", "groove_convection", "air_convection.lambda_h"},
          .separated = "speed steps over a wide range at constant load: an exponent changes sign at one speed, area and "
                       "level do not; standing still shows none of them"},
@@ -37,19 +37,19 @@ std::span<const Family> families() {
     return all;
 }
 
-std::vector<const Family*> families_of(std::string_view id) {
-    std::vector<const Family*> found;
-    for (const Family& family : families()) {
-        if (std::ranges::find(family.members, id) != family.members.end()) {
-            found.push_back(&family);
+std::vector<const ConfoundedGroup*> confounded_groups_of(std::string_view id) {
+    std::vector<const ConfoundedGroup*> found;
+    for (const ConfoundedGroup& group : confounded_groups()) {
+        if (std::ranges::find(group.members, id) != group.members.end()) {
+            found.push_back(&group);
         }
     }
     return found;
 }
 
-std::string others_of(const Family& family, std::string_view id) {
+std::string others_of(const ConfoundedGroup& group, std::string_view id) {
     std::string text;
-    for (const std::string_view member : family.members) {
+    for (const std::string_view member : group.members) {
         if (member != id) {
             text += (text.empty() ? "" : ", ") + std::string(member);
         }

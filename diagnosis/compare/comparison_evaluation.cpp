@@ -69,7 +69,7 @@ RegressorFigures against(const ComparedChannel& channel, std::size_t regressor) 
 
 }  // namespace
 
-void reckon(ComparedChannel& channel, const std::vector<std::pair<std::string, std::string>>& regressors) {
+void evaluate(ComparedChannel& channel, const std::vector<std::pair<std::string, std::string>>& regressors) {
     const Pieces differences = differences_of(channel);
     channel.figures = figures(differences);
     Pieces times;
@@ -86,7 +86,7 @@ void reckon(ComparedChannel& channel, const std::vector<std::pair<std::string, s
             }
         }
     }
-    channel.noise = quick_noise(times, differences);
+    channel.noise = sample_to_sample_noise(times, differences);
     if (!channel.sensor_is_stated) {
         channel.sensor = std::isnan(channel.noise) ? 0.0 : channel.noise;
     }

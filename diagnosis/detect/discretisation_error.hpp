@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "diagnosis/detect/evidence.hpp"
+#include "diagnosis/detect/score_test_data.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -19,8 +19,8 @@ struct Model {
 /// @param finer the experiment on that grid; null: the steps alone  @returns [n_rows] SI
 [[nodiscard]] Eigen::VectorXd change_by_refinement(const Model& model, const input::Experiment* finer);
 
-/// What the model's own steps and grid do to what it says of the data.
-struct OwnError {
+/// What time steps and grid change in the simulated data.
+struct DiscretisationError {
     Eigen::VectorXd change;  ///< [n_rows] SI, to be added to what is simulated: Richardson's extrapolation
     double sigma = 0.0;      ///< of the change, beside what the free numbers take up of it, in standard deviations
 };
@@ -28,6 +28,7 @@ struct OwnError {
 /// Simulates the fitted model with every step halved and, where a finer grid is given, with half the spacing. Both are of
 /// second order: four thirds of what changes is the error.
 /// @param finer the experiment on the finer grid, or null
-[[nodiscard]] OwnError find_own_error(Evidence& evidence, const input::Experiment* finer);
+[[nodiscard]] DiscretisationError estimate_discretisation_error(ScoreTestData& score_data,
+                                                                const input::Experiment* finer);
 
 }  // namespace tiretherm::diagnosis

@@ -1,4 +1,4 @@
-#include "post/diagnosis/diagnosis_where.hpp"
+#include "post/diagnosis/residual_breakdown.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "diagnosis/compare/comparison_regressors.hpp"
-#include "post/comparison/comparison_words.hpp"
+#include "post/comparison/comparison_sentences.hpp"
 #include "post/report/number_text.hpp"
 #include "post/report/table.hpp"
 
@@ -17,7 +17,7 @@ using namespace diagnosis;  // whose results are rendered here
 
 namespace {
 
-/// Signals told for each channel.
+/// Signals reported for each channel.
 constexpr std::size_t most_signals = 3;
 
 /// One channel of one run.
@@ -37,11 +37,11 @@ ComparedSeries series_of(const DiagnosisRecord& record, const Block& block, cons
         series.simulated.push_back(simulated[row]);
         series.surroundings.push_back(0.0);
         series.phase.push_back(phase_at(run.problem, block.time[i]));
-        const Moment moment{.run = run,
-                            .sample = block.sample[i],
-                            .inputs = inputs,
-                            .simulated = simulated[row],
-                            .is_temperature = is_temperature};
+        const SampleContext moment{.run = run,
+                                   .sample = block.sample[i],
+                                   .inputs = inputs,
+                                   .simulated = simulated[row],
+                                   .is_temperature = is_temperature};
         for (std::size_t r = 0; r < regressors.size(); ++r) {
             series.regressor[r].push_back(regressors[r].value(moment));
         }
@@ -85,8 +85,7 @@ std::string phases_text(const std::vector<ComparedChannel>& base, const std::vec
 
 std::string signals_text(const std::vector<ComparedChannel>& base, const std::vector<ComparedChannel>& extended) {
     Table table({true, true, false, false, false, false});
-    table.add({"channel", "follows", "corr.", "by chance", extended.empty() ? "" : "extended",
-               extended.empty() ? "" : "by chance"});
+    table.add({"channel", "follows", "corr.", "p", extended.empty() ? "" : "extended", extended.empty() ? "" : "p"});
     bool any = false;
     for (std::size_t c = 0; c < base.size(); ++c) {
         for (std::size_t i = 0; i < std::min(most_signals, base[c].regressors.size()); ++i) {
@@ -139,7 +138,7 @@ std::string numbers_text(const DiagnosisRecord& record) {
 
 }  // namespace
 
-std::vector<ComparedChannel> beside_measured(const DiagnosisRecord& record, const Eigen::VectorXd& simulated) {
+std::vector<ComparedChannel> compare_with_measured(const DiagnosisRecord& record, const Eigen::VectorXd& simulated) {
     const std::vector<Regressor> regressors = regressors_of(record.experiment);
     std::vector<std::pair<std::string, std::string>> names;
     for (const Regressor& regressor : regressors) {
@@ -161,25 +160,25 @@ std::vector<ComparedChannel> beside_measured(const DiagnosisRecord& record, cons
     }
     std::vector<ComparedChannel> result;
     for (auto& [index, channel] : channels) {
-        reckon(channel, names);
+        evaluate(channel, names);
         result.push_back(std::move(channel));
     }
     return result;
 }
 
-std::string where_text(const DiagnosisRecord& record) {
-    const std::vector<ComparedChannel> base = beside_measured(record, record.result.base);
+std::string residual_breakdown_text(const DiagnosisRecord& record) {
+    const std::vector<ComparedChannel> base = compare_with_measured(record, record.result.base);
     const std::string numbers = numbers_text(record);
     if (base.empty()) {
         return numbers;
     }
     std::vector<ComparedChannel> extended;
     if (record.result.extended != record.result.base) {
-        extended = beside_measured(record, record.result.extended);
+        extended = compare_with_measured(record, record.result.extended);
     }
     std::string text = phases_text(base, extended);
     if (const std::string signals = signals_text(base, extended); !signals.empty()) {
-        text += "\n  The signals that it follows closest, and how often chance would do as much\n" + signals;
+        text += "\n  The signals that it follows closest; p: probability by chance\n" + signals;
     }
     return text + (numbers.empty() ? "" : "\n") + numbers;
 }

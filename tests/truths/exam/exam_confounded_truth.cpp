@@ -1,4 +1,4 @@
-#include "exam/exam_twins_truth.hpp"
+#include "exam/exam_confounded_truth.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -52,24 +52,24 @@ std::optional<Fit> best_fit(const Direction& one, const Direction& other, const 
     return is_possible(*one.variant, fit.part * one.step) ? std::optional(fit) : std::nullopt;
 }
 
-bool is_truth(const Paper& paper, const Fit& fit) {
+bool is_truth(const ExamDataSet& data_set, const Fit& fit) {
     const auto hides = [&](const Direction& direction) {
-        return std::ranges::any_of(paper.hidden, [&](const Cause& cause) {
+        return std::ranges::any_of(data_set.hidden, [&](const Cause& cause) {
             return name_of(cause) == direction.variant->name() && cause.parameters.contains(direction.variant->key);
         });
     };
-    return hides(*fit.one) && hides(*fit.other) && (fit.one != fit.other) == (paper.hidden.size() == 2);
+    return hides(*fit.one) && hides(*fit.other) && (fit.one != fit.other) == (data_set.hidden.size() == 2);
 }
 
 }  // namespace
 
-std::optional<Twin> nearest_twin(const Paper& paper) {
+std::optional<ConfoundedHypothesis> nearest_confounded(const ExamDataSet& data_set) {
     const auto direction = [&](const Variant& variant, double step) {
         const double furthest = std::clamp(step, variant.low - variant.absent, variant.high - variant.absent);
-        return Direction{.variant = &variant, .step = furthest, .left = left_beside(paper, variant, furthest)};
+        return Direction{.variant = &variant, .step = furthest, .left = left_beside(data_set, variant, furthest)};
     };
     std::vector<Direction> directions;
-    for (const Variant& variant : *paper.runs.rig->variants) {
+    for (const Variant& variant : *data_set.runs.rig->variants) {
         Direction typical = direction(variant, variant.typical);
         if (typical.left.norm() > 1e-3) {
             directions.push_back(std::move(typical));
@@ -78,24 +78,24 @@ std::optional<Twin> nearest_twin(const Paper& paper) {
     std::vector<Fit> fits;
     for (std::size_t i = 0; i < directions.size(); ++i) {
         for (std::size_t j = i; j < directions.size(); ++j) {
-            const std::optional<Fit> fit = best_fit(directions[i], directions[j], paper.left);
-            if (fit && !is_truth(paper, *fit)) {
+            const std::optional<Fit> fit = best_fit(directions[i], directions[j], data_set.left);
+            if (fit && !is_truth(data_set, *fit)) {
                 fits.push_back(*fit);
             }
         }
     }
     std::ranges::sort(fits, {}, &Fit::apart);
-    // Causes are nearly linear: the nearest few are held against the target once more, with steps of their own size.
-    std::optional<Twin> nearest;
+    // Causes are nearly linear: the nearest few are compared with the target once more, with steps of their own size.
+    std::optional<ConfoundedHypothesis> nearest;
     for (std::size_t i = 0; i < std::min<std::size_t>(6, fits.size()); ++i) {
         const Direction one = direction(*fits[i].one->variant, fits[i].part * fits[i].one->step);
         const bool is_single = fits[i].one == fits[i].other;
         const Direction other =
             is_single ? one : direction(*fits[i].other->variant, fits[i].other_part * fits[i].other->step);
-        const std::optional<Fit> again = best_fit(one, is_single ? one : other, paper.left);
+        const std::optional<Fit> again = best_fit(one, is_single ? one : other, data_set.left);
         if (again && (!nearest || again->apart < nearest->apart)) {
-            nearest = Twin{.name = one.variant->name() + (is_single ? "" : " + " + other.variant->name()),
-                           .apart = again->apart};
+            nearest = ConfoundedHypothesis{
+                .name = one.variant->name() + (is_single ? "" : " + " + other.variant->name()), .apart = again->apart};
         }
     }
     return nearest;

@@ -9,16 +9,16 @@ namespace tiretherm::diagnosis {
 
 /// Causes whose signatures are alike by their physics, whatever the data: naming one of them is a guess unless what
 /// separates them was measured.
-struct Family {
+struct ConfoundedGroup {
     std::vector<std::string_view> members;  ///< ids of effects; numbers of effects as "effect.key"
     std::string_view separated;             ///< by what an experiment tells them apart
 };
-[[nodiscard]] std::span<const Family> families();
+[[nodiscard]] std::span<const ConfoundedGroup> confounded_groups();
 
 /// Those that a cause belongs to.
-[[nodiscard]] std::vector<const Family*> families_of(std::string_view id);
+[[nodiscard]] std::vector<const ConfoundedGroup*> confounded_groups_of(std::string_view id);
 
 /// The other members, as a list. @param id of the member that is left out
-[[nodiscard]] std::string others_of(const Family& family, std::string_view id);
+[[nodiscard]] std::string others_of(const ConfoundedGroup& group, std::string_view id);
 
 }  // namespace tiretherm::diagnosis

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <random>
 
-#include "diagnosis/assess/findings.hpp"
+#include "diagnosis/assess/diagnosis_state.hpp"
 #include "solver/in_parallel.hpp"
 #include "solver/sensitivity/adjoint_record.hpp"
 
@@ -58,58 +58,58 @@ Eigen::MatrixXd answers(solver::AdjointRecord& record, const Observations& obser
 
 }  // namespace
 
-void ask_for_heat(const Findings& found, Diagnosis& into) {
-    const Evidence& evidence = found.evidence;
-    const Observations& observations = *evidence.observations;
-    if (observations.channels.empty() || evidence.unknowns.places.empty()) {
+void estimate_missing_heat(const DiagnosisState& found, Diagnosis& into) {
+    const ScoreTestData& score_data = found.score_data;
+    const Observations& observations = *score_data.observations;
+    if (observations.channels.empty() || score_data.unknowns.places.empty()) {
         return;
     }
     // The first column is what the data leave, the others are noise, both less what the free numbers make up.
-    const Remainder remainder(evidence.base.slopes, evidence.base.precision);
+    const NuisanceProjector projector(score_data.base.slopes, score_data.base.precision);
     const Eigen::Index n_rows = observations.measured.size();
-    const int n_nodes = evidence.experiment->runs.front().problem.mesh.n_nodes;
+    const int n_nodes = score_data.experiment->runs.front().problem.mesh.n_nodes;
     const int n_draws = n_nodes > small ? few_draws : draws;
     std::mt19937_64 engine(2011);
     std::normal_distribution<double> normal;
-    Eigen::MatrixXd left = Eigen::MatrixXd::NullaryExpr(remainder.rows(), n_draws + 1, [&] { return normal(engine); });
-    left = remainder.of_all(std::move(left));
-    left.col(0) = remainder.of(evidence.base.residual, evidence.base.known);
+    Eigen::MatrixXd left = Eigen::MatrixXd::NullaryExpr(projector.rows(), n_draws + 1, [&] { return normal(engine); });
+    left = projector.project_extended(std::move(left));
+    left.col(0) = projector.project(score_data.base.residual, score_data.base.known);
     Eigen::MatrixXd weights = left.topRows(n_rows);
-    whiten_transposed(observations.blocks, evidence.noise, weights);
+    whiten_transposed(observations.blocks, score_data.noise, weights);
 
-    const Simulator simulator(*evidence.experiment, observations);
-    const std::vector<HeatPlace>& places = evidence.unknowns.places;
-    std::vector<std::vector<AskedHeat>> of_run(evidence.experiment->runs.size());
+    const Simulator simulator(*score_data.experiment, observations);
+    const std::vector<HeatPlace>& places = score_data.unknowns.places;
+    std::vector<std::vector<MissingHeat>> of_run(score_data.experiment->runs.size());
     solver::in_parallel(of_run.size(), [&](std::size_t r) {
-        const solver::Problem problem = simulator.problem(r, evidence.base.values);
-        if (problem.settings.steady || evidence.experiment->runs[r].time.empty()) {
+        const solver::Problem problem = simulator.problem(r, score_data.base.values);
+        if (problem.settings.steady || score_data.experiment->runs[r].time.empty()) {
             return;
         }
-        solver::AdjointRecord record(problem, observations.times[r], evidence.steps[r]);
+        solver::AdjointRecord record(problem, observations.times[r], score_data.steps[r]);
         if (!record.status().ok()) {
             return;
         }
-        const Eigen::MatrixXd asked =
+        const Eigen::MatrixXd missing =
             answers(record, observations, r, problem.channels.size(), problem.settings, places, weights);
         if (!record.status().ok()) {
             return;
         }
-        const Eigen::VectorXd variance = asked.rightCols(n_draws).cwiseAbs2().rowwise().mean();
+        const Eigen::VectorXd variance = missing.rightCols(n_draws).cwiseAbs2().rowwise().mean();
         const double length = (problem.settings.end - problem.settings.start) / windows;
-        for (Eigen::Index k = 0; k < asked.rows(); ++k) {
+        for (Eigen::Index k = 0; k < missing.rows(); ++k) {
             if (variance[k] > 0.0) {
                 const double from = problem.settings.start + static_cast<double>(k % windows) * length;
                 of_run[r].push_back({.run = r,
                                      .place = places[static_cast<std::size_t>(k / windows)].name,
                                      .from = from,
                                      .to = from + length,
-                                     .watts = asked(k, 0) / variance[k],
-                                     .sigma = asked(k, 0) / std::sqrt(variance[k])});
+                                     .watts = missing(k, 0) / variance[k],
+                                     .sigma = missing(k, 0) / std::sqrt(variance[k])});
             }
         }
     });
-    for (std::vector<AskedHeat>& one : of_run) {
-        into.asked.insert(into.asked.end(), one.begin(), one.end());
+    for (std::vector<MissingHeat>& one : of_run) {
+        into.missing_heat.insert(into.missing_heat.end(), one.begin(), one.end());
     }
 }
 

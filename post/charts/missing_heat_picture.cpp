@@ -54,12 +54,12 @@ void draw_legend(Canvas& canvas, double full) {
 
 }  // namespace
 
-void draw_asked(const std::filesystem::path& path, const DiagnosisRecord& record) {
-    const std::vector<AskedHeat>& asked = record.result.asked;
+void draw_missing_heat(const std::filesystem::path& path, const DiagnosisRecord& record) {
+    const std::vector<MissingHeat>& missing = record.result.missing_heat;
     const std::vector<input::MeasuredRun>& runs = record.experiment.runs;
     std::vector<std::string> places;
     double full = least_full;
-    for (const AskedHeat& one : asked) {
+    for (const MissingHeat& one : missing) {
         full = std::max(full, std::abs(one.sigma));
         if (std::ranges::find(places, one.place) == places.end()) {
             places.push_back(one.place);
@@ -69,9 +69,10 @@ void draw_asked(const std::filesystem::path& path, const DiagnosisRecord& record
     const double width = std::max(1700.0, left + static_cast<double>(runs.size()) * (panel_width + between));
     Canvas canvas(static_cast<int>(width), static_cast<int>(top + height + below), look::paper);
     const solver::Problem& problem = runs.front().problem;
-    canvas.write({left, 46.0},
-                 fmt::format("What heat the data ask for: {}", problem.title.empty() ? problem.name : problem.title),
-                 {.size = look::title, .ink = look::ink, .bold = true});
+    canvas.write(
+        {left, 46.0},
+        fmt::format("Missing heat, by place and time: {}", problem.title.empty() ? problem.name : problem.title),
+        {.size = look::title, .ink = look::ink, .bold = true});
     draw_legend(canvas, full);
     for (std::size_t p = 0; p < places.size(); ++p) {
         canvas.write({left - 20.0, top + (static_cast<double>(p) + 0.5) * row_height}, places[p],
@@ -82,7 +83,7 @@ void draw_asked(const std::filesystem::path& path, const DiagnosisRecord& record
         const solver::Settings& settings = runs[r].problem.settings;
         const Scale x{
             .low = settings.start / 60.0, .high = settings.end / 60.0, .from = from, .to = from + panel_width};
-        for (const AskedHeat& one : asked) {
+        for (const MissingHeat& one : missing) {
             if (one.run == r) {
                 const auto row = static_cast<double>(std::ranges::find(places, one.place) - places.begin());
                 const double y = top + row * row_height;

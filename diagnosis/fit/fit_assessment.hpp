@@ -7,9 +7,9 @@ namespace tiretherm::diagnosis {
 
 /// Which combinations the data see, which numbers, with which intervals.
 /// @param searched whether a search has ended at these values: only then a bound says something
-void judge_numbers(const Fit& fit, Identification& into, bool searched);
+void assess_parameters(const Fit& fit, Identification& into, bool searched);
 
 /// How each channel and each single number fits, and what is to be said about its noise. Before and after are known.
-void judge_channels(const Fit& fit, Identification& into);
+void assess_channels(const Fit& fit, Identification& into);
 
 }  // namespace tiretherm::diagnosis

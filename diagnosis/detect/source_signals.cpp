@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "diagnosis/detect/dictionary.hpp"
+#include "diagnosis/detect/candidate_sources.hpp"
 #include "input/effects/user_signals.hpp"
 
 namespace tiretherm::diagnosis {
@@ -47,21 +47,22 @@ bool is_given(const input::Experiment& experiment, std::string_view signal) {
 }
 
 /// Whether it changes anywhere; keeps its largest value.
-bool varies(Course& course) {
-    double low = course.value.front().front();
+bool varies(SourceSignal& source_signal) {
+    double low = source_signal.value.front().front();
     double high = low;
-    for (const std::vector<double>& values : course.value) {
+    for (const std::vector<double>& values : source_signal.value) {
         const auto [least, most] = std::ranges::minmax(values);
         low = std::min(low, least);
         high = std::max(high, most);
     }
-    course.largest = std::max(std::abs(low), std::abs(high));
-    return std::isfinite(low) && std::isfinite(high) && high - low > 1e-6 * course.largest;
+    source_signal.largest = std::max(std::abs(low), std::abs(high));
+    return std::isfinite(low) && std::isfinite(high) && high - low > 1e-6 * source_signal.largest;
 }
 
 /// As a table [[source]] with this formula would have it; nothing where a run lacks a signal.
-std::optional<Course> course(const input::Experiment& experiment, std::string_view follows, std::string_view unit) {
-    Course course{.follows = std::string(follows), .unit = std::string(unit), .time = {}, .value = {}};
+std::optional<SourceSignal> source_signal(const input::Experiment& experiment, std::string_view follows,
+                                          std::string_view unit) {
+    SourceSignal source_signal{.follows = std::string(follows), .unit = std::string(unit), .time = {}, .value = {}};
     for (const input::MeasuredRun& run : experiment.runs) {
         try {
             solver::SignalHistory one = input::signal_history_of(follows, run);
@@ -71,25 +72,26 @@ std::optional<Course> course(const input::Experiment& experiment, std::string_vi
                     one.time.erase(one.time.begin() + static_cast<std::ptrdiff_t>(i));
                 }
             }
-            course.time.push_back(std::move(one.time));
-            course.value.push_back(std::move(one.value));
+            source_signal.time.push_back(std::move(one.time));
+            source_signal.value.push_back(std::move(one.value));
         } catch (const std::invalid_argument&) {
             return std::nullopt;
         }
-        if (course.value.back().empty()) {
+        if (source_signal.value.back().empty()) {
             return std::nullopt;
         }
     }
-    return course;
+    return source_signal;
 }
 
 }  // namespace
 
-std::vector<Course> courses_of(const input::Experiment& experiment, bool all) {
-    std::vector<Course> courses;
+std::vector<SourceSignal> source_signals_of(const input::Experiment& experiment, bool all) {
+    std::vector<SourceSignal> signals;
     const auto add = [&](std::string_view text, std::string_view unit) {
-        if (std::optional<Course> one = course(experiment, text, unit); one && (varies(*one) || text == "1")) {
-            courses.push_back(std::move(*one));
+        if (std::optional<SourceSignal> one = source_signal(experiment, text, unit);
+            one && (varies(*one) || text == "1")) {
+            signals.push_back(std::move(*one));
         }
     };
     add("1", "1");
@@ -102,7 +104,7 @@ std::vector<Course> courses_of(const input::Experiment& experiment, bool all) {
     for (const input::UnusedSignal& signal : experiment.runs.front().unused) {
         add(signal.name, input::base_unit(signal.unit));
     }
-    return courses;
+    return signals;
 }
 
 }  // namespace tiretherm::diagnosis

@@ -1,4 +1,4 @@
-#include "diagnosis/assess/findings.hpp"
+#include "diagnosis/assess/diagnosis_state.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,22 +11,23 @@ constexpr double wide = 1.959964;  // 95 % of a normal distribution
 /// In log likelihood: places and signals that are no less likely than this are named beside the best.
 constexpr double alike = 5.0;
 
-std::string place_of(const Evidence& evidence, const UnknownTerm& term) {
-    return term.sensor ? evidence.experiment->runs.front().problem.channels[term.place].name
-                       : evidence.unknowns.places[term.place].name;
+std::string place_of(const ScoreTestData& score_data, const UnknownTerm& term) {
+    return term.sensor ? score_data.experiment->runs.front().problem.channels[term.place].name
+                       : score_data.unknowns.places[term.place].name;
 }
 
-UnknownSource describe_unknown(const Findings& found) {
-    const Evidence& evidence = found.evidence;
-    const UnknownTerm& term = evidence.unknowns.terms[found.unknown.term];
+UnknownSource describe_unknown(const DiagnosisState& found) {
+    const ScoreTestData& score_data = found.score_data;
+    const UnknownTerm& term = score_data.unknowns.terms[found.unknown.term];
     const auto k = static_cast<Eigen::Index>(found.unknown.term);
-    const Scores& scores = evidence.unknown_scores;
-    UnknownSource source{.place = place_of(evidence, term), .sigma = std::abs(found.unknown.z), .sensor = term.sensor};
-    const double largest = term.event ? 1.0 : evidence.unknowns.courses[term.course].largest;
+    const Scores& scores = score_data.unknown_scores;
+    UnknownSource source{
+        .place = place_of(score_data, term), .sigma = std::abs(found.unknown.z), .sensor = term.sensor};
+    const double largest = term.event ? 1.0 : score_data.unknowns.signals[term.signal].largest;
     double per = scores.amplitude(k) / largest;
     double deviation = 1.0 / (scores.length[k] * largest);
     if (found.unknown_fit.sound) {
-        const Eigen::Index j = evidence.base.values.size();
+        const Eigen::Index j = score_data.base.values.size();
         per = found.unknown_fit.fit.values[j];
         deviation = found.unknown_fit.fit.deviations()[j];
     }
@@ -39,25 +40,25 @@ UnknownSource describe_unknown(const Findings& found) {
         source.unit = "1";
         source.from = term.from;
         source.to = term.to;
-        source.run = evidence.experiment->runs[term.run].name;
+        source.run = score_data.experiment->runs[term.run].name;
     } else {
-        source.follows = evidence.unknowns.courses[term.course].follows;
-        source.unit = evidence.unknowns.courses[term.course].unit;
+        source.follows = score_data.unknowns.signals[term.signal].follows;
+        source.unit = score_data.unknowns.signals[term.signal].unit;
     }
-    for (std::size_t other = 0; other < evidence.unknowns.terms.size(); ++other) {
-        const UnknownTerm& one = evidence.unknowns.terms[other];
+    for (std::size_t other = 0; other < score_data.unknowns.terms.size(); ++other) {
+        const UnknownTerm& one = score_data.unknowns.terms[other];
         const double z = scores.z[static_cast<Eigen::Index>(other)];
         if (other != found.unknown.term && found.unknown.gain() - 0.5 * z * z < alike && !one.event) {
-            source.alike.push_back(place_of(evidence, one) + ", " + evidence.unknowns.courses[one.course].follows);
+            source.alike.push_back(place_of(score_data, one) + ", " + score_data.unknowns.signals[one.signal].follows);
         }
     }
     return source;
 }
 
-/// One cause of an explanation, with its numbers in their intervals.
-Cause describe_cause(const Findings& found, const Explanation& one, std::size_t i) {
-    const solver::Problem& problem = found.evidence.experiment->runs.front().problem;
-    const Candidate& candidate = found.evidence.candidates[one.candidates[i]];
+/// One cause of a hypothesis, with its numbers in their intervals.
+Cause describe_cause(const DiagnosisState& found, const FittedHypothesis& one, std::size_t i) {
+    const solver::Problem& problem = found.score_data.experiment->runs.front().problem;
+    const Candidate& candidate = found.score_data.candidates[one.candidates[i]];
     Cause cause{.id = std::string(candidate.effect->id)};
     if (candidate.on >= 0) {
         cause.instead_of = candidate.absent;
@@ -85,7 +86,7 @@ Cause describe_cause(const Findings& found, const Explanation& one, std::size_t 
     }
     Eigen::Index held = one.fit.values.size() - one.n_held;
     for (std::size_t before = 0; before < i; ++before) {
-        held += static_cast<Eigen::Index>(found.evidence.candidates[one.candidates[before]].held.size());
+        held += static_cast<Eigen::Index>(found.score_data.candidates[one.candidates[before]].held.size());
     }
     for (const Candidate::Held& number : candidate.held) {
         add(held++, number.parameter, 1.0);
@@ -101,13 +102,13 @@ Cause describe_cause(const Findings& found, const Explanation& one, std::size_t 
     return cause;
 }
 
-/// Causes of the set first, explanation by explanation, then the others that were tried alone.
-void describe_causes(const Findings& found, Diagnosis& into) {
+/// Causes of the set first, hypothesis by hypothesis, then the others that were tried alone.
+void describe_causes(const DiagnosisState& found, Diagnosis& into) {
     std::vector<std::size_t> described;  // Candidate::cause of each
-    const auto describe = [&](const Explanation& one, bool in_set) {
+    const auto describe = [&](const FittedHypothesis& one, bool in_set) {
         std::vector<std::size_t> members;
         for (std::size_t i = 0; i < one.candidates.size(); ++i) {
-            const std::size_t cause = found.evidence.candidates[one.candidates[i]].cause;
+            const std::size_t cause = found.score_data.candidates[one.candidates[i]].cause;
             const auto known = std::ranges::find(described, cause);
             members.push_back(static_cast<std::size_t>(known - described.begin()));
             if (known == described.end()) {
@@ -118,42 +119,42 @@ void describe_causes(const Findings& found, Diagnosis& into) {
             }
         }
         if (in_set) {
-            into.explanations.push_back(std::move(members));
+            into.hypotheses.push_back(std::move(members));
         }
     };
-    for (const Explanation* one : found.set) {
+    for (const FittedHypothesis* one : found.set) {
         describe(*one, true);
     }
-    for (const Explanation& one : found.singles) {
+    for (const FittedHypothesis& one : found.singles) {
         if (one.sound) {
             describe(one, false);
         }
     }
     double sum = 0.0;
-    for (const Explanation* one : found.set) {
+    for (const FittedHypothesis* one : found.set) {
         sum += std::exp(one->gain - found.set.front()->gain);
     }
     for (std::size_t e = 0; e < found.set.size(); ++e) {
-        for (const std::size_t member : into.explanations[e]) {
+        for (const std::size_t member : into.hypotheses[e]) {
             into.causes[member].probability += std::exp(found.set[e]->gain - found.set.front()->gain) / sum;
         }
     }
 }
 
 /// How large each cause could be without having been seen.
-void find_limits(const Findings& found, Diagnosis& into) {
-    const Evidence& evidence = found.evidence;
+void find_limits(const DiagnosisState& found, Diagnosis& into) {
+    const ScoreTestData& score_data = found.score_data;
     std::size_t last = static_cast<std::size_t>(-1);
-    for (std::size_t k = 0; k < evidence.candidates.size(); ++k) {
-        const Candidate& candidate = evidence.candidates[k];
+    for (std::size_t k = 0; k < score_data.candidates.size(); ++k) {
+        const Candidate& candidate = score_data.candidates[k];
         const auto i = static_cast<Eigen::Index>(k);
-        if (candidate.cause == last || evidence.scores.length[i] == 0.0) {
+        if (candidate.cause == last || score_data.scores.length[i] == 0.0) {
             continue;
         }
         last = candidate.cause;
-        const double middle = candidate.absent + evidence.scores.amplitude(i);
-        const double spread = wide / evidence.scores.length[i];
-        const solver::Problem& problem = evidence.experiment->runs.front().problem;
+        const double middle = candidate.absent + score_data.scores.amplitude(i);
+        const double spread = wide / score_data.scores.length[i];
+        const solver::Problem& problem = score_data.experiment->runs.front().problem;
         into.limits.push_back(
             {.id = std::string(candidate.effect->id),
              .channel = candidate.channel >= 0 ? sensor_of(problem, candidate.channel) : "",
@@ -167,7 +168,7 @@ void find_limits(const Findings& found, Diagnosis& into) {
 
 }  // namespace
 
-void report(const Findings& found, Diagnosis& into) {
+void report(const DiagnosisState& found, Diagnosis& into) {
     into.verdict = found.verdict;
     describe_causes(found, into);
     if (found.verdict == Verdict::unknown || found.unknown_stands) {
@@ -179,21 +180,22 @@ void report(const Findings& found, Diagnosis& into) {
     if (found.something_left) {
         into.remarks.emplace_back("something significant is left beside it: there is more than one thing missing");
     }
-    into.values = found.evidence.base.values;
-    into.base = found.evidence.base.simulated;
-    into.noise = found.evidence.noise.channels;
-    const Explanation* best = found.best();
+    into.values = found.score_data.base.values;
+    into.base = found.score_data.base.simulated;
+    into.noise = found.score_data.noise.channels;
+    const FittedHypothesis* best = found.best();
     into.extended = best != nullptr ? best->fit.simulated : into.base;
     // A window of one run is nothing that a case could have.
-    const bool is_event = found.verdict == Verdict::unknown && found.evidence.unknowns.terms[found.unknown.term].event;
+    const bool is_event =
+        found.verdict == Verdict::unknown && found.score_data.unknowns.terms[found.unknown.term].event;
     if (best != nullptr && !is_event) {
         into.extended_model = best->model;
         into.extended_values = best->fit.values;
         if (found.verdict == Verdict::unknown) {
-            into.extended_user_effects = {user_effect(found.evidence, found.unknown.term, 0)};
+            into.extended_user_effects = {user_effect(found.score_data, found.unknown.term, 0)};
         }
     }
-    into.simulations = found.evidence.simulations;
+    into.simulations = found.score_data.simulations;
 }
 
 }  // namespace tiretherm::diagnosis

@@ -10,11 +10,11 @@ namespace tiretherm::post {
 
 /// Measured beside simulated, channel by channel with the figures of compare: by run, phase and signal.
 /// @param simulated [n_rows] SI
-[[nodiscard]] std::vector<diagnosis::ComparedChannel> beside_measured(const DiagnosisRecord& record,
-                                                           const Eigen::VectorXd& simulated);
+[[nodiscard]] std::vector<diagnosis::ComparedChannel> compare_with_measured(const DiagnosisRecord& record,
+                                                                            const Eigen::VectorXd& simulated);
 
 /// Where and when measured and simulated differ, with the base model and, where there is one, with the extended one.
 /// Single numbers stand for themselves.
-[[nodiscard]] std::string where_text(const DiagnosisRecord& record);
+[[nodiscard]] std::string residual_breakdown_text(const DiagnosisRecord& record);
 
 }  // namespace tiretherm::post

@@ -1,4 +1,4 @@
-#include "diagnosis/detect/dictionary.hpp"
+#include "diagnosis/detect/candidate_sources.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace tiretherm::diagnosis {
 
 namespace {
 
-/// Integral of a course, straight between its points and held beyond them, from its first point on.
+/// Integral of a signal, linear between its points and held beyond them, from its first point on.
 class Integral {
 public:
     Integral(const std::vector<double>& time, const std::vector<double>& value) : time_(time), value_(value) {
@@ -41,9 +41,9 @@ private:
     std::vector<double> sum_;
 };
 
-double value_at(const Course& course, std::size_t run, double t) {
-    const std::vector<double>& time = course.time[run];
-    const std::vector<double>& value = course.value[run];
+double value_at(const SourceSignal& source_signal, std::size_t run, double t) {
+    const std::vector<double>& time = source_signal.time[run];
+    const std::vector<double>& value = source_signal.value[run];
     const auto after = static_cast<std::size_t>(std::ranges::upper_bound(time, t) - time.begin());
     if (after == 0 || after == time.size()) {
         return after == 0 ? value.front() : value.back();
@@ -58,28 +58,28 @@ double overlap(double from, double to, double begin, double end) {
 }
 
 void name_terms(const input::Experiment& experiment, const Observations& observations, int windows,
-                Dictionary& dictionary) {
-    for (std::size_t c = 0; c < dictionary.courses.size(); ++c) {
-        for (std::size_t p = 0; p < dictionary.places.size(); ++p) {
-            dictionary.terms.push_back({.place = p, .course = c});
+                CandidateSources& sources) {
+    for (std::size_t c = 0; c < sources.signals.size(); ++c) {
+        for (std::size_t p = 0; p < sources.places.size(); ++p) {
+            sources.terms.push_back({.place = p, .signal = c});
         }
         for (const std::size_t channel : observations.channels) {
-            if (dictionary.courses[c].follows != "1") {  // an offset is in the catalogue
-                dictionary.terms.push_back({.place = channel, .course = c, .sensor = true});
+            if (sources.signals[c].follows != "1") {  // an offset is in the catalogue
+                sources.terms.push_back({.place = channel, .signal = c, .sensor = true});
             }
         }
     }
-    dictionary.n_followers = static_cast<Eigen::Index>(dictionary.terms.size());
+    sources.n_followers = static_cast<Eigen::Index>(sources.terms.size());
     for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
         const solver::Settings& settings = experiment.runs[r].problem.settings;
         const double length = (settings.end - settings.start) / std::max(1, windows);
         for (int i = 0; i < windows && !experiment.runs[r].time.empty(); ++i) {
-            for (std::size_t p = 0; p < dictionary.places.size(); ++p) {
-                dictionary.terms.push_back({.place = p,
-                                            .event = true,
-                                            .run = r,
-                                            .from = settings.start + i * length,
-                                            .to = settings.start + (i + 1) * length});
+            for (std::size_t p = 0; p < sources.places.size(); ++p) {
+                sources.terms.push_back({.place = p,
+                                         .event = true,
+                                         .run = r,
+                                         .from = settings.start + i * length,
+                                         .to = settings.start + (i + 1) * length});
             }
         }
     }
@@ -87,7 +87,7 @@ void name_terms(const input::Experiment& experiment, const Observations& observa
 
 /// Fills the rows of one run.
 void fill_run(std::size_t r, const Observations& observations, const solver::Problem& problem,
-              const std::vector<double>& ends, Dictionary& dictionary) {
+              const std::vector<double>& ends, CandidateSources& sources) {
     const std::size_t n_channels = problem.channels.size();
     std::vector<Eigen::Index> rows;
     for (std::size_t row = 0; row < observations.rows.size(); ++row) {
@@ -101,23 +101,23 @@ void fill_run(std::size_t r, const Observations& observations, const solver::Pro
     }
     std::vector<std::size_t> heats;  // the terms that this run sees as heat
     std::vector<Integral> integrals;
-    for (const Course& course : dictionary.courses) {
-        integrals.emplace_back(course.time[r], course.value[r]);
+    for (const SourceSignal& source_signal : sources.signals) {
+        integrals.emplace_back(source_signal.time[r], source_signal.value[r]);
     }
-    for (std::size_t k = 0; k < dictionary.terms.size(); ++k) {
-        const UnknownTerm& term = dictionary.terms[k];
+    for (std::size_t k = 0; k < sources.terms.size(); ++k) {
+        const UnknownTerm& term = sources.terms[k];
         if (!term.sensor && (!term.event || term.run == r)) {
             heats.push_back(k);
         }
         if (!term.sensor) {
             continue;
         }
-        const Course& course = dictionary.courses[term.course];
+        const SourceSignal& source_signal = sources.signals[term.signal];
         for (const Eigen::Index row : rows) {
             const Observations::Row& what = observations.rows[static_cast<std::size_t>(row)];
             if (what.channel == term.place) {
-                dictionary.columns(row, static_cast<Eigen::Index>(k)) =
-                    value_at(course, r, observations.times[r][what.time]) / course.largest;
+                sources.columns(row, static_cast<Eigen::Index>(k)) =
+                    value_at(source_signal, r, observations.times[r][what.time]) / source_signal.largest;
             }
         }
     }
@@ -125,11 +125,11 @@ void fill_run(std::size_t r, const Observations& observations, const solver::Pro
         const double begin = s == 0 ? problem.settings.start : record.end(s - 1);
         const double end = record.end(s);
         for (std::size_t h = 0; h < heats.size(); ++h) {
-            const UnknownTerm& term = dictionary.terms[heats[h]];
-            const double watts =
-                term.event ? overlap(begin, end, term.from, term.to)
-                           : integrals[term.course].mean(begin, end) / dictionary.courses[term.course].largest;
-            const mesh::Functional& nodes = dictionary.places[term.place].nodes;
+            const UnknownTerm& term = sources.terms[heats[h]];
+            const double watts = term.event
+                                     ? overlap(begin, end, term.from, term.to)
+                                     : integrals[term.signal].mean(begin, end) / sources.signals[term.signal].largest;
+            const mesh::Functional& nodes = sources.places[term.place].nodes;
             for (std::size_t i = 0; i < nodes.nodes.size(); ++i) {
                 heat[h * record.n_nodes() + static_cast<std::size_t>(nodes.nodes[i])] = watts * nodes.weights[i];
             }
@@ -142,7 +142,7 @@ void fill_run(std::size_t r, const Observations& observations, const solver::Pro
     }
     const std::size_t n_readings = observations.times[r].size() * n_channels;
     for (std::size_t h = 0; h < heats.size(); ++h) {
-        auto column = dictionary.columns.col(static_cast<Eigen::Index>(heats[h]));
+        auto column = sources.columns.col(static_cast<Eigen::Index>(heats[h]));
         for (const Eigen::Index row : rows) {
             const Observations::Row& what = observations.rows[static_cast<std::size_t>(row)];
             column[row] = read[h * n_readings + what.time * n_channels + what.channel];
@@ -172,20 +172,20 @@ std::vector<HeatPlace> heat_places(const solver::Problem& problem, bool all) {
     return places;
 }
 
-Dictionary dictionary_of(const input::Experiment& experiment, const Observations& observations,
-                         const std::vector<solver::Problem>& problems, const std::vector<std::vector<double>>& steps,
-                         int windows) {
+CandidateSources candidate_sources_of(const input::Experiment& experiment, const Observations& observations,
+                                      const std::vector<solver::Problem>& problems,
+                                      const std::vector<std::vector<double>>& steps, int windows) {
     constexpr int small = 50;
     const bool is_small = problems.front().mesh.n_nodes <= small;
-    Dictionary dictionary;
-    dictionary.places = heat_places(problems.front(), is_small);
-    dictionary.courses = courses_of(experiment, is_small);
-    name_terms(experiment, observations, is_small ? windows : 0, dictionary);
-    dictionary.columns = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(observations.rows.size()),
-                                               static_cast<Eigen::Index>(dictionary.terms.size()));
+    CandidateSources sources;
+    sources.places = heat_places(problems.front(), is_small);
+    sources.signals = source_signals_of(experiment, is_small);
+    name_terms(experiment, observations, is_small ? windows : 0, sources);
+    sources.columns = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(observations.rows.size()),
+                                            static_cast<Eigen::Index>(sources.terms.size()));
     solver::in_parallel(problems.size(),
-                        [&](std::size_t r) { fill_run(r, observations, problems[r], steps[r], dictionary); });
-    return dictionary;
+                        [&](std::size_t r) { fill_run(r, observations, problems[r], steps[r], sources); });
+    return sources;
 }
 
 }  // namespace tiretherm::diagnosis

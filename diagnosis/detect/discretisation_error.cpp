@@ -1,11 +1,12 @@
-#include "diagnosis/detect/own_error.hpp"
+#include "diagnosis/detect/discretisation_error.hpp"
 
 namespace tiretherm::diagnosis {
 
 namespace {
 
-/// What an experiment's runs say over given steps, at some values of the model's numbers.
-ModelPrediction say(const Model& model, const input::Experiment& experiment, std::vector<std::vector<double>> steps) {
+/// Simulates an experiment's runs over given steps, at some values of the model's numbers.
+ModelPrediction simulate_over(const Model& model, const input::Experiment& experiment,
+                              std::vector<std::vector<double>> steps) {
     const Simulator numbers(experiment, model.observations);
     input::Experiment still = experiment;
     for (std::size_t r = 0; r < still.runs.size(); ++r) {
@@ -41,24 +42,24 @@ Eigen::VectorXd change_by_refinement(const Model& model, const input::Experiment
             change += second_order * (better.simulated - model.simulated);
         }
     };
-    add(say(model, model.experiment, halved(model)));
+    add(simulate_over(model, model.experiment, halved(model)));
     if (finer != nullptr) {
-        add(say(model, *finer, model.steps));
+        add(simulate_over(model, *finer, model.steps));
     }
     return change;
 }
 
-OwnError find_own_error(Evidence& evidence, const input::Experiment* finer) {
-    OwnError error{.change = change_by_refinement({.experiment = *evidence.experiment,
-                                                   .observations = *evidence.observations,
-                                                   .values = evidence.base.values,
-                                                   .simulated = evidence.base.simulated,
-                                                   .steps = evidence.steps},
-                                                  finer)};
-    evidence.count(static_cast<long>(evidence.experiment->runs.size()) * (finer != nullptr ? 2 : 1));
+DiscretisationError estimate_discretisation_error(ScoreTestData& score_data, const input::Experiment* finer) {
+    DiscretisationError error{.change = change_by_refinement({.experiment = *score_data.experiment,
+                                                              .observations = *score_data.observations,
+                                                              .values = score_data.base.values,
+                                                              .simulated = score_data.base.simulated,
+                                                              .steps = score_data.steps},
+                                                             finer)};
+    score_data.count(static_cast<long>(score_data.experiment->runs.size()) * (finer != nullptr ? 2 : 1));
     Eigen::MatrixXd whitened = error.change;
-    whiten(evidence.observations->blocks, evidence.noise, whitened);
-    error.sigma = Remainder(evidence.base.slopes, evidence.base.precision).of(whitened).norm();
+    whiten(score_data.observations->blocks, score_data.noise, whitened);
+    error.sigma = NuisanceProjector(score_data.base.slopes, score_data.base.precision).project(whitened).norm();
     return error;
 }
 

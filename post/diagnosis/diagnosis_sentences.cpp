@@ -1,4 +1,4 @@
-#include "post/diagnosis/diagnosis_words.hpp"
+#include "post/diagnosis/diagnosis_sentences.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ using namespace diagnosis;  // whose results are rendered here
 
 namespace {
 
-/// Standard deviations of its own numerical error from which on a model is too coarse to judge data by.
+/// Standard deviations of its discretisation error from which on a model is too coarse to diagnose data.
 constexpr double coarse = 3.0;
 
 std::string digits(const CauseNumber& number, double value) {
@@ -23,12 +23,12 @@ std::string digits(const CauseNumber& number, double value) {
 bool has_interval(const CauseNumber& number) { return number.high > number.low; }
 
 std::string full(const Cause& cause) {
-    const std::string from = cause.instead_of ? fmt::format("the case's {:.4g}", *cause.instead_of) : "absent";
+    const std::string from = cause.instead_of ? fmt::format("the case's {:.4g}", *cause.instead_of) : "no effect";
     return fmt::format("{}, {}, {:.1f} standard deviations from {}", name_of(cause), size_of(cause), cause.sigma, from);
 }
 
 std::string named(const Diagnosis& diagnosis) {
-    const std::vector<std::size_t>& one = diagnosis.explanations.front();
+    const std::vector<std::size_t>& one = diagnosis.hypotheses.front();
     if (one.size() == 1) {
         return fmt::format("One cause explains what the model gets wrong: {}.", full(diagnosis.causes[one.front()]));
     }
@@ -40,9 +40,16 @@ std::string named(const Diagnosis& diagnosis) {
                        one.size() == 2 ? "Two" : fmt::format("{}", one.size()), text);
 }
 
+std::string separation_sentence(const NextExperiment& next) {
+    return fmt::format(
+        "To tell them apart: {}. This additional test would raise their separation from {:.2g} to {:.2g} standard "
+        "deviations (2 to 3 are needed).",
+        next.name, next.now, next.then);
+}
+
 std::string confounded(const Diagnosis& diagnosis, const input::Experiment& experiment) {
     std::string text;
-    for (const std::vector<std::size_t>& one : diagnosis.explanations) {
+    for (const std::vector<std::size_t>& one : diagnosis.hypotheses) {
         std::string both;
         for (const std::size_t cause : one) {
             const Cause& one_of = diagnosis.causes[cause];
@@ -55,7 +62,7 @@ std::string confounded(const Diagnosis& diagnosis, const input::Experiment& expe
         text += fmt::format("; or, what no effect of the catalogue is, {}", text_of(*diagnosis.unknown, experiment));
     }
     return fmt::format("Something is missing, and these data cannot tell apart: {}.{}", text,
-                       diagnosis.next.empty() ? "" : " To tell them apart: " + text_of(diagnosis.next.front()) + ".");
+                       diagnosis.next.empty() ? "" : " " + separation_sentence(diagnosis.next.front()));
 }
 
 std::string unknown(const Diagnosis& diagnosis, const input::Experiment& experiment) {
@@ -76,7 +83,7 @@ std::string cannot_tell(const Diagnosis& diagnosis) {
     }
     if (diagnosis.numerical_error_sigma > coarse) {
         return fmt::format(
-            "The model is too coarse to judge these data: its own error of steps and grid is {:.1f} standard "
+            "The model is too coarse for these data: its discretisation error (steps and grid) is {:.1f} standard "
             "deviations, and {:g} are allowed. It falls with the square of the spacing: {:.2g} times as many cells in "
             "every "
             "direction would do.",
@@ -131,15 +138,15 @@ std::string text_of(const UnknownSource& unknown, const input::Experiment& exper
     const auto shown = [&](double si) { return to_its_digits(unit.difference(si), half); };
     const bool event = unknown.follows == "time window";
     const bool constant = unknown.follows == "1";
-    const std::string course =
+    const std::string pattern =
         event ? fmt::format("from {:.4g} s to {:.4g} s of {}", unknown.from, unknown.to, unknown.run)
               : (constant ? "that never changes" : fmt::format("that follows {}", unknown.follows));
     const std::string size =
         fmt::format("{} {}{} ({} to {})", shown(unknown.watts), unit.name,
                     event || constant ? "" : " where that is largest", shown(unknown.low), shown(unknown.high));
     return unknown.sensor
-               ? fmt::format("an error in the reading of {} {}, not by heat: {}", unknown.place, course, size)
-               : fmt::format("heat at {} {}: {}", unknown.place, course, size);
+               ? fmt::format("an error in the reading of {} {}, not by heat: {}", unknown.place, pattern, size)
+               : fmt::format("heat at {} {}: {}", unknown.place, pattern, size);
 }
 
 std::string text_of(const NextExperiment& next) {

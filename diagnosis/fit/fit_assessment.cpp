@@ -1,4 +1,4 @@
-#include "diagnosis/fit/judgement.hpp"
+#include "diagnosis/fit/fit_assessment.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ constexpr Eigen::Index many = 100;
 constexpr double wide = 1.959964;  // 95 % of a normal distribution
 
 /// A number after the fit. @param deviation its standard deviation, in its scale
-Fitted judge_number(const Fit& fit, Eigen::Index j, double deviation, bool searched) {
+Fitted assess_parameter(const Fit& fit, Eigen::Index j, double deviation, bool searched) {
     const double value = fit.values()[j];
     const double sd = deviation * fit.scale()[j];
     const double low = fit.low()[j];
@@ -38,34 +38,33 @@ Fitted judge_number(const Fit& fit, Eigen::Index j, double deviation, bool searc
                .high = std::min(high, value + wide * sd),
                .low_is_open = value - wide * sd<low, .high_is_open = value + wide * sd> high};
     if (searched && (value <= low + slack || value >= high - slack)) {
-        one.sight = Sight::at_bound;
+        one.identifiability = Identifiability::at_bound;
     } else if (!has_prior && deviation > 1.0) {
-        one.sight = Sight::not_determined;
+        one.identifiability = Identifiability::not_determined;
         one.standard_deviation = std::numeric_limits<double>::infinity();
         one.low = one.high = std::numeric_limits<double>::quiet_NaN();
         one.low_is_open = one.high_is_open = true;
     } else if (has_prior && deviation > prior_alone) {
-        one.sight = Sight::prior_only;
+        one.identifiability = Identifiability::prior_only;
     } else if (has_prior && deviation > data_alone) {
-        one.sight = Sight::with_prior;
+        one.identifiability = Identifiability::with_prior;
     }
     return one;
 }
 
-/// What is to be said where a fit has bought itself off with noise; empty where it has not.
-std::string say_given_up(const ChannelFit& fit, const solver::Channel& channel) {
+/// What is to be said where a fit takes an error of the model for noise; empty where it has not.
+std::string given_up_sentence(const ChannelFit& fit, const solver::Channel& channel) {
     const double stated = fit.stated;
     if (fit.rmse_after > worse * fit.rmse_before) {
         return fmt::format(
-            "{}: its rms rose with the fit, from {:.2g} to {:.2g} {}: what the model lacks passes for slow "
-            "noise, and the numbers and intervals are not to be trusted; see compare, and fit with noise = "
+            "{}: its rms rose with the fit, from {:.2g} to {:.2g} {}: a missing effect passes for slow noise, and the "
+            "numbers and intervals are not to be trusted; see compare, and fit with noise = "
             "\"white\" beside it",
             fit.name, fit.rmse_before, fit.rmse_after, solver::unit_of(channel.quantity));
     }
     if (fit.noise.white_share < 1.0 && stated > 0.0 && fit.samples > many && fit.noise.sigma > swollen * stated) {
         return fmt::format(
-            "{}: its noise is {:.1f} times what the sensor is said to have: part of it may be what the "
-            "model lacks",
+            "{}: its noise is {:.1f} times what the sensor is said to have: part of it may be a missing effect",
             fit.name, fit.noise.sigma / stated);
     }
     return "";
@@ -83,30 +82,30 @@ std::vector<std::string> cautions_of_band(const ChannelFit& band, const ChannelF
     if (band.noise.sigma <= swollen * finest->noise.sigma) {
         return {};
     }
-    return {fmt::format("{}: {:.1f} times what the pixels' own noise makes of it: a drift that they share, or what the model "
-                        "lacks",
-                        band.name, band.noise.sigma / finest->noise.sigma)};
+    return {fmt::format(
+        "{}: {:.1f} times what the pixels' own noise makes of it: a drift that they share, or a missing effect",
+        band.name, band.noise.sigma / finest->noise.sigma)};
 }
 
 }  // namespace
 
-std::string_view word_of(Sight sight) {
-    switch (sight) {
-        case Sight::determined:
+std::string_view word_of(Identifiability identifiability) {
+    switch (identifiability) {
+        case Identifiability::determined:
             return "determined";
-        case Sight::with_prior:
+        case Identifiability::with_prior:
             return "with prior";
-        case Sight::prior_only:
+        case Identifiability::prior_only:
             return "prior only";
-        case Sight::not_determined:
+        case Identifiability::not_determined:
             return "not determined";
-        case Sight::at_bound:
+        case Identifiability::at_bound:
             return "at bound";
     }
     return "";
 }
 
-void judge_numbers(const Fit& fit, Identification& into, bool searched) {
+void assess_parameters(const Fit& fit, Identification& into, bool searched) {
     const Eigen::MatrixXd whitened = fit.whitened_slopes();
     const Eigen::Index n = whitened.cols();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> seen(Eigen::MatrixXd(whitened.transpose() * whitened));
@@ -123,14 +122,14 @@ void judge_numbers(const Fit& fit, Identification& into, bool searched) {
     const Eigen::VectorXd deviation = covariance.diagonal().cwiseSqrt();
     into.correlation = deviation.cwiseInverse().asDiagonal() * covariance * deviation.cwiseInverse().asDiagonal();
     for (Eigen::Index j = 0; j < n; ++j) {
-        into.fitted.push_back(judge_number(fit, j, deviation[j], searched));
+        into.fitted.push_back(assess_parameter(fit, j, deviation[j], searched));
     }
     into.misfit = fit.whitened_residuals().squaredNorm();
     into.freedom = static_cast<double>(whitened.rows()) - (covariance * whitened.transpose() * whitened).trace();
-    into.kinks = fit.now().kinks;
+    into.non_smooth_parameters = fit.now().non_smooth_parameters;
 }
 
-void judge_channels(const Fit& fit, Identification& into) {
+void assess_channels(const Fit& fit, Identification& into) {
     const Observations& observations = fit.observations();
     const std::vector<solver::Channel>& channels = fit.experiment().runs.front().problem.channels;
     for (std::size_t c = 0; c < observations.channels.size(); ++c) {
@@ -159,7 +158,7 @@ void judge_channels(const Fit& fit, Identification& into) {
         } else {
             found.cautions = cautions(found.name, std::string(solver::unit_of(channel.quantity)), found.noise,
                                       found.found, found.stated, {});
-            if (std::string caution = say_given_up(found, channel); !caution.empty()) {
+            if (std::string caution = given_up_sentence(found, channel); !caution.empty()) {
                 found.cautions.push_back(std::move(caution));
             }
         }

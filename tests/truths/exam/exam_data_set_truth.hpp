@@ -12,7 +12,7 @@
 
 namespace hidden_effects {
 
-/// What a paper of the exam hides.
+/// What a data set of the exam hides.
 enum class Kind : std::uint8_t {
     nothing,
     single,        ///< a cause of the catalogue
@@ -37,8 +37,8 @@ struct Likeness {
     [[nodiscard]] double strength() const { return variant->both_ways() ? std::abs(correlation) : correlation; }
 };
 
-/// Another explanation, and the standard deviations of what is hidden that it misses at its best.
-struct Twin {
+/// Another hypothesis, and the standard deviations of what is hidden that it misses at its best.
+struct ConfoundedHypothesis {
     std::string name;
     double apart = 0.0;
 };
@@ -56,7 +56,7 @@ struct HiddenSource {
 };
 
 /// Three logged runs with something hidden in them, or nothing, and the answer.
-struct Paper {
+struct ExamDataSet {
     Kind kind = Kind::nothing;
     std::uint64_t seed = 0;
     double sigma = 0.0;          ///< standard deviations at which an oracle sees each hidden thing
@@ -67,22 +67,23 @@ struct Paper {
     /// The most like first, of every cause; empty where nothing is hidden, and on a costly bench where likeness() tells.
     std::vector<Likeness> alike{};
     std::vector<std::vector<Column>> logs{};  ///< [n_runs]
-    std::optional<Twin> twin{};  ///< the nearest, of a pair on a bench whose truth is quick enough to look for it
+    std::optional<ConfoundedHypothesis>
+        confounded{};  ///< the nearest, of a pair on a bench whose truth is quick enough to look for it
     std::vector<std::string> rejected{};             ///< draws that were given up, and why
     std::shared_ptr<const Oracle> oracle_of_runs{};  ///< where something is hidden
     Eigen::VectorXd left{};                          ///< all that is hidden, as the oracle sees it
 };
 
-/// Draws a paper from its seed. What the user does not know is normal, as the rig says: scales about 1 with 0.07, each
-/// temperature at the start about the first air temperature. The same seed hides the same at every size, unless that size
-/// is not physical.
+/// Draws a data set from its seed. What the user does not know is normal, as the rig says: scales about 1 with 0.07,
+/// each temperature at the start about the first air temperature. The same seed hides the same at every size, unless
+/// that size is not physical.
 /// @param interval s, of the samples; 0: the bench's own
 /// @errors std::runtime_error when nothing in 200 draws can be hidden at that size; std::invalid_argument when the bench
-/// has no such papers
-[[nodiscard]] Paper draw_paper(Kind kind, double sigma, std::uint64_t seed, double interval = 0.0,
-                               const Rig& rig = two_node_rig());
+/// has no such data sets
+[[nodiscard]] ExamDataSet draw_data_set(Kind kind, double sigma, std::uint64_t seed, double interval = 0.0,
+                                        const Rig& rig = two_node_rig());
 
 /// "sensor_lag of bulk_temperature + inner_gas", "heat after throttle in the surface", "nothing"
-[[nodiscard]] std::string answer_of(const Paper& paper);
+[[nodiscard]] std::string answer_of(const ExamDataSet& data_set);
 
 }  // namespace hidden_effects

@@ -1,0 +1,203 @@
+#include "diagnosis/detect/score_test_data.hpp"
+
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+constexpr int most_turns = 4;
+constexpr double settled_noise = 0.01;
+/// A combination of signatures that is this small a part of all of them counts as noise's.
+constexpr double least_part = 0.01;
+constexpr double chance = 0.002;
+/// Two signatures that are this much alike are no pair.
+constexpr double alike = 0.995;
+/// Windows of a run in which heat of its own is looked for.
+constexpr int windows = 16;
+
+Eigen::MatrixXd whitened(const ScoreTestData& score_data, Eigen::MatrixXd columns) {
+    whiten(score_data.observations->blocks, score_data.noise, columns);
+    return columns;
+}
+
+/// The experiment as it stands at some values, with nothing free.
+input::Experiment frozen(const ScoreTestData& score_data, const Simulator& simulator, const Eigen::VectorXd& values) {
+    input::Experiment still = *score_data.experiment;
+    for (std::size_t r = 0; r < still.runs.size(); ++r) {
+        still.runs[r].problem = simulator.problem(r, values);
+    }
+    still.parameters.clear();
+    return still;
+}
+
+/// Signatures of the candidates: slopes of all in one run, differences one by one. A candidate whose model fails has
+/// none.
+void take_signatures(const input::Experiment& still, const Eigen::VectorXd& simulated, ScoreTestData& score_data) {
+    std::vector<Candidate> linear;
+    std::vector<double> absent;
+    for (const Candidate& candidate : score_data.candidates) {
+        if (candidate.by_slope()) {
+            linear.push_back(candidate);
+            absent.push_back(candidate.absent);
+        }
+    }
+    score_data.signatures.setZero(simulated.size(), static_cast<Eigen::Index>(score_data.candidates.size()));
+    const input::Experiment wide = with(still, linear, absent);
+    Simulator all(wide, *score_data.observations);
+    all.take_steps(score_data.steps);
+    const ModelPrediction& slopes = all.at(all.start());
+    score_data.count(all.simulations());
+    Eigen::Index taken = 0;
+    for (std::size_t k = 0; k < score_data.candidates.size(); ++k) {
+        const Candidate& candidate = score_data.candidates[k];
+        auto column = score_data.signatures.col(static_cast<Eigen::Index>(k));
+        if (candidate.by_slope()) {
+            if (slopes.status.ok()) {
+                column = slopes.slope.col(taken++);
+            }
+            continue;
+        }
+        input::Experiment moved = with(still, {candidate}, {candidate.trial});
+        moved.parameters.clear();
+        Simulator one(moved, *score_data.observations);
+        one.take_steps(score_data.steps);
+        if (const ModelPrediction& there = one.at(one.start()); there.status.ok()) {
+            column = (there.simulated - simulated) / (candidate.trial - candidate.absent);
+        }
+        score_data.count(one.simulations());
+    }
+}
+
+/// Finds noise and base fit that belong together, and all that is tested with them.
+void settle(ScoreTestData& score_data) {
+    Fit fit(*score_data.experiment, *score_data.observations);
+    fit.simulator().take_steps(score_data.steps);
+    fit.take_covariance(score_data.noise);
+    if (!fit.move_to(score_data.base.values)) {
+        score_data.status = fit.now().status;
+        return;
+    }
+    score_data.base = refit(fit);
+    for (int turn = 0; turn < most_turns && score_data.base.status.ok(); ++turn) {
+        const Covariance before = fit.covariance();
+        fit.find_noise(score_data.principal_signatures(score_data.base));
+        score_data.noise = fit.covariance();
+        score_data.base = refit(fit);
+        if (turn > 0 && change(before, score_data.noise) < settled_noise) {
+            break;
+        }
+    }
+    score_data.count(fit.simulator().simulations());
+    score_data.status = score_data.base.status;
+    if (score_data.status.ok()) {
+        score_data.take_noise(score_data.noise, score_data.base);
+    }
+}
+
+Scores scores_against(const Refit& model, const Eigen::MatrixXd& columns) {
+    const NuisanceProjector projector(model.slopes, model.precision);
+    return score(projector.project(columns), projector.project(model.residual, model.known), columns.colwise().norm());
+}
+
+}  // namespace
+
+void ScoreTestData::count(long more) {
+    simulations += more;
+    if (progress) {
+        progress(simulations);
+    }
+}
+
+Scores ScoreTestData::scores_after(const Refit& model) const { return scores_against(model, columns); }
+
+Scores ScoreTestData::unknown_scores_after(const Refit& model) const { return scores_against(model, unknown_columns); }
+
+Eigen::MatrixXd ScoreTestData::principal_signatures(const Refit& model) const {
+    // Events are left out: there are many of them, and together they could make up any slow noise.
+    Eigen::MatrixXd raw(signatures.rows(), signatures.cols() + unknowns.n_followers);
+    raw << signatures, unknowns.columns.leftCols(unknowns.n_followers);
+    const Eigen::MatrixXd all = whitened(*this, raw);
+    const Eigen::MatrixXd left = NuisanceProjector(model.slopes, model.precision).project(all);
+    // Of what the model itself has, as a cause that is switched on in it, round-off is left.
+    Eigen::VectorXd inverse = left.colwise().norm();
+    for (Eigen::Index k = 0; k < inverse.size(); ++k) {
+        inverse[k] = inverse[k] > least_share * all.col(k).norm() ? 1.0 / inverse[k] : 0.0;
+    }
+    const Eigen::MatrixXd unit = left * inverse.asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(Eigen::MatrixXd(unit.transpose() * unit));
+    const Eigen::Index n = (parts.eigenvalues().array() > least_part).cast<Eigen::Index>().sum();
+    return raw * inverse.asDiagonal() * parts.eigenvectors().rightCols(n);
+}
+
+void ScoreTestData::take_noise(Covariance found, Refit refitted) {
+    noise = std::move(found);
+    base = std::move(refitted);
+    columns = whitened(*this, signatures);
+    unknown_columns = whitened(*this, unknowns.columns);
+    scores = scores_after(base);
+    unknown_scores = unknown_scores_after(base);
+    threshold = family_threshold(scores.correlation, sign, chance);
+    unknown_threshold =
+        family_threshold(unknown_scores.correlation, Eigen::VectorXi::Zero(unknown_scores.z.size()), chance);
+    pairs.clear();
+    for (Eigen::Index b = 0; b < scores.z.size(); ++b) {
+        for (Eigen::Index a = 0; a < b; ++a) {
+            const bool seen = scores.length[a] > 0.0 && scores.length[b] > 0.0;
+            const bool two =
+                candidates[static_cast<std::size_t>(a)].cause != candidates[static_cast<std::size_t>(b)].cause;
+            if (seen && two && std::abs(scores.correlation(a, b)) < alike) {
+                pairs.emplace_back(a, b);
+            }
+        }
+    }
+    pair_threshold = diagnosis::pair_threshold(scores.correlation, sign, pairs, chance);
+}
+
+ScoreTestData prepare_score_tests(const input::Experiment& experiment, const Observations& observations,
+                                  std::vector<Candidate> candidates, std::function<void(long)> progress) {
+    ScoreTestData score_data;
+    score_data.progress = std::move(progress);
+    score_data.experiment = &experiment;
+    score_data.observations = &observations;
+    Fit fit(experiment, observations);
+    fit.take_stated_noise();
+    if (!fit.move_to(fit.simulator().start())) {
+        score_data.status = fit.now().status;
+        return score_data;
+    }
+    score_data.base = refit(fit);
+    fit.simulator().clear_steps();  // steps as the fitted values want them
+    if (!score_data.base.status.ok() || !fit.move_to(score_data.base.values)) {
+        score_data.status = fit.now().status;
+        return score_data;
+    }
+    score_data.steps = fit.simulator().steps();
+    score_data.noise = fit.covariance();
+    score_data.candidates = std::move(candidates);
+    score_data.sign.resize(static_cast<Eigen::Index>(score_data.candidates.size()));
+    for (std::size_t k = 0; k < score_data.candidates.size(); ++k) {
+        const Candidate& candidate = score_data.candidates[k];
+        score_data.sign[static_cast<Eigen::Index>(k)] =
+            candidate.absent == candidate.low ? 1 : (candidate.absent == candidate.high ? -1 : 0);
+    }
+    const input::Experiment still = frozen(score_data, fit.simulator(), score_data.base.values);
+    take_signatures(still, fit.now().simulated, score_data);
+    std::vector<solver::Problem> problems;
+    for (const input::MeasuredRun& run : still.runs) {
+        problems.push_back(run.problem);
+    }
+    score_data.unknowns = candidate_sources_of(experiment, observations, problems, score_data.steps, windows);
+    score_data.count(fit.simulator().simulations());
+    settle(score_data);
+    return score_data;
+}
+
+void ScoreTestData::take_observations(const Observations& corrected) {
+    observations = &corrected;
+    settle(*this);
+}
+
+}  // namespace tiretherm::diagnosis

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "diagnosis/fit/refit.hpp"
+
+namespace tiretherm::diagnosis {
+
+/// Some rows of the data.
+using RowIndices = std::vector<Eigen::Index>;
+
+/// A fitted model, linearised: what it leaves, and how its numbers would change that.
+struct LinearisedModel {
+    Eigen::MatrixXd slopes;     ///< [n_rows][n] whitened
+    Eigen::MatrixXd raw;        ///< [n_rows][n] SI
+    Eigen::VectorXd residual;   ///< [n_rows] whitened
+    Eigen::VectorXd left;       ///< [n_rows] SI, measured - simulated
+    Eigen::VectorXd precision;  ///< [n]
+    Eigen::VectorXd known;      ///< [n]
+};
+[[nodiscard]] LinearisedModel linearise(const Refit& fit, const Observations& observations);
+/// The linearised model with one more number, of a signature taken at the base model.
+[[nodiscard]] LinearisedModel with_column(LinearisedModel model, const Eigen::VectorXd& whitened,
+                                          const Eigen::VectorXd& raw);
+
+/// Least squares of some rows and of what was known.
+/// @param pull [n] of what was known  @returns [n] the step from where the model was linearised
+[[nodiscard]] Eigen::VectorXd solve(const LinearisedModel& model, const RowIndices& rows,
+                                    const Eigen::VectorXd& precision, const Eigen::VectorXd& pull);
+/// The same with what was known as the model has it.
+[[nodiscard]] Eigen::VectorXd solve(const LinearisedModel& model, const RowIndices& rows);
+
+/// What is left of rows that took no part, SI: numbers of all runs as the others gave them, those of the run (how it
+/// started) from itself.
+/// @param step [n] that the other rows gave  @param own [n] whether a number belongs to the run
+[[nodiscard]] Eigen::VectorXd left_of(const LinearisedModel& model, Eigen::VectorXd step, const RowIndices& test,
+                                      const std::vector<bool>& own);
+
+}  // namespace tiretherm::diagnosis
