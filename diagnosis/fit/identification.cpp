@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "diagnosis/detect/discretisation_error.hpp"
+#include "diagnosis/fit/refinement.hpp"
 #include "diagnosis/fit/fit.hpp"
 #include "diagnosis/fit/fit_assessment.hpp"
 #include "diagnosis/fit/profile.hpp"

@@ -23,31 +23,31 @@ HotSpotTracker::HotSpotTracker(const std::filesystem::path& case_file, const sol
     : problem_(problem), case_(input::HotSpotCase::read(case_file)) {
     if (case_) {
         for (const solver::Critical& critical : case_->critical) {
-            courses_.emplace_back(problem.mesh, critical);
+            histories_.emplace_back(problem.mesh, critical);
         }
     }
 }
 
 void HotSpotTracker::take(const solver::Snapshot& snapshot) {
-    for (solver::HotSpotHistory& course : courses_) {
-        course.take(snapshot);
+    for (solver::HotSpotHistory& history : histories_) {
+        history.take(snapshot);
     }
 }
 
 TestMoment HotSpotTracker::moment(const solver::Problem& problem, const std::vector<solver::ScheduleStep>& steps,
-                                  const solver::HotSpotHistory& course, double t) const {
+                                  const solver::HotSpotHistory& history, double t) const {
     const physics::Inputs inputs = problem.input_signals.at(t, solver::JumpSide::before);
     TestMoment moment{
         .time = t, .steady = problem.settings.steady, .speed = inputs.speed, .load = inputs.vertical_load};
     if (const solver::ScheduleStep* step = solver::step_at(steps, t)) {
         moment.step = *step;
     }
-    moment.surface = solver::value_at(course.time(), course.surface(), t);
+    moment.surface = solver::value_at(history.time(), history.surface(), t);
     return moment;
 }
 
 std::optional<HotSpots> HotSpotTracker::report() const {
-    if (courses_.empty() || courses_.front().rows() == 0) {
+    if (histories_.empty() || histories_.front().rows() == 0) {
         return std::nullopt;
     }
     HotSpots found;
@@ -55,20 +55,20 @@ std::optional<HotSpots> HotSpotTracker::report() const {
     if (!settings.steady) {
         found.steps = solver::schedule_steps(problem_.input_signals, settings.start, settings.end);
     }
-    for (const solver::HotSpotHistory& course : courses_) {
-        const double at_hottest = course.time()[course.hottest_row()];
-        HotSpot spot{.course = course,
-                     .hottest = moment(problem_, found.steps, course, at_hottest),
+    for (const solver::HotSpotHistory& history : histories_) {
+        const double at_hottest = history.time()[history.hottest_row()];
+        HotSpot spot{.history = history,
+                     .hottest = moment(problem_, found.steps, history, at_hottest),
                      .passing = std::nullopt,
                      .surface_threshold = unknown,
                      .surface_time = unknown};
-        const double passed = solver::passing_time(course.time(), course.temperature(), course.critical().temperature);
+        const double passed = solver::passing_time(history.time(), history.temperature(), history.critical().temperature);
         if (!std::isnan(passed) && !settings.steady) {
-            spot.passing = moment(problem_, found.steps, course, passed);
+            spot.passing = moment(problem_, found.steps, history, passed);
         }
         found.spots.push_back(std::move(spot));
     }
-    const bool whole = settings.steady || courses_.front().time().back() >= settings.end;
+    const bool whole = settings.steady || histories_.front().time().back() >= settings.end;
     if (!whole) {
         found.notes.emplace_back(
             "The run ended early: nothing is said of steady states, of further steps and of what "
@@ -85,15 +85,15 @@ void HotSpotTracker::add_steps(HotSpots& into) const {
     const auto steady = solver::steady_spots(problem_, case_->critical, into.steps);
     for (std::size_t i = 0; i < into.spots.size(); ++i) {
         HotSpot& spot = into.spots[i];
-        const solver::HotSpotHistory& course = spot.course;
+        const solver::HotSpotHistory& history = spot.history;
         for (const solver::ScheduleStep& step : into.steps) {
-            spot.at_end.push_back({.hottest = solver::value_at(course.time(), course.temperature(), step.to),
-                                   .surface = solver::value_at(course.time(), course.surface(), step.to)});
+            spot.at_end.push_back({.hottest = solver::value_at(history.time(), history.temperature(), step.to),
+                                   .surface = solver::value_at(history.time(), history.surface(), step.to)});
         }
         spot.steady = steady[i];
-        spot.surface_threshold = solver::surface_threshold(spot.steady, course.critical().temperature);
+        spot.surface_threshold = solver::surface_threshold(spot.steady, history.critical().temperature);
         if (!std::isnan(spot.surface_threshold)) {
-            spot.surface_time = solver::passing_time(course.time(), course.surface(), spot.surface_threshold);
+            spot.surface_time = solver::passing_time(history.time(), history.surface(), spot.surface_threshold);
         }
     }
 }
@@ -105,18 +105,18 @@ void HotSpotTracker::go_on(HotSpots& into) const {
         return;
     }
     const input::ContinuedSchedule further = input::continue_schedule(*case_, problem_.settings, into.steps);
-    std::vector<solver::HotSpotHistory> courses;
+    std::vector<solver::HotSpotHistory> histories;
     std::vector<solver::ScheduleStep> steps;
     solver::RunEnd ending;
     if (further.problem) {
         for (const solver::Critical& critical : case_->critical) {
-            courses.emplace_back(further.problem->mesh, critical);
+            histories.emplace_back(further.problem->mesh, critical);
         }
         steps = solver::schedule_steps(further.problem->input_signals, further.problem->settings.start,
                                        further.problem->settings.end);
         ending = solver::run_to_end(*further.problem, [&](const solver::Snapshot& snapshot) {
-            for (solver::HotSpotHistory& course : courses) {
-                course.take(snapshot);
+            for (solver::HotSpotHistory& history : histories) {
+                history.take(snapshot);
             }
         });
     }
@@ -129,18 +129,18 @@ void HotSpotTracker::go_on(HotSpots& into) const {
         if (!further.problem) {
             continue;
         }
-        const solver::HotSpotHistory& course = courses[i];
-        const double critical = course.critical().temperature;
-        const double t = solver::passing_time(course.time(), course.temperature(), critical);
-        spot.further->hottest = course.temperature()[course.hottest_row()];
+        const solver::HotSpotHistory& history = histories[i];
+        const double critical = history.critical().temperature;
+        const double t = solver::passing_time(history.time(), history.temperature(), critical);
+        spot.further->hottest = history.temperature()[history.hottest_row()];
         spot.further->last_speed = steps.back().speed;
         if (std::isnan(t)) {
             spot.further->refusal = ending.failure;
             continue;
         }
-        spot.further->passing = moment(*further.problem, steps, course, t);
+        spot.further->passing = moment(*further.problem, steps, history, t);
         if (const solver::ScheduleStep* step = solver::step_at(steps, t)) {
-            const auto at = [&](double when) { return solver::value_at(course.time(), course.temperature(), when); };
+            const auto at = [&](double when) { return solver::value_at(history.time(), history.temperature(), when); };
             spot.further->kelvin_per_step = at(step->to) - at(step->from);
         }
     }
@@ -152,7 +152,7 @@ void HotSpotTracker::add_spread(HotSpots& into) const {
     }
     std::vector<solver::HotPlace> places;
     for (const HotSpot& spot : into.spots) {
-        places.push_back({.where = spot.course.hottest_place(), .time = spot.hottest.time});
+        places.push_back({.where = spot.history.hottest_place(), .time = spot.hottest.time});
     }
     const solver::PlaceSlopes base = solver::place_slopes(problem_, places, case_->known);
     if (!base.status.ok()) {
@@ -175,7 +175,7 @@ void HotSpotTracker::add_spread(HotSpots& into) const {
     });
     for (std::size_t p = 0; p < places.size(); ++p) {
         std::vector<solver::Driver> drivers;
-        double mean = into.spots[p].course.temperature()[into.spots[p].course.hottest_row()];
+        double mean = into.spots[p].history.temperature()[into.spots[p].history.hottest_row()];
         for (std::size_t j = 0; j < case_->known.size(); ++j) {
             const solver::FreeParameter& number = case_->known[j];
             const double slope = base.slope[j * places.size() + p];

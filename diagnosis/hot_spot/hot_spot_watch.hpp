@@ -26,11 +26,11 @@ private:
     void go_on(HotSpots& into) const;
     void add_spread(HotSpots& into) const;
     [[nodiscard]] TestMoment moment(const solver::Problem& problem, const std::vector<solver::ScheduleStep>& steps,
-                                    const solver::HotSpotHistory& course, double t) const;
+                                    const solver::HotSpotHistory& history, double t) const;
 
     const solver::Problem& problem_;
     std::optional<input::HotSpotCase> case_;
-    std::vector<solver::HotSpotHistory> courses_;
+    std::vector<solver::HotSpotHistory> histories_;
 };
 
 }  // namespace tiretherm::diagnosis

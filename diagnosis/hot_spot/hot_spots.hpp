@@ -34,7 +34,7 @@ struct FurtherSteps {
 
 /// One hot spot of a run and what becomes of it.
 struct HotSpot {
-    solver::HotSpotHistory course;
+    solver::HotSpotHistory history;
     TestMoment hottest{};
     std::optional<TestMoment> passing{};           ///< of the critical temperature, in the run itself
     std::vector<solver::SpotAndSurface> at_end{};  ///< [steps] when the step ends

@@ -10,8 +10,6 @@
 
 namespace tiretherm::post {
 
-using namespace diagnosis;  // whose results are rendered here
-
 namespace {
 
 constexpr int page_width = 1600;  // px

@@ -16,9 +16,6 @@ using namespace diagnosis;  // whose results are rendered here
 
 namespace {
 
-using Dot;
-using Scale;
-namespace look = look;
 
 constexpr double panel_width = 620.0;  // px
 constexpr double panel_height = 300.0;

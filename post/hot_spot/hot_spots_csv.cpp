@@ -34,7 +34,7 @@ void write_hot_spots_csv(const std::filesystem::path& path, const HotSpots& hot_
                        inputs.vertical_load);
         for (const HotSpot& spot : hot_spots.spots) {
             const solver::HotSpotFinder::Found& found = spot.history.found(row);
-            const Place place = mesh::place_of(problem.mesh, found.node);
+            const mesh::Place place = mesh::place_of(problem.mesh, found.node);
             fmt::format_to(std::back_inserter(text), ",{},{:.4f},{},{},", degrees(found.temperature),
                            spot.history.critical().temperature - found.temperature, place.layer, place.zone);
             if (place.position) {

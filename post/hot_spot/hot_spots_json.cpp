@@ -93,7 +93,7 @@ std::string hot_spots_json(const HotSpots& hot_spots, const mesh::Mesh& mesh) {
         const solver::Critical& critical = spot.history.critical();
         const std::size_t row = spot.history.hottest_row();
         const solver::HotSpotFinder::Found& found = spot.history.found(row);
-        const Place place = mesh::place_of(mesh, found.node);
+        const mesh::Place place = mesh::place_of(mesh, found.node);
         Json json{
             {"name", critical.name},
             {"part", critical.part},

@@ -28,7 +28,7 @@ std::string line(const std::string& text) { return wrap(text, indent); }
 
 /// Where the hot spot is, between the cells.
 std::string place_text(const solver::HotSpotFinder::Found& found, const mesh::Mesh& mesh) {
-    const Place place = mesh::place_of(mesh, found.node);
+    const mesh::Place place = mesh::place_of(mesh, found.node);
     std::string text = place.layer;
     if (!place.zone.empty()) {
         text += fmt::format(", {}, {:.1f} mm along the meridian", place.zone, 1e3 * found.point[0]);

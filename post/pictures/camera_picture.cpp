@@ -17,10 +17,6 @@ using namespace diagnosis;  // whose results are rendered here
 
 namespace {
 
-using Align;
-using Canvas;
-using Colour;
-namespace look = look;
 
 constexpr double freezing = 273.15;
 constexpr double panel = 520.0;  // px, of the longer side of an image

@@ -44,7 +44,7 @@ Json budget(const RunRecord& run) {
 }
 
 Json extreme(const RunRecord& run, const solver::Report::Extreme& found) {
-    const Place place = mesh::place_of(run.problem.mesh, found.node);
+    const mesh::Place place = mesh::place_of(run.problem.mesh, found.node);
     Json position;  // null for a lump
     if (place.position) {
         const auto [x, y, depth] = *place.position;

@@ -25,7 +25,7 @@ inline double largest_difference(const std::vector<double>& a, const std::vector
 /// The rows of a case of the library: [channel][row], degC, at its output times without the first.
 /// @param tolerance K, local error of a step; 0: the case's
 inline std::vector<std::vector<double>> run_case(const std::string& name, double tolerance = 0.0) {
-    namespace cases = tiretherm::input;
+    namespace input = tiretherm::input;
     input::Reading reading = input::read_case(input::source_folder() / "cases" / (name + ".toml"));
     if (!reading.problem) {
         ADD_FAILURE() << input::render(reading);

@@ -62,7 +62,7 @@ double MadeUpBench::truth_of(const tiretherm::solver::FreeParameter& parameter) 
 
 tiretherm::input::Experiment read_with(const std::filesystem::path& file,
                                        const std::vector<std::vector<Column>>& logs) {
-    namespace cases = tiretherm::input;
+    namespace input = tiretherm::input;
     const input::Written scratch;
     std::vector<std::filesystem::path> data;
     for (const std::vector<Column>& log : logs) {

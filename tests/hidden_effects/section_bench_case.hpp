@@ -23,7 +23,7 @@ inline SectionProgramme first_of(SectionProgramme programme, std::size_t n) {
 /// A case of cases/practice as it is, with what a user would add to it, read with a log of its own.
 inline tiretherm::solver::Problem practice_problem(const std::string& name, const std::string& added,
                                                    const std::vector<Column>& log) {
-    namespace cases = tiretherm::input;
+    namespace input = tiretherm::input;
     const input::Written written;
     const std::string include = (input::source_folder() / "cases/practice" / (name + ".toml")).string();
     const std::filesystem::path file = written.add("bench.toml", "include = [\"" + include + "\"]\n" + added);

@@ -26,7 +26,7 @@ namespace hidden_effects {
 
 namespace {
 
-namespace cases = tiretherm::input;
+namespace input = tiretherm::input;
 namespace diagnosis = tiretherm::diagnosis;
 namespace solver = tiretherm::solver;
 

@@ -10,7 +10,7 @@ namespace hidden_effects {
 
 namespace {
 
-namespace cases = tiretherm::input;
+namespace input = tiretherm::input;
 namespace diagnosis = tiretherm::diagnosis;
 
 /// Fits a case of cases/practice to its own runs. @param truth [n_parameters] in their order and units

@@ -17,7 +17,7 @@ namespace hidden_effects {
 
 namespace {
 
-namespace cases = tiretherm::input;
+namespace input = tiretherm::input;
 namespace diagnosis = tiretherm::diagnosis;
 namespace sample = tiretherm::diagnosis::sample;
 using diagnosis::Identifiability;

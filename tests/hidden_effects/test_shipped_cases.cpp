@@ -13,7 +13,7 @@ namespace hidden_effects {
 
 namespace {
 
-namespace cases = tiretherm::input;
+namespace input = tiretherm::input;
 namespace solver = tiretherm::solver;
 
 constexpr double celsius = 273.15;

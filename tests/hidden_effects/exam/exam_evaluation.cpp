@@ -57,7 +57,7 @@ tiretherm::input::Experiment read_data_set(const ExamDataSet& data_set, int fine
     // UDUNITS parses with variables of the whole process.
     static std::mutex one_at_a_time;
     const std::scoped_lock lock(one_at_a_time);
-    namespace cases = tiretherm::input;
+    namespace input = tiretherm::input;
     const input::Written scratch;
     std::vector<std::filesystem::path> data;
     for (const std::vector<Column>& log : data_set.logs) {

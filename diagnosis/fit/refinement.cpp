@@ -1,0 +1,56 @@
+#include "diagnosis/fit/refinement.hpp"
+
+#include <utility>
+
+#include "diagnosis/fit/fit.hpp"
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+/// Simulates an experiment's runs over given steps, at some values of the model's numbers.
+ModelPrediction simulate_over(const Model& model, const input::Experiment& experiment,
+                              std::vector<std::vector<double>> steps) {
+    const Simulator numbers(experiment, model.observations);
+    input::Experiment still = experiment;
+    for (std::size_t r = 0; r < still.runs.size(); ++r) {
+        still.runs[r].problem = numbers.problem(r, model.values);
+    }
+    still.parameters.clear();
+    Simulator simulator(still, model.observations);
+    simulator.take_steps(std::move(steps));
+    return simulator.at(simulator.start());
+}
+
+std::vector<std::vector<double>> halved(const Model& model) {
+    std::vector<std::vector<double>> all;
+    for (std::size_t r = 0; r < model.steps.size(); ++r) {
+        double begin = model.experiment.runs[r].problem.settings.start;
+        std::vector<double>& ends = all.emplace_back();
+        for (const double end : model.steps[r]) {
+            ends.push_back(0.5 * (begin + end));
+            ends.push_back(end);
+            begin = end;
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+Eigen::VectorXd change_by_refinement(const Model& model, const input::Experiment* finer) {
+    constexpr double second_order = 4.0 / 3.0;
+    Eigen::VectorXd change = Eigen::VectorXd::Zero(model.simulated.size());
+    const auto add = [&](const ModelPrediction& better) {
+        if (better.status.ok()) {
+            change += second_order * (better.simulated - model.simulated);
+        }
+    };
+    add(simulate_over(model, model.experiment, halved(model)));
+    if (finer != nullptr) {
+        add(simulate_over(model, *finer, model.steps));
+    }
+    return change;
+}
+
+}  // namespace tiretherm::diagnosis

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "diagnosis/fit/observations.hpp"
+#include "input/measurements/experiment.hpp"
+
+namespace tiretherm::diagnosis {
+
+/// A model at the values that a fit has come to.
+struct Model {
+    const input::Experiment& experiment;
+    const Observations& observations;
+    const Eigen::VectorXd& values;     ///< [n_parameters]
+    const Eigen::VectorXd& simulated;  ///< [n_rows] SI, at these values
+    const std::vector<std::vector<double>>& steps;
+};
+/// What steps of half the width, and a grid of half the spacing, would change of what is simulated, carried on to the
+/// limit of both.
+/// @param finer the experiment on that grid; null: the steps alone  @returns [n_rows] SI
+[[nodiscard]] Eigen::VectorXd change_by_refinement(const Model& model, const input::Experiment* finer);
+
+}  // namespace tiretherm::diagnosis
