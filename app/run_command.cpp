@@ -35,7 +35,7 @@ struct Options {
 using Clock = std::chrono::steady_clock;
 
 /// Marches through the case; stops where the user asks for it, with the field of that moment.
-solver::Report march(const solver::Problem& problem, post::RunFiles& files, HotSpotTracker& hot_spots,
+solver::Report march(const solver::Problem& problem, post::RunFiles& files, diagnosis::HotSpotTracker& hot_spots,
                      const Options& options) {
     const bool watched = on_terminal(stdout) && on_terminal(stderr) && !options.quiet && !problem.settings.steady;
     post::Progress progress(stderr, watched, problem.name, problem.settings.start, problem.settings.end);
@@ -79,7 +79,7 @@ int run(const Options& options) {
     }
     solver::install_stop_handlers();
     const Clock::time_point begin = Clock::now();
-    HotSpotTracker tracker(options.case_file, problem);
+    diagnosis::HotSpotTracker tracker(options.case_file, problem);
     const solver::Report report = march(problem, *files, tracker, options);
     const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     files->finish();

@@ -77,7 +77,7 @@ int study(const Options& options) {
     const input::Study& study = *reading.study;
     const std::filesystem::path directory =
         options.directory.empty() ? "out/" + input::case_name(study.file) : options.directory;
-    std::optional<StudyFiles> files;
+    std::optional<post::StudyFiles> files;
     std::optional<post::StudyJournal> journal;
     try {
         files.emplace(directory, !options.no_pictures);
@@ -87,17 +87,18 @@ int study(const Options& options) {
         return Exit::input_error;
     }
     for (std::size_t run = 0; run < study.runs.size(); ++run) {
-        if (journal->find(identity(study, run)) == nullptr) {
+        if (journal->find(diagnosis::identity(study, run)) == nullptr) {
             files->remove_old();
             break;
         }
     }
     solver::install_stop_handlers();
     const Clock::time_point begin = Clock::now();
-    StudyResults results;
+    diagnosis::StudyResults results;
     {
         Counter counter(on_terminal(stdout) && on_terminal(stderr) && !options.quiet, study.runs.size());
-        results = run_study(study, *journal, options.threads, [&](std::size_t done) { counter.update(done); });
+        results =
+            diagnosis::run_study(study, *journal, options.threads, [&](std::size_t done) { counter.update(done); });
     }
     const std::string kept = fmt::format("{} of {} runs are kept in {}; the same call goes on from there", results.done,
                                          study.runs.size(), directory.string());
@@ -113,9 +114,9 @@ int study(const Options& options) {
                          .outdated = journal->outdated(),
                          .seconds = std::chrono::duration<double>(Clock::now() - begin).count(),
                          .run_seconds = results.run_seconds,
-                         .threads = threads_used(options.threads, study.runs.size() - results.kept),
+                         .threads = post::threads_used(options.threads, study.runs.size() - results.kept),
                          .files = {}};
-    diagnosis::StudyRecord record = study_record(study, std::move(results.outcomes));
+    diagnosis::StudyRecord record = post::study_record(study, std::move(results.outcomes));
     record.warnings = std::move(reading.warnings);
     record.warnings.insert(record.warnings.end(), results.warnings.begin(), results.warnings.end());
     for (const std::string& key : record.without_effect()) {

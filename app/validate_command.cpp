@@ -68,7 +68,7 @@ int validate(const Options& options) {
     solver::install_stop_handlers();
     const Clock::time_point begin = Clock::now();
     const bool watched = on_terminal(stderr) && on_terminal(stdout);
-    const RunResults results = run_all(table.runs, options.threads, [&](std::size_t done) {
+    const diagnosis::RunResults results = diagnosis::run_all(table.runs, options.threads, [&](std::size_t done) {
         if (watched) {
             fmt::print(stderr, "\r{} of {} runs", done, table.runs.size());
             std::fflush(stderr);
@@ -85,7 +85,7 @@ int validate(const Options& options) {
     warnings.insert(warnings.end(), results.warnings.begin(), results.warnings.end());
     const diagnosis::ValidationRecord record{.title = table.title,
                                              .models = {{"two_node", "two nodes"}, {"section", "section"}},
-                                             .rows = validation_rows(table, results),
+                                             .rows = diagnosis::validation_rows(table, results),
                                              .runs = table.runs.size(),
                                              .seconds = std::chrono::duration<double>(Clock::now() - begin).count(),
                                              .energy_closure = results.energy_closure,

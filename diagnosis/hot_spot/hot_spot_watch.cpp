@@ -62,7 +62,8 @@ std::optional<HotSpots> HotSpotTracker::report() const {
                      .passing = std::nullopt,
                      .surface_threshold = unknown,
                      .surface_time = unknown};
-        const double passed = solver::passing_time(history.time(), history.temperature(), history.critical().temperature);
+        const double passed =
+            solver::passing_time(history.time(), history.temperature(), history.critical().temperature);
         if (!std::isnan(passed) && !settings.steady) {
             spot.passing = moment(problem_, found.steps, history, passed);
         }

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "post/pictures/axes.hpp"
-#include "solver/celsius.hpp"
 #include "post/pictures/picture.hpp"
+#include "solver/celsius.hpp"
 
 namespace tiretherm::post {
 

@@ -16,7 +16,6 @@ using namespace diagnosis;  // whose results are rendered here
 
 namespace {
 
-
 constexpr double panel_width = 620.0;  // px
 constexpr double panel_height = 300.0;
 constexpr double between = 60.0;        ///< panels of a row
@@ -167,7 +166,7 @@ void draw_residuals(const std::filesystem::path& path, const DiagnosisRecord& re
     const double row = panel_height + between_rows;
     const double width = std::max(1600.0, left + static_cast<double>(runs.size()) * (panel_width + between));
     Canvas canvas(static_cast<int>(width), static_cast<int>(top + row * static_cast<double>(panels.size())),
-                        look::paper);
+                  look::paper);
     const solver::Problem& problem = runs.front().problem;
     canvas.write({left, 46.0}, problem.title.empty() ? problem.name : problem.title,
                  {.size = look::title, .ink = look::ink, .bold = true});
@@ -178,14 +177,14 @@ void draw_residuals(const std::filesystem::path& path, const DiagnosisRecord& re
         const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
         const char* unit_name = channel.quantity == solver::Quantity::temperature ? "K" : unit.name;
         const Scale vertical = scale_of(in_runs, y);
-        const Ticks ticks = ticks(vertical.low, vertical.high, 6);
-        draw_axis_left(canvas, vertical, ticks, left, fmt::format("too high [{}]", unit_name));
+        const Ticks levels = ticks(vertical.low, vertical.high, 6);
+        draw_axis_left(canvas, vertical, levels, left, fmt::format("too high [{}]", unit_name));
         for (const auto& [r, panel] : in_runs) {
             const double from = left + static_cast<double>(r) * (panel_width + between);
             const std::vector<double>& time = panel.block->time;
             const Scale x{
                 .low = time.front() / 60.0, .high = time.back() / 60.0, .from = from, .to = from + panel_width};
-            draw_panel(canvas, panel, x, vertical, ticks);
+            draw_panel(canvas, panel, x, vertical, levels);
             draw_axis_below(canvas, x, ticks(x.low, x.high, 6), y + panel_height, "time [min]");
             canvas.write({from, y - 22.0}, fmt::format("{}, {}", channel.name, runs[r].name),
                          {.size = look::text, .ink = look::ink, .bold = true});

@@ -14,7 +14,6 @@ using namespace diagnosis;  // whose results are rendered here
 
 namespace {
 
-
 constexpr double panel_width = 620.0;  // px
 constexpr double row_height = 44.0;
 constexpr double between = 60.0;  ///< panels

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include "solver/celsius.hpp"
-#include "post/pictures/field_layout.hpp"
+#include "diagnosis/study/study_statistics.hpp"
 #include "post/charts/study_axis.hpp"
 #include "post/charts/study_plots.hpp"
-#include "diagnosis/study/study_statistics.hpp"
+#include "post/pictures/field_layout.hpp"
+#include "solver/celsius.hpp"
 
 namespace tiretherm::post {
 

@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
-#include "solver/celsius.hpp"
+#include "post/charts/study_plane.hpp"
+#include "post/charts/study_plots.hpp"
 #include "post/pictures/colour_bar.hpp"
 #include "post/pictures/field_layout.hpp"
 #include "post/pictures/isotherms.hpp"
-#include "post/charts/study_plane.hpp"
-#include "post/charts/study_plots.hpp"
+#include "solver/celsius.hpp"
 
 namespace tiretherm::post {
 

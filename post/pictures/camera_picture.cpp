@@ -17,7 +17,6 @@ using namespace diagnosis;  // whose results are rendered here
 
 namespace {
 
-
 constexpr double freezing = 273.15;
 constexpr double panel = 520.0;  // px, of the longer side of an image
 constexpr double between = 170.0;
@@ -59,8 +58,7 @@ struct Panel {
             const double x = from + images.place[p][1] * scale;
             const double y = top + images.place[p][0] * scale;
             const double share = high > low ? (value[p] - low) / (high - low) : 0.5;
-            canvas.tile(std::array{Dot{x, y}, Dot{x + scale, y}, Dot{x + scale, y + scale},
-                                   Dot{x, y + scale}},
+            canvas.tile(std::array{Dot{x, y}, Dot{x + scale, y}, Dot{x + scale, y + scale}, Dot{x, y + scale}},
                         shade(std::clamp(share, 0.0, 1.0)));
         }
         canvas.frame({from, top}, width, height, look::faint, 1.0);
@@ -83,9 +81,9 @@ void draw_images(const std::filesystem::path& path, const ComparedImages& images
                  {.size = look::title, .ink = look::ink, .bold = true});
     const auto of_frame = [&](const std::vector<double>& all) {
         const auto first = all.begin() + static_cast<std::ptrdiff_t>(frame * images.pixels());
-        std::vector<double> solver::celsius(first, first + static_cast<std::ptrdiff_t>(images.pixels()));
-        std::ranges::for_each(solver::celsius, [](double& value) { value -= freezing; });
-        return solver::celsius;
+        std::vector<double> celsius(first, first + static_cast<std::ptrdiff_t>(images.pixels()));
+        std::ranges::for_each(celsius, [](double& value) { value -= freezing; });
+        return celsius;
     };
     const std::vector<double> measured = of_frame(images.measured);
     const std::vector<double> simulated = of_frame(images.simulated);

@@ -48,7 +48,7 @@ Raster rasterise(const SectionPlane& plane, const Layout& layout) {
                   .height = layout.height,
                   .value = plane.sample(middles(plane.left(), plane.right(), layout.width),
                                         middles(plane.depth.front(), plane.depth.back(), layout.height))};
-    std::transform(raster.value.begin(), raster.value.end(), raster.value.begin(), celsius);
+    std::transform(raster.value.begin(), raster.value.end(), raster.value.begin(), solver::celsius);
     const auto [low, high] = std::minmax_element(plane.kelvin.begin(), plane.kelvin.end());
     raster.low = solver::celsius(*low);
     raster.high = solver::celsius(*high);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "post/hot_spot/hot_spots.hpp"
+#include "post/hot_spot/hot_spots_report.hpp"
 #include "post/report/history.hpp"
 #include "post/report/provenance.hpp"
 #include "solver/time_integration/march.hpp"
@@ -20,7 +20,7 @@ struct RunRecord {
     double seconds = 0.0;                      ///< wall time of the whole run
     std::vector<std::string> warnings;         ///< of the reader; the report brings its own
     std::vector<std::filesystem::path> files;  ///< written
-    const HotSpots* hot_spots = nullptr;       ///< null where the case asks for none
+    const diagnosis::HotSpots* hot_spots = nullptr;       ///< null where the case asks for none
 };
 
 /// What a person reads at the end: temperatures beside measured values, hottest and coldest place, heat budget, cost,

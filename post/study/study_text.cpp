@@ -4,7 +4,7 @@
 
 #include "solver/celsius.hpp"
 #include "post/report/page.hpp"
-#include "diagnosis/study/study_drivers.hpp"
+#include "post/study/study_drivers_text.hpp"
 #include "diagnosis/study/study_statistics.hpp"
 #include "post/study/study_summary.hpp"
 #include "post/report/table.hpp"
