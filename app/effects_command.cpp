@@ -39,7 +39,7 @@ std::string origin(const physics::Effect& effect) { return effect.on ? "thesis, 
 
 /// What a file of a structural code may give an effect, and what else may replace its total.
 std::string field_text(const physics::Effect& effect) {
-    switch (effect.field) {
+    switch (effect.field()) {
         case physics::FieldOf::nothing:
             return "";
         case physics::FieldOf::pressure:
@@ -112,9 +112,9 @@ void print_one(const physics::Effect& effect) {
     print_section("Also, when given", fmt::format("{}", fmt::join(effect.may_read, ", ")));
     print_section("Acts on the patches",
                   fmt::format("{}", fmt::join(effect.patches, effect.one_patch ? " or else " : ", ")));
-    print_section("Acts on", effect.on_layers     ? "the layers that a case names: layers = [...]"
-                             : effect.on_channels ? "the sensors that a case names: channels = [...]"
-                                                  : "");
+    print_section("Acts on", effect.on_layers                   ? "the layers that a case names: layers = [...]"
+                             : effect.sensor_model() != nullptr ? "the sensors that a case names: channels = [...]"
+                                                                : "");
     print_section("Needs", effect.needs_tire && effect.needs_grid ? "a [tire] and a mesh of cells"
                            : effect.needs_tire                    ? "a [tire]"
                            : effect.needs_grid                    ? "a mesh of cells"

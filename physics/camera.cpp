@@ -21,6 +21,7 @@ const Effect pose_effect{
     .source = "definition",
     .meaning = "Where a camera's image lies on a specimen, and how sharp it is.",
     .parameters = pose_parameters,
+    .model = SensorModel{},  // it moves the places that the pixels read, before a run
 };
 
 /// Places and weights of a rule across one direction.

@@ -34,8 +34,8 @@ std::string_view unit_of(Quantity quantity) {
 }
 
 std::size_t switch_on(Problem& problem, physics::ActiveEffect active, double start) {
-    if (active.effect->extend != nullptr) {
-        active.effect->extend(problem.mesh, active);
+    if (const physics::HeatEffect* heat = active.effect->heat_effect(); heat != nullptr && heat->extend != nullptr) {
+        heat->extend(problem.mesh, active);
         if (!problem.initial.empty()) {
             problem.initial.resize(static_cast<std::size_t>(problem.mesh.n_nodes), start);
         }

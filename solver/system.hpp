@@ -51,7 +51,7 @@ public:
     /// An effect's coefficients among those of all.
     [[nodiscard]] std::span<const double> coefficients_of(std::size_t effect, std::span<const double> all) const {
         return all.subspan(first_coefficient_[effect],
-                           static_cast<std::size_t>(effects_[effect].effect->n_coefficients));
+                           static_cast<std::size_t>(effects_[effect].effect->n_coefficients()));
     }
     /// Heat flow into each node at the last evaluation. @returns [n_nodes] W
     [[nodiscard]] std::span<const double> heat_flow() const { return flow_; }

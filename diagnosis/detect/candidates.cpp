@@ -52,7 +52,8 @@ bool is_on(const solver::Problem& problem, const Effect& effect) {
 /// Whether the effect's inputs are given in every run and its places are there.
 bool can_act(const input::Experiment& experiment, const Effect& effect) {
     const solver::Problem& problem = experiment.runs.front().problem;
-    if (effect.travels) {  // the same cause, averaged over a revolution, is resolved_contact
+    if (const physics::HeatEffect* heat = effect.heat_effect();
+        heat != nullptr && heat->travels) {  // the same cause, averaged over a revolution, is resolved_contact
         return false;
     }
     const bool has_tire = std::ranges::any_of(problem.effects, [](const auto& a) { return a.effect->needs_tire; });
@@ -83,20 +84,20 @@ bool is_seen(const mesh::Mesh& mesh, const solver::Channel& channel) {
 
 bool can_read(const Effect& effect, const solver::Problem& problem, const solver::Channel& channel) {
     const bool is_temperature = channel.quantity == solver::Quantity::temperature;
-    switch (effect.reads_what) {
-        case physics::Reads::anything:
+    switch (effect.sensor_model()->applies_to) {
+        case physics::ChannelsOf::anything:
             break;
-        case physics::Reads::temperature:
+        case physics::ChannelsOf::temperature:
             if (!is_temperature) {
                 return false;
             }
             break;
-        case physics::Reads::place:
+        case physics::ChannelsOf::temperature_at_point:
             if (!is_temperature || !channel.point) {
                 return false;
             }
             break;
-        case physics::Reads::pressure:
+        case physics::ChannelsOf::pressure:
             if (channel.quantity != solver::Quantity::gas_pressure) {
                 return false;
             }
@@ -188,7 +189,7 @@ void add_all(std::vector<Candidate>& all, const input::Experiment& experiment, c
                               .absent = parameter.absent,
                               .low = parameter.low,
                               .high = parameter.high};
-        if (effect.on_channels) {
+        if (effect.sensor_model() != nullptr) {
             for (const int channel : channels) {
                 if (can_read(effect, problem, problem.channels[static_cast<std::size_t>(channel)])) {
                     const physics::ActiveEffect* camera = camera_of(problem, channel);

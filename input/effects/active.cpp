@@ -163,16 +163,16 @@ ActiveEffect read_active(TomlTable& table, const Effect& effect, const ProblemBu
             read_overrides(table, effect.parameters[i], i, where, builder, active);
         }
     }
-    if (effect.field != physics::FieldOf::nothing) {  // read when the run's times are known
+    if (effect.field() != physics::FieldOf::nothing) {  // read when the run's times are known
         table.declare_keys({"field"});
-        if (effect.field != physics::FieldOf::pressure) {
+        if (effect.field() != physics::FieldOf::pressure) {
             table.declare_keys({"use"});
         }
-        if (effect.field == physics::FieldOf::loss) {
+        if (effect.field() == physics::FieldOf::loss) {
             table.declare_keys({"total", "coastdown"});
         }
     }
-    if (effect.on_channels) {  // read when the sensors are known
+    if (effect.sensor_model() != nullptr) {  // read when the sensors are known
         table.declare_keys({"channels"});
         for (const ParameterSpec& parameter : effect.parameters) {
             table.declare_keys({std::string(parameter.key) + "_by_channel"});
@@ -190,14 +190,14 @@ void check_channel(TomlTable& table, const LocatedString& word, const Effect& ef
         table.errors().add(word.place, fmt::format("{} is not {}, which {} reads", channel.name, wanted, effect.id),
                            "name other sensors");
     };
-    switch (effect.reads_what) {
-        case physics::Reads::anything:
+    switch (effect.sensor_model()->applies_to) {
+        case physics::ChannelsOf::anything:
             return;
-        case physics::Reads::temperature:
+        case physics::ChannelsOf::temperature:
             return is_temperature ? void() : refuse("a temperature");
-        case physics::Reads::place:
+        case physics::ChannelsOf::temperature_at_point:
             return is_temperature && channel.point ? void() : refuse("a temperature at one point");
-        case physics::Reads::pressure:
+        case physics::ChannelsOf::pressure:
             return channel.quantity == solver::Quantity::gas_pressure ? void() : refuse("a pressure");
     }
 }

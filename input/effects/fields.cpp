@@ -121,7 +121,7 @@ void check_rivals(TomlTable& table, const ActiveEffect& active) {
         const int index = physics::find_parameter(*active.effect, key);
         return index < 0 ? 0.0 : active[static_cast<std::size_t>(index)];
     };
-    if (active.effect->field == FieldOf::loss && (!active.overrides.empty() || number("belt_edge_gain") != 0.0)) {
+    if (active.effect->field() == FieldOf::loss && (!active.overrides.empty() || number("belt_edge_gain") != 0.0)) {
         table.add_error("field", "the field replaces the weights of layers, zones and belt edges",
                         "remove belt_edge_gain and the tables _by_layer and _by_zone, or the field");
     }
@@ -155,7 +155,7 @@ public:
 
     void bind() {
         const std::optional<std::string> name = table_.text("field");
-        const bool by_watts = active_.effect->field != FieldOf::pressure && table_.choice("use", uses) == 1U;
+        const bool by_watts = active_.effect->field() != FieldOf::pressure && table_.choice("use", uses) == 1U;
         if (!table_.has("field") && table_.has("use")) {
             table_.add_error("use", "use speaks of a field, and there is none", "add field = \"....h5\"");
         }
@@ -168,7 +168,7 @@ public:
         }
         check_rivals(table_, active_);
         const mesh::Mesh& mesh = builder_.problem.mesh;
-        if (active_.effect->field == FieldOf::loss && mesh.kind == "two_node") {
+        if (active_.effect->field() == FieldOf::loss && mesh.kind == "two_node") {
             table_.add_error("field", "a field of the loss needs cells, and this mesh has two lumps",
                              "take layers or section");
             return;
@@ -180,7 +180,7 @@ public:
         const SourceLocation mentioned = table_.place("field");
         const fs::path beside = fs::path(errors_.file(mentioned.file)).parent_path();
         const std::optional<FieldFile> file =
-            read_field_file((beside / *name).lexically_normal(), mentioned, active_.effect->field, by_watts,
+            read_field_file((beside / *name).lexically_normal(), mentioned, active_.effect->field(), by_watts,
                             !mesh.columns.empty(), errors_);
         if (file && fits(*file, *name) && errors_.count() == before) {
             take(*file, by_watts, *name);
@@ -190,11 +190,11 @@ public:
 private:
     /// The faces of the effect's patches, none for the cells.
     [[nodiscard]] std::span<const int> patches() const {
-        return active_.effect->field == FieldOf::loss ? std::span<const int>() : active_.patches;
+        return active_.effect->field() == FieldOf::loss ? std::span<const int>() : active_.patches;
     }
 
     bool fits(const FieldFile& file, const std::string& name) {
-        if (file.against == FieldFile::Against::time && active_.effect->frame_coefficients == 0) {
+        if (file.against == FieldFile::Against::time && active_.effect->heat_effect()->frame_coefficients == 0) {
             table_.add_error("field", fmt::format("{} cannot follow a field against time", active_.effect->id),
                              "give it against wheel_angle, or as one frame without time");
         }
@@ -248,13 +248,13 @@ void read_fields(TomlTable& root, ProblemBuilder& builder) {
     const TomlValue* effects = root.content().find("effects");
     for (ActiveEffect& active : builder.problem.effects) {
         const TomlValue* node = effects != nullptr ? effects->find(active.effect->id) : nullptr;
-        if (active.effect->field == FieldOf::nothing || node == nullptr || node->kind != TomlValue::Kind::table) {
+        if (active.effect->field() == FieldOf::nothing || node == nullptr || node->kind != TomlValue::Kind::table) {
             continue;
         }
         TomlTable table(*node, fmt::format("[effects.{}]", active.effect->id), root.errors());
         table.allow_unknown_keys();  // its other keys have been read
         FieldBinder(table, builder, active).bind();
-        if (active.effect->field == FieldOf::loss) {
+        if (active.effect->field() == FieldOf::loss) {
             read_measured_loss(table, builder, active);
         }
     }

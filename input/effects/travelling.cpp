@@ -107,7 +107,8 @@ void read_travelling(TomlTable& root, ProblemBuilder& builder) {
     }
     problem.input_signals.add(std::move(*angle));
     for (const physics::ActiveEffect& active : problem.effects) {
-        if (active.effect->travels && errors.count() == 0) {
+        if (const physics::HeatEffect* heat = active.effect->heat_effect();
+            heat != nullptr && heat->travels && errors.count() == 0) {
             warn_of_width(problem, active, *mention, errors);
         }
     }

@@ -109,7 +109,7 @@ std::string switched_on_text(const solver::Problem& problem, const ActiveEffect&
     if (effect.on_layers && active.layers != standard.layers) {
         text += parts_line("layers", active.layers, problem.mesh.layers);
     }
-    if (effect.on_channels) {
+    if (effect.sensor_model() != nullptr) {
         text += channels_line(problem, active.channels);
     }
     for (std::size_t i = 0; i < effect.choices.size(); ++i) {

@@ -39,7 +39,7 @@ std::optional<FreeParameters> free_camera(TomlTable& parameter, const ProblemBui
     std::vector<std::string> known;
     for (std::size_t e = 0; e < builder.problem.effects.size(); ++e) {
         const physics::ActiveEffect& active = builder.problem.effects[e];
-        if (active.name != *name || !(active.effect == &physics::camera_pose() || active.effect->on_channels)) {
+        if (active.name != *name || active.effect->sensor_model() == nullptr) {
             continue;
         }
         for (std::size_t p = 0; p < active.effect->parameters.size(); ++p) {

@@ -43,17 +43,17 @@ SensorOutputs::SensorOutputs(const Problem& problem, const System& system)
         chain.where = channel.where;
         double depth_offset = 0.0;
         for (const physics::ActiveEffect& active : effects) {
-            const physics::Effect& effect = *active.effect;
+            const physics::SensorModel* model = active.effect->sensor_model();
             const auto found = std::find(active.channels.begin(), active.channels.end(), static_cast<int>(c));
-            if (!effect.on_channels || found == active.channels.end()) {
+            if (model == nullptr || found == active.channels.end()) {
                 continue;
             }
             const auto position = static_cast<std::size_t>(found - active.channels.begin());
-            depth_offset += effect.depth_offset != nullptr ? effect.depth_offset(active, position) : 0.0;
-            chain.delay += effect.delay != nullptr ? effect.delay(active, position) : 0.0;
-            chain.lag += effect.lag != nullptr ? effect.lag(active, position) : 0.0;
-            if (effect.read != nullptr) {
-                (effect.before_lag ? chain.before : chain.after).push_back({&active, position});
+            depth_offset += model->depth_offset != nullptr ? model->depth_offset(active, position) : 0.0;
+            chain.delay += model->delay != nullptr ? model->delay(active, position) : 0.0;
+            chain.lag += model->lag != nullptr ? model->lag(active, position) : 0.0;
+            if (model->read != nullptr) {
+                (model->before_lag ? chain.before : chain.after).push_back({&active, position, model->read});
             }
         }
         if (depth_offset != 0.0 && channel.point) {
@@ -63,7 +63,8 @@ SensorOutputs::SensorOutputs(const Problem& problem, const System& system)
         }
     }
     for (std::size_t e = 0; e < effects.size(); ++e) {
-        if (effects[e].effect->by_deformation) {
+        const physics::HeatEffect* heat = effects[e].effect->heat_effect();
+        if (heat != nullptr && heat->by_deformation) {
             deformation_.push_back(e);
         }
     }
@@ -91,8 +92,8 @@ void SensorOutputs::begin(double t, std::span<const double> T, std::span<const d
     for (std::size_t c = 0; c < chains_.size(); ++c) {
         Chain& chain = chains_[c];
         double value = followed_quantity(c, T, watts);
-        for (const SensorModel& reader : chain.before) {
-            value = reader.active->effect->read(*reader.active, reader.position, value, inputs);
+        for (const AppliedModel& model : chain.before) {
+            value = model.read(*model.active, model.position, value, inputs);
         }
         chain.past.assign(1, {.begin = t, .end = t, .a = value, .b = 0.0, .c = 0.0, .lagged = value});
     }
@@ -111,8 +112,8 @@ void SensorOutputs::take_step(std::span<const Stage> stages, std::span<const phy
             const Stage& stage = stages[i];
             u[i] = stage.time - begin;
             v[i] = followed_quantity(c, stage.temperature, stage.watts);
-            for (const SensorModel& reader : chain.before) {
-                v[i] = reader.active->effect->read(*reader.active, reader.position, v[i], inputs[i]);
+            for (const AppliedModel& model : chain.before) {
+                v[i] = model.read(*model.active, model.position, v[i], inputs[i]);
             }
         }
         const Parabola p = through({u.data(), n}, {v.data(), n});
@@ -164,8 +165,8 @@ void SensorOutputs::at(double t, const physics::Inputs& logged, std::span<double
 
 double SensorOutputs::shown(std::size_t channel, double followed, const physics::Inputs& logged) const {
     double value = quantity(channel, followed, logged);
-    for (const SensorModel& reader : chains_[channel].after) {
-        value = reader.active->effect->read(*reader.active, reader.position, value, logged);
+    for (const AppliedModel& model : chains_[channel].after) {
+        value = model.read(*model.active, model.position, value, logged);
     }
     return value;
 }
@@ -201,9 +202,9 @@ SensorOutputs::Form SensorOutputs::form(std::size_t channel, std::span<const Sta
         unit[i] = 1.0;
         double above = chain.where(stages[i].temperature) + difference;
         double below = above - 2.0 * difference;
-        for (const SensorModel& reader : chain.before) {
-            above = reader.active->effect->read(*reader.active, reader.position, above, inputs[i]);
-            below = reader.active->effect->read(*reader.active, reader.position, below, inputs[i]);
+        for (const AppliedModel& model : chain.before) {
+            above = model.read(*model.active, model.position, above, inputs[i]);
+            below = model.read(*model.active, model.position, below, inputs[i]);
         }
         form.stage[i] = response(unit, 0.0) * (above - below) / (2.0 * difference);
     }

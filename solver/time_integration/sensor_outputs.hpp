@@ -55,14 +55,16 @@ private:
         [[nodiscard]] double slope(double t) const { return b + 2.0 * c * (t - begin); }
     };
     /// One sensor model on one channel.
-    struct SensorModel {
+    struct AppliedModel {
         const physics::ActiveEffect* active = nullptr;
         std::size_t position = 0;  ///< of the channel in the effect's list
+        double (*read)(const physics::ActiveEffect& active, std::size_t position, double value,
+                       const physics::Inputs& logged) = nullptr;
     };
     struct Chain {
         mesh::Functional where;
-        std::vector<SensorModel> before;  ///< the lag
-        std::vector<SensorModel> after;
+        std::vector<AppliedModel> before;  ///< the lag
+        std::vector<AppliedModel> after;
         double lag = 0.0;         ///< s
         double delay = 0.0;       ///< s
         std::vector<Piece> past;  ///< as far back as the delay looks

@@ -47,7 +47,7 @@ const Effect layer_conductivity{
     .parameters = parameters,
     .scopes = scopes,
     .on_layers = true,
-    .modify_properties = modify_properties,
+    .model = PropertyModifier{.modify_properties = modify_properties},
 };
 
 }  // namespace tiretherm::physics::effects

@@ -341,7 +341,7 @@ uncertainty = "1 K"
     for (const std::string_view id : {"sidewall_convection", "sensor_offset", "layer_conductivity"}) {
         physics::ActiveEffect active = physics::activate(*physics::find_effect(id), mesh);
         active.parameters[0] = 1.75;
-        if (active.effect->on_channels) {
+        if (active.effect->sensor_model() != nullptr) {
             active.channels = {0};
         }
         if (active.effect->on_layers) {

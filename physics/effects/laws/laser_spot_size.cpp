@@ -6,10 +6,17 @@ namespace tiretherm::physics::effects {
 
 namespace {
 
+enum : std::size_t { scale };
+
 constexpr std::array parameters{
     ParameterSpec{"scale", "1", 1.0, 0.01, 100.0, "true radius of the spot over that of the laser effect", false, 1.0},
 };
 constexpr std::array<std::string_view, 1> reads{"laser_power"};
+
+/// The laser effect finds the scale among the properties when it places its light.
+void modify_properties(const ActiveEffect& active, const mesh::Mesh& /*mesh*/, MaterialModel& material_model) {
+    material_model.laser_spot_scale *= active[scale];
+}
 
 }  // namespace
 
@@ -24,6 +31,10 @@ const Effect laser_spot_size{
         "its light: the front shows it, the back hardly.",
     .parameters = parameters,
     .reads = reads,
+    .model =
+        InputCorrection{
+
+        },
 };
 
 }  // namespace tiretherm::physics::effects
