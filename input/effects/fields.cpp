@@ -84,32 +84,6 @@ std::size_t normalise(const std::vector<std::vector<double>>& frames, Field& fie
     return empty;
 }
 
-/// More points on an input's straight lines: steps then see the frames between their ends and integrate them exactly. A
-/// constant input carries them, or else a series with its own points.
-void add_samples(solver::InputSignals& input_signals, const std::vector<double>& times) {
-    const auto series = input_signals.series();
-    const auto is_constant = [&](const physics::Signal& signal) {
-        return input_signals.gives(signal) &&
-               std::ranges::find(series, &signal, &solver::Series::signal) == series.end();
-    };
-    const auto constant = std::ranges::find_if(physics::signals(), is_constant);
-    solver::Series carrier{.signal = nullptr, .time = times, .value = {}, .logged = true};
-    if (constant != physics::signals().end()) {
-        carrier.signal = &*constant;
-    } else {
-        carrier.signal = series.front().signal;
-        carrier.logged = series.front().logged;
-        carrier.time.clear();
-        std::ranges::set_union(series.front().time, times, std::back_inserter(carrier.time));
-    }
-    for (std::size_t i = 0; i < carrier.time.size(); ++i) {
-        const bool after = i > 0 && carrier.time[i] == carrier.time[i - 1];
-        const solver::JumpSide side = after ? solver::JumpSide::after : solver::JumpSide::before;
-        carrier.value.push_back(input_signals.at(carrier.time[i], side).*(carrier.signal->member));
-    }
-    input_signals.add(std::move(carrier));
-}
-
 /// What a field stands in for, and what cannot stand beside it.
 void check_rivals(TomlTable& table, const ActiveEffect& active) {
     const std::string_view id = active.effect->id;
@@ -228,7 +202,7 @@ private:
         if (frames.size() > 1) {
             std::vector<double> times;
             std::ranges::transform(file.frames, std::back_inserter(times), &FieldFrame::at);
-            add_samples(builder_.problem.input_signals, times);
+            builder_.problem.input_signals.add_sample_times(times);
             const double start = builder_.problem.settings.start;
             std::ranges::transform(times, std::back_inserter(field->time), [&](double t) { return t - start; });
             active_.effect = &physics::in_frames(*active_.effect);
