@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "mesh/mesh.hpp"
@@ -12,6 +11,7 @@
 #include "physics/tire_laws/magic_formula.hpp"
 #include "solver/input_signals.hpp"
 #include "solver/linear/factor.hpp"
+#include "solver/quantity.hpp"
 
 namespace tiretherm::solver {
 
@@ -29,24 +29,6 @@ struct Settings {
     double field_interval = 0.0;       ///< s between stored fields; 0: only first and last
     LinearSolver linear_solver = LinearSolver::automatic;
 };
-
-/// What a channel reads. Temperatures are functionals of the nodes; the others follow from the tire's laws, the inputs
-/// and, where it says so, the temperature of `where`.
-enum class Quantity : std::uint8_t {
-    temperature,              ///< K
-    drag_force,               ///< N, rolling resistance of all that is lost by deformation (51)
-    rolling_moment,           ///< N m (50)
-    loaded_radius,            ///< m (37)
-    cornering_stiffness,      ///< N/rad, at the temperature of `where` (52)
-    gas_pressure,             ///< Pa above the atmosphere, heated at constant volume to the temperature of `where`
-    bulk_temperature_factor,  ///< lambda_Tb of the Magic Formula at the temperature of `where` (60)
-    lateral_force,            ///< N, Magic Formula with the cornering stiffness at the temperature of `where` (59)
-    reference_lateral_force,  ///< N, Magic Formula that knows no temperature (10)
-    longitudinal_force,       ///< N, Magic Formula in pure longitudinal slip (8)
-    surface_at_entry,         ///< K, where the tread meets the road, in each revolution of which `where` is the mean
-    surface_at_exit           ///< K, where it leaves the road
-};
-[[nodiscard]] std::string_view unit_of(Quantity quantity);  ///< SI, as UDUNITS reads it
 
 /// The laws by which temperature reaches vehicle dynamics.
 struct Handling {

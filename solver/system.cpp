@@ -117,12 +117,13 @@ physics::EvaluationState System::evaluation_state(std::size_t e, std::span<const
                                                   std::span<const double> means,
                                                   std::span<const double> coefficients) const {
     const physics::ActiveEffect& active = effects_[e];
+    const std::size_t n = at(active.effect->n_coefficients());
     return {.mesh = problem_->mesh,
             .material_model = material_model_,
             .temperature = T,
             .region_mean = means,
             .active = active,
-            .coefficients = coefficients.subspan(first_coefficient_[e], at(active.effect->n_coefficients())),
+            .coefficients = n > 0 ? coefficients.subspan(first_coefficient_[e], n) : std::span<const double>(),
             .loss_factors = loss_factors_};
 }
 

@@ -105,8 +105,7 @@ ParameterPerturbation::ParameterPerturbation(const Problem& base, const FreePara
         }
     }
     for (const Channel& channel : base.channels) {
-        follows_watts_ =
-            follows_watts_ || channel.quantity == Quantity::drag_force || channel.quantity == Quantity::rolling_moment;
+        follows_watts_ = follows_watts_ || description_of(channel.quantity).follows_watts;
     }
 }
 

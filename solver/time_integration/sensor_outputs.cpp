@@ -35,7 +35,12 @@ Parabola through(std::span<const double> u, std::span<const double> v) {
 }  // namespace
 
 SensorOutputs::SensorOutputs(const Problem& problem, const System& system)
-    : problem_(&problem), system_(&system), chains_(problem.channels.size()), coefficients_(system.n_coefficients()) {
+    : problem_(&problem),
+      system_(&system),
+      chains_(problem.channels.size()),
+      coefficients_(system.n_coefficients()),
+      flow_(static_cast<std::size_t>(system.size())),
+      means_(problem.mesh.regions.size()) {
     const std::span<const physics::ActiveEffect> effects = system.effects();
     for (std::size_t c = 0; c < chains_.size(); ++c) {
         Chain& chain = chains_[c];
@@ -62,26 +67,36 @@ SensorOutputs::SensorOutputs(const Problem& problem, const System& system)
             chain.where = mesh::contains(problem.mesh, point) ? mesh::at_point(problem.mesh, point) : chain.where;
         }
     }
-    for (std::size_t e = 0; e < effects.size(); ++e) {
-        const physics::HeatEffect* heat = effects[e].effect->heat_effect();
-        if (heat != nullptr && heat->by_deformation) {
-            deformation_.push_back(e);
-        }
-    }
 }
 
-/// What is followed along a step: the temperature at the channel's place, or the power that deformation loses.
+/// What is followed along a step: the temperature at the channel's place, or what its quantity names instead.
 double SensorOutputs::followed_quantity(std::size_t channel, std::span<const double> T,
                                         std::span<const double> watts) const {
-    const Quantity kind = problem_->channels[channel].quantity;
-    if (kind != Quantity::drag_force && kind != Quantity::rolling_moment) {
-        return chains_[channel].where(T);
+    const auto follow = description_of(problem_->channels[channel].quantity).follow;
+    const mesh::Functional& where = chains_[channel].where;
+    return follow == nullptr ? where(T)
+                             : follow({.system = *system_,
+                                       .where = where,
+                                       .temperature = T,
+                                       .watts = watts,
+                                       .flow = flow_,
+                                       .means = means_});
+}
+
+/// What the channel reads, from what is followed and from the inputs of the moment.
+double SensorOutputs::quantity(std::size_t channel, double followed, const physics::Inputs& logged) const {
+    const QuantityDescription& quantity = description_of(problem_->channels[channel].quantity);
+    if (quantity.evaluate == nullptr) {
+        return followed;
     }
-    double lost = 0.0;
-    for (const std::size_t e : deformation_) {
-        lost += watts[e];
-    }
-    return lost;
+    return quantity.evaluate({.problem = *problem_,
+                              .system = *system_,
+                              .quantity = quantity.quantity,
+                              .followed = followed,
+                              .inputs = system_->transformed(logged),
+                              .logged = logged,
+                              .gas_start = gas_start_,
+                              .coefficients = coefficients_});
 }
 
 void SensorOutputs::begin(double t, std::span<const double> T, std::span<const double> watts,
@@ -179,11 +194,10 @@ double SensorOutputs::slope(std::size_t channel, double t, const physics::Inputs
 
 SensorOutputs::Form SensorOutputs::form(std::size_t channel, std::span<const Stage> stages,
                                         std::span<const physics::Inputs> inputs, double t) const {
-    const Quantity kind = problem_->channels[channel].quantity;
-    if (kind == Quantity::drag_force || kind == Quantity::rolling_moment || kind == Quantity::loaded_radius) {
+    const Chain& chain = chains_[channel];
+    if (description_of(problem_->channels[channel].quantity).follow != nullptr || chain.where.nodes.empty()) {
         return {};
     }
-    const Chain& chain = chains_[channel];
     const std::size_t n = stages.size();
     const double begin = stages.front().time;
     const double end = stages.back().time;
