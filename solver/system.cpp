@@ -88,12 +88,16 @@ physics::Inputs System::transformed(physics::Inputs inputs) const {
 }
 
 void System::evaluate_coefficients(const physics::Inputs& logged, std::span<double> out) const {
+    evaluate_coefficients(logged, out, std::nullopt);
+}
+
+void System::evaluate_coefficients(const physics::Inputs& logged, std::span<double> out, LeftOut left_out) const {
     const physics::Inputs inputs = transformed(logged);
     physics::Laws laws;
     for (std::size_t e = 0; e < effects_.size(); ++e) {
         const physics::ActiveEffect& active = effects_[e];
         const physics::PropertyModifier* modifier = active.effect->property_modifier();
-        if (modifier != nullptr && modifier->modify_laws != nullptr && e != excluded_effect_) {
+        if (modifier != nullptr && modifier->modify_laws != nullptr && e != left_out) {
             modifier->modify_laws(active, material_model_.tire, inputs, laws);
         }
     }
@@ -127,11 +131,11 @@ physics::EvaluationState System::evaluation_state(std::size_t e, std::span<const
             .loss_factors = loss_factors_};
 }
 
-void System::find_loss_factors(std::span<const double> T, std::span<const double> means) const {
+void System::find_loss_factors(std::span<const double> T, std::span<const double> means, LeftOut left_out) const {
     loss_factors_.clear();
     for (std::size_t e = 0; e < effects_.size(); ++e) {
         const physics::LossLaw scale = effects_[e].effect->loss_law();
-        if (scale != nullptr && e != excluded_effect_) {
+        if (scale != nullptr && e != left_out) {
             loss_factors_.push_back(scale({.mesh = problem_->mesh,
                                            .material_model = material_model_,
                                            .temperature = T,
@@ -143,9 +147,13 @@ void System::find_loss_factors(std::span<const double> T, std::span<const double
 }
 
 void System::evaluate(std::span<const double> T, std::span<const double> coefficients) {
+    evaluate(T, coefficients, std::nullopt);
+}
+
+void System::evaluate(std::span<const double> T, std::span<const double> coefficients, LeftOut left_out) {
     terms_.begin(T);
     find_means(T, means_);
-    find_loss_factors(T, means_);
+    find_loss_factors(T, means_, left_out);
     for (std::size_t e = 0; e < effects_.size(); ++e) {
         const physics::HeatEffect* heat = effects_[e].effect->heat_effect();
         if (heat == nullptr) {
@@ -178,9 +186,9 @@ void System::evaluate(std::span<const double> T, std::span<const double> coeffic
 }
 
 void System::find_flow_of(std::span<const std::size_t> which, std::span<const double> T, std::span<const double> means,
-                          std::span<const double> coefficients, std::span<double> q) {
+                          std::span<const double> coefficients, std::span<double> q) const {
     here_.begin(T);
-    find_loss_factors(T, means);
+    find_loss_factors(T, means, std::nullopt);
     for (const std::size_t e : which) {
         here_.attribute_to(e);
         effects_[e].effect->heat_effect()->add_terms(evaluation_state(e, T, means, coefficients), here_);
@@ -197,17 +205,16 @@ void System::find_flow_of(std::span<const std::size_t> which, std::span<const do
     }
 }
 
-double System::share_of_law(std::size_t effect, std::span<const double> T, const physics::Inputs& logged) {
+double System::total_heat(std::span<const double> T, const physics::Inputs& logged, LeftOut left_out) {
     std::vector<double> coefficients(n_coefficients_);
-    const auto total = [&] {
-        evaluate_coefficients(logged, coefficients);
-        evaluate(T, coefficients);
-        return std::accumulate(terms_.watts.begin(), terms_.watts.end(), 0.0);
-    };
-    const double with = total();
-    excluded_effect_ = effect;
-    const double without = total();
-    excluded_effect_ = static_cast<std::size_t>(-1);
+    evaluate_coefficients(logged, coefficients, left_out);
+    evaluate(T, coefficients, left_out);
+    return std::accumulate(terms_.watts.begin(), terms_.watts.end(), 0.0);
+}
+
+double System::share_of_law(std::size_t effect, std::span<const double> T, const physics::Inputs& logged) {
+    const double with = total_heat(T, logged, std::nullopt);
+    const double without = total_heat(T, logged, effect);
     return with - without;
 }
 
@@ -233,7 +240,7 @@ int System::first_not_finite() const {
 
 std::string System::largest_heat_source(int node, std::span<const double> T, std::span<const double> coefficients) {
     find_means(T, means_);
-    find_loss_factors(T, means_);
+    find_loss_factors(T, means_, std::nullopt);
     double largest = -1.0;
     std::string name = "none";
     for (std::size_t e = 0; e < effects_.size(); ++e) {
