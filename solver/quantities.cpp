@@ -34,6 +34,20 @@ double deformation_loss(const FollowedState& state) {
     return lost;
 }
 
+/// What conduction brings to the surface nodes. They hold no heat: it is what all effects together take from the
+/// surface, less the heat that they give it.
+double conducted_to_surface(const FollowedState& state) {
+    const std::span<const physics::ActiveEffect> effects = state.system.effects();
+    const auto conduction = std::ranges::find_if(effects, [](const auto& e) { return e.effect->id == "conduction"; });
+    if (conduction == effects.end()) {
+        return 0.0;
+    }
+    const auto which = static_cast<std::size_t>(conduction - effects.begin());
+    state.system.find_means(state.temperature, state.means);
+    state.system.find_flow_of({&which, 1}, state.temperature, state.means, {}, state.flow);
+    return state.where(state.flow);
+}
+
 double drag_force(const SensorMoment& now) {
     return physics::rolling_drag(tire_of(now), now.followed, now.inputs.speed, now.inputs.vertical_load);
 }
@@ -225,6 +239,15 @@ constexpr std::array table{
                         .region = "gas",
                         .needs_tire = false,
                         .evaluate = gas_pressure},
+    QuantityDescription{.quantity = Quantity::heat_flux,
+                        .kind = "heat_flux",
+                        .meaning = "heat flux out of the rubber",
+                        .unit = "W m-2",
+                        .shown = {.name = "W/m2"},
+                        .through_patch = true,
+                        .needs_tire = false,
+                        .needs_effect = "conduction",
+                        .follow = conducted_to_surface},
 };
 
 constexpr bool is_in_order() {

@@ -30,7 +30,8 @@ enum class Quantity : std::uint8_t {
     longitudinal_force,       ///< N, Magic Formula in pure longitudinal slip (8)
     surface_at_entry,         ///< K, where the tread meets the road, in each revolution of which `where` is the mean
     surface_at_exit,          ///< K, where it leaves the road
-    gas_pressure              ///< Pa above the atmosphere, heated at constant volume to the temperature of `where`
+    gas_pressure,             ///< Pa above the atmosphere, heated at constant volume to the temperature of `where`
+    heat_flux                 ///< W/m2 out of the rubber: flow into the surface nodes of `where`, weighted by 1/area
 };
 
 /// What a quantity may be followed from along a step.
@@ -64,6 +65,7 @@ struct QuantityDescription {
     ShownUnit shown;           ///< how users see it
     std::span<const std::string_view> signals{};  ///< from which it follows
     std::string_view region{};  ///< whose temperature it follows, unless the case names a sensor; empty: none
+    bool through_patch = false; ///< it passes the boundary: the case names a patch
     bool needs_tire = true;
     bool needs_magic_formula = false;
     std::string_view needs_effect{};

@@ -25,6 +25,26 @@ constexpr std::array kinds{Kind{"point", read_point}, Kind{"spot", read_spot},  
                            Kind{"node", read_node},   Kind{"strip", read_strip}};
 constexpr std::string_view strips = "strips";
 
+/// The sum over the surface nodes of a patch, over its area.
+Where read_passage(TomlTable& sensor, solver::Channel channel, const mesh::Mesh& mesh) {
+    const Where surface = read_patch(sensor, mesh);
+    if (!surface) {
+        return std::nullopt;
+    }
+    const mesh::Patch& patch = mesh.patches[static_cast<std::size_t>(mesh.find_patch(*sensor.text("patch")))];
+    for (const mesh::PatchFace& face : patch.faces) {
+        if (face.node == face.cell) {
+            sensor.add_error("kind", "a lump has no surface of its own through which heat could pass",
+                             "take a mesh of cells");
+            return std::nullopt;
+        }
+        channel.where.nodes.push_back(face.node);
+    }
+    channel.where.weights.assign(channel.where.nodes.size(), 1.0 / patch.area());
+    channel.meaning += ", " + surface->meaning;
+    return channel;
+}
+
 /// A quantity that follows from inputs, from the heat lost by deformation or from a temperature that another sensor or a
 /// region gives.
 Where read_quantity(TomlTable& sensor, const solver::QuantityDescription& quantity, const ProblemBuilder& builder) {
@@ -53,6 +73,9 @@ Where read_quantity(TomlTable& sensor, const solver::QuantityDescription& quanti
         })) {
         sensor.add_error("kind", fmt::format("{} follows {}, which is off", quantity.kind, quantity.needs_effect),
                          fmt::format("switch it on: [effects.{}]", quantity.needs_effect));
+    }
+    if (quantity.through_patch) {
+        return read_passage(sensor, std::move(channel), mesh);
     }
     if (quantity.region.empty()) {
         return channel;
