@@ -29,7 +29,7 @@ int diagnose(const MeasuredCall& call) {
     const diagnosis::Observations observations = diagnosis::observe(experiment);
     // A grid has an error of its own, which a finer one shows; lumps are what they are.
     std::optional<input::Experiment> finer;
-    if (experiment.runs.front().problem.mesh.kind != "two_node") {
+    if (!experiment.runs.front().problem.mesh.is_lumped()) {
         finer = input::read_experiment(call.case_file, call.data_files(), input::ReadMode::measured, 2).experiment;
         if (finer) {
             std::vector<std::string> same;

@@ -15,6 +15,17 @@ enum class Axis : std::uint8_t { meridian = 0, circumference = 1, through = 2 };
 
 enum class Metric : std::uint8_t { cartesian, axisymmetric };
 
+/// As files of results call it.
+[[nodiscard]] constexpr std::string_view name_of(Metric metric) {
+    switch (metric) {
+        case Metric::cartesian:
+            return "cartesian";
+        case Metric::axisymmetric:
+            return "axisymmetric";
+    }
+    return "";
+}
+
 /// A run of cells up to the coordinate `to`; `ratio` is the last cell's width over the first's (geometric in between).
 struct Segment {
     double to = 0.0;

@@ -184,6 +184,7 @@ Mesh build(const Tensor& description) {
         }
     }
     mesh.grid = std::move(grid);
+    mesh.stack = description.stack;
     const Metrics metrics{*mesh.grid};
     add_cells(mesh, description, metrics);
     add_inner_faces(mesh, description, metrics);
@@ -219,6 +220,7 @@ Mesh build(const Tensor& description) {
 Mesh build(const Layers& description) {
     const StackEdges stack = stack_edges(description.stack);
     Tensor tensor{.kind = "layers",
+                  .stack = true,
                   .metric = Metric::cartesian,
                   .edge = {},
                   .layer_of_k = stack.layer_of_cell,

@@ -11,6 +11,7 @@ namespace tiretherm::mesh {
 /// What the tensor-product builders share: edges on three axes, the layer of each cell through the thickness.
 struct Tensor {
     std::string kind;
+    bool stack = false;  ///< one cell across: a place is a depth
     Metric metric = Metric::cartesian;
     std::array<std::vector<double>, 3> edge;
     std::vector<int> layer_of_k;  ///< [n_z]

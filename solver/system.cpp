@@ -276,7 +276,7 @@ std::string describe_node(const mesh::Mesh& mesh, int node) {
     }
     const auto& [x, y, z] = mesh.centre[at(node)];
     const std::string layer = mesh.layers[at(mesh.layer[at(node)])];
-    if (mesh.kind == "two_node") {
+    if (mesh.is_lumped()) {
         return fmt::format("the {} node", layer);
     }
     const std::string what = node < mesh.n_cells ? fmt::format("cell {}", node) : "the surface";
@@ -285,7 +285,7 @@ std::string describe_node(const mesh::Mesh& mesh, int node) {
                            mesh.zones[at(mesh.zone[at(node)])], 1e3 * x,
                            mesh.sectors > 1 ? fmt::format(", {:.1f} mm around", 1e3 * y) : "", 1e3 * z);
     }
-    if (mesh.kind == "layers") {
+    if (mesh.stack) {
         return fmt::format("{} of layer {}, {:.2f} mm deep", what, layer, 1e3 * z);
     }
     return fmt::format("{} of layer {}, x {:.2f} mm, y {:.2f} mm, {:.2f} mm deep", what, layer, 1e3 * x, 1e3 * y,

@@ -57,7 +57,7 @@ bool can_act(const input::Experiment& experiment, const Effect& effect) {
         return false;
     }
     const bool has_tire = std::ranges::any_of(problem.effects, [](const auto& a) { return a.effect->needs_tire; });
-    if ((effect.needs_tire && !has_tire) || (effect.needs_grid && problem.mesh.kind == "two_node")) {
+    if ((effect.needs_tire && !has_tire) || (effect.needs_grid && problem.mesh.is_lumped())) {
         return false;
     }
     for (const std::string_view signal : effect.reads) {
@@ -176,7 +176,7 @@ void add_all(std::vector<Candidate>& all, const input::Experiment& experiment, c
     const solver::Problem& problem = experiment.runs.front().problem;
     // By itself an effect on layers leaves the outermost alone, whose numbers are known best; what is known may be wrong.
     std::vector<int> layers = physics::activate(effect, problem.mesh).layers;
-    if (problem.mesh.kind != "two_node" && !layers.empty() && layers.front() > 0) {
+    if (!problem.mesh.is_lumped() && !layers.empty() && layers.front() > 0) {
         layers.insert(layers.begin(), 0);
     }
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
@@ -276,7 +276,7 @@ std::string name_of(const Candidate& candidate, const input::Experiment& experim
     if (candidate.channel >= 0) {
         name += " of " + sensor_of(problem, candidate.channel);
     }
-    if (candidate.layer >= 0 && problem.mesh.kind != "two_node" && problem.mesh.layers.size() > 1) {
+    if (candidate.layer >= 0 && !problem.mesh.is_lumped() && problem.mesh.layers.size() > 1) {
         name += " of " + problem.mesh.layers[static_cast<std::size_t>(candidate.layer)];
     }
     return name;

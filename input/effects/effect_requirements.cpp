@@ -33,7 +33,7 @@ void check_requirements(TomlTable& root, const ActiveEffect& active, const Sourc
         root.errors().add(place, fmt::format("{} needs a tire", effect.id), fmt::format("add [tire], {}", off));
         return;
     }
-    if (builder.has_mesh && effect.needs_grid && builder.problem.mesh.kind == "two_node") {
+    if (builder.has_mesh && effect.needs_grid && builder.problem.mesh.is_lumped()) {
         root.errors().add(place, fmt::format("{} needs cells, and this mesh has two lumps", effect.id),
                           fmt::format("take layers or section, {}", off));
         return;

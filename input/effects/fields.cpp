@@ -142,7 +142,7 @@ public:
         }
         check_rivals(table_, active_);
         const mesh::Mesh& mesh = builder_.problem.mesh;
-        if (active_.effect->field() == FieldOf::loss && mesh.kind == "two_node") {
+        if (active_.effect->field() == FieldOf::loss && mesh.is_lumped()) {
             table_.add_error("field", "a field of the loss needs cells, and this mesh has two lumps",
                              "take layers or section");
             return;

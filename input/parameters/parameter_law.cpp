@@ -123,7 +123,7 @@ std::optional<FreeParameters> free_law(TomlTable& parameter, const ProblemBuilde
     }
     const bool conducts = *law == 0;
     const physics::Curve* curve = nullptr;
-    if (conducts && builder.problem.mesh.kind == "two_node") {
+    if (conducts && builder.problem.mesh.is_lumped()) {
         parameter.add_error("law", "two lumps conduct only through their link", "free that: link = \"conductivity\"");
     } else if (!layers.empty()) {
         const physics::Material& material = builder.problem.materials[static_cast<std::size_t>(layers.front())];

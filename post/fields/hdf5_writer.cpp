@@ -48,10 +48,10 @@ void Hdf5Writer::write_case(const Provenance& provenance) {
 
 void Hdf5Writer::write_mesh() {
     const mesh::Mesh& mesh = problem_.mesh;
-    const bool round = mesh.grid && mesh.grid->metric == mesh::Metric::axisymmetric;
+    const mesh::Metric metric = mesh.grid ? mesh.grid->metric : mesh::Metric::cartesian;
     file_.add_group("/mesh");
     file_.add_attribute("/mesh", "kind", mesh.kind);
-    file_.add_attribute("/mesh", "metric", round ? "axisymmetric" : "cartesian");
+    file_.add_attribute("/mesh", "metric", std::string(name_of(metric)));
     file_.add_attribute("/mesh", "n_cells", mesh.n_cells);
     file_.add_attribute("/mesh", "sectors", mesh.sectors);
     file_.add_attribute("/mesh", "symmetry", problem_.symmetry);
@@ -60,7 +60,7 @@ void Hdf5Writer::write_mesh() {
     };
     file_.write(
         "/mesh/centre", coordinates(mesh.centre), 3,
-        label("m", round                  ? "radius, 0 and depth of each node"
+        label("m", metric == mesh::Metric::axisymmetric                  ? "radius, 0 and depth of each node"
                    : mesh.columns.empty() ? "x, y and depth of each node"
                    : mesh.sectors == 1    ? "arc length along the meridian, 0 and depth of each node"
                                        : "arc length along the meridian, arc around the tire and depth of each node"));

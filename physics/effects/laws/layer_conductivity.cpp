@@ -27,7 +27,7 @@ void modify_properties(const ActiveEffect& active, const mesh::Mesh& mesh, Mater
         for (Curve& k : material_model.materials[static_cast<std::size_t>(layer)].conductivity) {
             k = modified(active, layer, k);
         }
-        if (mesh.kind == "two_node" && layer == 1) {
+        if (mesh.is_lumped() && layer == 1) {
             material_model.link_laws.front() = modified(active, layer, material_model.link_laws.front());
         }
     }
