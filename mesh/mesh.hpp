@@ -103,7 +103,7 @@ struct Drawing {
 
 /// Nodes are numbered: cells first, then surface nodes (no volume), then lumped nodes such as gas and rim.
 struct Mesh {
-    std::string kind;  ///< for readers of results alone: "two_node", "layers", "section", "ring", "patch"
+    std::string kind;  ///< for readers of results alone: "two_node", "layers", "cylinder", "section", "ring", "patch"
     int n_cells = 0;
     int n_nodes = 0;
     std::vector<double> volume;  ///< [n_nodes] m3; 0 for a surface node

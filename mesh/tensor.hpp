@@ -13,6 +13,7 @@ struct Tensor {
     std::string kind;
     bool stack = false;  ///< one cell across: a place is a depth
     Metric metric = Metric::cartesian;
+    double outer_radius = 0.0;  ///< m, of a cylinder
     std::array<std::vector<double>, 3> edge;
     std::vector<int> layer_of_k;  ///< [n_z]
     std::vector<std::string> layers;

@@ -17,8 +17,9 @@ struct Kind {
     bool (*read)(TomlTable& mesh, ProblemBuilder& builder);
 };
 
-constexpr std::array kinds{Kind{"two_node", read_two_node}, Kind{"layers", read_layers}, Kind{"section", read_section},
-                           Kind{"block", read_block}, Kind{"axisymmetric", read_axisymmetric}};
+constexpr std::array kinds{Kind{"two_node", read_two_node}, Kind{"layers", read_layers},
+                           Kind{"cylinder", read_cylinder}, Kind{"section", read_section},
+                           Kind{"block", read_block},       Kind{"axisymmetric", read_axisymmetric}};
 
 }  // namespace
 

@@ -104,6 +104,7 @@ void check_laws(TomlTable& root, const ProblemBuilder& builder);
 /// Parts of [mesh], by kind. @returns false after an error
 bool read_two_node(TomlTable& mesh, ProblemBuilder& builder);
 bool read_layers(TomlTable& mesh, ProblemBuilder& builder);
+bool read_cylinder(TomlTable& mesh, ProblemBuilder& builder);
 bool read_block(TomlTable& mesh, ProblemBuilder& builder);
 bool read_axisymmetric(TomlTable& mesh, ProblemBuilder& builder);
 bool read_section(TomlTable& mesh, ProblemBuilder& builder);
