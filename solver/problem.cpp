@@ -1,11 +1,18 @@
 #include "solver/problem.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
 namespace tiretherm::solver {
+
+const CameraChannels* Problem::camera_of(int channel) const {
+    const auto found =
+        std::ranges::find_if(cameras, [&](const CameraChannels& camera) { return camera.contains(channel); });
+    return found == cameras.end() ? nullptr : &*found;
+}
 
 std::size_t switch_on(Problem& problem, physics::ActiveEffect active, double start) {
     if (const physics::HeatEffect* heat = active.effect->heat_effect(); heat != nullptr && heat->extend != nullptr) {

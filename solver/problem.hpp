@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,20 @@ struct Channel {
     std::optional<double> standard_deviation{};  ///< of the sensor, as its data sheet says, in the quantity's unit
 };
 
+/// The channels of a camera, one for each node of the surface that it looks at. Its pixels are means over them.
+struct CameraChannels {
+    std::string camera;
+    std::size_t first = 0;  ///< index into Problem::channels
+    std::size_t count = 0;
+
+    [[nodiscard]] std::size_t end() const { return first + count; }
+    [[nodiscard]] bool contains(int channel) const {
+        return channel >= 0 && static_cast<std::size_t>(channel) >= first && static_cast<std::size_t>(channel) < end();
+    }
+    /// Those of the camera among values of all channels. @param all [n_channels]  @returns [count]
+    [[nodiscard]] std::span<const double> of(std::span<const double> all) const { return all.subspan(first, count); }
+};
+
 /// A measured value quoted by a source, to stand beside the simulated one.
 struct Measured {
     std::string channel;
@@ -71,9 +86,15 @@ struct Problem {
     InputSignals input_signals;
     std::vector<double> initial;  ///< [n_nodes] K
     Settings settings;
-    std::vector<Channel> channels;
+    std::vector<Channel> channels;        ///< of sensors, then of cameras
+    std::vector<CameraChannels> cameras;  ///< whose channels are the last ones
     std::vector<Measured> measured;
     double symmetry = 1.0;  ///< the tire or specimen is this many times the mesh (4 for a quarter)
+
+    /// How many channels belong to sensors: they come before those of cameras.
+    [[nodiscard]] std::size_t n_sensors() const { return cameras.empty() ? channels.size() : cameras.front().first; }
+    /// The camera that a channel belongs to, null for a sensor's.
+    [[nodiscard]] const CameraChannels* camera_of(int channel) const;
 };
 
 /// Switches an effect on: its lumped nodes are added to the mesh at the temperature `start`.

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "physics/camera.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -122,15 +121,6 @@ std::vector<int> measured_channels(const input::Experiment& experiment) {
     return channels;
 }
 
-/// The camera whose channels one belongs to, null for any other sensor.
-const physics::ActiveEffect* camera_of(const solver::Problem& problem, int channel) {
-    const auto found = std::ranges::find_if(problem.effects, [&](const physics::ActiveEffect& active) {
-        return active.effect == &physics::camera_pose() &&
-               std::ranges::find(active.channels, channel) != active.channels.end();
-    });
-    return found == problem.effects.end() ? nullptr : &*found;
-}
-
 /// One number of an effect at one place, in all its shapes.
 void add(std::vector<Candidate>& all, const Candidate& plain) {
     const Shape* shape = shape_of(*plain.effect, plain.number());
@@ -192,13 +182,13 @@ void add_all(std::vector<Candidate>& all, const input::Experiment& experiment, c
         if (effect.sensor_model() != nullptr) {
             for (const int channel : channels) {
                 if (can_read(effect, problem, problem.channels[static_cast<std::size_t>(channel)])) {
-                    const physics::ActiveEffect* camera = camera_of(problem, channel);
-                    if (camera != nullptr && camera->channels.front() != channel) {
+                    const solver::CameraChannels* camera = problem.camera_of(channel);
+                    if (camera != nullptr && static_cast<int>(camera->first) != channel) {
                         continue;
                     }
                     Candidate one = plain;
                     one.channel = channel;
-                    one.last_channel = camera != nullptr ? camera->channels.back() : -1;
+                    one.last_channel = camera != nullptr ? static_cast<int>(camera->end()) - 1 : -1;
                     add(all, one);
                 }
             }
@@ -259,8 +249,8 @@ std::vector<Candidate> candidates_of(const input::Experiment& experiment, const 
 }
 
 std::string sensor_of(const solver::Problem& problem, int channel) {
-    const physics::ActiveEffect* camera = camera_of(problem, channel);
-    return camera != nullptr ? camera->name : problem.channels[static_cast<std::size_t>(channel)].name;
+    const solver::CameraChannels* camera = problem.camera_of(channel);
+    return camera != nullptr ? camera->camera : problem.channels[static_cast<std::size_t>(channel)].name;
 }
 
 std::string name_of(const Candidate& candidate, const input::Experiment& experiment) {

@@ -50,7 +50,7 @@ public:
 
 private:
     ImageView() = default;
-    std::size_t first_channel_ = 0;
+    solver::CameraChannels channels_;
     std::vector<mesh::Functional> pixels_;  ///< nodes count the surface's
 };
 

@@ -11,7 +11,6 @@
 #include "input/effects/user_effects.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/toml_text.hpp"
-#include "physics/camera.hpp"
 #include "physics/user_effect_place.hpp"
 
 namespace tiretherm::input {
@@ -85,12 +84,9 @@ std::string parts_line(std::string_view key, const std::vector<int>& parts, cons
 std::string channels_line(const solver::Problem& problem, const std::vector<int>& channels) {
     std::vector<std::string> words;
     for (const int channel : channels) {
-        std::string name = problem.channels[static_cast<std::size_t>(channel)].name;
-        for (const ActiveEffect& camera : problem.effects) {
-            const bool has = camera.effect == &physics::camera_pose() &&
-                             std::ranges::find(camera.channels, channel) != camera.channels.end();
-            name = has ? camera.name : name;
-        }
+        const solver::CameraChannels* camera = problem.camera_of(channel);
+        const std::string& name =
+            camera != nullptr ? camera->camera : problem.channels[static_cast<std::size_t>(channel)].name;
         if (std::string word = toml_text::in_quotes(name); std::ranges::find(words, word) == words.end()) {
             words.push_back(std::move(word));
         }

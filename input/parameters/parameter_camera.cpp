@@ -5,7 +5,6 @@
 #include "input/parameters/parameter_kinds.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
-#include "physics/camera.hpp"
 
 namespace tiretherm::input {
 
