@@ -30,9 +30,7 @@ struct Metrics {
         return width(0, i) * width(1, j);
     }
 
-    [[nodiscard]] double volume(int i, int j, int k) const {
-        return base(i, j, grid.centre[2][at(k)]) * width(2, k);
-    }
+    [[nodiscard]] double volume(int i, int j, int k) const { return base(i, j, grid.centre[2][at(k)]) * width(2, k); }
 
     /// Area of the face at the upper end of `axis`.
     [[nodiscard]] double face(int axis, int i, int j, int k, double position) const {
@@ -65,8 +63,8 @@ void add_cells(Mesh& mesh, const Tensor& d, const Metrics& metrics) {
     for (int k = 0; k < g.size(2); ++k) {
         for (int j = 0; j < g.size(1); ++j) {
             for (int i = 0; i < g.size(0); ++i) {
-                mesh.add_cell(metrics.volume(i, j, k),
-                              {g.centre[0][at(i)], g.centre[1][at(j)], g.centre[2][at(k)]}, d.layer_of_k[at(k)]);
+                mesh.add_cell(metrics.volume(i, j, k), {g.centre[0][at(i)], g.centre[1][at(j)], g.centre[2][at(k)]},
+                              d.layer_of_k[at(k)]);
             }
         }
     }

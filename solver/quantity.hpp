@@ -64,8 +64,8 @@ struct QuantityDescription {
     std::string_view unit;     ///< SI, as UDUNITS reads it
     ShownUnit shown;           ///< how users see it
     std::span<const std::string_view> signals{};  ///< from which it follows
-    std::string_view region{};  ///< whose temperature it follows, unless the case names a sensor; empty: none
-    bool through_patch = false; ///< it passes the boundary: the case names a patch
+    std::string_view region{};   ///< whose temperature it follows, unless the case names a sensor; empty: none
+    bool through_patch = false;  ///< it passes the boundary: the case names a patch
     bool needs_tire = true;
     bool needs_magic_formula = false;
     std::string_view needs_effect{};

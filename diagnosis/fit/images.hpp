@@ -7,8 +7,8 @@
 
 #include <Eigen/Core>
 
-#include "input/measurements/experiment.hpp"
 #include "diagnosis/fit/image_bands.hpp"
+#include "input/measurements/experiment.hpp"
 
 namespace tiretherm::diagnosis {
 

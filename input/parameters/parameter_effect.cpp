@@ -96,7 +96,8 @@ Known known_places(const ProblemBuilder& builder, const ActiveEffect& active, Sc
 
 /// A camera as that place: it is many channels, so that the effect must act on nothing else.
 bool read_camera(TomlTable& table, const Camera& camera, const ActiveEffect& active, solver::FreeParameter& number) {
-    const bool alone = std::ranges::all_of(active.channels, [&](int channel) { return camera.channels.contains(channel); });
+    const bool alone =
+        std::ranges::all_of(active.channels, [&](int channel) { return camera.channels.contains(channel); });
     if (!alone || active.channels.empty() || !active.overrides.empty()) {
         table.add_error("channel",
                         alone

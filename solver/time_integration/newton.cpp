@@ -218,8 +218,8 @@ Status Newton::correct(const Stage& stage, std::span<double> T, Progress& progre
     }
     const Stopwatch watch(counters_.solve_seconds);
     const bool linear = !system_->terms().nonlinear && !has_nonlinear_capacity_;
-    const Krylov::Result result = krylov_.solve(J_, *factor_, residual_, correction_, remainder_, 0.5 * stage.tolerance,
-                                                linear ? 0.0 : forcing);
+    const Krylov::Result result =
+        krylov_.solve(J_, *factor_, residual_, correction_, remainder_, 0.5 * stage.tolerance, linear ? 0.0 : forcing);
     count_solves(result);
     progress.solved = linear && result.converged;
     progress.polished = false;

@@ -45,11 +45,9 @@ TEST(HeatFlux, OfASteadySlabIsItsConductivityTimesItsGradient) {
     for (const int cells : {1, 2, 7}) {
         Problem problem = strip(cells);
         problem.effects.back().patches = {0};
-        add_user_effect(problem, {.name = "heater",
-                                  .follows = "1",
-                                  .places = {"inside"},
-                                  .signal = {{0.0}, {1.0}},
-                                  .amount = 300.0});
+        add_user_effect(
+            problem,
+            {.name = "heater", .follows = "1", .places = {"inside"}, .signal = {{0.0}, {1.0}}, .amount = 300.0});
         problem.settings.steady = true;
         watch_both_sides(problem);
         const Report report = run_through(problem);
@@ -87,8 +85,7 @@ TEST(HeatFlux, LeavesOutWhatPassesTheSurfaceAlone) {
     Problem problem = strip(6);
     problem.effects.back().patches = {0};
     const std::size_t heater = add_user_effect(
-        problem,
-        {.name = "heater", .follows = "1", .places = {"outside"}, .signal = {{0.0}, {1.0}}, .amount = 1000.0});
+        problem, {.name = "heater", .follows = "1", .places = {"outside"}, .signal = {{0.0}, {1.0}}, .amount = 1000.0});
     problem.settings.end = 30.0;
     watch_both_sides(problem);
     const Report report = run_through(problem);

@@ -151,8 +151,7 @@ TEST(UserEffect, JumpsWhereItsSignalJumps) {
 // signal: one ends on either end of the jump at 10 s.
 TEST(UserEffect, AddsNoInputToACaseWithoutInputs) {
     Problem problem;
-    problem.mesh =
-        mesh::build(mesh::Layers{.area = 1.0, .stack = {{.name = "rubber", .thickness = 0.01, .cells = 8}}});
+    problem.mesh = mesh::build(mesh::Layers{.area = 1.0, .stack = {{.name = "rubber", .thickness = 0.01, .cells = 8}}});
     problem.materials = {material(physics::Curve::constant(0.29))};
     act(problem, "conduction");
     problem.initial.assign(static_cast<std::size_t>(problem.mesh.n_nodes), 300.0);

@@ -28,11 +28,9 @@ solver::Problem tube(const mesh::Cylinder& cylinder, const std::vector<double>& 
     problem.input_signals.add(*physics::find_signal("air_temperature"), 300.0);
     support::start_at(problem, 300.0);
     if (watts != 0.0) {
-        solver::add_user_effect(problem, {.name = "heater",
-                                  .follows = "1",
-                                  .places = {"inside"},
-                                  .signal = {{0.0}, {1.0}},
-                                  .amount = watts});
+        solver::add_user_effect(
+            problem,
+            {.name = "heater", .follows = "1", .places = {"inside"}, .signal = {{0.0}, {1.0}}, .amount = watts});
     }
     support::read(problem, "outside", mesh::over_patch(problem.mesh, 0));
     support::read(problem, "inside", mesh::over_patch(problem.mesh, 1));
@@ -80,7 +78,7 @@ TEST(HollowCylinder, DecaysWithItsSlowestModeAtSecondOrder) {
     constexpr double k = 0.29;
     constexpr double h = 20.0;
     const auto balance = [&](double x) { return k * mode_slope(x, outer, inner) + h * mode(x, outer, inner); };
-    double low = 1.0;  // 1/m
+    double low = 1.0;    // 1/m
     double high = 52.0;  // half a period of the flat slab, pi/(2 * 0.03 m)
     ASSERT_LT(balance(low) * balance(high), 0.0);
     for (int i = 0; i < 200; ++i) {

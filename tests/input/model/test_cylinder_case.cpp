@@ -29,10 +29,10 @@ Reading read(const std::string& text) {
 // 30 to 50 mm over 0.1 m: pi (50^2 - 30^2) 0.1 m3 of rubber, 2 pi 50 mm outside, 2 pi 30 mm inside. A flux sensor and a
 // point 1 mm below the outer surface show that places are depths.
 TEST(CylinderCase, HasTheRadiiThatItStates) {
-    const Reading reading = read(
-        "[mesh]\nkind = \"cylinder\"\ninner_radius = \"30 mm\"\nlength = \"10 cm\"\n" + rubber +
-        "[[sensor]]\nname = \"skin\"\nkind = \"point\"\ndepth = \"1 mm\"\n"
-        "[[sensor]]\nname = \"flux\"\nkind = \"heat_flux\"\npatch = \"inside\"\n");
+    const Reading reading =
+        read("[mesh]\nkind = \"cylinder\"\ninner_radius = \"30 mm\"\nlength = \"10 cm\"\n" + rubber +
+             "[[sensor]]\nname = \"skin\"\nkind = \"point\"\ndepth = \"1 mm\"\n"
+             "[[sensor]]\nname = \"flux\"\nkind = \"heat_flux\"\npatch = \"inside\"\n");
     ASSERT_TRUE(reading.problem) << render(reading);
     const mesh::Mesh& mesh = reading.problem->mesh;
     EXPECT_EQ(mesh.kind, "cylinder");
@@ -66,9 +66,10 @@ TEST(CylinderCase, TakesTheTiresRadiusAndArea) {
 TEST(CylinderCase, RefusesLayersThickerThanTheTiresRadius) {
     std::string thick = rubber;
     thick.replace(thick.find("12 mm"), 5, "40 cm");
-    const Reading reading = read("[tire]\nsize = \"225/50 R17\"\nunloaded_radius = \"330.8 mm\"\n"
-                                 "[mesh]\nkind = \"cylinder\"\n" +
-                                 thick);
+    const Reading reading = read(
+        "[tire]\nsize = \"225/50 R17\"\nunloaded_radius = \"330.8 mm\"\n"
+        "[mesh]\nkind = \"cylinder\"\n" +
+        thick);
     EXPECT_FALSE(reading.problem);
     EXPECT_NE(render(reading).find("the layers are 408 mm thick, and the tire's radius is 330.8 mm"), std::string::npos)
         << render(reading);
