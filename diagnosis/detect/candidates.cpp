@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "input/parameters/parameter_path.hpp"
+
 namespace tiretherm::diagnosis {
 
 namespace {
@@ -153,10 +155,11 @@ void add(std::vector<Candidate>& all, const Candidate& plain) {
     }
 }
 
-/// @param chosen ids of effects, or of one number of them: "layer_conductivity.scale"; empty: all
-bool is_chosen(const std::vector<std::string>& chosen, const Effect& effect, const ParameterSpec& parameter) {
+/// @param chosen effects, or one number of them: "layer_conductivity.scale"; empty: all
+bool is_chosen(const std::vector<std::string>& chosen, const Effect& effect, std::size_t parameter) {
     return chosen.empty() || std::ranges::any_of(chosen, [&](const std::string& name) {
-               return name == effect.id || name == fmt::format("{}.{}", effect.id, parameter.key);
+               const std::optional<input::CatalogueEntry> entry = input::find_in_catalogue(name);
+               return entry && entry->includes(effect, parameter);
            });
 }
 
@@ -170,7 +173,7 @@ void add_all(std::vector<Candidate>& all, const input::Experiment& experiment, c
     }
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
         const ParameterSpec& parameter = effect.parameters[p];
-        if (std::isnan(parameter.absent) || !is_chosen(chosen, effect, parameter)) {
+        if (std::isnan(parameter.absent) || !is_chosen(chosen, effect, p)) {
             continue;
         }
         const Candidate plain{.effect = &effect,
@@ -214,7 +217,7 @@ void add_numbers(std::vector<Candidate>& all, const input::Experiment& experimen
         });
         const bool is_split =
             std::ranges::any_of(active.overrides, [&](const auto& other) { return other.parameter == p; });
-        if (!chosen.empty() && is_chosen(chosen, *active.effect, parameter) && !is_free && !is_split) {
+        if (!chosen.empty() && is_chosen(chosen, *active.effect, p) && !is_free && !is_split) {
             const double value = active.parameters[p];
             all.push_back({.effect = active.effect,
                            .parameter = p,
@@ -247,11 +250,6 @@ std::vector<Candidate> candidates_of(const input::Experiment& experiment, const 
     return all;
 }
 
-std::string sensor_of(const solver::Problem& problem, int channel) {
-    const solver::CameraChannels* camera = problem.camera_of(channel);
-    return camera != nullptr ? camera->camera : problem.channels[static_cast<std::size_t>(channel)].name;
-}
-
 std::string name_of(const Candidate& candidate, const input::Experiment& experiment) {
     const solver::Problem& problem = experiment.runs.front().problem;
     std::string name(candidate.effect->id);
@@ -263,7 +261,7 @@ std::string name_of(const Candidate& candidate, const input::Experiment& experim
         name += fmt::format(".{}", candidate.number().key);
     }
     if (candidate.channel >= 0) {
-        name += " of " + sensor_of(problem, candidate.channel);
+        name += " of " + input::sensor_of(problem, candidate.channel);
     }
     if (candidate.layer >= 0 && !problem.mesh.is_lumped() && problem.mesh.layers.size() > 1) {
         name += " of " + problem.mesh.layers[static_cast<std::size_t>(candidate.layer)];

@@ -25,6 +25,7 @@ constexpr std::array kinds{Kind{"two_node", read_two_node}, Kind{"layers", read_
 
 void read_mesh(TomlTable& root, ProblemBuilder& builder) {
     TomlTable mesh = root.subtable("mesh", Need::required);
+    builder.has_mesh = false;
     std::array<std::string_view, kinds.size()> names;
     std::transform(kinds.begin(), kinds.end(), names.begin(), [](const Kind& kind) { return kind.name; });
     const std::optional<std::size_t> kind = mesh.choice("kind", names, Need::required);
