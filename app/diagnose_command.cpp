@@ -58,11 +58,7 @@ int diagnose(const MeasuredCall& call) {
     if (!files) {
         return Exit::input_error;
     }
-    if (call.json) {
-        fmt::print("{}", post::diagnosis_json(record, *files));
-    } else {
-        print_page(post::diagnosis_text(record, may_be_bold()), *files);
-    }
+    print_report(post::diagnosis_report(record, *files), call.json);
     return Exit::done;
 }
 

@@ -23,6 +23,7 @@ std::vector<double> coordinates(const std::vector<mesh::Point>& points) {
 Hdf5Writer::Hdf5Writer(const std::filesystem::path& path, const solver::Problem& problem, const Provenance& provenance)
     : problem_(problem),
       source_(fmt::format("case {}, tiretherm {}", problem.name, provenance.version)),
+      path_(path),
       file_(path),
       flushed_(std::chrono::steady_clock::now()) {
     file_.add_attribute("/", "format", "tiretherm results 1");
@@ -156,5 +157,18 @@ void Hdf5Writer::flush() {
 }
 
 void Hdf5Writer::finish() { flush(); }
+
+namespace formats {
+
+extern const OutputFormat hdf5;
+const OutputFormat hdf5{.name = "hdf5",
+                        .use = OutputFormat::Use::always,
+                        .help = "results.h5: everything, SI units",
+                        .open = [](const RunTarget& target) -> std::unique_ptr<RunOutput> {
+                            return std::make_unique<Hdf5Writer>(target.directory / "results.h5", target.problem,
+                                                                target.provenance);
+                        }};
+
+}  // namespace formats
 
 }  // namespace tiretherm::post
