@@ -13,7 +13,6 @@ import resource
 import statistics
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-BENCH = ROOT / "build" / "bench" / "benchmarks"
 
 
 def machine():
@@ -108,7 +107,7 @@ def benchmarks(entry, sources, run):
     found = {"machine": machine()}
     for name in ("section_hour", "sensitivities", "layers_step", "slab"):
         report = sources.scratch / f"{name}.json"
-        run([str(BENCH / f"bench_{name}"), f"--benchmark_out={report}", "--benchmark_out_format=json"], ROOT)
+        run([str(sources.benchmarks / f"bench_{name}"), f"--benchmark_out={report}", "--benchmark_out_format=json"], ROOT)
         found[name] = {}
         for row in json.loads(report.read_text())["benchmarks"]:
             if row["run_type"] == "aggregate" and row["aggregate_name"] != "median":
