@@ -18,6 +18,7 @@ void add_convert_command(CLI::App& program, int& exit_code);
 void add_diagnose_command(CLI::App& program, int& exit_code);
 void add_effects_command(CLI::App& program, int& exit_code);
 void add_identify_command(CLI::App& program, int& exit_code);
+void add_keys_command(CLI::App& program, int& exit_code);
 void add_study_command(CLI::App& program, int& exit_code);
 void add_validate_command(CLI::App& program, int& exit_code);
 

@@ -35,11 +35,7 @@ int compare(const MeasuredCall& call) {
     if (!files) {
         return Exit::input_error;
     }
-    if (call.json) {
-        fmt::print("{}", post::comparison_json(comparison, *files));
-    } else {
-        print_page(post::comparison_text(comparison, may_be_bold()), *files);
-    }
+    print_report(post::comparison_report(comparison, *files), call.json);
     return Exit::done;
 }
 

@@ -29,7 +29,7 @@ int diagnose(const MeasuredCall& call) {
     const diagnosis::Observations observations = diagnosis::observe(experiment);
     // A grid has an error of its own, which a finer one shows; lumps are what they are.
     std::optional<input::Experiment> finer;
-    if (experiment.runs.front().problem.mesh.kind != "two_node") {
+    if (!experiment.runs.front().problem.mesh.is_lumped()) {
         finer = input::read_experiment(call.case_file, call.data_files(), input::ReadMode::measured, 2).experiment;
         if (finer) {
             std::vector<std::string> same;
@@ -58,11 +58,7 @@ int diagnose(const MeasuredCall& call) {
     if (!files) {
         return Exit::input_error;
     }
-    if (call.json) {
-        fmt::print("{}", post::diagnosis_json(record, *files));
-    } else {
-        print_page(post::diagnosis_text(record, may_be_bold()), *files);
-    }
+    print_report(post::diagnosis_report(record, *files), call.json);
     return Exit::done;
 }
 

@@ -1,5 +1,7 @@
+#include <array>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -39,7 +41,7 @@ std::string origin(const physics::Effect& effect) { return effect.on ? "thesis, 
 
 /// What a file of a structural code may give an effect, and what else may replace its total.
 std::string field_text(const physics::Effect& effect) {
-    switch (effect.field) {
+    switch (effect.field()) {
         case physics::FieldOf::nothing:
             return "";
         case physics::FieldOf::pressure:
@@ -55,6 +57,20 @@ std::string field_text(const physics::Effect& effect) {
 }
 
 std::string unit_text(std::string_view unit) { return unit == "1" ? std::string("-") : std::string(unit); }
+
+/// What an effect acts on, and what it needs; empty where it is nothing special.
+std::string acts_on_text(const physics::Effect& effect) {
+    return effect.on_layers     ? "the layers that a case names: layers = [...]"
+           : effect.sensor_model() != nullptr ? "the sensors that a case names: channels = [...]"
+                                : "";
+}
+
+std::string needs_text(const physics::Effect& effect) {
+    return effect.needs_tire && effect.needs_grid ? "a [tire] and a mesh of cells"
+           : effect.needs_tire                    ? "a [tire]"
+           : effect.needs_grid                    ? "a mesh of cells"
+                                                  : "";
+}
 
 /// The sentence up to its full stop.
 std::string first_sentence(std::string_view text) {
@@ -112,13 +128,8 @@ void print_one(const physics::Effect& effect) {
     print_section("Also, when given", fmt::format("{}", fmt::join(effect.may_read, ", ")));
     print_section("Acts on the patches",
                   fmt::format("{}", fmt::join(effect.patches, effect.one_patch ? " or else " : ", ")));
-    print_section("Acts on", effect.on_layers     ? "the layers that a case names: layers = [...]"
-                             : effect.on_channels ? "the sensors that a case names: channels = [...]"
-                                                  : "");
-    print_section("Needs", effect.needs_tire && effect.needs_grid ? "a [tire] and a mesh of cells"
-                           : effect.needs_tire                    ? "a [tire]"
-                           : effect.needs_grid                    ? "a mesh of cells"
-                                                                  : "");
+    print_section("Acts on", acts_on_text(effect));
+    print_section("Needs", needs_text(effect));
 }
 
 Json as_json(const physics::Effect& effect) {
@@ -140,7 +151,74 @@ Json as_json(const physics::Effect& effect) {
     return json;
 }
 
-int show(const std::string& name, bool json) {
+constexpr std::string_view page_head =
+    "# Effects\n\n"
+    "The catalogue of physical effects. This page is written by `tiretherm effects --markdown` from the catalogue "
+    "itself "
+    "(`physics/effects`);\ndo not edit it. A case switches an effect on with `[effects.NAME]`; the keys that all "
+    "effects "
+    "have are in the\n[case reference](case-reference.md). Effects of the thesis are on in every case with `[tire]`; "
+    "all others "
+    "are off unless named.\nHow to write a new one: [extending.md](extending.md#an-effect).\n";
+
+std::string markdown_of(const physics::Effect& effect) {
+    std::string text =
+        fmt::format("\n### {}\n\n*{}, {}.* {}\n\n", effect.id, kind_name(effect.kind), origin(effect), effect.meaning);
+    text += fmt::format("    {}\n\nSource: {}\n", effect.equation, effect.source);
+    if (!effect.parameters.empty()) {
+        text += "\n| parameter | default | from | to | unit | meaning |\n|---|---|---|---|---|---|\n";
+    }
+    for (const physics::ParameterSpec& p : effect.parameters) {
+        text += fmt::format("| `{}` | {:g} | {:g} | {:g} | {} | {} |\n", p.key, p.standard, p.low, p.high,
+                            unit_text(p.unit), p.meaning);
+    }
+    if (!effect.choices.empty() || !effect.tables.empty()) {
+        text += "\n| word or table | values | meaning |\n|---|---|---|\n";
+    }
+    for (const physics::Choice& choice : effect.choices) {
+        text += fmt::format("| `{}` | `{}` (the first is the default) | {} |\n", choice.key,
+                            fmt::join(choice.options, "`, `"), choice.meaning);
+    }
+    for (const physics::Table& t : effect.tables) {
+        text += fmt::format("| `{}` | {} against {} | {} |\n", t.key, unit_text(t.value_unit),
+                            unit_text(t.variable_unit), t.meaning);
+    }
+    const std::string patches = fmt::format("{}", fmt::join(effect.patches, effect.one_patch ? " or else " : ", "));
+    const auto add = [&](std::string_view name, const std::string& what) {
+        text += what.empty() ? "" : fmt::format("\n{}: {}.\n", name, what);
+    };
+    add("From files", field_text(effect));
+    add("Inputs", fmt::format("{}", fmt::join(effect.reads, ", ")));
+    add("Inputs, when given", fmt::format("{}", fmt::join(effect.may_read, ", ")));
+    add("Acts on the patches", patches);
+    add("Acts on", acts_on_text(effect));
+    add("Needs", needs_text(effect));
+    return text;
+}
+
+/// The page docs/effects.md: the effects by what they change.
+void print_markdown() {
+    using physics::Kind;
+    constexpr std::array headings{std::pair{Kind::source, "Heat: sources and transfer"},
+                                  std::pair{Kind::loss, "Heat: losses"},
+                                  std::pair{Kind::property, "Properties and laws"},
+                                  std::pair{Kind::input, "Inputs"},
+                                  std::pair{Kind::state, "Initial state"},
+                                  std::pair{Kind::sensor, "Sensor models"}};
+    fmt::print("{}", page_head);
+    for (const auto& [kind, heading] : headings) {
+        fmt::print("\n## {}\n", heading);
+        for (const physics::Effect* effect : physics::catalogue()) {
+            fmt::print("{}", effect->kind == kind ? markdown_of(*effect) : "");
+        }
+    }
+}
+
+int show(const std::string& name, bool json, bool markdown) {
+    if (markdown) {
+        print_markdown();
+        return Exit::done;
+    }
     if (name.empty()) {
         if (!json) {
             print_list();
@@ -176,16 +254,18 @@ void add_effects_command(CLI::App& program, int& exit_code) {
     struct Options {
         std::string name;
         bool json = false;
+        bool markdown = false;
     };
     CLI::App* command = program.add_subcommand("effects", "The catalogue of physical causes");
     const auto options = std::make_shared<Options>();
     command->add_option("NAME", options->name, "Name of an effect; without it all are listed")->option_text(" ");
-    command->add_flag("--json", options->json, "One JSON object");
+    CLI::Option* json = command->add_flag("--json", options->json, "One JSON object");
+    command->add_flag("--markdown", options->markdown, "The page docs/effects.md")->excludes(json);
     command->footer(
         "Example:\n"
         "  tiretherm effects\n"
         "  tiretherm effects air_convection");
-    command->callback([options, &exit_code] { exit_code = show(options->name, options->json); });
+    command->callback([options, &exit_code] { exit_code = show(options->name, options->json, options->markdown); });
 }
 
 }  // namespace tiretherm::app

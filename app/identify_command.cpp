@@ -61,10 +61,8 @@ int plan(const Options& options, input::ExperimentReading& reading) {
         }
         files = *written;
     }
-    if (options.json) {
-        fmt::print("{}", post::identification_json(record, files));
-    } else {
-        fmt::print("{}", post::identification_text(record, may_be_bold()));
+    print_report(post::identification_report(record, files), options.json);
+    if (!options.json) {
         fmt::print(
             "\nNoise assumed: as stated with the sensors; {:.0f} % of its variance is white noise, the rest "
             "forgotten over {:g} s (--correlation-time).\n",
@@ -126,11 +124,7 @@ int identify(const Options& options) {
     if (const input::Reading fitted = input::read_case(files->front()); !fitted.problem) {
         record.warnings.push_back("the fitted case cannot be run as it is: " + fitted.errors.front().what);
     }
-    if (options.json) {
-        fmt::print("{}", post::identification_json(record, *files));
-    } else {
-        print_page(post::identification_text(record, may_be_bold()), *files);
-    }
+    print_report(post::identification_report(record, *files), options.json);
     return result.converged ? Exit::done : Exit::numerical_failure;
 }
 

@@ -74,6 +74,7 @@ int main(int argc, char** argv) {
     app::add_study_command(program, exit_code);
     app::add_validate_command(program, exit_code);
     app::add_effects_command(program, exit_code);
+    app::add_keys_command(program, exit_code);
     app::add_convert_command(program, exit_code);
     program.footer(
         "Examples:\n"
@@ -84,6 +85,7 @@ int main(int argc, char** argv) {
         "  tiretherm study cases/studies/speed_and_load_two_node.toml\n"
         "  tiretherm validate\n"
         "  tiretherm effects air_convection\n"
+        "  tiretherm keys mesh.layer\n"
         "  tiretherm convert cases/convert/thesis_225_50_R17.xlsx\n\n"
         "Help for a command: tiretherm COMMAND --help");
 

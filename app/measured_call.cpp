@@ -69,15 +69,4 @@ std::optional<std::vector<std::filesystem::path>> write_measured(
     }
 }
 
-void print_page(const std::string& page, const std::vector<std::filesystem::path>& files) {
-    fmt::print("{}", page);
-    if (files.empty()) {
-        return;
-    }
-    fmt::print("\nFiles\n");
-    for (const std::filesystem::path& file : files) {
-        fmt::print("  {}\n", file.string());
-    }
-}
-
 }  // namespace tiretherm::app

@@ -57,7 +57,4 @@ private:
     const MeasuredCall& call, const std::filesystem::path& standard,
     const std::function<std::vector<std::filesystem::path>(const std::filesystem::path&)>& write);
 
-/// A page and below it the files that were written.
-void print_page(const std::string& page, const std::vector<std::filesystem::path>& files);
-
 }  // namespace tiretherm::app

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "input/model/reader.hpp"
+#include "post/report/report.hpp"
 
 namespace tiretherm::app {
 
@@ -11,6 +12,9 @@ namespace tiretherm::app {
 
 /// Whether text on stdout may be set in bold: on a terminal, unless NO_COLOR is set.
 [[nodiscard]] bool may_be_bold();
+
+/// A result on stdout: its page, or with `json` its data.
+void print_report(const post::Report& report, bool json);
 
 /// Reports what went wrong, on stderr; with `json` as an object {"error", "mistakes"} on stdout instead.
 /// @param sentence without its full stop   @param remedy what to do, or empty

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include <fmt/format.h>
@@ -28,8 +29,7 @@ struct Options {
     double field_interval = 0.0;  ///< s; 0: as the case says
     bool json = false;
     bool quiet = false;
-    bool no_vtk = false;
-    bool no_pictures = false;
+    std::set<std::string> switched;  ///< formats that are refused or wanted, by name
 };
 
 using Clock = std::chrono::steady_clock;
@@ -71,8 +71,7 @@ int run(const Options& options) {
         .version = TIRETHERM_VERSION, .case_file = options.case_file, .case_text = post::read_text(options.case_file)};
     std::optional<post::RunFiles> files;
     try {
-        files.emplace(directory, problem, provenance,
-                      post::FileOptions{.vtk = !options.no_vtk, .pictures = !options.no_pictures});
+        files.emplace(directory, problem, provenance, options.switched);
     } catch (const post::FileError& error) {
         report_error(error.what(), "nothing was run; choose another directory with --out", options.json);
         return Exit::input_error;
@@ -124,8 +123,14 @@ void add_run_command(CLI::App& program, int& exit_code) {
     command->add_option("--fields", options->field_interval, "Store the field this often, whatever the case says")
         ->option_text("SECONDS")
         ->check(CLI::PositiveNumber);
-    command->add_flag("--no-vtk", options->no_vtk, "No field_*.vtu and field.pvd for ParaView");
-    command->add_flag("--no-pictures", options->no_pictures, "No picture.png, channels.png and hot_spots.png");
+    for (const post::OutputFormat* format : post::output_formats()) {
+        if (format->use != post::OutputFormat::Use::always) {
+            const bool wanted = format->use == post::OutputFormat::Use::on_request;
+            command->add_flag_callback(
+                fmt::format("--{}{}", wanted ? "" : "no-", format->name),
+                [options, format] { options->switched.insert(format->name); }, format->help);
+        }
+    }
     command->add_flag("--quiet", options->quiet, "No summary and no progress");
     command->add_flag("--json", options->json, "One JSON object instead of the summary");
     command->footer(

@@ -37,6 +37,15 @@ struct Layers {
 };
 [[nodiscard]] Mesh build(const Layers& description);
 
+/// N cells through the thickness of a hollow cylinder about the tire's axis, such as a thick tread, a drum or a rim: layers
+/// with their true radii. Regions and patches as of Layers.
+struct Cylinder {
+    double inner_radius = 0.0;  ///< m, > 0
+    double length = 0.0;        ///< m, along the axis
+    std::vector<Layer> stack;   ///< from the outside in
+};
+[[nodiscard]] Mesh build(const Cylinder& description);
+
 /// A stretch of the meridian with one stack of layers. Zones follow each other from outboard to inboard.
 struct Zone {
     std::string name;

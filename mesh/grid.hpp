@@ -13,7 +13,22 @@ using Point = std::array<double, 3>;
 /// Directions of a tire: along the meridian (or the radius about a laser's axis), along the circumference, through the thickness.
 enum class Axis : std::uint8_t { meridian = 0, circumference = 1, through = 2 };
 
-enum class Metric : std::uint8_t { cartesian, axisymmetric };
+/// Axisymmetric: the first axis is a radius. Cylindrical: the depth goes along a radius, inwards from `outer_radius`; the
+/// second axis is the arc at the outer surface.
+enum class Metric : std::uint8_t { cartesian, axisymmetric, cylindrical };
+
+/// As files of results call it.
+[[nodiscard]] constexpr std::string_view name_of(Metric metric) {
+    switch (metric) {
+        case Metric::cartesian:
+            return "cartesian";
+        case Metric::axisymmetric:
+            return "axisymmetric";
+        case Metric::cylindrical:
+            return "cylindrical";
+    }
+    return "";
+}
 
 /// A run of cells up to the coordinate `to`; `ratio` is the last cell's width over the first's (geometric in between).
 struct Segment {
@@ -31,6 +46,7 @@ enum class Side : std::uint8_t { x_min, x_max, y_min, y_max, z_min, z_max };
 /// Cells as a tensor product, and the surface nodes on its sides: what interpolation needs.
 struct Grid {
     Metric metric = Metric::cartesian;
+    double outer_radius = 0.0;                  ///< m, of a cylinder
     std::array<std::vector<double>, 3> edge;    ///< [n + 1] m for each axis
     std::array<std::vector<double>, 3> centre;  ///< [n] m
     std::array<bool, 3> mirror{};               ///< the field is even about the lower end of this axis

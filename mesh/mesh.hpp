@@ -103,7 +103,7 @@ struct Drawing {
 
 /// Nodes are numbered: cells first, then surface nodes (no volume), then lumped nodes such as gas and rim.
 struct Mesh {
-    std::string kind;  ///< "two_node", "layers", "section", "patch"
+    std::string kind;  ///< for readers of results alone: "two_node", "layers", "cylinder", "section", "ring", "patch"
     int n_cells = 0;
     int n_nodes = 0;
     std::vector<double> volume;  ///< [n_nodes] m3; 0 for a surface node
@@ -119,6 +119,7 @@ struct Mesh {
     std::vector<LumpedNode> lumped_nodes;
     std::optional<Grid> grid;     ///< present when the cells are a tensor product
     std::vector<Column> columns;  ///< of a section, from outboard to inboard; of a ring its first sector's
+    bool stack = false;           ///< the cells lie in one stack: a place in it is a depth
     int sectors = 1;              ///< of a ring: its cells are that many equal sectors one after the other, its surface
                                   ///< nodes likewise
     Drawing drawing;
@@ -131,6 +132,9 @@ struct Mesh {
     int add_lumped_node(std::string_view name);
     /// A face by which an effect couples a node to a lumped one. @returns its index
     int add_coupling_face(int node, int lumped_node, double area);
+
+    /// Whether the cells are lumps: there is no place within them, and they have no surface of their own.
+    [[nodiscard]] bool is_lumped() const { return !grid && columns.empty(); }
 
     [[nodiscard]] int find_patch(std::string_view name) const;        ///< -1 when absent
     [[nodiscard]] int find_region(std::string_view name) const;       ///< -1 when absent

@@ -17,18 +17,25 @@ struct Metrics {
     [[nodiscard]] double high(int axis, int i) const { return grid.edge[at(axis)][at(i + 1)]; }
     [[nodiscard]] double width(int axis, int i) const { return high(axis, i) - low(axis, i); }
 
-    /// Area of the cell's base normal to the depth: a rectangle, or a ring.
-    [[nodiscard]] double base(int i, int j) const {
-        if (grid.metric == Metric::axisymmetric) {
-            return std::numbers::pi * (high(0, i) + low(0, i)) * width(0, i);
+    /// Area of the cell's base normal to the depth: a rectangle, or a ring; about an axis below it shrinks with the depth.
+    [[nodiscard]] double base(int i, int j, double depth) const {
+        switch (grid.metric) {
+            case Metric::cartesian:
+                break;
+            case Metric::axisymmetric:
+                return std::numbers::pi * (high(0, i) + low(0, i)) * width(0, i);
+            case Metric::cylindrical:
+                return width(0, i) * width(1, j) * (1.0 - depth / grid.outer_radius);
         }
         return width(0, i) * width(1, j);
     }
 
+    [[nodiscard]] double volume(int i, int j, int k) const { return base(i, j, grid.centre[2][at(k)]) * width(2, k); }
+
     /// Area of the face at the upper end of `axis`.
     [[nodiscard]] double face(int axis, int i, int j, int k, double position) const {
         if (axis == 2) {
-            return base(i, j);
+            return base(i, j, position);
         }
         if (axis == 1) {
             return width(0, i) * width(2, k);
@@ -37,11 +44,17 @@ struct Metrics {
         return breadth * width(2, k);
     }
 
-    /// Distance from a cell's centre to a face at `position`. Plain also along a radius: a field that is regular on
-    /// the axis goes with r^2, for which the flux through r = (r1 + r2)/2 is exactly (T2 - T1)/(r2 - r1); the logarithm
-    /// of a tube would spoil the order there.
+    /// Distance from a cell's centre to a face at `position`. Plain also along the radius of a disc: a field that is
+    /// regular on the axis goes with r^2, for which the flux through r = (r1 + r2)/2 is exactly (T2 - T1)/(r2 - r1); the
+    /// logarithm of a tube would spoil the order there. A cylinder is hollow: its half distances make the steady profile,
+    /// T ~ ln r, exact, for the face's radius times the logarithm is what the face's area is to be divided by.
     [[nodiscard]] double half(int axis, int i, double position) const {
-        return std::abs(position - grid.centre[at(axis)][at(i)]);
+        const double centre = grid.centre[at(axis)][at(i)];
+        if (axis == 2 && grid.metric == Metric::cylindrical) {
+            const double radius = grid.outer_radius - position;
+            return radius * std::abs(std::log(radius / (grid.outer_radius - centre)));
+        }
+        return std::abs(position - centre);
     }
 };
 
@@ -50,8 +63,8 @@ void add_cells(Mesh& mesh, const Tensor& d, const Metrics& metrics) {
     for (int k = 0; k < g.size(2); ++k) {
         for (int j = 0; j < g.size(1); ++j) {
             for (int i = 0; i < g.size(0); ++i) {
-                mesh.add_cell(metrics.base(i, j) * metrics.width(2, k),
-                              {g.centre[0][at(i)], g.centre[1][at(j)], g.centre[2][at(k)]}, d.layer_of_k[at(k)]);
+                mesh.add_cell(metrics.volume(i, j, k), {g.centre[0][at(i)], g.centre[1][at(j)], g.centre[2][at(k)]},
+                              d.layer_of_k[at(k)]);
             }
         }
     }
@@ -174,6 +187,7 @@ Mesh build(const Tensor& description) {
     mesh.kind = description.kind;
     mesh.layers = description.layers;
     Grid grid{.metric = description.metric,
+              .outer_radius = description.outer_radius,
               .edge = description.edge,
               .centre = {},
               .mirror = description.mirror,
@@ -184,6 +198,7 @@ Mesh build(const Tensor& description) {
         }
     }
     mesh.grid = std::move(grid);
+    mesh.stack = description.stack;
     const Metrics metrics{*mesh.grid};
     add_cells(mesh, description, metrics);
     add_inner_faces(mesh, description, metrics);
@@ -219,6 +234,7 @@ Mesh build(const Tensor& description) {
 Mesh build(const Layers& description) {
     const StackEdges stack = stack_edges(description.stack);
     Tensor tensor{.kind = "layers",
+                  .stack = true,
                   .metric = Metric::cartesian,
                   .edge = {},
                   .layer_of_k = stack.layer_of_cell,
@@ -228,6 +244,25 @@ Mesh build(const Layers& description) {
                   .link_below = description.link_below,
                   .link_length = description.link_length};
     tensor.edge = {std::vector<double>{0.0, description.area}, std::vector<double>{0.0, 1.0}, stack.edge};
+    tensor.patch[static_cast<std::size_t>(Side::z_min)] = "outside";
+    tensor.patch[static_cast<std::size_t>(Side::z_max)] = "inside";
+    return build(tensor);
+}
+
+Mesh build(const Cylinder& description) {
+    const StackEdges stack = stack_edges(description.stack);
+    const double outer_radius = description.inner_radius + stack.edge.back();
+    Tensor tensor{.kind = "cylinder",
+                  .stack = true,
+                  .metric = Metric::cylindrical,
+                  .outer_radius = outer_radius,
+                  .edge = {},
+                  .layer_of_k = stack.layer_of_cell,
+                  .layers = stack.names,
+                  .mirror = {},
+                  .patch = {}};
+    tensor.edge = {std::vector<double>{0.0, description.length},
+                   std::vector<double>{0.0, 2.0 * std::numbers::pi * outer_radius}, stack.edge};
     tensor.patch[static_cast<std::size_t>(Side::z_min)] = "outside";
     tensor.patch[static_cast<std::size_t>(Side::z_max)] = "inside";
     return build(tensor);

@@ -11,7 +11,9 @@ namespace tiretherm::mesh {
 /// What the tensor-product builders share: edges on three axes, the layer of each cell through the thickness.
 struct Tensor {
     std::string kind;
+    bool stack = false;  ///< one cell across: a place is a depth
     Metric metric = Metric::cartesian;
+    double outer_radius = 0.0;  ///< m, of a cylinder
     std::array<std::vector<double>, 3> edge;
     std::vector<int> layer_of_k;  ///< [n_z]
     std::vector<std::string> layers;

@@ -21,6 +21,7 @@ const Effect pose_effect{
     .source = "definition",
     .meaning = "Where a camera's image lies on a specimen, and how sharp it is.",
     .parameters = pose_parameters,
+    .model = SensorModel{},  // it moves the places that the pixels read, before a run
 };
 
 /// Places and weights of a rule across one direction.
@@ -101,7 +102,7 @@ std::array<double, 2> middle_of(const Detectors& detectors, const CameraPose& po
 }
 
 bool can_be_seen(const mesh::Mesh& mesh, int patch) {
-    if (!mesh.grid || patch < 0 || mesh.kind == "layers") {
+    if (!mesh.grid || patch < 0 || mesh.stack) {
         return false;
     }
     const std::string& name = mesh.patches[static_cast<std::size_t>(patch)].name;

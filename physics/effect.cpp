@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The catalogue of effects and the look-ups in it.
 #include "physics/effect.hpp"
 
 #include <algorithm>
@@ -48,6 +50,21 @@ ActiveEffect activate(const Effect& effect, const mesh::Mesh& mesh) {
     return active;
 }
 
+void Effect::place(const PlacementContext& context, ActiveEffect& active) const {
+    const auto placed_by = property_modifier() != nullptr ? property_modifier()->place
+                           : heat_effect() != nullptr     ? heat_effect()->place
+                                                          : nullptr;
+    if (placed_by != nullptr) {
+        placed_by(context, active);
+    }
+}
+
+LossLaw Effect::loss_law() const {
+    return property_modifier() != nullptr ? property_modifier()->scale_loss
+           : heat_effect() != nullptr     ? heat_effect()->scale_loss
+                                          : nullptr;
+}
+
 double ActiveEffect::at(std::size_t parameter, Scope scope, int index) const {
     const auto found = std::find_if(overrides.begin(), overrides.end(), [&](const Override& o) {
         return o.scope == scope && o.index == index && o.parameter == parameter;
@@ -65,9 +82,9 @@ const Effect& in_frames(const Effect& effect) {
     static const std::vector<Effect> copies = [] {
         std::vector<Effect> made;
         for (const Effect* original : list) {
-            if (original->frame_coefficients > 0) {
+            if (const HeatEffect* heat = original->heat_effect(); heat != nullptr && heat->frame_coefficients > 0) {
                 made.push_back(*original);
-                made.back().n_coefficients += original->frame_coefficients;
+                std::get<HeatEffect>(made.back().model).n_coefficients += heat->frame_coefficients;
             }
         }
         return made;

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// An effect of the catalogue as plain data, an effect that is switched on, and the catalogue itself. The equations stand
+// in the effects' own files.
 #pragma once
 
 #include <array>
@@ -8,14 +11,12 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "mesh/mesh.hpp"
+#include "physics/effect_classes.hpp"
 #include "physics/field_transfer/field.hpp"
-#include "physics/material.hpp"
-#include "physics/signals.hpp"
-#include "physics/terms.hpp"
-#include "physics/tire.hpp"
 
 namespace tiretherm::physics {
 
@@ -53,72 +54,11 @@ struct Table {
 /// Where a parameter may differ: `<key>_by_patch = { outside = ... }` in a case.
 enum class Scope : std::uint8_t { patch, layer, zone, channel };
 
-/// What kind of channel a sensor model applies to.
-enum class Reads : std::uint8_t { anything, temperature, place, pressure };
-
-struct ActiveEffect;
 struct MeasuredLoss;
 
-/// Materials, laws of the links and the tire, as a case gives them; property modifiers change them before a run.
-struct MaterialModel {
-    std::vector<Material> materials;  ///< [n_layers]
-    std::vector<Curve> link_laws;     ///< [n_links] k in W/(m K)
-    Tire tire;
-};
-
-/// What an effect knows when it places itself, once, before the first step.
-struct PlacementContext {
-    const mesh::Mesh& mesh;
-    const MaterialModel& material_model;
-    std::span<const ActiveEffect> effects;  ///< all that are on
-
-    [[nodiscard]] const ActiveEffect* find(std::string_view id) const;  ///< null when off
-};
-
-/// What property modifiers make of the thesis's laws at a moment, as far as it follows from the inputs.
-struct Laws {
-    double loss = 1.0;        ///< factor on the strain-energy loss
-    double loss_shift = 0.0;  ///< K, added to the equivalent temperature of its loss tangent
-    double loss_skew = 0.0;   ///< share of the loss that moves from the inside shoulder to the outside one
-    double partition = 1.0;   ///< factor on the share of the friction power that enters the tire
-    double forced = 1.0;      ///< factor on the forced part of the air convection
-};
-
-/// The inputs of a moment, after the input corrections, and the laws that hold.
-struct OperatingPoint {
-    const Tire& tire;
-    const Inputs& inputs;
-    const Laws& laws;
-};
-
-/// A factor on a law that follows a region's mean temperature.
-struct LossFactor {
-    double value = 1.0;
-    double dvalue_dT_mean = 0.0;  ///< 1/K
-    int region = 0;               ///< index into Mesh::regions
-};
-
-/// The state at which an effect adds its terms.
-struct EvaluationState {
-    const mesh::Mesh& mesh;
-    const MaterialModel& material_model;
-    std::span<const double> temperature;  ///< [n_nodes] K
-    std::span<const double> region_mean;  ///< [n_regions] K
-    const ActiveEffect& active;
-    std::span<const double> coefficients;        ///< [n_coefficients] of this effect
-    std::span<const LossFactor> loss_factors{};  ///< on the strain-energy loss
-};
-
-/// One physical cause, as plain data. Effects come in four classes, applied in this order; within a class their order
-/// does not matter, but for sensor models, whose order is that of the catalogue:
-///   - input corrections transform the inputs (`transform`) or the initial state (`start`);
-///   - property modifiers change properties (`modify_properties`), or laws from the inputs (`modify_laws`) or from
-///     temperatures (`scale_loss`);
-///   - heat effects work in two steps: `evaluate_coefficients` turns the inputs of a moment into a few coefficients,
-///     which do not depend on temperature and can therefore be integrated exactly along a logged series; `add_terms`
-///     turns coefficients and temperatures into conductances, exchanges and heat;
-///   - sensor models stand between the field and a channel (`read`, `lag`, `delay`, `depth_offset`).
-/// A function that an effect does not have is null.
+/// One physical cause, as plain data: facts that all effects have, and the class it belongs to with the functions of that
+/// class. The classes act in the order in which the variant lists them; within a class the order of the effects does not
+/// matter, but for sensor models, whose order is that of the catalogue.
 struct Effect {
     std::string_view id;
     Kind kind;
@@ -138,40 +78,24 @@ struct Effect {
     std::span<const std::string_view> patches{};  ///< standard patches, or empty if it acts elsewhere
     bool one_patch = false;                       ///< of these the first that the mesh has, not all
     bool on_layers = false;                       ///< acts on the layers that a case names
-    bool on_channels = false;                     ///< acts on the channels that a case names
-    bool by_deformation = false;                  ///< its heat is work of deformation: what rolling resistance pays for
-    bool travels = false;                         ///< its place goes round the tire with the wheel angle
-    bool before_lag = false;                      ///< a model of what the sensor sees, not of what it gives
-    Reads reads_what = Reads::anything;           ///< of a sensor model; `place`: the temperature at a point
-    int n_coefficients = 0;
-    FieldOf field = FieldOf::nothing;  ///< what a file of a structural code may give: the key `field` of a case
-    int frame_coefficients = 0;        ///< more coefficients, where such a field follows time; 0: it cannot
-
-    /// Adds lumped nodes and coupling faces to the mesh, once, when the effect is switched on.
-    void (*extend)(mesh::Mesh& mesh, ActiveEffect& active) = nullptr;
-    /// Heat capacity of its lumped nodes. @returns J/K, in the order of ActiveEffect::lumped_nodes
-    double (*capacity)(const ActiveEffect& active, std::size_t index) = nullptr;
-    void (*start)(const ActiveEffect& active, const mesh::Mesh& mesh, std::span<double> temperature) = nullptr;
-    void (*modify_properties)(const ActiveEffect& active, const mesh::Mesh& mesh,
-                              MaterialModel& material_model) = nullptr;
-    void (*place)(const PlacementContext& context, ActiveEffect& active) = nullptr;
-    void (*transform)(const ActiveEffect& active, Inputs& inputs) = nullptr;
-    void (*modify_laws)(const ActiveEffect& active, const Tire& tire, const Inputs& inputs, Laws& laws) = nullptr;
-    LossFactor (*scale_loss)(const EvaluationState& state) = nullptr;
-    void (*evaluate_coefficients)(const ActiveEffect& active, const OperatingPoint& point,
-                                  std::span<double> coefficients) = nullptr;
-    void (*add_terms)(const EvaluationState& state, Terms& terms) = nullptr;
-    bool gives_derivatives = true;  ///< otherwise they are taken by difference, for local dependence only
-    /// The sensor's output from the value before. @param position of the channel in ActiveEffect::channels
-    double (*read)(const ActiveEffect& active, std::size_t position, double value, const Inputs& logged) = nullptr;
-    double (*lag)(const ActiveEffect& active, std::size_t position) = nullptr;           ///< time constant, s
-    double (*delay)(const ActiveEffect& active, std::size_t position) = nullptr;         ///< s
-    double (*depth_offset)(const ActiveEffect& active, std::size_t position) = nullptr;  ///< m below the stated depth
     /// A sentence for the user when the numbers of a case cannot hold on this mesh, or an empty one.
     std::string (*invalid_on_mesh)(const ActiveEffect& active, const mesh::Mesh& mesh) = nullptr;
-    /// A sentence for the user when the temperatures that its patches saw leave the range its law is known for, or an
-    /// empty one. @param coldest, hottest K
-    std::string (*range_warning)(const ActiveEffect& active, double coldest, double hottest) = nullptr;
+    std::variant<InputCorrection, PropertyModifier, HeatEffect, SensorModel> model;
+
+    /// The effect as a member of one class, null when it belongs to another.
+    [[nodiscard]] const InputCorrection* input_correction() const { return std::get_if<InputCorrection>(&model); }
+    [[nodiscard]] const PropertyModifier* property_modifier() const { return std::get_if<PropertyModifier>(&model); }
+    [[nodiscard]] const HeatEffect* heat_effect() const { return std::get_if<HeatEffect>(&model); }
+    [[nodiscard]] const SensorModel* sensor_model() const { return std::get_if<SensorModel>(&model); }
+
+    /// How many coefficients follow from the inputs: none but for heat effects.
+    [[nodiscard]] int n_coefficients() const { return heat_effect() != nullptr ? heat_effect()->n_coefficients : 0; }
+    /// What a file of a structural code may give it: nothing but to heat effects.
+    [[nodiscard]] FieldOf field() const { return heat_effect() != nullptr ? heat_effect()->field : FieldOf::nothing; }
+    /// Finds where it acts, once, before the first step; nothing to find for most effects.
+    void place(const PlacementContext& context, ActiveEffect& active) const;
+    /// Its law of the loss, as a property modifier or as a heat effect; null when it has none.
+    [[nodiscard]] LossLaw loss_law() const;
 };
 
 /// An effect switched on, with its numbers.
@@ -222,7 +146,7 @@ struct ActiveEffect {
 [[nodiscard]] int find_choice(const Effect& effect, std::string_view key);
 [[nodiscard]] int find_table(const Effect& effect, std::string_view key);
 
-/// The same effect with the coefficients that a field in frames needs. @pre effect.frame_coefficients > 0
+/// The same effect with the coefficients that a field in frames needs. @pre it is a heat effect with frame_coefficients > 0
 [[nodiscard]] const Effect& in_frames(const Effect& effect);
 
 /// The catalogue, in the order of effects.list.

@@ -1,9 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The units in which users see channels.
 #pragma once
 
-#include "solver/celsius.hpp"
-#include "solver/problem.hpp"
+#include <cstdint>
 
 namespace tiretherm::solver {
+
+enum class Quantity : std::uint8_t;
 
 /// How users see a channel's values.
 struct ShownUnit {
@@ -16,30 +19,6 @@ struct ShownUnit {
     [[nodiscard]] constexpr double difference(double si) const { return factor * si; }
 };
 
-[[nodiscard]] constexpr ShownUnit shown_unit(solver::Quantity quantity) {
-    switch (quantity) {
-        case solver::Quantity::temperature:
-        case solver::Quantity::surface_at_entry:
-        case solver::Quantity::surface_at_exit:
-            return {.name = "degC", .zero = zero_celsius};
-        case solver::Quantity::drag_force:
-            return {.name = "N"};
-        case solver::Quantity::rolling_moment:
-            return {.name = "N m"};
-        case solver::Quantity::loaded_radius:
-            return {.name = "mm", .factor = 1e3};
-        case solver::Quantity::cornering_stiffness:
-            return {.name = "N/rad"};
-        case solver::Quantity::gas_pressure:
-            return {.name = "kPa", .factor = 1e-3};
-        case solver::Quantity::bulk_temperature_factor:
-            return {.name = "-"};
-        case solver::Quantity::lateral_force:
-        case solver::Quantity::reference_lateral_force:
-        case solver::Quantity::longitudinal_force:
-            return {.name = "N"};
-    }
-    return {.name = "1"};
-}
+[[nodiscard]] ShownUnit shown_unit(Quantity quantity);
 
 }  // namespace tiretherm::solver

@@ -1,9 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Series, their values at a time, and the union of their points.
 #include "solver/input_signals.hpp"
 
 #include <algorithm>
 #include <iterator>
 
 namespace tiretherm::solver {
+
+namespace {
+
+/// @param all ascending, unique  @param more in any order, with doubles
+void merge(std::vector<double>& all, std::vector<double> more) {
+    std::ranges::sort(more);
+    std::vector<double> merged;
+    std::ranges::set_union(all, more, std::back_inserter(merged));
+    merged.erase(std::unique(merged.begin(), merged.end()), merged.end());
+    all = std::move(merged);
+}
+
+}  // namespace
 
 double Series::at(double t, JumpSide side) const {
     const auto next = side == JumpSide::after ? std::upper_bound(time.begin(), time.end(), t)
@@ -35,16 +50,14 @@ void InputSignals::add(Series series) {
         const bool jump = i > 0 && series.time[i] == series.time[i - 1];
         (series.logged && !jump ? samples : stops).push_back(series.time[i]);
     }
-    const auto merge = [](std::vector<double>& all, const std::vector<double>& more) {
-        std::vector<double> merged;
-        std::set_union(all.begin(), all.end(), more.begin(), more.end(), std::back_inserter(merged));
-        merged.erase(std::unique(merged.begin(), merged.end()), merged.end());
-        all = std::move(merged);
-    };
-    merge(stops_, stops);
-    merge(samples_, samples);
+    add_break_times(std::move(stops));
+    add_sample_times(std::move(samples));
     series_.push_back(std::move(series));
 }
+
+void InputSignals::add_break_times(std::vector<double> times) { merge(stops_, std::move(times)); }
+
+void InputSignals::add_sample_times(std::vector<double> times) { merge(samples_, std::move(times)); }
 
 bool InputSignals::gives(const physics::Signal& signal) const {
     return std::find(given_.begin(), given_.end(), &signal) != given_.end();

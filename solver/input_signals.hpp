@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The inputs of a run against time, and the times that its steps have to see.
 #pragma once
 
 #include <cstdint>
@@ -28,14 +30,20 @@ public:
     void add(const physics::Signal& signal, double constant);
     void add(Series series);
 
+    /// Times a step must end on though no input has a point there: jumps of signals that are no inputs. @param times s
+    void add_break_times(std::vector<double> times);
+    /// Times between which the inputs, and what follows from them, are averaged in pieces as between the samples of a
+    /// log: those of a user's signal, or of a field that follows time. @param times s
+    void add_sample_times(std::vector<double> times);
+
     /// The run's start, from which effects that drift count. @param t s
     void start_at(double t) { start_ = t; }
 
     [[nodiscard]] bool gives(const physics::Signal& signal) const;
     [[nodiscard]] physics::Inputs at(double t, JumpSide side) const;
-    /// Times a step must end on: points of schedules, and jumps of logged series. Ascending, unique.
+    /// Times a step must end on: points of schedules, jumps of logged series, break times. Ascending, unique.
     [[nodiscard]] const std::vector<double>& stops() const { return stops_; }
-    /// Times of logged samples of any series. Ascending, unique.
+    /// Times of logged samples of any series, and sample times. Ascending, unique.
     [[nodiscard]] const std::vector<double>& samples() const { return samples_; }
     [[nodiscard]] std::span<const Series> series() const { return series_; }
     [[nodiscard]] const physics::Inputs& constants() const { return constants_; }

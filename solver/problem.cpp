@@ -1,5 +1,6 @@
 #include "solver/problem.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -7,35 +8,15 @@
 
 namespace tiretherm::solver {
 
-std::string_view unit_of(Quantity quantity) {
-    switch (quantity) {
-        case Quantity::temperature:
-        case Quantity::surface_at_entry:
-        case Quantity::surface_at_exit:
-            return "K";
-        case Quantity::drag_force:
-            return "N";
-        case Quantity::rolling_moment:
-            return "N m";
-        case Quantity::loaded_radius:
-            return "m";
-        case Quantity::cornering_stiffness:
-            return "N rad-1";
-        case Quantity::gas_pressure:
-            return "Pa";
-        case Quantity::bulk_temperature_factor:
-            return "1";
-        case Quantity::lateral_force:
-        case Quantity::reference_lateral_force:
-        case Quantity::longitudinal_force:
-            return "N";
-    }
-    return "1";
+const CameraChannels* Problem::camera_of(int channel) const {
+    const auto found =
+        std::ranges::find_if(cameras, [&](const CameraChannels& camera) { return camera.contains(channel); });
+    return found == cameras.end() ? nullptr : &*found;
 }
 
 std::size_t switch_on(Problem& problem, physics::ActiveEffect active, double start) {
-    if (active.effect->extend != nullptr) {
-        active.effect->extend(problem.mesh, active);
+    if (const physics::HeatEffect* heat = active.effect->heat_effect(); heat != nullptr && heat->extend != nullptr) {
+        heat->extend(problem.mesh, active);
         if (!problem.initial.empty()) {
             problem.initial.resize(static_cast<std::size_t>(problem.mesh.n_nodes), start);
         }

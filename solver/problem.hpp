@@ -2,8 +2,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "mesh/mesh.hpp"
@@ -12,6 +12,7 @@
 #include "physics/tire_laws/magic_formula.hpp"
 #include "solver/input_signals.hpp"
 #include "solver/linear/factor.hpp"
+#include "solver/quantity.hpp"
 
 namespace tiretherm::solver {
 
@@ -30,24 +31,6 @@ struct Settings {
     LinearSolver linear_solver = LinearSolver::automatic;
 };
 
-/// What a channel reads. Temperatures are functionals of the nodes; the others follow from the tire's laws, the inputs
-/// and, where it says so, the temperature of `where`.
-enum class Quantity : std::uint8_t {
-    temperature,              ///< K
-    drag_force,               ///< N, rolling resistance of all that is lost by deformation (51)
-    rolling_moment,           ///< N m (50)
-    loaded_radius,            ///< m (37)
-    cornering_stiffness,      ///< N/rad, at the temperature of `where` (52)
-    gas_pressure,             ///< Pa above the atmosphere, heated at constant volume to the temperature of `where`
-    bulk_temperature_factor,  ///< lambda_Tb of the Magic Formula at the temperature of `where` (60)
-    lateral_force,            ///< N, Magic Formula with the cornering stiffness at the temperature of `where` (59)
-    reference_lateral_force,  ///< N, Magic Formula that knows no temperature (10)
-    longitudinal_force,       ///< N, Magic Formula in pure longitudinal slip (8)
-    surface_at_entry,         ///< K, where the tread meets the road, in each revolution of which `where` is the mean
-    surface_at_exit           ///< K, where it leaves the road
-};
-[[nodiscard]] std::string_view unit_of(Quantity quantity);  ///< SI, as UDUNITS reads it
-
 /// The laws by which temperature reaches vehicle dynamics.
 struct Handling {
     physics::EquivalentModulus modulus;                  ///< of the cornering stiffness
@@ -63,6 +46,20 @@ struct Channel {
     Quantity quantity = Quantity::temperature;
     std::optional<mesh::Point> point{};          ///< m, of a sensor at a point
     std::optional<double> standard_deviation{};  ///< of the sensor, as its data sheet says, in the quantity's unit
+};
+
+/// The channels of a camera, one for each node of the surface that it looks at. Its pixels are means over them.
+struct CameraChannels {
+    std::string camera;
+    std::size_t first = 0;  ///< index into Problem::channels
+    std::size_t count = 0;
+
+    [[nodiscard]] std::size_t end() const { return first + count; }
+    [[nodiscard]] bool contains(int channel) const {
+        return channel >= 0 && static_cast<std::size_t>(channel) >= first && static_cast<std::size_t>(channel) < end();
+    }
+    /// Those of the camera among values of all channels. @param all [n_channels]  @returns [count]
+    [[nodiscard]] std::span<const double> of(std::span<const double> all) const { return all.subspan(first, count); }
 };
 
 /// A measured value quoted by a source, to stand beside the simulated one.
@@ -89,9 +86,15 @@ struct Problem {
     InputSignals input_signals;
     std::vector<double> initial;  ///< [n_nodes] K
     Settings settings;
-    std::vector<Channel> channels;
+    std::vector<Channel> channels;        ///< of sensors, then of cameras
+    std::vector<CameraChannels> cameras;  ///< whose channels are the last ones
     std::vector<Measured> measured;
     double symmetry = 1.0;  ///< the tire or specimen is this many times the mesh (4 for a quarter)
+
+    /// How many channels belong to sensors: they come before those of cameras.
+    [[nodiscard]] std::size_t n_sensors() const { return cameras.empty() ? channels.size() : cameras.front().first; }
+    /// The camera that a channel belongs to, null for a sensor's.
+    [[nodiscard]] const CameraChannels* camera_of(int channel) const;
 };
 
 /// Switches an effect on: its lumped nodes are added to the mesh at the temperature `start`.

@@ -33,9 +33,9 @@ System::System(const Problem& problem)
     settle_effects();
     for (const physics::ActiveEffect& active : effects_) {
         first_coefficient_.push_back(n_coefficients_);
-        n_coefficients_ += at(active.effect->n_coefficients);
+        n_coefficients_ += at(active.effect->n_coefficients());
         for (std::size_t i = 0; i < active.lumped_nodes.size(); ++i) {
-            lump_[at(active.lumped_nodes[i])] += active.effect->capacity(active, i);
+            lump_[at(active.lumped_nodes[i])] += active.effect->heat_effect()->capacity(active, i);
         }
     }
     for (int node = 0; node < problem.mesh.n_nodes; ++node) {
@@ -47,25 +47,24 @@ System::System(const Problem& problem)
 /// Properties first, then places: a share by mass must see the mass that counts.
 void System::settle_effects() {
     for (const physics::ActiveEffect& active : effects_) {
-        if (active.effect->modify_properties != nullptr) {
-            active.effect->modify_properties(active, problem_->mesh, material_model_);
+        const physics::PropertyModifier* modifier = active.effect->property_modifier();
+        if (modifier != nullptr && modifier->modify_properties != nullptr) {
+            modifier->modify_properties(active, problem_->mesh, material_model_);
         }
     }
     for (physics::ActiveEffect& active : effects_) {
-        if (active.effect->place != nullptr) {
-            active.effect->place({.mesh = problem_->mesh, .material_model = material_model_, .effects = effects_},
-                                 active);
-        }
+        active.effect->place({.mesh = problem_->mesh, .material_model = material_model_, .effects = effects_}, active);
     }
-    const auto scales = [](const physics::ActiveEffect& active) { return active.effect->scale_loss != nullptr; };
+    const auto scales = [](const physics::ActiveEffect& active) { return active.effect->loss_law() != nullptr; };
     loss_factors_.reserve(at(static_cast<int>(std::count_if(effects_.begin(), effects_.end(), scales))));
 }
 
 std::vector<double> System::initial() const {
     std::vector<double> T = problem_->initial;
     for (const physics::ActiveEffect& active : effects_) {
-        if (active.effect->start != nullptr) {
-            active.effect->start(active, problem_->mesh, T);
+        const physics::InputCorrection* correction = active.effect->input_correction();
+        if (correction != nullptr && correction->start != nullptr) {
+            correction->start(active, problem_->mesh, T);
         }
     }
     return T;
@@ -80,28 +79,34 @@ double System::capacity(std::size_t node, double T) const {
 
 physics::Inputs System::transformed(physics::Inputs inputs) const {
     for (const physics::ActiveEffect& active : effects_) {
-        if (active.effect->transform != nullptr) {
-            active.effect->transform(active, inputs);
+        const physics::InputCorrection* correction = active.effect->input_correction();
+        if (correction != nullptr && correction->transform != nullptr) {
+            correction->transform(active, inputs);
         }
     }
     return inputs;
 }
 
 void System::evaluate_coefficients(const physics::Inputs& logged, std::span<double> out) const {
+    evaluate_coefficients(logged, out, std::nullopt);
+}
+
+void System::evaluate_coefficients(const physics::Inputs& logged, std::span<double> out, LeftOut left_out) const {
     const physics::Inputs inputs = transformed(logged);
     physics::Laws laws;
     for (std::size_t e = 0; e < effects_.size(); ++e) {
         const physics::ActiveEffect& active = effects_[e];
-        if (active.effect->modify_laws != nullptr && e != excluded_effect_) {
-            active.effect->modify_laws(active, material_model_.tire, inputs, laws);
+        const physics::PropertyModifier* modifier = active.effect->property_modifier();
+        if (modifier != nullptr && modifier->modify_laws != nullptr && e != left_out) {
+            modifier->modify_laws(active, material_model_.tire, inputs, laws);
         }
     }
     const physics::OperatingPoint point{.tire = material_model_.tire, .inputs = inputs, .laws = laws};
     for (std::size_t e = 0; e < effects_.size(); ++e) {
         const physics::ActiveEffect& active = effects_[e];
-        if (active.effect->evaluate_coefficients != nullptr) {
-            active.effect->evaluate_coefficients(active, point,
-                                                 out.subspan(first_coefficient_[e], at(active.effect->n_coefficients)));
+        const physics::HeatEffect* heat = active.effect->heat_effect();
+        if (heat != nullptr && heat->evaluate_coefficients != nullptr) {
+            heat->evaluate_coefficients(active, point, out.subspan(first_coefficient_[e], at(heat->n_coefficients)));
         }
     }
 }
@@ -116,42 +121,47 @@ physics::EvaluationState System::evaluation_state(std::size_t e, std::span<const
                                                   std::span<const double> means,
                                                   std::span<const double> coefficients) const {
     const physics::ActiveEffect& active = effects_[e];
+    const std::size_t n = at(active.effect->n_coefficients());
     return {.mesh = problem_->mesh,
             .material_model = material_model_,
             .temperature = T,
             .region_mean = means,
             .active = active,
-            .coefficients = coefficients.subspan(first_coefficient_[e], at(active.effect->n_coefficients)),
+            .coefficients = n > 0 ? coefficients.subspan(first_coefficient_[e], n) : std::span<const double>(),
             .loss_factors = loss_factors_};
 }
 
-void System::find_loss_factors(std::span<const double> T, std::span<const double> means) const {
+void System::find_loss_factors(std::span<const double> T, std::span<const double> means, LeftOut left_out) const {
     loss_factors_.clear();
     for (std::size_t e = 0; e < effects_.size(); ++e) {
-        const physics::Effect& effect = *effects_[e].effect;
-        if (effect.scale_loss != nullptr && e != excluded_effect_) {
-            loss_factors_.push_back(effect.scale_loss({.mesh = problem_->mesh,
-                                                       .material_model = material_model_,
-                                                       .temperature = T,
-                                                       .region_mean = means,
-                                                       .active = effects_[e],
-                                                       .coefficients = {}}));
+        const physics::LossLaw scale = effects_[e].effect->loss_law();
+        if (scale != nullptr && e != left_out) {
+            loss_factors_.push_back(scale({.mesh = problem_->mesh,
+                                           .material_model = material_model_,
+                                           .temperature = T,
+                                           .region_mean = means,
+                                           .active = effects_[e],
+                                           .coefficients = {}}));
         }
     }
 }
 
 void System::evaluate(std::span<const double> T, std::span<const double> coefficients) {
+    evaluate(T, coefficients, std::nullopt);
+}
+
+void System::evaluate(std::span<const double> T, std::span<const double> coefficients, LeftOut left_out) {
     terms_.begin(T);
     find_means(T, means_);
-    find_loss_factors(T, means_);
+    find_loss_factors(T, means_, left_out);
     for (std::size_t e = 0; e < effects_.size(); ++e) {
-        const physics::Effect& effect = *effects_[e].effect;
-        if (effect.add_terms == nullptr) {
+        const physics::HeatEffect* heat = effects_[e].effect->heat_effect();
+        if (heat == nullptr) {
             continue;
         }
         terms_.attribute_to(e);
-        if (effect.gives_derivatives) {
-            effect.add_terms(evaluation_state(e, T, means_, coefficients), terms_);
+        if (heat->gives_derivatives) {
+            heat->add_terms(evaluation_state(e, T, means_, coefficients), terms_);
             continue;
         }
         for (std::size_t i = 0; i < T.size(); ++i) {
@@ -162,8 +172,8 @@ void System::evaluate(std::span<const double> T, std::span<const double> coeffic
         there_.begin(shifted_);
         here_.attribute_to(e);
         there_.attribute_to(e);
-        effect.add_terms(evaluation_state(e, T, means_, coefficients), here_);
-        effect.add_terms(evaluation_state(e, shifted_, shifted_means_, coefficients), there_);
+        heat->add_terms(evaluation_state(e, T, means_, coefficients), here_);
+        heat->add_terms(evaluation_state(e, shifted_, shifted_means_, coefficients), there_);
         terms_.add_difference(here_, there_, difference_step);
     }
     std::copy(terms_.node_q.begin(), terms_.node_q.end(), flow_.begin());
@@ -176,12 +186,12 @@ void System::evaluate(std::span<const double> T, std::span<const double> coeffic
 }
 
 void System::find_flow_of(std::span<const std::size_t> which, std::span<const double> T, std::span<const double> means,
-                          std::span<const double> coefficients, std::span<double> q) {
+                          std::span<const double> coefficients, std::span<double> q) const {
     here_.begin(T);
-    find_loss_factors(T, means);
+    find_loss_factors(T, means, std::nullopt);
     for (const std::size_t e : which) {
         here_.attribute_to(e);
-        effects_[e].effect->add_terms(evaluation_state(e, T, means, coefficients), here_);
+        effects_[e].effect->heat_effect()->add_terms(evaluation_state(e, T, means, coefficients), here_);
     }
     std::copy(here_.node_q.begin(), here_.node_q.end(), q.begin());
     if (!here_.faces_used) {
@@ -195,17 +205,16 @@ void System::find_flow_of(std::span<const std::size_t> which, std::span<const do
     }
 }
 
-double System::share_of_law(std::size_t effect, std::span<const double> T, const physics::Inputs& logged) {
+double System::total_heat(std::span<const double> T, const physics::Inputs& logged, LeftOut left_out) {
     std::vector<double> coefficients(n_coefficients_);
-    const auto total = [&] {
-        evaluate_coefficients(logged, coefficients);
-        evaluate(T, coefficients);
-        return std::accumulate(terms_.watts.begin(), terms_.watts.end(), 0.0);
-    };
-    const double with = total();
-    excluded_effect_ = effect;
-    const double without = total();
-    excluded_effect_ = static_cast<std::size_t>(-1);
+    evaluate_coefficients(logged, coefficients, left_out);
+    evaluate(T, coefficients, left_out);
+    return std::accumulate(terms_.watts.begin(), terms_.watts.end(), 0.0);
+}
+
+double System::share_of_law(std::size_t effect, std::span<const double> T, const physics::Inputs& logged) {
+    const double with = total_heat(T, logged, std::nullopt);
+    const double without = total_heat(T, logged, effect);
     return with - without;
 }
 
@@ -231,15 +240,16 @@ int System::first_not_finite() const {
 
 std::string System::largest_heat_source(int node, std::span<const double> T, std::span<const double> coefficients) {
     find_means(T, means_);
-    find_loss_factors(T, means_);
+    find_loss_factors(T, means_, std::nullopt);
     double largest = -1.0;
     std::string name = "none";
     for (std::size_t e = 0; e < effects_.size(); ++e) {
-        if (effects_[e].effect->add_terms == nullptr) {
+        const physics::HeatEffect* heat = effects_[e].effect->heat_effect();
+        if (heat == nullptr) {
             continue;
         }
         here_.begin(T);
-        effects_[e].effect->add_terms(evaluation_state(e, T, means_, coefficients), here_);
+        heat->add_terms(evaluation_state(e, T, means_, coefficients), here_);
         double watts = std::abs(here_.node_q[at(node)]);
         for (std::size_t f = 0; f < problem_->mesh.faces.size(); ++f) {
             const mesh::Face& face = problem_->mesh.faces[f];
@@ -266,7 +276,7 @@ std::string describe_node(const mesh::Mesh& mesh, int node) {
     }
     const auto& [x, y, z] = mesh.centre[at(node)];
     const std::string layer = mesh.layers[at(mesh.layer[at(node)])];
-    if (mesh.kind == "two_node") {
+    if (mesh.is_lumped()) {
         return fmt::format("the {} node", layer);
     }
     const std::string what = node < mesh.n_cells ? fmt::format("cell {}", node) : "the surface";
@@ -275,7 +285,7 @@ std::string describe_node(const mesh::Mesh& mesh, int node) {
                            mesh.zones[at(mesh.zone[at(node)])], 1e3 * x,
                            mesh.sectors > 1 ? fmt::format(", {:.1f} mm around", 1e3 * y) : "", 1e3 * z);
     }
-    if (mesh.kind == "layers") {
+    if (mesh.stack) {
         return fmt::format("{} of layer {}, {:.2f} mm deep", what, layer, 1e3 * z);
     }
     return fmt::format("{} of layer {}, x {:.2f} mm, y {:.2f} mm, {:.2f} mm deep", what, layer, 1e3 * x, 1e3 * y,

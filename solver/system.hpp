@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -40,18 +41,20 @@ public:
     void evaluate(std::span<const double> T, std::span<const double> coefficients);
     /// The terms of the last evaluation.
     [[nodiscard]] const physics::Terms& terms() const { return terms_; }
-    /// Heat of all effects at T under the inputs, less what it would be without one property modifier. @returns W
+    /// Heat of all effects at T under the inputs, less what it would be without the law of one effect. @returns W
     [[nodiscard]] double share_of_law(std::size_t effect, std::span<const double> T, const physics::Inputs& logged);
     /// Heat flow into each node on account of some effects alone; the terms of the last evaluation stay.
     /// @param which indices into effects()  @param means of the regions at T  @param q out, [n_nodes] W
     void find_flow_of(std::span<const std::size_t> which, std::span<const double> T, std::span<const double> means,
-                      std::span<const double> coefficients, std::span<double> q);
+                      std::span<const double> coefficients, std::span<double> q) const;
+    /// Mean temperature of every region at T [n_nodes] K. @param means out, [n_regions] K
+    void find_means(std::span<const double> T, std::span<double> means) const;
     /// Mean temperature of every region at the last evaluation. @returns [n_regions] K
     [[nodiscard]] std::span<const double> means() const { return means_; }
     /// An effect's coefficients among those of all.
     [[nodiscard]] std::span<const double> coefficients_of(std::size_t effect, std::span<const double> all) const {
         return all.subspan(first_coefficient_[effect],
-                           static_cast<std::size_t>(effects_[effect].effect->n_coefficients));
+                           static_cast<std::size_t>(effects_[effect].effect->n_coefficients()));
     }
     /// Heat flow into each node at the last evaluation. @returns [n_nodes] W
     [[nodiscard]] std::span<const double> heat_flow() const { return flow_; }
@@ -78,17 +81,21 @@ private:
     [[nodiscard]] physics::EvaluationState evaluation_state(std::size_t effect, std::span<const double> T,
                                                             std::span<const double> means,
                                                             std::span<const double> coefficients) const;
-    void find_loss_factors(std::span<const double> T, std::span<const double> means) const;
+    /// An effect whose law is left out, to find what the law does; empty in every run.
+    using LeftOut = std::optional<std::size_t>;
+    void evaluate_coefficients(const physics::Inputs& logged, std::span<double> out, LeftOut left_out) const;
+    void evaluate(std::span<const double> T, std::span<const double> coefficients, LeftOut left_out);
+    void find_loss_factors(std::span<const double> T, std::span<const double> means, LeftOut left_out) const;
+    [[nodiscard]] double total_heat(std::span<const double> T, const physics::Inputs& logged, LeftOut left_out);
     [[nodiscard]] std::string largest_heat_source(int node, std::span<const double> T,
                                                   std::span<const double> coefficients);
-    void find_means(std::span<const double> T, std::span<double> means) const;
 
     const Problem* problem_;
     Pattern pattern_;
     std::size_t n_coefficients_ = 0;
     std::vector<std::size_t> first_coefficient_;  ///< [n_effects]
     physics::Terms terms_;
-    physics::Terms here_;  ///< for derivatives by difference
+    mutable physics::Terms here_;  ///< to work in: derivatives by difference, some effects alone
     physics::Terms there_;
     std::vector<double> means_;
     std::vector<double> shifted_means_;
@@ -99,7 +106,6 @@ private:
     std::vector<double> mass_;  ///< [n_nodes] kg, density * volume; 0 for surfaces and lumped nodes
     std::vector<double> lump_;  ///< [n_nodes] J/K of a lumped node
     mutable std::vector<physics::LossFactor> loss_factors_;
-    std::size_t excluded_effect_ = static_cast<std::size_t>(-1);  ///< a property modifier that is being left out
 };
 
 /// A place in words: "cell 12 of layer tread, 3.2 mm deep".

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Effects that a user writes: their signals as tables, their places, and what can be wrong with them.
 #include "solver/user_effect.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <stdexcept>
 
@@ -39,45 +40,12 @@ SignalHistory tidy(const SignalHistory& history, std::vector<double>& stops) {
     return kept;
 }
 
-/// The same input with more points on it, so that the steps see them: the straight lines stay as they are.
-void add_points(InputSignals& input_signals, const std::vector<double>& times, bool logged) {
-    const std::vector<double>& known = logged ? input_signals.samples() : input_signals.stops();
-    std::vector<double> missing;
-    std::ranges::set_difference(times, known, std::back_inserter(missing));
-    if (missing.empty()) {
-        return;
-    }
-    // A constant input stays one. A series takes its own points along.
-    const auto series = input_signals.series();
-    const auto is_constant = [&](const physics::Signal& signal) {
-        return input_signals.gives(signal) &&
-               std::ranges::none_of(series, [&](const Series& s) { return s.signal == &signal; });
-    };
-    const auto constant = std::ranges::find_if(physics::signals(), is_constant);
-    Series carrier{.signal = &physics::signals().front(), .time = times, .value = {}, .logged = logged};
-    if (constant != physics::signals().end()) {
-        carrier.signal = &*constant;
-    } else if (!series.empty()) {
-        carrier.signal = series.front().signal;
-        carrier.time.clear();
-        std::ranges::set_union(series.front().time, times, std::back_inserter(carrier.time));
-    }
-    for (std::size_t i = 0; i < carrier.time.size(); ++i) {
-        const bool after = i > 0 && carrier.time[i] == carrier.time[i - 1];
-        carrier.value.push_back(input_signals.at(carrier.time[i], after ? JumpSide::after : JumpSide::before).*
-                                (carrier.signal->member));
-    }
-    input_signals.add(std::move(carrier));
-}
-
-/// A signal as an effect's table, against the time since the run's start.
+/// A signal as an effect's table, against the time since the run's start; the steps see its points.
 physics::Curve table_of(const SignalHistory& history, InputSignals& input_signals) {
     std::vector<double> stops;
     SignalHistory kept = tidy(history, stops);
-    add_points(input_signals, kept.time, true);
-    std::ranges::sort(stops);
-    stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
-    add_points(input_signals, stops, false);
+    input_signals.add_sample_times(kept.time);
+    input_signals.add_break_times(stops);
     for (double& t : kept.time) {
         t = input_signals.at(t, JumpSide::before).time;
     }

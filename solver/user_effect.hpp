@@ -34,7 +34,8 @@ struct UserEffect {
 [[nodiscard]] std::vector<std::string> defects(const Problem& problem, const UserEffect& user_effect);
 
 /// Switches it on. Its size is the first parameter of the effect (`watts` or `conductance`), which a fit may move; it
-/// counts from the run's start, so the input signals must know that. Samples of its signal become samples of theirs.
+/// counts from the run's start, so the input signals must know that. They learn at which times the signal has samples and
+/// where it jumps; no input is added to them.
 /// @returns its index in problem.effects
 /// @errors std::invalid_argument with the first of the defects; the problem is left untouched
 std::size_t add_user_effect(Problem& problem, const UserEffect& user_effect);

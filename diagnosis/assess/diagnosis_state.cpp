@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "input/parameters/parameter_path.hpp"
+
 namespace tiretherm::diagnosis {
 
 namespace {
@@ -64,7 +66,7 @@ Cause describe_cause(const DiagnosisState& found, const FittedHypothesis& one, s
         cause.instead_of = candidate.absent;
     }
     if (candidate.channel >= 0) {
-        cause.channel = sensor_of(problem, candidate.channel);
+        cause.channel = input::sensor_of(problem, candidate.channel);
     }
     if (candidate.layer >= 0) {
         cause.place = problem.mesh.layers[static_cast<std::size_t>(candidate.layer)];
@@ -157,7 +159,7 @@ void find_limits(const DiagnosisState& found, Diagnosis& into) {
         const solver::Problem& problem = score_data.experiment->runs.front().problem;
         into.limits.push_back(
             {.id = std::string(candidate.effect->id),
-             .channel = candidate.channel >= 0 ? sensor_of(problem, candidate.channel) : "",
+             .channel = candidate.channel >= 0 ? input::sensor_of(problem, candidate.channel) : "",
              .place = candidate.layer >= 0 ? problem.mesh.layers[static_cast<std::size_t>(candidate.layer)] : "",
              .key = std::string(candidate.number().key),
              .unit = std::string(candidate.number().unit),

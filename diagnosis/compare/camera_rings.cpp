@@ -41,11 +41,11 @@ double farthest_of(const input::MeasuredFrames& frames, const solver::Problem& p
 /// A camera of the experiment, and the rings that any run sees of it.
 struct Seen {
     std::string name;
-    std::size_t first_channel = 0;  ///< of its nodes
-    std::size_t n_channels = 0;
+    solver::CameraChannels nodes;  ///< its channels as they are
     double farthest = 0.0;
     std::size_t rings = 0;
     std::size_t new_channel = 0;  ///< of its first ring
+    [[nodiscard]] std::size_t first_node() const { return nodes.first; }
 };
 
 std::vector<Seen> cameras_of(const input::Experiment& experiment) {
@@ -54,15 +54,14 @@ std::vector<Seen> cameras_of(const input::Experiment& experiment) {
         for (const input::MeasuredFrames& frames : run.frames) {
             auto known = std::ranges::find(all, frames.camera, &Seen::name);
             if (known == all.end()) {
-                all.push_back(
-                    {.name = frames.camera, .first_channel = frames.first_channel, .n_channels = frames.n_channels});
+                all.push_back({.name = frames.camera, .nodes = frames.channels});
                 known = all.end() - 1;
             }
             known->farthest = std::max(known->farthest, farthest_of(frames, run.problem));
             known->rings = most_rings;
         }
     }
-    std::ranges::sort(all, {}, &Seen::first_channel);
+    std::ranges::sort(all, {}, &Seen::first_node);
     return all;
 }
 
@@ -119,7 +118,9 @@ std::vector<double> means_of(const std::vector<double>& pixels, const std::vecto
 /// Puts the rings in the place of a problem's nodes; effects on them follow.
 void change_channels(solver::Problem& problem, const std::vector<Seen>& cameras, std::size_t first) {
     problem.channels.resize(first);
+    problem.cameras.clear();
     for (const Seen& camera : cameras) {
+        problem.cameras.push_back({.camera = camera.name, .first = camera.new_channel, .count = camera.rings});
         for (std::size_t k = 0; k < camera.rings; ++k) {
             solver::Channel channel;
             channel.name = fmt::format("{} {}", camera.name, k + 1);
@@ -140,7 +141,7 @@ void change_channels(solver::Problem& problem, const std::vector<Seen>& cameras,
         std::ranges::copy_if(active.channels, std::back_inserter(channels),
                              [&](int channel) { return static_cast<std::size_t>(channel) < first; });
         for (const Seen& camera : cameras) {
-            const auto old = static_cast<int>(camera.first_channel);
+            const auto old = static_cast<int>(camera.first_node());
             const bool acts = std::ranges::find(active.channels, old) != active.channels.end();
             for (std::size_t k = 0; acts && k < camera.rings; ++k) {
                 const auto now = static_cast<int>(camera.new_channel + k);
@@ -213,7 +214,7 @@ input::Experiment in_rings(input::Experiment experiment, std::vector<std::string
     if (cameras.empty()) {
         return experiment;
     }
-    const std::size_t first = cameras.front().first_channel;
+    const std::size_t first = cameras.front().first_node();
     std::size_t next = first;
     for (Seen& camera : cameras) {
         camera.new_channel = next;

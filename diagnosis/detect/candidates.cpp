@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "physics/camera.hpp"
+#include "input/parameters/parameter_path.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -52,11 +52,12 @@ bool is_on(const solver::Problem& problem, const Effect& effect) {
 /// Whether the effect's inputs are given in every run and its places are there.
 bool can_act(const input::Experiment& experiment, const Effect& effect) {
     const solver::Problem& problem = experiment.runs.front().problem;
-    if (effect.travels) {  // the same cause, averaged over a revolution, is resolved_contact
+    if (const physics::HeatEffect* heat = effect.heat_effect();
+        heat != nullptr && heat->travels) {  // the same cause, averaged over a revolution, is resolved_contact
         return false;
     }
     const bool has_tire = std::ranges::any_of(problem.effects, [](const auto& a) { return a.effect->needs_tire; });
-    if ((effect.needs_tire && !has_tire) || (effect.needs_grid && problem.mesh.kind == "two_node")) {
+    if ((effect.needs_tire && !has_tire) || (effect.needs_grid && problem.mesh.is_lumped())) {
         return false;
     }
     for (const std::string_view signal : effect.reads) {
@@ -83,20 +84,20 @@ bool is_seen(const mesh::Mesh& mesh, const solver::Channel& channel) {
 
 bool can_read(const Effect& effect, const solver::Problem& problem, const solver::Channel& channel) {
     const bool is_temperature = channel.quantity == solver::Quantity::temperature;
-    switch (effect.reads_what) {
-        case physics::Reads::anything:
+    switch (effect.sensor_model()->applies_to) {
+        case physics::ChannelsOf::anything:
             break;
-        case physics::Reads::temperature:
+        case physics::ChannelsOf::temperature:
             if (!is_temperature) {
                 return false;
             }
             break;
-        case physics::Reads::place:
+        case physics::ChannelsOf::temperature_at_point:
             if (!is_temperature || !channel.point) {
                 return false;
             }
             break;
-        case physics::Reads::pressure:
+        case physics::ChannelsOf::pressure:
             if (channel.quantity != solver::Quantity::gas_pressure) {
                 return false;
             }
@@ -119,15 +120,6 @@ std::vector<int> measured_channels(const input::Experiment& experiment) {
     std::ranges::sort(channels);
     channels.erase(std::unique(channels.begin(), channels.end()), channels.end());
     return channels;
-}
-
-/// The camera whose channels one belongs to, null for any other sensor.
-const physics::ActiveEffect* camera_of(const solver::Problem& problem, int channel) {
-    const auto found = std::ranges::find_if(problem.effects, [&](const physics::ActiveEffect& active) {
-        return active.effect == &physics::camera_pose() &&
-               std::ranges::find(active.channels, channel) != active.channels.end();
-    });
-    return found == problem.effects.end() ? nullptr : &*found;
 }
 
 /// One number of an effect at one place, in all its shapes.
@@ -163,10 +155,11 @@ void add(std::vector<Candidate>& all, const Candidate& plain) {
     }
 }
 
-/// @param chosen ids of effects, or of one number of them: "layer_conductivity.scale"; empty: all
-bool is_chosen(const std::vector<std::string>& chosen, const Effect& effect, const ParameterSpec& parameter) {
+/// @param chosen effects, or one number of them: "layer_conductivity.scale"; empty: all
+bool is_chosen(const std::vector<std::string>& chosen, const Effect& effect, std::size_t parameter) {
     return chosen.empty() || std::ranges::any_of(chosen, [&](const std::string& name) {
-               return name == effect.id || name == fmt::format("{}.{}", effect.id, parameter.key);
+               const std::optional<input::CatalogueEntry> entry = input::find_in_catalogue(name);
+               return entry && entry->includes(effect, parameter);
            });
 }
 
@@ -175,12 +168,12 @@ void add_all(std::vector<Candidate>& all, const input::Experiment& experiment, c
     const solver::Problem& problem = experiment.runs.front().problem;
     // By itself an effect on layers leaves the outermost alone, whose numbers are known best; what is known may be wrong.
     std::vector<int> layers = physics::activate(effect, problem.mesh).layers;
-    if (problem.mesh.kind != "two_node" && !layers.empty() && layers.front() > 0) {
+    if (!problem.mesh.is_lumped() && !layers.empty() && layers.front() > 0) {
         layers.insert(layers.begin(), 0);
     }
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
         const ParameterSpec& parameter = effect.parameters[p];
-        if (std::isnan(parameter.absent) || !is_chosen(chosen, effect, parameter)) {
+        if (std::isnan(parameter.absent) || !is_chosen(chosen, effect, p)) {
             continue;
         }
         const Candidate plain{.effect = &effect,
@@ -188,16 +181,16 @@ void add_all(std::vector<Candidate>& all, const input::Experiment& experiment, c
                               .absent = parameter.absent,
                               .low = parameter.low,
                               .high = parameter.high};
-        if (effect.on_channels) {
+        if (effect.sensor_model() != nullptr) {
             for (const int channel : channels) {
                 if (can_read(effect, problem, problem.channels[static_cast<std::size_t>(channel)])) {
-                    const physics::ActiveEffect* camera = camera_of(problem, channel);
-                    if (camera != nullptr && camera->channels.front() != channel) {
+                    const solver::CameraChannels* camera = problem.camera_of(channel);
+                    if (camera != nullptr && static_cast<int>(camera->first) != channel) {
                         continue;
                     }
                     Candidate one = plain;
                     one.channel = channel;
-                    one.last_channel = camera != nullptr ? camera->channels.back() : -1;
+                    one.last_channel = camera != nullptr ? static_cast<int>(camera->end()) - 1 : -1;
                     add(all, one);
                 }
             }
@@ -224,7 +217,7 @@ void add_numbers(std::vector<Candidate>& all, const input::Experiment& experimen
         });
         const bool is_split =
             std::ranges::any_of(active.overrides, [&](const auto& other) { return other.parameter == p; });
-        if (!chosen.empty() && is_chosen(chosen, *active.effect, parameter) && !is_free && !is_split) {
+        if (!chosen.empty() && is_chosen(chosen, *active.effect, p) && !is_free && !is_split) {
             const double value = active.parameters[p];
             all.push_back({.effect = active.effect,
                            .parameter = p,
@@ -257,11 +250,6 @@ std::vector<Candidate> candidates_of(const input::Experiment& experiment, const 
     return all;
 }
 
-std::string sensor_of(const solver::Problem& problem, int channel) {
-    const physics::ActiveEffect* camera = camera_of(problem, channel);
-    return camera != nullptr ? camera->name : problem.channels[static_cast<std::size_t>(channel)].name;
-}
-
 std::string name_of(const Candidate& candidate, const input::Experiment& experiment) {
     const solver::Problem& problem = experiment.runs.front().problem;
     std::string name(candidate.effect->id);
@@ -273,9 +261,9 @@ std::string name_of(const Candidate& candidate, const input::Experiment& experim
         name += fmt::format(".{}", candidate.number().key);
     }
     if (candidate.channel >= 0) {
-        name += " of " + sensor_of(problem, candidate.channel);
+        name += " of " + input::sensor_of(problem, candidate.channel);
     }
-    if (candidate.layer >= 0 && problem.mesh.kind != "two_node" && problem.mesh.layers.size() > 1) {
+    if (candidate.layer >= 0 && !problem.mesh.is_lumped() && problem.mesh.layers.size() > 1) {
         name += " of " + problem.mesh.layers[static_cast<std::size_t>(candidate.layer)];
     }
     return name;

@@ -48,8 +48,6 @@ struct Candidate {
 
 /// The effect as it is switched on at a value of the candidate's number.
 [[nodiscard]] physics::ActiveEffect active_at(const Candidate& candidate, const mesh::Mesh& mesh, double value);
-/// What a sensor is called: a camera's channels by the camera's name. @param channel index into Problem::channels
-[[nodiscard]] std::string sensor_of(const solver::Problem& problem, int channel);
 /// "sensor_lag of bulk_temperature", "layer_conductivity.slope of tread"
 [[nodiscard]] std::string name_of(const Candidate& candidate, const input::Experiment& experiment);
 

@@ -30,7 +30,7 @@ ImageBands bands_of(const input::MeasuredFrames& frames) {
 }
 
 ImageView::ImageView(const input::MeasuredFrames& frames, const solver::Problem& problem)
-    : first_channel_(frames.first_channel), pixels_(look(frames, problem, pose_in(problem, frames))) {}
+    : channels_(frames.channels), pixels_(look(frames, problem, pose_in(problem, frames))) {}
 
 ImageView ImageView::slope(const input::MeasuredFrames& frames, const solver::Problem& problem, std::size_t number) {
     // Between two nodes the temperature is straight: over a small part of a pixel its slope would jump from node to node.
@@ -47,7 +47,7 @@ ImageView ImageView::slope(const input::MeasuredFrames& frames, const solver::Pr
     pose.parameters[number] = low;
     const std::vector<mesh::Functional> below = look(frames, problem, physics::pose_of(pose));
     ImageView view;
-    view.first_channel_ = frames.first_channel;
+    view.channels_ = frames.channels;
     const double width = here + step - low;
     for (std::size_t i = 0; i < above.size(); ++i) {
         mesh::Functional& pixel = view.pixels_.emplace_back();
@@ -62,7 +62,7 @@ ImageView ImageView::slope(const input::MeasuredFrames& frames, const solver::Pr
 }
 
 void ImageView::read(std::span<const double> channels, std::span<double> pixels) const {
-    const std::span<const double> seen = channels.subspan(first_channel_);
+    const std::span<const double> seen = channels_.of(channels);
     std::ranges::transform(pixels_, pixels.begin(), [&](const mesh::Functional& pixel) {
         double sum = 0.0;
         for (std::size_t k = 0; k < pixel.nodes.size(); ++k) {
@@ -74,8 +74,8 @@ void ImageView::read(std::span<const double> channels, std::span<double> pixels)
 
 void ImageView::follow(std::span<const double> channels, std::span<const double> changes,
                        std::span<const double> pixels, std::span<double> out) const {
-    const std::span<const double> seen = channels.subspan(first_channel_);
-    const std::span<const double> moved = changes.subspan(first_channel_);
+    const std::span<const double> seen = channels_.of(channels);
+    const std::span<const double> moved = channels_.of(changes);
     for (std::size_t p = 0; p < pixels_.size(); ++p) {
         const mesh::Functional& pixel = pixels_[p];
         double sum = 0.0;
@@ -89,7 +89,7 @@ void ImageView::follow(std::span<const double> channels, std::span<const double>
 }
 
 void ImageView::turn(std::span<const double> channels, std::span<const double> pixels, std::span<double> out) const {
-    const std::span<const double> seen = channels.subspan(first_channel_);
+    const std::span<const double> seen = channels_.of(channels);
     for (std::size_t p = 0; p < pixels_.size(); ++p) {
         double sum = 0.0;
         for (std::size_t k = 0; k < pixels_[p].nodes.size(); ++k) {

@@ -7,8 +7,8 @@
 
 #include <Eigen/Core>
 
-#include "input/measurements/experiment.hpp"
 #include "diagnosis/fit/image_bands.hpp"
+#include "input/measurements/experiment.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -50,7 +50,7 @@ public:
 
 private:
     ImageView() = default;
-    std::size_t first_channel_ = 0;
+    solver::CameraChannels channels_;
     std::vector<mesh::Functional> pixels_;  ///< nodes count the surface's
 };
 

@@ -48,7 +48,7 @@ void add_images(const input::Experiment& experiment, std::size_t run, std::size_
         const std::string name = fmt::format("{}, {}", frames.camera, image.bands.name(band));
         const auto known = std::ranges::find(all.names, name) - all.names.begin();
         if (known == std::ssize(all.names)) {
-            all.channels.push_back(frames.first_channel);
+            all.channels.push_back(frames.channels.first);
             all.names.push_back(name);
             all.stated.push_back(frames.standard_deviation.value_or(0.0));
         }
@@ -70,7 +70,7 @@ void add_images(const input::Experiment& experiment, std::size_t run, std::size_
                                           std::span(values).subspan(image.row(entry, 0), image.time.size())));
         for (const std::size_t time : image.time) {
             all.rows.push_back({.run = run,
-                                .channel = frames.first_channel,
+                                .channel = frames.channels.first,
                                 .time = time,
                                 .image = static_cast<int>(all.images.size())});
         }

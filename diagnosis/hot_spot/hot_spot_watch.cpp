@@ -199,12 +199,12 @@ void HotSpotTracker::add_spread(HotSpots& into) const {
                     into.notes.push_back(
                         fmt::format("{} is left out: the case does not run on the same mesh "
                                     "with one standard deviation more or less of it.",
-                                    key.key.text));
+                                    key.path.text()));
                 }
                 continue;
             }
             drivers.push_back(
-                {.name = key.key.text,
+                {.name = key.path.text(),
                  .unit = key.unit,
                  .value = key.number,
                  .standard_deviation = key.standard_deviation,

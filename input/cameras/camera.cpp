@@ -82,8 +82,9 @@ int read_patch(TomlTable& camera, const mesh::Mesh& mesh) {
 /// The nodes of the surface as channels.
 void add_channels(Camera& camera, ProblemBuilder& builder) {
     const physics::SeenSurface surface(builder.problem.mesh, camera.patch);
-    camera.first_channel = builder.problem.channels.size();
-    camera.n_channels = surface.nodes().size();
+    camera.channels = {
+        .camera = camera.name, .first = builder.problem.channels.size(), .count = surface.nodes().size()};
+    builder.problem.cameras.push_back(camera.channels);
     for (std::size_t i = 0; i < surface.nodes().size(); ++i) {
         solver::Channel channel;
         channel.name = fmt::format("{} {}", camera.name, i);
@@ -96,8 +97,8 @@ void add_channels(Camera& camera, ProblemBuilder& builder) {
 physics::ActiveEffect behind(const Camera& camera, const physics::Effect& effect, const mesh::Mesh& mesh) {
     physics::ActiveEffect active = physics::activate(effect, mesh);
     active.name = camera.name;
-    for (std::size_t i = 0; i < camera.n_channels; ++i) {
-        active.channels.push_back(static_cast<int>(camera.first_channel + i));
+    for (std::size_t channel = camera.channels.first; channel < camera.channels.end(); ++channel) {
+        active.channels.push_back(static_cast<int>(channel));
     }
     return active;
 }
@@ -166,16 +167,12 @@ void read_cameras(TomlTable& root, ProblemBuilder& builder) {
 }
 
 void take_away_cameras(solver::Problem& problem) {
-    std::size_t first = problem.channels.size();
-    for (const physics::ActiveEffect& active : problem.effects) {
-        if (active.effect == &physics::camera_pose() && !active.channels.empty()) {
-            first = std::min(first, static_cast<std::size_t>(active.channels.front()));
-        }
-    }
-    if (first == problem.channels.size()) {
+    const std::size_t first = problem.n_sensors();
+    if (problem.cameras.empty()) {
         return;
     }
     problem.channels.resize(first);
+    problem.cameras.clear();
     const auto is_gone = [&](int channel) { return static_cast<std::size_t>(channel) >= first; };
     for (physics::ActiveEffect& active : problem.effects) {
         std::erase_if(active.overrides, [&](const physics::ActiveEffect::Override& other) {

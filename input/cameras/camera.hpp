@@ -30,13 +30,7 @@ struct Camera {
     int bin = 1;                                 ///< so many by so many detectors make a pixel
     std::optional<double> standard_deviation{};  ///< K, of one detector
     std::size_t pose = 0;                        ///< index into Problem::effects
-    std::size_t first_channel = 0;
-    std::size_t n_channels = 0;
-
-    [[nodiscard]] bool has(int channel) const {
-        const auto index = static_cast<std::size_t>(channel);
-        return channel >= 0 && index >= first_channel && index < first_channel + n_channels;
-    }
+    solver::CameraChannels channels{};
 };
 
 /// What a problem is without its cameras: a run that nothing is measured in does not need their channels.

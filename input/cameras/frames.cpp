@@ -161,8 +161,7 @@ void read_one(const Camera& camera, const FramesOfRun& named, const ProblemBuild
         .file = file->shown,
         .patch = camera.patch,
         .pose = camera.pose,
-        .first_channel = camera.first_channel,
-        .n_channels = camera.n_channels,
+        .channels = camera.channels,
         .detectors = {.rows = file->rows, .columns = file->columns, .pitch_x = (*size)[0], .pitch_y = (*size)[1]},
         .bin = camera.bin};
     if (camera.standard_deviation) {

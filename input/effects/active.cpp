@@ -163,16 +163,16 @@ ActiveEffect read_active(TomlTable& table, const Effect& effect, const ProblemBu
             read_overrides(table, effect.parameters[i], i, where, builder, active);
         }
     }
-    if (effect.field != physics::FieldOf::nothing) {  // read when the run's times are known
+    if (effect.field() != physics::FieldOf::nothing) {  // read when the run's times are known
         table.declare_keys({"field"});
-        if (effect.field != physics::FieldOf::pressure) {
+        if (effect.field() != physics::FieldOf::pressure) {
             table.declare_keys({"use"});
         }
-        if (effect.field == physics::FieldOf::loss) {
+        if (effect.field() == physics::FieldOf::loss) {
             table.declare_keys({"total", "coastdown"});
         }
     }
-    if (effect.on_channels) {  // read when the sensors are known
+    if (effect.sensor_model() != nullptr) {  // read when the sensors are known
         table.declare_keys({"channels"});
         for (const ParameterSpec& parameter : effect.parameters) {
             table.declare_keys({std::string(parameter.key) + "_by_channel"});
@@ -190,14 +190,14 @@ void check_channel(TomlTable& table, const LocatedString& word, const Effect& ef
         table.errors().add(word.place, fmt::format("{} is not {}, which {} reads", channel.name, wanted, effect.id),
                            "name other sensors");
     };
-    switch (effect.reads_what) {
-        case physics::Reads::anything:
+    switch (effect.sensor_model()->applies_to) {
+        case physics::ChannelsOf::anything:
             return;
-        case physics::Reads::temperature:
+        case physics::ChannelsOf::temperature:
             return is_temperature ? void() : refuse("a temperature");
-        case physics::Reads::place:
+        case physics::ChannelsOf::temperature_at_point:
             return is_temperature && channel.point ? void() : refuse("a temperature at one point");
-        case physics::Reads::pressure:
+        case physics::ChannelsOf::pressure:
             return channel.quantity == solver::Quantity::gas_pressure ? void() : refuse("a pressure");
     }
 }
@@ -213,11 +213,11 @@ void bind_camera(TomlTable& table, const LocatedString& word, const Camera& came
                            "state it once");
         return;
     }
-    if (camera.n_channels > 0) {
-        check_channel(table, word, *active.effect, builder.problem.channels[camera.first_channel]);
+    if (camera.channels.count > 0) {
+        check_channel(table, word, *active.effect, builder.problem.channels[camera.channels.first]);
     }
-    for (std::size_t i = 0; i < camera.n_channels; ++i) {
-        active.channels.push_back(static_cast<int>(camera.first_channel + i));
+    for (std::size_t channel = camera.channels.first; channel < camera.channels.end(); ++channel) {
+        active.channels.push_back(static_cast<int>(channel));
     }
 }
 
@@ -226,7 +226,7 @@ void bind_camera(TomlTable& table, const LocatedString& word, const Camera& came
 void bind_channels(TomlTable& table, const ProblemBuilder& builder, ActiveEffect& active) {
     // A camera's channels go by the camera's name.
     std::vector<std::string> known = names_of(builder.problem.channels);
-    known.resize(builder.cameras.empty() ? known.size() : builder.cameras.front().first_channel);
+    known.resize(builder.problem.n_sensors());
     const auto find = [&](std::string_view name) {
         const auto found = std::find(known.begin(), known.end(), name);
         return found == known.end() ? -1 : static_cast<int>(found - known.begin());
@@ -254,7 +254,7 @@ void bind_channels(TomlTable& table, const ProblemBuilder& builder, ActiveEffect
             if (const auto value =
                     values.exists() ? values.quantity(camera.name, quantity_specs::of(parameter)) : std::nullopt) {
                 for (const int channel : active.channels) {
-                    if (camera.has(channel)) {
+                    if (camera.channels.contains(channel)) {
                         active.overrides.push_back(
                             {.scope = physics::Scope::channel, .index = channel, .parameter = i, .value = *value});
                     }

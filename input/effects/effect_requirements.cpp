@@ -33,7 +33,7 @@ void check_requirements(TomlTable& root, const ActiveEffect& active, const Sourc
         root.errors().add(place, fmt::format("{} needs a tire", effect.id), fmt::format("add [tire], {}", off));
         return;
     }
-    if (builder.has_mesh && effect.needs_grid && builder.problem.mesh.kind == "two_node") {
+    if (builder.has_mesh && effect.needs_grid && builder.problem.mesh.is_lumped()) {
         root.errors().add(place, fmt::format("{} needs cells, and this mesh has two lumps", effect.id),
                           fmt::format("take layers or section, {}", off));
         return;
@@ -109,39 +109,13 @@ void check_signals(TomlTable& root, const ProblemBuilder& builder) {
     }
 }
 
-std::vector<std::string_view> signals_of(solver::Quantity quantity) {
-    switch (quantity) {
-        case solver::Quantity::temperature:
-            return {};
-        case solver::Quantity::drag_force:
-        case solver::Quantity::rolling_moment:
-            return {"speed", "vertical_load"};
-        case solver::Quantity::surface_at_entry:
-        case solver::Quantity::surface_at_exit:
-            return {"speed", "vertical_load", "road_temperature"};
-        case solver::Quantity::loaded_radius:
-        case solver::Quantity::cornering_stiffness:
-            return {"vertical_load"};
-        case solver::Quantity::gas_pressure:
-            return {"inflation_pressure"};
-        case solver::Quantity::bulk_temperature_factor:
-            return {"vertical_load"};
-        case solver::Quantity::lateral_force:
-        case solver::Quantity::reference_lateral_force:
-            return {"speed", "vertical_load", "slip_angle"};
-        case solver::Quantity::longitudinal_force:
-            return {"speed", "vertical_load", "slip_ratio"};
-    }
-    return {};
-}
-
 void warn_of_unread_signals(TomlTable& root, const ProblemBuilder& builder) {
     std::vector<std::string> unread;
     for (const physics::Signal& signal : physics::signals()) {
         const bool by_effect = std::ranges::any_of(builder.problem.effects,
                                                    [&](const ActiveEffect& a) { return uses(*a.effect, signal.name); });
         const bool by_channel = std::ranges::any_of(builder.problem.channels, [&](const solver::Channel& channel) {
-            return std::ranges::count(signals_of(channel.quantity), signal.name) > 0;
+            return std::ranges::count(solver::description_of(channel.quantity).signals, signal.name) > 0;
         });
         const bool by_own = std::ranges::count(builder.followed, signal.name) > 0;
         if (builder.problem.input_signals.gives(signal) && !by_effect && !by_channel && !by_own) {

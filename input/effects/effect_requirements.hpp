@@ -21,7 +21,4 @@ void check_signals(TomlTable& root, const ProblemBuilder& builder);
 /// A warning about signals that neither an effect nor a channel uses.
 void warn_of_unread_signals(TomlTable& root, const ProblemBuilder& builder);
 
-/// Signals from which a quantity follows.
-[[nodiscard]] std::vector<std::string_view> signals_of(solver::Quantity quantity);
-
 }  // namespace tiretherm::input

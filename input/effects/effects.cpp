@@ -65,7 +65,7 @@ void read_effects(TomlTable& root, ProblemBuilder& builder) {
             // What is on by itself is asked for by the tire; otherwise by its table.
             const SourceLocation asked = named ? table.place() : root.place("tire");
             check_requirements(root, active, asked, table.has("patches"), builder);
-            if (effect->extend != nullptr && builder.has_mesh) {
+            if (builder.has_mesh) {
                 solver::switch_on(builder.problem, std::move(active), 0.0);
             } else {
                 builder.problem.effects.push_back(std::move(active));
@@ -80,7 +80,7 @@ void bind_readings(TomlTable& root, ProblemBuilder& builder) {
     const TomlValue* effects = root.content().find("effects");
     for (ActiveEffect& active : builder.problem.effects) {
         const TomlValue* node = effects != nullptr ? effects->find(active.effect->id) : nullptr;
-        if (active.effect->on_channels && node != nullptr && active.name.empty()) {
+        if (active.effect->sensor_model() != nullptr && node != nullptr && active.name.empty()) {
             TomlTable table(*node, fmt::format("[effects.{}]", active.effect->id), root.errors());
             table.allow_unknown_keys();  // its other keys have been read
             bind_channels(table, builder, active);

@@ -84,32 +84,6 @@ std::size_t normalise(const std::vector<std::vector<double>>& frames, Field& fie
     return empty;
 }
 
-/// More points on an input's straight lines: steps then see the frames between their ends and integrate them exactly. A
-/// constant input carries them, or else a series with its own points.
-void add_samples(solver::InputSignals& input_signals, const std::vector<double>& times) {
-    const auto series = input_signals.series();
-    const auto is_constant = [&](const physics::Signal& signal) {
-        return input_signals.gives(signal) &&
-               std::ranges::find(series, &signal, &solver::Series::signal) == series.end();
-    };
-    const auto constant = std::ranges::find_if(physics::signals(), is_constant);
-    solver::Series carrier{.signal = nullptr, .time = times, .value = {}, .logged = true};
-    if (constant != physics::signals().end()) {
-        carrier.signal = &*constant;
-    } else {
-        carrier.signal = series.front().signal;
-        carrier.logged = series.front().logged;
-        carrier.time.clear();
-        std::ranges::set_union(series.front().time, times, std::back_inserter(carrier.time));
-    }
-    for (std::size_t i = 0; i < carrier.time.size(); ++i) {
-        const bool after = i > 0 && carrier.time[i] == carrier.time[i - 1];
-        const solver::JumpSide side = after ? solver::JumpSide::after : solver::JumpSide::before;
-        carrier.value.push_back(input_signals.at(carrier.time[i], side).*(carrier.signal->member));
-    }
-    input_signals.add(std::move(carrier));
-}
-
 /// What a field stands in for, and what cannot stand beside it.
 void check_rivals(TomlTable& table, const ActiveEffect& active) {
     const std::string_view id = active.effect->id;
@@ -121,7 +95,7 @@ void check_rivals(TomlTable& table, const ActiveEffect& active) {
         const int index = physics::find_parameter(*active.effect, key);
         return index < 0 ? 0.0 : active[static_cast<std::size_t>(index)];
     };
-    if (active.effect->field == FieldOf::loss && (!active.overrides.empty() || number("belt_edge_gain") != 0.0)) {
+    if (active.effect->field() == FieldOf::loss && (!active.overrides.empty() || number("belt_edge_gain") != 0.0)) {
         table.add_error("field", "the field replaces the weights of layers, zones and belt edges",
                         "remove belt_edge_gain and the tables _by_layer and _by_zone, or the field");
     }
@@ -155,7 +129,7 @@ public:
 
     void bind() {
         const std::optional<std::string> name = table_.text("field");
-        const bool by_watts = active_.effect->field != FieldOf::pressure && table_.choice("use", uses) == 1U;
+        const bool by_watts = active_.effect->field() != FieldOf::pressure && table_.choice("use", uses) == 1U;
         if (!table_.has("field") && table_.has("use")) {
             table_.add_error("use", "use speaks of a field, and there is none", "add field = \"....h5\"");
         }
@@ -168,7 +142,7 @@ public:
         }
         check_rivals(table_, active_);
         const mesh::Mesh& mesh = builder_.problem.mesh;
-        if (active_.effect->field == FieldOf::loss && mesh.kind == "two_node") {
+        if (active_.effect->field() == FieldOf::loss && mesh.is_lumped()) {
             table_.add_error("field", "a field of the loss needs cells, and this mesh has two lumps",
                              "take layers or section");
             return;
@@ -180,7 +154,7 @@ public:
         const SourceLocation mentioned = table_.place("field");
         const fs::path beside = fs::path(errors_.file(mentioned.file)).parent_path();
         const std::optional<FieldFile> file =
-            read_field_file((beside / *name).lexically_normal(), mentioned, active_.effect->field, by_watts,
+            read_field_file((beside / *name).lexically_normal(), mentioned, active_.effect->field(), by_watts,
                             !mesh.columns.empty(), errors_);
         if (file && fits(*file, *name) && errors_.count() == before) {
             take(*file, by_watts, *name);
@@ -190,11 +164,11 @@ public:
 private:
     /// The faces of the effect's patches, none for the cells.
     [[nodiscard]] std::span<const int> patches() const {
-        return active_.effect->field == FieldOf::loss ? std::span<const int>() : active_.patches;
+        return active_.effect->field() == FieldOf::loss ? std::span<const int>() : active_.patches;
     }
 
     bool fits(const FieldFile& file, const std::string& name) {
-        if (file.against == FieldFile::Against::time && active_.effect->frame_coefficients == 0) {
+        if (file.against == FieldFile::Against::time && active_.effect->heat_effect()->frame_coefficients == 0) {
             table_.add_error("field", fmt::format("{} cannot follow a field against time", active_.effect->id),
                              "give it against wheel_angle, or as one frame without time");
         }
@@ -228,7 +202,7 @@ private:
         if (frames.size() > 1) {
             std::vector<double> times;
             std::ranges::transform(file.frames, std::back_inserter(times), &FieldFrame::at);
-            add_samples(builder_.problem.input_signals, times);
+            builder_.problem.input_signals.add_sample_times(times);
             const double start = builder_.problem.settings.start;
             std::ranges::transform(times, std::back_inserter(field->time), [&](double t) { return t - start; });
             active_.effect = &physics::in_frames(*active_.effect);
@@ -248,13 +222,13 @@ void read_fields(TomlTable& root, ProblemBuilder& builder) {
     const TomlValue* effects = root.content().find("effects");
     for (ActiveEffect& active : builder.problem.effects) {
         const TomlValue* node = effects != nullptr ? effects->find(active.effect->id) : nullptr;
-        if (active.effect->field == FieldOf::nothing || node == nullptr || node->kind != TomlValue::Kind::table) {
+        if (active.effect->field() == FieldOf::nothing || node == nullptr || node->kind != TomlValue::Kind::table) {
             continue;
         }
         TomlTable table(*node, fmt::format("[effects.{}]", active.effect->id), root.errors());
         table.allow_unknown_keys();  // its other keys have been read
         FieldBinder(table, builder, active).bind();
-        if (active.effect->field == FieldOf::loss) {
+        if (active.effect->field() == FieldOf::loss) {
             read_measured_loss(table, builder, active);
         }
     }

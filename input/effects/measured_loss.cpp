@@ -122,7 +122,8 @@ void read_measured_loss(TomlTable& table, ProblemBuilder& builder, physics::Acti
     }
     std::optional<MeasuredLoss> loss = total ? read_table(table, *total, builder) : read_coastdown(table, builder);
     if (loss && table.errors().count() == before) {
-        if (loss->bulk_temperatures.size() > 1 && active.effect->n_coefficients < active.effect->frame_coefficients) {
+        if (loss->bulk_temperatures.size() > 1 &&
+            active.effect->n_coefficients() < active.effect->heat_effect()->frame_coefficients) {
             active.effect = &physics::in_frames(*active.effect);
         }
         active.total = std::make_shared<const MeasuredLoss>(std::move(*loss));

@@ -75,7 +75,7 @@ void read_travelling(TomlTable& root, ProblemBuilder& builder) {
                    .place = key != nullptr     ? key->place
                             : table != nullptr ? table->place
                                                : root.place()};
-        if (builder.has_mesh && problem.mesh.kind == "two_node" && key != nullptr) {
+        if (builder.has_mesh && problem.mesh.is_lumped() && key != nullptr) {
             errors.add(mention->place, "two lumps do not see a contact go round", "take layers or section");
         }
         if (active.field) {
@@ -107,7 +107,8 @@ void read_travelling(TomlTable& root, ProblemBuilder& builder) {
     }
     problem.input_signals.add(std::move(*angle));
     for (const physics::ActiveEffect& active : problem.effects) {
-        if (active.effect->travels && errors.count() == 0) {
+        if (const physics::HeatEffect* heat = active.effect->heat_effect();
+            heat != nullptr && heat->travels && errors.count() == 0) {
             warn_of_width(problem, active, *mention, errors);
         }
     }

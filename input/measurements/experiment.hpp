@@ -38,10 +38,9 @@ struct UnusedSignal {
 struct MeasuredFrames {
     std::string camera;
     std::string file;
-    int patch = -1;                 ///< that it looks at, index into the mesh's patches
-    std::size_t pose = 0;           ///< index into Problem::effects: where the image lies (physics::camera_pose)
-    std::size_t first_channel = 0;  ///< of the surface's nodes, index into Problem::channels
-    std::size_t n_channels = 0;
+    int patch = -1;        ///< that it looks at, index into the mesh's patches
+    std::size_t pose = 0;  ///< index into Problem::effects: where the image lies (physics::camera_pose)
+    solver::CameraChannels channels{};
     physics::Detectors detectors;
     int bin = 1;   ///< so many by so many of them make a pixel
     int rows = 0;  ///< of the binned image, all pixels

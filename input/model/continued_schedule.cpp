@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "input/parameters/study_key.hpp"
+#include "input/parameters/parameter_path.hpp"
 #include "input/tables/columns.hpp"
 #include "input/text/quantity_specs.hpp"
 
@@ -137,7 +137,8 @@ ContinuedSchedule continue_schedule(const HotSpotCase& of, const solver::Setting
     end.place = document.place;
     end.text = fmt::format("{:.17g} s", time);
     InputErrors unheard;
-    if (write_at(document, {"time.end", document.place}, end, unheard)) {
+    const ParameterPath path{.keys = {{"time", document.place}, {"end", document.place}}};
+    if (path.set(document, end, unheard)) {
         continued.problem = of.problem_of(document);
     }
     if (!continued.problem) {

@@ -17,13 +17,15 @@ struct Kind {
     bool (*read)(TomlTable& mesh, ProblemBuilder& builder);
 };
 
-constexpr std::array kinds{Kind{"two_node", read_two_node}, Kind{"layers", read_layers}, Kind{"section", read_section},
-                           Kind{"block", read_block}, Kind{"axisymmetric", read_axisymmetric}};
+constexpr std::array kinds{Kind{"two_node", read_two_node}, Kind{"layers", read_layers},
+                           Kind{"cylinder", read_cylinder}, Kind{"section", read_section},
+                           Kind{"block", read_block},       Kind{"axisymmetric", read_axisymmetric}};
 
 }  // namespace
 
 void read_mesh(TomlTable& root, ProblemBuilder& builder) {
     TomlTable mesh = root.subtable("mesh", Need::required);
+    builder.has_mesh = false;
     std::array<std::string_view, kinds.size()> names;
     std::transform(kinds.begin(), kinds.end(), names.begin(), [](const Kind& kind) { return kind.name; });
     const std::optional<std::size_t> kind = mesh.choice("kind", names, Need::required);

@@ -24,7 +24,7 @@ Plan plan_of(const mesh::Mesh& mesh) {
     if (!mesh.grid) {
         return Plan::lumps;
     }
-    if (mesh.kind == "layers") {
+    if (mesh.stack) {
         return Plan::strip;
     }
     return mesh.grid->metric == mesh::Metric::axisymmetric ? Plan::disc : Plan::block;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cassert>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,13 +52,30 @@ struct RunInputs {
     [[nodiscard]] bool overrides(std::string_view key, std::string_view signal) const;
 };
 
+/// What a reader has found out about its table. Whoever asks before that reader has run is in the wrong place of
+/// `read_tables`: a programming error.
+class Finding {
+public:
+    Finding& operator=(bool found) {
+        found_ = found;
+        return *this;
+    }
+    [[nodiscard]] operator bool() const {
+        assert(found_.has_value());
+        return *found_;
+    }
+
+private:
+    std::optional<bool> found_{};
+};
+
 /// Builds the problem: a case as far as it has been read.
 struct ProblemBuilder {
     solver::Problem problem;
-    bool has_tire = false;
-    bool has_tire_density = false;  ///< given in [tire], not only by a material
-    bool has_valid_effects = false;
-    bool has_mesh = false;  ///< false after an error in [mesh]: names of patches and layers are unknown
+    Finding has_tire{};           ///< by read_tire
+    Finding has_tire_density{};   ///< by read_tire: given in [tire], not only by a material
+    Finding has_mesh{};           ///< by read_mesh; false after an error: names of patches and layers are unknown
+    Finding has_valid_effects{};  ///< by read_effects
     std::vector<Stock> stock;
     std::map<std::string, SourceLocation, std::less<>> given;  ///< signals of [drive], rightly or wrongly written
     std::optional<double> logged_from;                         ///< s, first sample of any log
@@ -73,7 +92,8 @@ struct ProblemBuilder {
     }
 };
 
-/// All tables of a case, in the order in which one may refer to another.
+/// All tables of a case, in the order in which one may refer to another: each reader may ask for the findings of those
+/// before it.
 void read_tables(TomlTable& root, ProblemBuilder& builder);
 
 void read_tire(TomlTable& root, ProblemBuilder& builder);
@@ -104,6 +124,7 @@ void check_laws(TomlTable& root, const ProblemBuilder& builder);
 /// Parts of [mesh], by kind. @returns false after an error
 bool read_two_node(TomlTable& mesh, ProblemBuilder& builder);
 bool read_layers(TomlTable& mesh, ProblemBuilder& builder);
+bool read_cylinder(TomlTable& mesh, ProblemBuilder& builder);
 bool read_block(TomlTable& mesh, ProblemBuilder& builder);
 bool read_axisymmetric(TomlTable& mesh, ProblemBuilder& builder);
 bool read_section(TomlTable& mesh, ProblemBuilder& builder);

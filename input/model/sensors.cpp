@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "input/effects/effect_requirements.hpp"
 #include "input/model/channel_value.hpp"
 #include "input/model/probes.hpp"
 #include "input/model/problem_builder.hpp"
@@ -26,64 +25,59 @@ constexpr std::array kinds{Kind{"point", read_point}, Kind{"spot", read_spot},  
                            Kind{"node", read_node},   Kind{"strip", read_strip}};
 constexpr std::string_view strips = "strips";
 
-/// What else than a temperature a sensor may read. `meaning` says it where the case does not.
-struct Reading {
-    std::string_view name;
-    solver::Quantity quantity;
-    std::string_view meaning;
-    std::string_view region;  ///< whose temperature it follows, unless the case names a sensor
-    bool needs_magic_formula = false;
-    std::string_view needs_effect{};
-};
-constexpr std::array readings{
-    Reading{"drag_force", solver::Quantity::drag_force, "rolling resistance, as a force at the axle", ""},
-    Reading{"rolling_moment", solver::Quantity::rolling_moment, "rolling resistance, as a moment about the axle", ""},
-    Reading{"loaded_radius", solver::Quantity::loaded_radius, "radius under load", ""},
-    Reading{"cornering_stiffness", solver::Quantity::cornering_stiffness, "cornering stiffness", "bulk"},
-    Reading{"bulk_temperature_factor", solver::Quantity::bulk_temperature_factor,
-            "cornering stiffness over that of the Magic Formula, lambda_Tb", "bulk", true},
-    Reading{"lateral_force", solver::Quantity::lateral_force,
-            "lateral force in pure slip, Magic Formula with the cornering stiffness", "bulk", true},
-    Reading{"reference_lateral_force", solver::Quantity::reference_lateral_force,
-            "lateral force in pure slip, Magic Formula without temperature", "", true},
-    Reading{"longitudinal_force", solver::Quantity::longitudinal_force,
-            "longitudinal force in pure slip, Magic Formula without temperature", "", true},
-    Reading{"surface_at_entry", solver::Quantity::surface_at_entry,
-            "outer surface where it meets the road, in each revolution", "surface", false, "resolved_contact"},
-    Reading{"surface_at_exit", solver::Quantity::surface_at_exit,
-            "outer surface where it leaves the road, in each revolution", "surface", false, "resolved_contact"},
-    Reading{"gas_pressure", solver::Quantity::gas_pressure, "inflation pressure above the atmosphere", "gas"},
-};
+/// The sum over the surface nodes of a patch, over its area.
+Where read_passage(TomlTable& sensor, solver::Channel channel, const mesh::Mesh& mesh) {
+    const Where surface = read_patch(sensor, mesh);
+    if (!surface) {
+        return std::nullopt;
+    }
+    const mesh::Patch& patch = mesh.patches[static_cast<std::size_t>(mesh.find_patch(*sensor.text("patch")))];
+    for (const mesh::PatchFace& face : patch.faces) {
+        if (face.node == face.cell) {
+            sensor.add_error("kind", "a lump has no surface of its own through which heat could pass",
+                             "take a mesh of cells");
+            return std::nullopt;
+        }
+        channel.where.nodes.push_back(face.node);
+    }
+    channel.where.weights.assign(channel.where.nodes.size(), 1.0 / patch.area());
+    channel.meaning += ", " + surface->meaning;
+    return channel;
+}
 
 /// A quantity that follows from inputs, from the heat lost by deformation or from a temperature that another sensor or a
 /// region gives.
-Where read_quantity(TomlTable& sensor, const Reading& reading, const ProblemBuilder& builder) {
+Where read_quantity(TomlTable& sensor, const solver::QuantityDescription& quantity, const ProblemBuilder& builder) {
     const mesh::Mesh& mesh = builder.problem.mesh;
     solver::Channel channel{
-        .name = {}, .meaning = std::string(reading.meaning), .where = {}, .quantity = reading.quantity};
-    if (!builder.has_tire && reading.quantity != solver::Quantity::gas_pressure) {
-        sensor.add_error("kind", fmt::format("{} is that of a tire, and there is no tire", reading.name), "add [tire]");
+        .name = {}, .meaning = std::string(quantity.meaning), .where = {}, .quantity = quantity.quantity};
+    if (quantity.needs_tire && !builder.has_tire) {
+        sensor.add_error("kind", fmt::format("{} is that of a tire, and there is no tire", quantity.kind),
+                         "add [tire]");
     }
-    for (const std::string_view signal : signals_of(reading.quantity)) {
+    for (const std::string_view signal : quantity.signals) {
         if (!builder.given.contains(signal)) {
-            sensor.add_error("kind", fmt::format("{} follows {}, which [drive] lacks", reading.name, signal),
+            sensor.add_error("kind", fmt::format("{} follows {}, which [drive] lacks", quantity.kind, signal),
                              fmt::format("add {} to [drive]", signal));
         }
     }
-    if (reading.needs_magic_formula && !builder.problem.handling.magic_formula) {
+    if (quantity.needs_magic_formula && !builder.problem.handling.magic_formula) {
         sensor.add_error(
             "kind",
-            fmt::format("{} cannot be computed: the tire has no property file that could be used", reading.name),
+            fmt::format("{} cannot be computed: the tire has no property file that could be used", quantity.kind),
             "add property_file = \"....tir\" to [tire]");
         return std::nullopt;
     }
-    if (!reading.needs_effect.empty() && std::ranges::none_of(builder.problem.effects, [&](const auto& active) {
-            return active.effect->id == reading.needs_effect;
+    if (!quantity.needs_effect.empty() && std::ranges::none_of(builder.problem.effects, [&](const auto& active) {
+            return active.effect->id == quantity.needs_effect;
         })) {
-        sensor.add_error("kind", fmt::format("{} follows {}, which is off", reading.name, reading.needs_effect),
-                         fmt::format("switch it on: [effects.{}]", reading.needs_effect));
+        sensor.add_error("kind", fmt::format("{} follows {}, which is off", quantity.kind, quantity.needs_effect),
+                         fmt::format("switch it on: [effects.{}]", quantity.needs_effect));
     }
-    if (reading.region.empty()) {
+    if (quantity.through_patch) {
+        return read_passage(sensor, std::move(channel), mesh);
+    }
+    if (quantity.region.empty()) {
         return channel;
     }
     if (const std::optional<std::string> of = sensor.text("temperature_of")) {
@@ -101,15 +95,15 @@ Where read_quantity(TomlTable& sensor, const Reading& reading, const ProblemBuil
         channel.meaning += fmt::format(" at {}", *of);
         return channel;
     }
-    const int region = mesh.find_region(reading.region);
+    const int region = mesh.find_region(quantity.region);
     if (region < 0) {
         sensor.add_error(
-            "kind", fmt::format("{} follows the {}, which this case does not have", reading.name, reading.region),
-            reading.region == "gas" ? "switch it on: [effects.inner_gas]" : "name a sensor: temperature_of = \"...\"");
+            "kind", fmt::format("{} follows the {}, which this case does not have", quantity.kind, quantity.region),
+            quantity.region == "gas" ? "switch it on: [effects.inner_gas]" : "name a sensor: temperature_of = \"...\"");
         return std::nullopt;
     }
     channel.where = mesh.regions[static_cast<std::size_t>(region)].mean;
-    channel.meaning += fmt::format(" at the temperature of the {}", reading.region);
+    channel.meaning += fmt::format(" at the temperature of the {}", quantity.region);
     return channel;
 }
 
@@ -119,7 +113,11 @@ std::vector<std::string_view> kind_names() {
     const auto name_of = [](const auto& kind) { return kind.name; };
     std::transform(kinds.begin(), kinds.end(), std::back_inserter(names), name_of);
     names.push_back(strips);
-    std::transform(readings.begin(), readings.end(), std::back_inserter(names), name_of);
+    for (const solver::QuantityDescription& quantity : solver::quantities()) {
+        if (!quantity.kind.empty()) {
+            names.push_back(quantity.kind);
+        }
+    }
     return names;
 }
 
@@ -128,11 +126,12 @@ std::vector<solver::Channel> read_places(TomlTable& sensor, std::string_view kin
     if (kind == strips) {
         return read_strips(sensor, builder.problem.mesh);
     }
-    const auto by_name = [&](const auto& candidate) { return candidate.name == kind; };
-    const auto place = std::find_if(kinds.begin(), kinds.end(), by_name);
-    const Where where = place != kinds.end()
-                            ? place->read(sensor, builder.problem.mesh)
-                            : read_quantity(sensor, *std::find_if(readings.begin(), readings.end(), by_name), builder);
+    const auto place = std::ranges::find(kinds, kind, &Kind::name);
+    const Where where =
+        place != kinds.end()
+            ? place->read(sensor, builder.problem.mesh)
+            : read_quantity(sensor, *std::ranges::find(solver::quantities(), kind, &solver::QuantityDescription::kind),
+                            builder);
     return where ? std::vector{*where} : std::vector<solver::Channel>{};
 }
 

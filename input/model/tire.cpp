@@ -151,10 +151,10 @@ void check(const TomlTable& tire, const Tire& read, double nominal_radius) {
 void read_tire(TomlTable& root, ProblemBuilder& builder) {
     TomlTable tire = root.subtable("tire");
     builder.has_tire = tire.exists();
+    builder.has_tire_density = tire.has("density");
     if (!tire.exists()) {
         return;
     }
-    builder.has_tire_density = tire.has("density");
     Tire& into = builder.problem.tire;
     const std::size_t before = tire.errors().count();
     read_size(tire, into);

@@ -5,7 +5,6 @@
 
 #include "input/measurements/runs.hpp"
 #include "input/parameters/hot_spots.hpp"
-#include "input/parameters/study_key.hpp"
 #include "input/parameters/study_value.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
@@ -161,7 +160,10 @@ std::vector<UncertainKey> read_uncertain(TomlTable& root) {
     root.each("uncertain", [&](TomlTable& table) {
         const std::optional<std::string> key = table.text("key", Need::required);
         const std::optional<Measure> deviation = read_measure(table, "standard_deviation", Need::required);
-        const TomlValue* value = key ? find_at(root.content(), {*key, table.place("key")}) : nullptr;
+        InputErrors unheard;  // a path that is none is told as one that leads to nothing
+        const std::optional<ParameterPath> path =
+            key ? ParameterPath::parse({*key, table.place("key")}, root.content(), unheard) : std::nullopt;
+        const TomlValue* value = path ? path->find(root.content()) : nullptr;
         const StudyValue shown_value = value != nullptr ? study_value(*value) : StudyValue{};
         if (key && (value == nullptr || !std::isfinite(shown_value.number))) {
             table.add_error("key",
@@ -170,17 +172,16 @@ std::vector<UncertainKey> read_uncertain(TomlTable& root) {
                             "name a value that the case gives, such as \"drive.air_temperature\"");
             return;
         }
-        if (!key || !deviation) {
+        if (!path || !deviation) {
             return;
         }
-        UncertainKey uncertain{
-            .key = {*key, table.place("key")}, .value = *value, .number = shown_value.number, .unit = unit_of(*value)};
+        UncertainKey uncertain{.path = *path, .value = *value, .number = shown_value.number, .unit = unit_of(*value)};
         const auto in = in_unit(*deviation, uncertain.unit, true, "standard_deviation", table.errors());
         uncertain.standard_deviation = in.value_or(1.0);
         if (!(uncertain.standard_deviation > 0.0)) {
             table.add_error("standard_deviation", "a standard deviation is positive", "give one above 0");
         }
-        if (std::ranges::any_of(found, [&](const UncertainKey& other) { return other.key.text == *key; })) {
+        if (std::ranges::any_of(found, [&](const UncertainKey& other) { return other.path.text() == *key; })) {
             table.add_error("key", fmt::format("\"{}\" is uncertain twice", *key), "remove one");
         }
         found.push_back(std::move(uncertain));

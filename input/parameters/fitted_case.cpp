@@ -1,12 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A fitted case: the original included, and what was fitted laid over it at the paths of its numbers.
 #include "input/parameters/fitted_case.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <fstream>
-#include <map>
+#include <iterator>
 #include <set>
-#include <system_error>
 
 #include <fmt/format.h>
 
@@ -21,6 +20,12 @@ namespace {
 
 namespace fs = std::filesystem;
 using Kind = solver::FreeParameter::Kind;
+using toml_text::list_value;
+using toml_text::quantity_value;
+using toml_text::table_value;
+using toml_text::temperature_value;
+using toml_text::text_value;
+using toml_text::texts_value;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -32,111 +37,94 @@ double tidy(double value) {
 
 /// A law in the form that gives it back: through the temperatures at which it was fitted where they make it up, about
 /// one of them otherwise; a table as its points.
-std::string law_text(const physics::Curve& law, const std::vector<double>& knots, std::string_view unit) {
+TomlValue law_value(const physics::Curve& law, const std::vector<double>& knots, const std::string& unit) {
+    const auto point = [&](double T) {
+        return list_value({temperature_value(T), quantity_value(tidy(law.value(T)), unit)});
+    };
     if (law.is_table()) {
-        std::string rows;
+        std::vector<TomlValue> rows;
         for (std::size_t i = 0; i < law.table_x().size(); ++i) {
-            rows += fmt::format("{}[{}, {}]", i > 0 ? ", " : "", law.table_x()[i], law.table_y()[i]);
+            rows.push_back(list_value({quantity_value(law.table_x()[i], "1"), quantity_value(law.table_y()[i], "1")}));
         }
-        return fmt::format("{{ columns = [\"temperature [K]\", \"value [{}]\"], rows = [{}] }}", unit, rows);
+        return table_value({{"columns", texts_value({"temperature [K]", fmt::format("value [{}]", unit)})},
+                            {"rows", list_value(std::move(rows))}});
     }
     if (law.is_constant()) {
-        return toml_text::quantity(law.value(0.0), unit);
+        return quantity_value(law.value(0.0), unit);
     }
     const double curvature = law.coefficients()[2];
     if (knots.size() == 3 || (knots.size() == 2 && curvature == 0.0)) {
-        std::string points;
-        for (const double T : knots) {
-            points += fmt::format("{}[{}, {}]", points.empty() ? "" : ", ", toml_text::temperature(T),
-                                  toml_text::quantity(tidy(law.value(T)), unit));
-        }
-        return fmt::format("{{ through = [{}] }}", points);
+        std::vector<TomlValue> points;
+        std::ranges::transform(knots, std::back_inserter(points), point);
+        return table_value({{"through", list_value(std::move(points))}});
     }
     const double T = knots.front();
-    std::string text = fmt::format("{{ at = {}, value = {}, slope = {}", toml_text::temperature(T),
-                                   toml_text::quantity(tidy(law.value(T)), unit),
-                                   toml_text::quantity(law.slope(T), fmt::format("{}/K", unit)));
+    TomlValue about = table_value({{"at", temperature_value(T)},
+                                   {"value", quantity_value(tidy(law.value(T)), unit)},
+                                   {"slope", quantity_value(law.slope(T), unit + "/K")}});
     if (curvature != 0.0) {
-        text += fmt::format(", curvature = {}", toml_text::quantity(curvature, fmt::format("{}/K2", unit)));
+        toml_text::add(about, "curvature", quantity_value(curvature, unit + "/K2"));
     }
-    return text + " }";
+    return about;
 }
 
-/// Laws of a material by their keys, in the case's words.
-using Laws = std::map<std::string, std::string>;
-
-/// Whether the original case gives a material's key.
-bool gives(const TomlValue& original, const std::string& material, std::string_view key) {
-    const TomlValue* list = original.find("material");
-    for (const TomlValue& entry : list != nullptr ? list->items : std::vector<TomlValue>{}) {
-        const TomlValue* name = entry.find("name");
-        if (name != nullptr && name->text == material) {
-            return entry.find(key) != nullptr;
-        }
-    }
-    return false;
-}
-
-std::string materials_text(const FittedCase& fitted, const TomlValue& original) {
-    std::map<std::string, Laws> materials;
-    for (const solver::FreeParameter& number : fitted.parameters) {
-        if (number.kind != Kind::conductivity && number.kind != Kind::heat_capacity) {
-            continue;
-        }
-        const physics::Material& material = fitted.fitted->materials[at(number.layers.front())];
-        Laws& laws = materials[material.name];
-        if (number.kind == Kind::heat_capacity) {
-            laws["heat_capacity"] = law_text(material.heat_capacity, number.knots, "J/kgK");
-            continue;
-        }
-        const physics::Curve& through = material.along(mesh::Axis::through);
-        laws["conductivity"] = law_text(through, number.knots, "W/mK");
-        // What the case does not give follows by itself.
-        for (const auto& [key, axis] : {std::pair{"conductivity_meridian", mesh::Axis::meridian},
-                                        std::pair{"conductivity_circumference", mesh::Axis::circumference}}) {
-            if (material.along(axis) == through && gives(original, material.name, key)) {
-                laws[key] = laws["conductivity"];
+/// The laws that were fitted: of the link first, then of materials.
+void lay_laws_over(TomlValue& over, const FittedCase& fitted, const TomlValue& original) {
+    for (const Kind kind : {Kind::link_conductivity, Kind::conductivity, Kind::heat_capacity}) {
+        for (const solver::FreeParameter& number : fitted.parameters) {
+            if (number.kind != kind) {
+                continue;
+            }
+            const physics::Curve& fitted_law = *solver::law_of(*fitted.fitted, number);
+            const TomlValue law = law_value(fitted_law, number.knots, kind == Kind::heat_capacity ? "J/kgK" : "W/mK");
+            ParameterPath path = ParameterPath::of(*fitted.fitted, number);
+            lay_over(over, path, law);
+            if (kind != Kind::conductivity) {
+                continue;
+            }
+            // What the case does not give follows by itself.
+            const physics::Material& material = fitted.fitted->materials[at(number.layers.front())];
+            for (const auto& [key, axis] : {std::pair{"conductivity_circumference", mesh::Axis::circumference},
+                                            std::pair{"conductivity_meridian", mesh::Axis::meridian}}) {
+                path.keys.back().text = key;
+                if (material.along(axis) == fitted_law && path.find(original) != nullptr) {
+                    lay_over(over, path, law);
+                }
             }
         }
     }
-    std::string text;
-    for (const auto& [name, laws] : materials) {
-        text += fmt::format("\n[[material]]\nname = {}\n", toml_text::in_quotes(name));
-        for (const auto& [key, law] : laws) {
-            text += fmt::format("{} = {}\n", key, law);
-        }
+    const auto materials = std::ranges::find(over.entries, "material", &Entry::key);
+    if (materials != over.entries.end()) {  // whatever the order of the numbers
+        std::ranges::sort(materials->value.items, {},
+                          [](const TomlValue& material) { return material.entries.front().value.text; });
     }
-    return text;
 }
 
-std::string link_text(const FittedCase& fitted) {
-    for (const solver::FreeParameter& number : fitted.parameters) {
-        if (number.kind == Kind::link_conductivity) {
-            return fmt::format("\n[mesh]\nlink_conductivity = {}\n",
-                               law_text(fitted.fitted->link_laws.front(), number.knots, "W/mK"));
-        }
-    }
-    return {};
-}
-
-/// Initial temperatures as key = value, all of them: a key that the original has would win over a general one.
-std::vector<std::string> initial_lines(const solver::Problem& problem) {
+/// Initial temperatures, all of them: a key that the original has would win over a general one.
+TomlValue initial_value(const solver::Problem& problem) {
     const mesh::Mesh& mesh = problem.mesh;
-    std::vector<std::string> lines;
+    TomlValue table = table_value();
     for (std::size_t layer = 0; layer < mesh.layers.size(); ++layer) {
-        const auto node = std::find(mesh.layer.begin(), mesh.layer.end(), static_cast<int>(layer)) - mesh.layer.begin();
-        lines.push_back(fmt::format("{} = {}", toml_text::key(mesh.layers[layer]),
-                                    toml_text::temperature(problem.initial[static_cast<std::size_t>(node)])));
+        const auto node = std::ranges::find(mesh.layer, static_cast<int>(layer)) - mesh.layer.begin();
+        toml_text::add(table, mesh.layers[layer], temperature_value(problem.initial[static_cast<std::size_t>(node)]));
     }
     for (const mesh::LumpedNode& lumped_node : mesh.lumped_nodes) {
-        lines.push_back(fmt::format("{} = {}", toml_text::key(lumped_node.name),
-                                    toml_text::temperature(problem.initial[at(lumped_node.node)])));
+        toml_text::add(table, lumped_node.name, temperature_value(problem.initial[at(lumped_node.node)]));
     }
-    return lines;
+    return table;
+}
+
+/// A value of the case as a value in braces or brackets, whether or not it had a heading of its own.
+TomlValue in_one_line(TomlValue value) {
+    value.in_braces = true;
+    for (TomlValue& item : value.items) {
+        item.in_braces = true;
+    }
+    return value;
 }
 
 /// The runs that start at fitted temperatures, and those whose files were given beside the case.
-std::string runs_text(const FittedCase& fitted, const TomlValue& original, const fs::path& folder) {
+void lay_runs_over(TomlValue& over, const FittedCase& fitted, const TomlValue& original, const fs::path& folder) {
     const TomlValue* data = original.find("data");  // how columns of files beside the case are read
     std::set<int> moved;
     for (const solver::FreeParameter& number : fitted.parameters) {
@@ -144,35 +132,37 @@ std::string runs_text(const FittedCase& fitted, const TomlValue& original, const
             moved.insert(number.run);
         }
     }
-    std::string text;
     if (moved.contains(-1)) {
-        text += "\n[initial]\n";
-        for (const std::string& line : initial_lines(*fitted.fitted)) {
-            text += line + "\n";
-        }
+        toml_text::add(over, "initial", initial_value(*fitted.fitted));
+        over.entries.back().value.in_braces = false;
     }
+    std::vector<TomlValue> runs;
     for (std::size_t i = 0; i < fitted.runs.size(); ++i) {
         const FittedRun& run = fitted.runs[i];
         const bool starts_elsewhere = moved.contains(static_cast<int>(i));
         if (run.file.empty() && !starts_elsewhere) {
             continue;
         }
-        text += "\n[[run]]\n";
+        TomlValue table = table_value();
+        table.in_braces = false;
         // A list in which a name is missing takes the place of the original's runs instead of joining them.
         if (run.file.empty() || run.name != run.file.stem().string()) {
-            text += fmt::format("name = {}\n", toml_text::in_quotes(run.name));
+            toml_text::add(table, "name", text_value(run.name));
         }
         if (!run.file.empty()) {
-            text += fmt::format("file = {}\n", toml_text::path(run.file, folder));
+            toml_text::add(table, "file", toml_text::path_value(run.file, folder));
             for (const Entry& entry : data != nullptr ? data->entries : std::vector<Entry>{}) {
-                text += fmt::format("{} = {}\n", toml_text::key(entry.key), toml_text::value(entry.value));
+                toml_text::add(table, entry.key, in_one_line(entry.value));
             }
         }
         if (starts_elsewhere) {
-            text += fmt::format("initial = {{ {} }}\n", fmt::join(initial_lines(*run.problem), ", "));
+            toml_text::add(table, "initial", initial_value(*run.problem));
         }
+        runs.push_back(std::move(table));
     }
-    return text;
+    if (!runs.empty()) {
+        toml_text::add(over, "run", list_value(std::move(runs)));
+    }
 }
 
 std::string heading(const FittedCase& fitted) {
@@ -194,23 +184,13 @@ std::string heading(const FittedCase& fitted) {
 
 std::string fitted_case(const FittedCase& fitted, const fs::path& folder) {
     InputErrors errors;
-    const std::optional<TomlValue> original = read_document(fitted.original, errors);
-    return heading(fitted) + fmt::format("include = [{}]\n", toml_text::path(fitted.original, folder)) +
-           effects_text(*fitted.before, *fitted.fitted, fitted.parameters, fitted.user_effects) + link_text(fitted) +
-           materials_text(fitted, original.value_or(TomlValue{})) +
-           runs_text(fitted, original.value_or(TomlValue{}), folder);
-}
-
-void write_fitted_case(const FittedCase& fitted, const fs::path& file) {
-    const std::string text = fitted_case(fitted, file.parent_path().empty() ? fs::path(".") : file.parent_path());
-    std::ofstream stream(file, std::ios::binary);
-    if (stream) {
-        stream << text;
-        stream.close();
-    }
-    if (!stream) {
-        throw std::system_error(errno, std::generic_category(), file.string());
-    }
+    const TomlValue original = read_document(fitted.original, errors).value_or(TomlValue{});
+    TomlValue over = table_value();
+    toml_text::add(over, "include", list_value({toml_text::path_value(fitted.original, folder)}));
+    lay_effects_over(over, *fitted.before, *fitted.fitted, fitted.parameters, fitted.user_effects);
+    lay_laws_over(over, fitted, original);
+    lay_runs_over(over, fitted, original, folder);
+    return heading(fitted) + toml_text::document(over);
 }
 
 }  // namespace tiretherm::input

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A case as a fit or a diagnosis has left it, written as a case that includes the original.
 #pragma once
 
 #include <filesystem>
@@ -33,9 +35,5 @@ struct FittedCase {
 /// number with all its digits, so that reading it gives the fitted problem again.
 /// @param folder where the text will stand: paths in it are relative to there
 [[nodiscard]] std::string fitted_case(const FittedCase& fitted, const std::filesystem::path& folder);
-
-/// Writes it to a file.
-/// @errors std::system_error with the path and the reason
-void write_fitted_case(const FittedCase& fitted, const std::filesystem::path& file);
 
 }  // namespace tiretherm::input

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "input/measurements/runs.hpp"
-#include "input/parameters/study_key.hpp"
 #include "input/parameters/study_value.hpp"
 
 namespace tiretherm::input {
@@ -41,7 +40,7 @@ std::optional<solver::Problem> HotSpotCase::moved(const UncertainKey& uncertain_
     InputErrors errors = errors_;
     const double number = uncertain_key.number + deviations * uncertain_key.standard_deviation;
     const StudyValue value = study_value(number, uncertain_key.unit, false, uncertain_key.value.place);
-    if (!write_at(document, uncertain_key.key, value.node, errors)) {
+    if (!uncertain_key.path.set(document, value.node, errors)) {
         return std::nullopt;
     }
     return problem_of(document);

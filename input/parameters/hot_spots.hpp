@@ -6,15 +6,16 @@
 #include <vector>
 
 #include "input/model/problem_builder.hpp"
+#include "input/parameters/parameter_path.hpp"
 #include "solver/hot_spot/hot_spot.hpp"
 #include "solver/sensitivity/free_parameter.hpp"
 
 /// What a case says of its hot spots: the lists [[critical]] and [[uncertain]].
 namespace tiretherm::input {
 
-/// A value of the case that is known with a standard deviation only, by its path: "drive.air_temperature".
+/// A value of the case that is known with a standard deviation only: "drive.air_temperature".
 struct UncertainKey {
-    LocatedString key{};
+    ParameterPath path{};
     TomlValue value{};                ///< as the case has it
     double number = 0.0;              ///< in `unit`
     std::string unit{};               ///< as the case writes it; empty for a pure number

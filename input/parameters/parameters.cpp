@@ -1,13 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The tables [[parameter]], [identify] and [diagnose].
 #include "input/parameters/parameters.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <tuple>
 
 #include <fmt/format.h>
 
 #include "input/effects/user_effects.hpp"
-#include "input/parameters/parameter_kinds.hpp"
+#include "input/parameters/resolve.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
 
@@ -116,22 +120,15 @@ bool meet(const std::vector<int>& a, const std::vector<int>& b) {
 
 /// Whether two entries move the same number, or numbers that lie in each other.
 bool same(const FreeParameter& a, const FreeParameter& b) {
-    if (a.kind != b.kind) {
+    const auto address = [](const FreeParameter& number) {
+        return std::tie(number.effect, number.parameter, number.everywhere, number.scope, number.place);
+    };
+    if (a.kind != b.kind || a.run != b.run) {
         return false;
     }
-    switch (a.kind) {
-        case FreeParameter::Kind::effect:
-            return a.effect == b.effect && a.parameter == b.parameter && a.everywhere == b.everywhere &&
-                   (a.everywhere || (a.scope == b.scope && a.place == b.place));
-        case FreeParameter::Kind::conductivity:
-        case FreeParameter::Kind::heat_capacity:
-            return meet(a.layers, b.layers);
-        case FreeParameter::Kind::link_conductivity:
-            return true;
-        case FreeParameter::Kind::initial:
-            return a.run == b.run && meet(a.nodes, b.nodes);
-    }
-    return false;
+    return a.kind == FreeParameter::Kind::effect
+               ? address(a) == address(b)
+               : a.kind == FreeParameter::Kind::link_conductivity || meet(a.layers, b.layers) || meet(a.nodes, b.nodes);
 }
 
 /// Whether a number is free everywhere and again at a place that has no value of its own.
@@ -145,11 +142,6 @@ bool follows(const ProblemBuilder& builder, const FreeParameter& everywhere, con
     return std::none_of(own.begin(), own.end(), [&](const auto& value) {
         return value.scope == here.scope && value.index == here.place && value.parameter == here.parameter;
     });
-}
-
-std::string_view word_of(physics::Scope scope) {
-    constexpr std::array<std::string_view, 4> words{"patch", "layer", "zone", "channel"};
-    return words[static_cast<std::size_t>(scope)];
 }
 
 /// Adds the numbers of an entry, unless one of them is free already.
@@ -177,8 +169,8 @@ void add(const TomlTable& table, const ProblemBuilder& builder, const FreeParame
                 const physics::ActiveEffect& active = builder.problem.effects[here.effect];
                 refuse(
                     fmt::format("{} follows {}: both are free{}", here.name, general ? number.name : other.name, where),
-                    fmt::format("give the place a value of its own, {}_by_{} in [effects.{}], or free one of them",
-                                active.effect->parameters[here.parameter].key, word_of(here.scope), active.title()));
+                    fmt::format("give the place a value of its own, {}{} in [effects.{}], or free one of them",
+                                active.effect->parameters[here.parameter].key, key_ending(here.scope), active.title()));
                 return;
             }
         }
@@ -187,7 +179,7 @@ void add(const TomlTable& table, const ProblemBuilder& builder, const FreeParame
     }
 }
 
-/// The one of these keys that says what is free, or an error.
+/// The one of these keys that says what is free, or an error. A key with dots in it is a path by itself.
 std::string_view read_subject(const TomlTable& table) {
     constexpr std::array<std::string_view, 7> subjects{"effect", "source", "exchange", "material",
                                                        "camera", "link",   "initial"};
@@ -203,6 +195,10 @@ std::string_view read_subject(const TomlTable& table) {
         }
         found = subject;
     }
+    const TomlValue* key = table.content().find("key");
+    if (found.empty() && key != nullptr && key->text.find('.') != std::string::npos) {
+        return "key";
+    }
     if (found.empty()) {
         table.errors().add(
             table.place(), "[[parameter]] does not say what is free",
@@ -212,35 +208,129 @@ std::string_view read_subject(const TomlTable& table) {
     return found;
 }
 
+/// The text of a key, empty after an error, and its place.
+LocatedString located(TomlTable& table, std::string_view key, Need need = Need::optional) {
+    std::string text = table.text(key, need).value_or("");
+    return {std::move(text), table.place(key)};
+}
+
+/// Adds to a path the keys of a number: "h", or "h_by_patch" and "top" where patch = "top" is given beside the key.
+/// @returns false after an error
+bool add_number(TomlTable& table, LocatedString key, ParameterPath& path) {
+    constexpr std::array<std::string_view, 4> words{"patch", "layer", "zone", "channel"};
+    std::optional<LocatedString> place;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (!table.has(words[i])) {
+            continue;
+        }
+        if (place) {
+            table.add_error(words[i], "a number is free at one place, and here are two", "keep one of them");
+            return false;
+        }
+        place = located(table, words[i]);
+        key.text += key.text.empty() ? "" : key_ending(static_cast<physics::Scope>(i));
+    }
+    const bool is_at_place = place && !key.text.empty();
+    path.keys.push_back(std::move(key));
+    if (is_at_place) {
+        path.keys.push_back(std::move(*place));
+    }
+    return !is_at_place || !path.keys.back().text.empty();
+}
+
+/// The list in which the document has a user effect of this name; empty where it has none.
+std::string_view list_of(const TomlValue& document, const std::string& name) {
+    for (const UserEffectKind& kind : {user_heat_source, user_heat_transfer}) {
+        if (std::ranges::count(user_effect_names(document, kind.list), name) > 0) {
+            return kind.list;
+        }
+    }
+    return {};
+}
+
+/// The path of an effect's number: the catalogue's, which has to be named, or the one of a user effect.
+std::optional<ParameterPath> effect_path(TomlTable& table, std::string_view subject, const TomlValue& document) {
+    table.declare_keys({"key", "patch", "layer", "zone", "channel"});
+    const LocatedString name = located(table, subject);
+    const std::string_view list = subject == "effect" ? list_of(document, name.text) : subject;
+    LocatedString key = located(table, "key", list.empty() ? Need::required : Need::optional);
+    if (!list.empty() && !table.has("key")) {
+        key.text = (list == user_heat_source.list ? user_heat_source : user_heat_transfer).number;
+    }
+    ParameterPath path{.keys = {{list.empty() ? "effects" : std::string(list), table.place(subject)}, name}};
+    const bool is_sound = add_number(table, std::move(key), path) && !name.text.empty();
+    return is_sound ? std::optional(std::move(path)) : std::nullopt;
+}
+
+/// The paths that a [[parameter]] names in one of its forms: several of initial temperatures only. None after an error.
+std::vector<ParameterPath> read_paths(TomlTable& table, std::string_view subject, const TomlValue& document) {
+    constexpr std::array<std::string_view, 2> laws{"conductivity", "heat_capacity"};
+    const auto only = [](std::optional<ParameterPath> path) {
+        return path ? std::vector{std::move(*path)} : std::vector<ParameterPath>{};
+    };
+    if (subject == "effect" || subject == "source" || subject == "exchange") {
+        return only(effect_path(table, subject, document));
+    }
+    if (subject == "key") {
+        return only(ParameterPath::parse(located(table, "key"), document, table.errors()));
+    }
+    const SourceLocation place = table.place(subject);
+    if (subject == "camera") {
+        const LocatedString name = located(table, "camera");
+        const LocatedString key = located(table, "key", Need::required);
+        return only(ParameterPath{.keys = {{"camera", place}, name, key}});
+    }
+    if (subject == "material") {
+        const LocatedString name = located(table, "material");
+        const std::optional<std::size_t> law = table.choice("law", laws, Need::required);
+        return only(ParameterPath{
+            .keys = {{"material", place}, name, {law ? std::string(laws[*law]) : "", table.place("law")}}});
+    }
+    if (subject == "link") {
+        const bool is_known = table.choice("link", std::span(laws).first(1)).has_value();
+        return is_known ? only(ParameterPath{.keys = {{"mesh", place}, {"link_conductivity", place}}})
+                        : std::vector<ParameterPath>{};
+    }
+    const std::size_t before = table.errors().count();
+    std::vector<ParameterPath> paths;
+    for (LocatedString& word : table.texts("initial")) {
+        paths.push_back({.keys = {{"initial", place}, std::move(word)}});
+    }
+    if (paths.empty() && table.errors().count() == before) {
+        table.add_error("initial", "initial names nothing", "write initial = \"temperature\", which is all of it");
+    }
+    return paths;
+}
+
 }  // namespace
 
 void read_parameters(TomlTable& root, const ProblemBuilder& builder, const std::vector<std::string>& run_names,
                      std::vector<FreeParameter>& into) {
+    const CaseAsRead in{
+        .builder = builder, .document = root.content(), .run_names = run_names, .errors = root.errors()};
     std::vector<SourceLocation> places;
     root.each("parameter", [&](TomlTable& table) {
         table.declare_keys({"expected", "standard_deviation", "low", "high"});
         const std::string_view subject = read_subject(table);
-        std::optional<FreeParameters> freed;
-        if (subject == "effect") {
-            freed = free_effect(table, builder, root.content());
-        } else if (subject == "source") {
-            freed = free_user_effect(table, builder, root.content(), user_heat_source);
-        } else if (subject == "exchange") {
-            freed = free_user_effect(table, builder, root.content(), user_heat_transfer);
-        } else if (subject == "camera") {
-            freed = free_camera(table, builder, root.content());
-        } else if (subject == "material") {
-            freed = free_law(table, builder);
-        } else if (subject == "link") {
-            freed = free_link(table, builder);
-        } else if (subject == "initial") {
-            freed = free_initial(table, builder, run_names);
-        } else {
+        if (subject.empty()) {
             table.allow_unknown_keys();
+            return;
         }
-        if (freed) {
-            read_prior(table, builder, *freed);
-            add(table, builder, *freed, places, into);
+        const std::vector<ParameterPath> paths = read_paths(table, subject, in.document);
+        const bool is_law = subject == "material" || subject == "link" || (!paths.empty() && paths.front().is_law());
+        const Knots knots = is_law ? read_knots(table) : Knots{};
+        FreeParameters freed{.numbers = {}, .spec = {}};
+        for (const ParameterPath& path : paths) {
+            std::optional<FreeParameters> found = resolve(path, in, knots);
+            if (!found) {
+                return;
+            }
+            freed.spec = found->spec;
+            std::ranges::move(found->numbers, std::back_inserter(freed.numbers));
+        }
+        if (!freed.numbers.empty()) {
+            read_prior(table, builder, freed);
+            add(table, builder, freed, places, into);
         }
     });
 }
@@ -261,20 +351,21 @@ void read_diagnose(TomlTable& root, const solver::Problem& problem, Experiment& 
         known.emplace_back(effect->id);
         const bool is_on =
             std::ranges::find(problem.effects, effect, &physics::ActiveEffect::effect) != problem.effects.end();
-        for (const physics::ParameterSpec& parameter : effect->parameters) {
-            if (is_on || !std::isnan(parameter.absent)) {
-                known.push_back(fmt::format("{}.{}", effect->id, parameter.key));
+        for (std::size_t p = 0; p < effect->parameters.size(); ++p) {
+            if (is_on || !std::isnan(effect->parameters[p].absent)) {
+                known.push_back(CatalogueEntry{.effect = effect, .parameter = p}.text());
             }
         }
     }
     for (const LocatedString& word : table.texts("candidates")) {
-        if (std::ranges::find(known, word.text) == known.end()) {
+        const std::optional<CatalogueEntry> entry = find_in_catalogue(word.text);
+        if (!entry || std::ranges::find(known, entry->text()) == known.end()) {
             root.errors().add(
                 word.place,
                 fmt::format("there is no effect \"{}\" that may be missing or have a wrong number", word.text),
                 suggest(word.text, known, "effects"));
         } else {
-            into.candidates.push_back(word.text);
+            into.candidates.push_back(entry->text());
         }
     }
 }

@@ -8,7 +8,7 @@
 
 #include "input/measurements/runs.hpp"
 #include "input/model/reader.hpp"
-#include "input/parameters/study_key.hpp"
+#include "input/parameters/parameter_path.hpp"
 #include "input/studies/study_fingerprint.hpp"
 #include "input/text/quantity_specs.hpp"
 
@@ -166,8 +166,11 @@ bool Study::is_sampled() const {
 TomlValue Study::document_of(std::size_t run, InputErrors& errors) const {
     TomlValue document = document_;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-        if (!inputs[i].values.empty()) {
-            static_cast<void>(write_at(document, inputs[i].key, value(run, i).node, errors));
+        if (inputs[i].values.empty()) {
+            continue;
+        }
+        if (const auto path = ParameterPath::parse(inputs[i].key, document, errors)) {
+            static_cast<void>(path->set(document, value(run, i).node, errors));
         }
     }
     return document;

@@ -30,8 +30,19 @@ TomlTable::~TomlTable() {
     }
 }
 
+void TomlTable::record(KeyUse use) const {
+    if (!KeyRecord::is_on()) {
+        return;
+    }
+    use.table = name_;
+    const TomlValue* kind = table_->find("kind");
+    use.variant = kind != nullptr ? kind->text : "";
+    KeyRecord::add(std::move(use));
+}
+
 void TomlTable::declare_keys(std::initializer_list<std::string_view> keys) {
     for (const std::string_view key : keys) {
+        record({.key = std::string(key)});
         if (std::find(known_.begin(), known_.end(), key) == known_.end()) {
             known_.emplace_back(key);
         }
@@ -74,6 +85,7 @@ const TomlValue* TomlTable::take(std::string_view key, Need need, std::initializ
 
 const TomlValue* TomlTable::value(std::string_view key, Need need, std::string_view example) {
     declare_keys({key});
+    record({.key = std::string(key), .form = KeyForm::any, .required = need == Need::required});
     const TomlValue* node = table_->find(key);
     if (node == nullptr && need == Need::required) {
         report_missing(key, example);
@@ -90,6 +102,7 @@ std::string TomlTable::child_name(std::string_view key, bool list) const {
 }
 
 TomlTable TomlTable::subtable(std::string_view key, Need need) {
+    record({.key = std::string(key), .form = KeyForm::table, .required = need == Need::required});
     const std::string title = child_name(key, false);
     const TomlValue* node = take(key, need, {TomlValue::Kind::table}, "a table", title);
     if (node == nullptr) {
@@ -100,6 +113,7 @@ TomlTable TomlTable::subtable(std::string_view key, Need need) {
 
 void TomlTable::each(std::string_view key, const std::function<void(TomlTable&)>& read, Need need,
                      std::string_view example) {
+    record({.key = std::string(key), .form = KeyForm::tables, .required = need == Need::required});
     const std::string title = child_name(key, true);
     const std::string entry(example.empty() ? title : example);
     const TomlValue* list = take(key, need, {TomlValue::Kind::array}, "a list of tables", entry);

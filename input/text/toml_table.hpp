@@ -10,6 +10,7 @@
 
 #include "input/text/document.hpp"
 #include "input/text/input_error.hpp"
+#include "input/text/key_record.hpp"
 #include "input/text/quantity.hpp"
 
 namespace tiretherm::input {
@@ -80,6 +81,8 @@ private:
     const TomlValue* take(std::string_view key, Need need, std::initializer_list<TomlValue::Kind> kinds,
                           std::string_view expected, std::string_view example);
     void report_missing(std::string_view key, std::string_view example) const;
+    /// Tells the record of keys, where there is one, how this key is read.
+    void record(KeyUse use) const;
     [[nodiscard]] std::string child_name(std::string_view key, bool list) const;
 
     TomlValue nothing_;

@@ -10,6 +10,7 @@ namespace tiretherm::input {
 
 std::optional<double> TomlTable::quantity(std::string_view key, const QuantitySpec& spec, Need need) {
     declare_keys({key});
+    record({.key = std::string(key), .form = KeyForm::quantity, .required = need == Need::required, .spec = spec});
     const TomlValue* node = table_->find(key);
     if (node == nullptr || (node->kind != TomlValue::Kind::text && !node->is_number())) {
         if (node != nullptr || need == Need::required) {
@@ -37,11 +38,13 @@ std::optional<double> TomlTable::quantity(std::string_view key, const QuantitySp
 }
 
 std::optional<std::string> TomlTable::text(std::string_view key, Need need) {
+    record({.key = std::string(key), .form = KeyForm::text, .required = need == Need::required});
     const TomlValue* node = take(key, need, {TomlValue::Kind::text}, "a text", fmt::format("{} = \"...\"", key));
     return node == nullptr ? std::nullopt : std::optional(node->text);
 }
 
 std::optional<std::string> TomlTable::name(std::string_view key, Need need) {
+    record({.key = std::string(key), .form = KeyForm::name, .required = need == Need::required});
     std::optional<std::string> name = text(key, need);
     if (!name) {
         return std::nullopt;
@@ -59,6 +62,7 @@ std::optional<std::string> TomlTable::name(std::string_view key, Need need) {
 std::optional<std::size_t> TomlTable::choice(std::string_view key, std::span<const std::string_view> options,
                                              Need need) {
     const std::vector<std::string> known(options.begin(), options.end());
+    record({.key = std::string(key), .form = KeyForm::choice, .required = need == Need::required, .options = known});
     const TomlValue* node =
         take(key, need, {TomlValue::Kind::text}, "a word", fmt::format("{} = \"{}\"", key, known.front()));
     if (node == nullptr) {
@@ -74,12 +78,18 @@ std::optional<std::size_t> TomlTable::choice(std::string_view key, std::span<con
 }
 
 std::optional<bool> TomlTable::flag(std::string_view key) {
+    record({.key = std::string(key), .form = KeyForm::flag});
     const TomlValue* node =
         take(key, Need::optional, {TomlValue::Kind::boolean}, "true or false", fmt::format("{} = true", key));
     return node == nullptr ? std::nullopt : std::optional(node->truth);
 }
 
 std::optional<int> TomlTable::count(std::string_view key, int low, int high, Need need) {
+    record({.key = std::string(key),
+            .form = KeyForm::count,
+            .required = need == Need::required,
+            .low = low,
+            .high = high});
     const TomlValue* node =
         take(key, need, {TomlValue::Kind::integer}, "a whole number", fmt::format("{} = {}", key, std::max(low, 8)));
     if (node == nullptr) {
@@ -93,6 +103,7 @@ std::optional<int> TomlTable::count(std::string_view key, int low, int high, Nee
 }
 
 std::vector<LocatedString> TomlTable::texts(std::string_view key, Need need) {
+    record({.key = std::string(key), .form = KeyForm::texts, .required = need == Need::required});
     const TomlValue* node = take(key, need, {TomlValue::Kind::text, TomlValue::Kind::array}, "a list of texts",
                                  fmt::format("{} = [\"...\"]", key));
     if (node == nullptr) {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writing TOML: values as the reader of cases takes them, and whole documents.
 #include "input/text/toml_text.hpp"
 
 #include <algorithm>
@@ -33,15 +35,7 @@ std::string key(std::string_view key) {
     return bare ? std::string(key) : in_quotes(key);
 }
 
-std::string quantity(double value, std::string_view unit) {
-    return unit == "1" ? fmt::format("{}", value) : fmt::format("\"{} {}\"", value, unit);
-}
-
-std::string temperature(double kelvin) {
-    constexpr double zero = 273.15;
-    const double celsius = std::round((kelvin - zero) * 1e9) / 1e9;
-    return celsius + zero == kelvin ? quantity(celsius, "degC") : quantity(kelvin, "K");
-}
+std::string quantity(double value, std::string_view unit) { return toml_text::value(quantity_value(value, unit)); }
 
 std::string value(const TomlValue& node) {
     switch (node.kind) {
@@ -70,11 +64,109 @@ std::string value(const TomlValue& node) {
     return {};
 }
 
-std::string path(const std::filesystem::path& file, const std::filesystem::path& folder) {
+namespace {
+
+bool is_list_of_tables(const TomlValue& node) {
+    return node.kind == TomlValue::Kind::array && !node.items.empty() &&
+           std::ranges::all_of(node.items, [](const TomlValue& item) {
+               return item.kind == TomlValue::Kind::table && !item.in_braces;
+           });
+}
+
+bool has_heading(const TomlValue& node) {
+    return is_list_of_tables(node) || (node.kind == TomlValue::Kind::table && !node.in_braces);
+}
+
+/// The values of a table as lines, then what has headings of its own. @param name its heading; empty: of the document
+std::string table_text(const TomlValue& table, const std::string& name) {
+    std::string text;
+    for (const Entry& entry : table.entries) {
+        text += has_heading(entry.value) ? "" : fmt::format("{} = {}\n", key(entry.key), value(entry.value));
+    }
+    for (const Entry& entry : table.entries) {
+        if (!has_heading(entry.value)) {
+            continue;
+        }
+        const std::string path = fmt::format("{}{}{}", name, name.empty() ? "" : ".", key(entry.key));
+        const bool is_list = is_list_of_tables(entry.value);
+        for (const TomlValue& item : is_list ? entry.value.items : std::vector{entry.value}) {
+            if (is_list) {
+                text += fmt::format("\n[[{}]]\n", path);
+            } else if (std::ranges::any_of(item.entries, [](const Entry& e) { return !has_heading(e.value); })) {
+                text += fmt::format("\n[{}]\n", path);
+            }
+            text += table_text(item, path);
+        }
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string document(const TomlValue& root) { return table_text(root, ""); }
+
+TomlValue text_value(std::string text) {
+    TomlValue node;
+    node.kind = TomlValue::Kind::text;
+    node.text = std::move(text);
+    return node;
+}
+
+TomlValue boolean_value(bool truth) {
+    TomlValue node;
+    node.kind = TomlValue::Kind::boolean;
+    node.truth = truth;
+    return node;
+}
+
+TomlValue quantity_value(double value, std::string_view unit) {
+    if (unit != "1") {
+        return text_value(fmt::format("{} {}", value, unit));
+    }
+    TomlValue node;
+    node.kind = TomlValue::Kind::real;
+    node.number = value;
+    return node;
+}
+
+TomlValue temperature_value(double kelvin) {
+    constexpr double zero = 273.15;
+    const double celsius = std::round((kelvin - zero) * 1e9) / 1e9;
+    return celsius + zero == kelvin ? quantity_value(celsius, "degC") : quantity_value(kelvin, "K");
+}
+
+TomlValue path_value(const std::filesystem::path& file, const std::filesystem::path& folder) {
     namespace fs = std::filesystem;
     const fs::path whole = fs::weakly_canonical(fs::absolute(file));
     const fs::path from_there = whole.lexically_relative(fs::weakly_canonical(fs::absolute(folder)));
-    return toml_text::in_quotes((from_there.empty() ? whole : from_there).generic_string());
+    return text_value((from_there.empty() ? whole : from_there).generic_string());
+}
+
+TomlValue list_value(std::vector<TomlValue> items) {
+    TomlValue node;
+    node.kind = TomlValue::Kind::array;
+    node.items = std::move(items);
+    return node;
+}
+
+TomlValue texts_value(const std::vector<std::string>& texts) {
+    std::vector<TomlValue> items;
+    std::ranges::transform(texts, std::back_inserter(items), text_value);
+    return list_value(std::move(items));
+}
+
+TomlValue table_value(std::vector<std::pair<std::string, TomlValue>> entries) {
+    TomlValue node;
+    node.kind = TomlValue::Kind::table;
+    node.in_braces = true;
+    for (auto& [name, its] : entries) {
+        add(node, std::move(name), std::move(its));
+    }
+    return node;
+}
+
+void add(TomlValue& table, std::string key, TomlValue value) {
+    table.entries.push_back({.key = std::move(key), .place = {}, .value = std::move(value)});
 }
 
 }  // namespace tiretherm::input::toml_text

@@ -1,8 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writing TOML: values as the reader of cases takes them, and whole documents.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "input/text/document.hpp"
 
@@ -15,11 +19,25 @@ namespace tiretherm::input::toml_text {
 [[nodiscard]] std::string key(std::string_view key);
 /// A pure number, or "12.5 W m-1 K-1" with its quotation marks. @param value in the unit
 [[nodiscard]] std::string quantity(double value, std::string_view unit);
-/// "90 degC" where that is exactly the temperature, otherwise in kelvin. @param kelvin K
-[[nodiscard]] std::string temperature(double kelvin);
 /// A value of a case as it was written, in one line.
 [[nodiscard]] std::string value(const TomlValue& node);
+/// A case as a file has it: values, then a heading with its lines for each table and each table of a list. Tables that
+/// are marked as standing in braces are values.
+[[nodiscard]] std::string document(const TomlValue& root);
+
+/// Values of a document that is going to be written.
+[[nodiscard]] TomlValue text_value(std::string text);
+[[nodiscard]] TomlValue boolean_value(bool truth);
+/// @param value in the unit; "1": a pure number
+[[nodiscard]] TomlValue quantity_value(double value, std::string_view unit);
+/// "90 degC" where that is exactly the temperature, otherwise in kelvin. @param kelvin K
+[[nodiscard]] TomlValue temperature_value(double kelvin);
 /// A file as a text in a folder names it: from there, or whole where no way leads there.
-[[nodiscard]] std::string path(const std::filesystem::path& file, const std::filesystem::path& folder);
+[[nodiscard]] TomlValue path_value(const std::filesystem::path& file, const std::filesystem::path& folder);
+[[nodiscard]] TomlValue list_value(std::vector<TomlValue> items);
+[[nodiscard]] TomlValue texts_value(const std::vector<std::string>& texts);
+/// A table in braces. @param entries may be empty, to be filled by `add`
+[[nodiscard]] TomlValue table_value(std::vector<std::pair<std::string, TomlValue>> entries = {});
+void add(TomlValue& table, std::string key, TomlValue value);
 
 }  // namespace tiretherm::input::toml_text

@@ -57,7 +57,9 @@ double concentration(const TravellingContact& contact, int sector, int sectors) 
 
 bool travels(const ActiveEffect& active) {
     const int choice = find_choice(*active.effect, around_key);
-    return active.effect->travels || (choice >= 0 && active.choices[static_cast<std::size_t>(choice)] == in_contact);
+    const HeatEffect* heat = active.effect->heat_effect();
+    return (heat != nullptr && heat->travels) ||
+           (choice >= 0 && active.choices[static_cast<std::size_t>(choice)] == in_contact);
 }
 
 std::vector<int> sectors_of(const mesh::Mesh& mesh, const std::vector<int>& nodes) {

@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The files of a comparison: samples, statistics and pixels as tables, worst frames as pictures.
 #include <cmath>
-#include <iterator>
 
 #include <fmt/format.h>
 
-#include "post/pictures/camera_picture.hpp"
 #include "post/comparison/comparison_report.hpp"
+#include "post/pictures/camera_picture.hpp"
+#include "post/report/csv.hpp"
 #include "post/report/file.hpp"
 
 namespace tiretherm::post {
@@ -13,45 +15,29 @@ using namespace diagnosis;  // whose results are rendered here
 
 namespace {
 
-/// A name as a cell: in quotes where a comma or a quote in it would end the cell.
-std::string cell(const std::string& name) {
-    if (name.find_first_of(",\"\n") == std::string::npos) {
-        return name;
-    }
-    std::string quoted = "\"";
-    for (const char letter : name) {
-        quoted += letter == '"' ? "\"\"" : std::string(1, letter);
-    }
-    return quoted + "\"";
-}
-
 std::string samples_csv(const Comparison& comparison) {
-    std::string text = "time [s],run,channel,unit,measured,simulated,difference\n";
+    Csv csv({"time [s]", "run", "channel", "unit", "measured", "simulated", "difference"});
     for (const ComparedChannel& channel : comparison.channels) {
+        const solver::ShownUnit& unit = channel.unit;
         for (const ComparedSeries& series : channel.series) {
-            const std::string names =
-                fmt::format("{},{},{}", cell(comparison.runs[series.run]), cell(channel.name), channel.unit.name);
             for (std::size_t i = 0; i < series.time.size(); ++i) {
-                fmt::format_to(std::back_inserter(text), "{:.10g},{},{:.8g},{:.8g},{:.6g}\n", series.time[i], names,
-                               channel.unit.value(series.measured[i]), channel.unit.value(series.simulated[i]),
-                               channel.unit.difference(series.simulated[i] - series.measured[i]));
+                csv.row(Digits{series.time[i], 10}, comparison.runs[series.run], channel.name, unit.name,
+                        Digits{unit.value(series.measured[i]), 8}, Digits{unit.value(series.simulated[i]), 8},
+                        Digits{unit.difference(series.simulated[i] - series.measured[i]), 6});
             }
         }
     }
-    return text;
+    return csv.text();
 }
 
 std::string statistics_csv(const Comparison& comparison) {
-    std::string text = "channel,unit,of,name,low,high,samples,bias,bias_deviation,rmse,scatter,independent_samples\n";
+    Csv csv({"channel", "unit", "of", "name", "low", "high", "samples", "bias", "bias_deviation", "rmse", "scatter",
+             "independent_samples"});
     for (const ComparedChannel& channel : comparison.channels) {
-        const auto value = [&](double difference) {
-            const double shown = channel.unit.difference(difference);
-            return std::isfinite(shown) ? fmt::format("{:.6g}", shown) : std::string();
-        };
+        const auto value = [&](double difference) { return Digits{channel.unit.difference(difference), 6}; };
         const auto add = [&](const char* of, std::string_view name, const Figures& f) {
-            text += fmt::format("{},{},{},{},,,{},{},{},{},{},{:.6g}\n", cell(channel.name), channel.unit.name, of,
-                                cell(std::string(name)), f.samples, value(f.bias), value(f.bias_deviation),
-                                value(f.rmse), value(f.scatter), f.independent);
+            csv.row(channel.name, channel.unit.name, of, name, "", "", f.samples, value(f.bias),
+                    value(f.bias_deviation), value(f.rmse), value(f.scatter), Digits{f.independent, 6});
         };
         add("all", "", channel.figures);
         for (const RunFigures& run : channel.runs) {
@@ -61,31 +47,47 @@ std::string statistics_csv(const Comparison& comparison) {
             add("phase", name_of(phase.phase), phase.figures);
         }
         for (const RegressorFigures& regressor : channel.regressors) {
+            const std::string name = fmt::format("{} [{}]", regressor.name, regressor.unit);
             for (const Bin& bin : regressor.bins) {
-                text += fmt::format("{},{},signal,{},{:.6g},{:.6g},{},{},{},,,\n", cell(channel.name),
-                                    channel.unit.name, cell(fmt::format("{} [{}]", regressor.name, regressor.unit)),
-                                    bin.low, bin.high, bin.samples, value(bin.mean), value(bin.deviation));
+                csv.row(channel.name, channel.unit.name, "signal", name, Digits{bin.low, 6}, Digits{bin.high, 6},
+                        bin.samples, value(bin.mean), value(bin.deviation), "", "", "");
             }
         }
     }
-    return text;
+    return csv.text();
+}
+
+std::string pixels_csv(const Comparison& comparison) {
+    Csv csv({"run", "camera", "row", "column", "x [m]", "y [m]", "frames", "mean difference [K]", "rms [K]",
+             "difference at the end [K]"});
+    for (const ComparedImages& one : comparison.images) {
+        for (std::size_t p = 0; p < one.pixels(); ++p) {
+            double sum = 0.0;
+            double squares = 0.0;
+            for (std::size_t f = 0; f < one.time.size(); ++f) {
+                sum += one.difference(f, p);
+                squares += one.difference(f, p) * one.difference(f, p);
+            }
+            const auto n = static_cast<double>(one.time.size());
+            csv.row(comparison.runs[one.run], one.camera, one.place[p][0], one.place[p][1], Digits{one.where[p][0], 6},
+                    Digits{one.where[p][1], 6}, one.time.size(), Digits{sum / n, 5}, Digits{std::sqrt(squares / n), 5},
+                    Digits{one.difference(one.time.size() - 1, p), 5});
+        }
+    }
+    return csv.text();
 }
 
 }  // namespace
 
 std::vector<std::filesystem::path> write_comparison(const Comparison& comparison,
                                                     const std::filesystem::path& directory) {
-    std::error_code error;
-    std::filesystem::create_directories(directory, error);
-    if (error) {
-        throw FileError("create", directory, error.message());
-    }
+    create_folder(directory);
     std::vector<std::filesystem::path> files{directory / "compare.csv", directory / "compare_statistics.csv"};
     replace_file(files[0], samples_csv(comparison));
     replace_file(files[1], statistics_csv(comparison));
     if (!comparison.images.empty()) {
         files.push_back(directory / "compare_pixels.csv");
-        replace_file(files.back(), pixels_csv(comparison.images, comparison.runs));
+        replace_file(files.back(), pixels_csv(comparison));
     }
     for (const ComparedImages& images : comparison.images) {
         const std::string& run = comparison.runs[images.run];

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A comparison of measured with simulated as a report, and its files.
 #pragma once
 
 #include <filesystem>
@@ -5,25 +7,23 @@
 #include <vector>
 
 #include "diagnosis/compare/comparison.hpp"
+#include "post/report/report.hpp"
 
 namespace tiretherm::post {
 
 /// "simulated 1.9 +- 0.3 K too hot on the whole; ..." The channel in sentences.
 [[nodiscard]] std::vector<std::string> sentences(const diagnosis::ComparedChannel& channel);
-/// A page for a thermal engineer.
-[[nodiscard]] std::string comparison_text(const diagnosis::Comparison& comparison, bool bold);
-/// @param files that were written
-[[nodiscard]] std::string comparison_json(const diagnosis::Comparison& comparison,
-                                          const std::vector<std::filesystem::path>& files);
+/// A page for a thermal engineer, and all figures. @param files that were written
+[[nodiscard]] Report comparison_report(const diagnosis::Comparison& comparison,
+                                       const std::vector<std::filesystem::path>& files);
 /// compare.csv: a row for each sample. compare_statistics.csv: a row for each channel, run, phase and bin. Of cameras
 /// compare_pixels.csv, a row for each pixel of each run, and a picture of the worst frame of each run.
 /// @errors FileError  @returns their paths
 [[nodiscard]] std::vector<std::filesystem::path> write_comparison(const diagnosis::Comparison& comparison,
                                                                   const std::filesystem::path& directory);
 
-/// Tables and sentences of all cameras. @param runs names
-[[nodiscard]] std::string cameras_text(const std::vector<diagnosis::ComparedImages>& images, const std::vector<std::string>& runs);
-/// A row for each pixel of each run.
-[[nodiscard]] std::string pixels_csv(const std::vector<diagnosis::ComparedImages>& images, const std::vector<std::string>& runs);
+/// Tables and sentences of all cameras. @param runs names  @param data of each camera, to be filled
+[[nodiscard]] Section cameras_section(const std::vector<diagnosis::ComparedImages>& images,
+                                      const std::vector<std::string>& runs, Value& data);
 
 }  // namespace tiretherm::post

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The files of a diagnosis: the extended case, residuals and missing heat as tables, diagnosis.json.
 #include <algorithm>
-#include <iterator>
 
 #include <fmt/format.h>
 
@@ -7,6 +8,7 @@
 #include "input/parameters/fitted_case.hpp"
 #include "post/diagnosis/diagnosis_report.hpp"
 #include "post/diagnosis/diagnosis_sentences.hpp"
+#include "post/report/csv.hpp"
 #include "post/report/file.hpp"
 #include "post/report/table.hpp"
 #include "solver/channel_unit.hpp"
@@ -25,7 +27,8 @@ Eigen::VectorXd whitened(const DiagnosisRecord& record, const Eigen::VectorXd& s
 }
 
 std::string samples_csv(const DiagnosisRecord& record) {
-    std::string text = "time [s],run,channel,unit,measured,base,extended,whitened_base [1],whitened_extended [1]\n";
+    Csv csv({"time [s]", "run", "channel", "unit", "measured", "base", "extended", "whitened_base [1]",
+             "whitened_extended [1]"});
     const std::vector<solver::Channel>& channels = record.experiment.runs.front().problem.channels;
     const Eigen::VectorXd base = whitened(record, record.result.base);
     const Eigen::VectorXd extended = whitened(record, record.result.extended);
@@ -33,22 +36,21 @@ std::string samples_csv(const DiagnosisRecord& record) {
         const Observations::Row& row = record.observations.rows[i];
         const auto k = static_cast<Eigen::Index>(i);
         const solver::ShownUnit unit = solver::shown_unit(channels[row.channel].quantity);
-        fmt::format_to(std::back_inserter(text), "{:.10g},{},{},{},{:.8g},{:.8g},{:.8g},{:.5g},{:.5g}\n",
-                       record.observations.times[row.run][row.time], record.experiment.runs[row.run].name,
-                       channels[row.channel].name, unit.name, unit.value(record.observations.measured[k]),
-                       unit.value(record.result.base[k]), unit.value(record.result.extended[k]), base[k], extended[k]);
+        csv.row(Digits{record.observations.times[row.run][row.time], 10}, record.experiment.runs[row.run].name,
+                channels[row.channel].name, unit.name, Digits{unit.value(record.observations.measured[k]), 8},
+                Digits{unit.value(record.result.base[k]), 8}, Digits{unit.value(record.result.extended[k]), 8},
+                Digits{base[k], 5}, Digits{extended[k], 5});
     }
-    return text;
+    return csv.text();
 }
 
 std::string missing_heat_csv(const DiagnosisRecord& record) {
-    std::string text = "run,place,from [s],to [s],watts [W],sigma [1]\n";
+    Csv csv({"run", "place", "from [s]", "to [s]", "watts [W]", "sigma [1]"});
     for (const MissingHeat& missing : record.result.missing_heat) {
-        fmt::format_to(std::back_inserter(text), "{},{},{:.10g},{:.10g},{:.6g},{:.5g}\n",
-                       record.experiment.runs[missing.run].name, missing.place, missing.from, missing.to, missing.watts,
-                       missing.sigma);
+        csv.row(record.experiment.runs[missing.run].name, missing.place, Digits{missing.from, 10},
+                Digits{missing.to, 10}, Digits{missing.watts, 6}, Digits{missing.sigma, 5});
     }
-    return text;
+    return csv.text();
 }
 
 /// A sentence as comment lines.
@@ -94,11 +96,7 @@ std::string extended_toml(const DiagnosisRecord& record, const std::filesystem::
 }  // namespace
 
 std::vector<std::filesystem::path> write_diagnosis(DiagnosisRecord& record, const std::filesystem::path& directory) {
-    std::error_code error;
-    std::filesystem::create_directories(directory, error);
-    if (error) {
-        throw FileError("create", directory, error.message());
-    }
+    create_folder(directory);
     std::vector<std::filesystem::path> files{directory / "diagnosis.json"};
     const std::filesystem::path extended = directory / "extended.toml";
     if (record.result.extended_model) {
@@ -108,6 +106,7 @@ std::vector<std::filesystem::path> write_diagnosis(DiagnosisRecord& record, cons
             record.warnings.push_back("the extended case cannot be run as it is: " + reading.errors.front().what);
         }
     } else {
+        std::error_code error;
         std::filesystem::remove(extended, error);  // of an earlier diagnosis: it would pass for this one's
     }
     files.push_back(directory / "residuals.csv");
@@ -123,7 +122,7 @@ std::vector<std::filesystem::path> write_diagnosis(DiagnosisRecord& record, cons
         files.push_back(directory / "residuals.png");
         draw_residuals(files.back(), record);
     }
-    replace_file(files.front(), diagnosis_json(record, files));
+    replace_file(files.front(), json_text(diagnosis_report(record, files).data));
     return files;
 }
 

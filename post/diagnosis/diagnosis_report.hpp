@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A diagnosis as a report, its files and its pictures.
 #pragma once
 
 #include <filesystem>
@@ -5,10 +7,11 @@
 #include <vector>
 
 #include "diagnosis/assess/diagnosis.hpp"
+#include "post/report/report.hpp"
 
 namespace tiretherm::post {
 
-/// What was asked, of which data, and what came of it: all that a report tells.
+/// What was asked, of which data, and what came of it: all that a report needs.
 struct DiagnosisRecord {
     const input::Experiment& experiment;
     const diagnosis::Observations& observations;
@@ -19,11 +22,8 @@ struct DiagnosisRecord {
     std::vector<std::string> findings;
 };
 
-/// A page for a thermal engineer.
-[[nodiscard]] std::string diagnosis_text(const DiagnosisRecord& record, bool bold);
-/// @param files that were written
-[[nodiscard]] std::string diagnosis_json(const DiagnosisRecord& record,
-                                         const std::vector<std::filesystem::path>& files);
+/// A page for a thermal engineer, and all figures. @param files that were written
+[[nodiscard]] Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::filesystem::path>& files);
 /// extended.toml, where there is something to add: the case with the cause switched on at its fitted value.
 /// residuals.csv: a row for each sample. residuals.png: the same as lines,
 /// where there are series. missing_heat.csv: the missing heat, a row for each window and place.

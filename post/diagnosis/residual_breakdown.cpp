@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where and when a model and its measured runs differ: by phase, by signal, number by number.
 #include "post/diagnosis/residual_breakdown.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 
 #include <fmt/format.h>
@@ -9,7 +10,6 @@
 #include "diagnosis/compare/comparison_regressors.hpp"
 #include "post/comparison/comparison_sentences.hpp"
 #include "post/report/number_text.hpp"
-#include "post/report/table.hpp"
 
 namespace tiretherm::post {
 
@@ -50,69 +50,64 @@ ComparedSeries series_of(const DiagnosisRecord& record, const Block& block, cons
 }
 
 /// Mean, its deviation and rms, all to the digits that the channel's rms with the base model deserves.
-std::vector<std::string> cells(const ComparedChannel& channel, const Figures& f) {
+void add_figures(DataTable::Row& row, const char* heading, const ComparedChannel& channel, const Figures& f) {
     const double half = 0.5 * channel.unit.difference(channel.figures.rmse);
     const auto show = [&](double si) { return to_its_digits(channel.unit.difference(si), half); };
-    return {(f.bias >= 0.0 ? "+" : "") + show(f.bias), show(f.bias_deviation), show(f.rmse)};
+    row.push_back(page_only(heading, right((f.bias >= 0.0 ? "+" : "") + show(f.bias))));
+    row.push_back(page_only("+-", right(show(f.bias_deviation))));
+    row.push_back(page_only("rms", right(show(f.rmse))));
 }
 
-std::string phases_text(const std::vector<ComparedChannel>& base, const std::vector<ComparedChannel>& extended) {
-    const bool both = !extended.empty();
-    Table table({true, true, true, false, false, false, false, false, false, false});
-    std::vector<std::string> head{"channel", "unit", "while", "of the time", "base", "+-", "rms"};
-    if (both) {
-        head.insert(head.end(), {"extended", "+-", "rms"});
-    }
-    table.add(head);
+DataTable phases(const std::vector<ComparedChannel>& base, const std::vector<ComparedChannel>& extended) {
+    DataTable table;
     for (std::size_t c = 0; c < base.size(); ++c) {
-        const auto add = [&](std::vector<std::string> row, const Figures& before, const Figures* after) {
-            std::ranges::copy(cells(base[c], before), std::back_inserter(row));
+        const auto add = [&](DataTable::Row row, const Figures& before, const Figures* after) {
+            add_figures(row, "base", base[c], before);
             if (after != nullptr) {
-                std::ranges::copy(cells(base[c], *after), std::back_inserter(row));
+                add_figures(row, "extended", base[c], *after);
             }
             table.add(std::move(row));
         };
-        add({base[c].name, difference_unit(base[c]), "all", ""}, base[c].figures,
-            both ? &extended[c].figures : nullptr);
+        const auto names = [](std::string name, std::string unit, std::string_view phase, std::string share) {
+            return DataTable::Row{page_only("channel", std::move(name)), page_only("unit", std::move(unit)),
+                                  page_only("while", phase), page_only("of the time", right(std::move(share)))};
+        };
+        add(names(base[c].name, difference_unit(base[c]), "all", ""), base[c].figures,
+            extended.empty() ? nullptr : &extended[c].figures);
         for (std::size_t p = 0; p < base[c].phases.size() && base[c].phases.size() > 1; ++p) {
             const PhaseFigures& phase = base[c].phases[p];
-            add({"", "", std::string(name_of(phase.phase)), fmt::format("{:.0f} %", 100.0 * phase.share)},
-                phase.figures, both ? &extended[c].phases[p].figures : nullptr);
+            add(names("", "", name_of(phase.phase), fmt::format("{:.0f} %", 100.0 * phase.share)), phase.figures,
+                extended.empty() ? nullptr : &extended[c].phases[p].figures);
         }
     }
-    return table.text(2);
+    return table;
 }
 
-std::string signals_text(const std::vector<ComparedChannel>& base, const std::vector<ComparedChannel>& extended) {
-    Table table({true, true, false, false, false, false});
-    table.add({"channel", "follows", "corr.", "p", extended.empty() ? "" : "extended", extended.empty() ? "" : "p"});
-    bool any = false;
+DataTable signals(const std::vector<ComparedChannel>& base, const std::vector<ComparedChannel>& extended) {
+    DataTable table;
     for (std::size_t c = 0; c < base.size(); ++c) {
         for (std::size_t i = 0; i < std::min(most_signals, base[c].regressors.size()); ++i) {
             const RegressorFigures& signal = base[c].regressors[i];
-            std::vector<std::string> row{i == 0 ? base[c].name : "", signal.name,
-                                         fmt::format("{:+.2f}", signal.association.correlation),
-                                         chance_text(signal.association.chance)};
+            DataTable::Row row{page_only("channel", i == 0 ? base[c].name : ""), page_only("follows", signal.name)};
+            const auto add = [&](const char* heading, const Association* a) {
+                row.push_back(page_only(heading, a == nullptr ? right("") : shown("{:+.2f}", a->correlation)));
+                row.push_back(page_only("p", right(a == nullptr ? "" : chance_text(a->chance))));
+            };
+            add("corr.", &signal.association);
             if (!extended.empty()) {
                 const auto& after = extended[c].regressors;
                 const auto same = std::ranges::find(after, signal.name, &RegressorFigures::name);
-                if (same != after.end()) {
-                    row.push_back(fmt::format("{:+.2f}", same->association.correlation));
-                    row.push_back(chance_text(same->association.chance));
-                }
+                add("extended", same == after.end() ? nullptr : &same->association);
             }
             table.add(std::move(row));
-            any = true;
         }
     }
-    return any ? table.text(2) : "";
+    return table;
 }
 
 /// Single numbers, with their distance in their own standard uncertainties.
-std::string numbers_text(const DiagnosisRecord& record) {
-    Table table({true, true, false, false, false, false, false, false});
-    table.add({"channel", "run", "measured", "+-", "base", "off by", "extended", "off by"});
-    bool any = false;
+DataTable single_numbers(const DiagnosisRecord& record) {
+    DataTable table;
     for (const Block& block : record.observations.blocks) {
         for (std::size_t i = 0; block.channel < 0 && i < block.standard_deviation.size(); ++i) {
             const Eigen::Index k = block.first + static_cast<Eigen::Index>(i);
@@ -122,18 +117,17 @@ std::string numbers_text(const DiagnosisRecord& record) {
             const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
             const double u = block.standard_deviation[i];
             const double measured = record.observations.measured[k];
-            std::vector<std::string> cells{channel.name, run.name,
-                                           fmt::format("{:.4g} {}", unit.value(measured), unit.name),
-                                           fmt::format("{:.2g}", unit.difference(u))};
-            for (const double simulated : {record.result.base[k], record.result.extended[k]}) {
-                cells.push_back(fmt::format("{:.2f}", unit.value(simulated)));
-                cells.push_back(fmt::format("{:+.1f} u", (simulated - measured) / u));
-            }
-            table.add(std::move(cells));
-            any = true;
+            const auto value = [&](double si) { return shown("{:.2f}", unit.value(si)); };
+            const auto off = [&](double si) { return shown("{:+.1f} u", (si - measured) / u); };
+            table.add({page_only("channel", channel.name), page_only("run", run.name),
+                       page_only("measured", right(fmt::format("{:.4g} {}", unit.value(measured), unit.name))),
+                       page_only("+-", shown("{:.2g}", unit.difference(u))),
+                       page_only("base", value(record.result.base[k])), page_only("off by", off(record.result.base[k])),
+                       page_only("extended", value(record.result.extended[k])),
+                       page_only("off by", off(record.result.extended[k]))});
         }
     }
-    return any ? table.text(2) + "  u: standard uncertainty of the measured number\n" : "";
+    return table;
 }
 
 }  // namespace
@@ -166,21 +160,27 @@ std::vector<ComparedChannel> compare_with_measured(const DiagnosisRecord& record
     return result;
 }
 
-std::string residual_breakdown_text(const DiagnosisRecord& record) {
+Section residual_breakdown(const DiagnosisRecord& record) {
+    Section section("Where it shows");
     const std::vector<ComparedChannel> base = compare_with_measured(record, record.result.base);
-    const std::string numbers = numbers_text(record);
-    if (base.empty()) {
-        return numbers;
+    if (!base.empty()) {
+        std::vector<ComparedChannel> extended;
+        if (record.result.extended != record.result.base) {
+            extended = compare_with_measured(record, record.result.extended);
+        }
+        section.add(phases(base, extended));
+        if (DataTable closest = signals(base, extended); !closest.empty()) {
+            section.gap();
+            section.say("The signals that it follows closest; p: probability by chance");
+            section.add(std::move(closest));
+        }
     }
-    std::vector<ComparedChannel> extended;
-    if (record.result.extended != record.result.base) {
-        extended = compare_with_measured(record, record.result.extended);
+    if (DataTable numbers = single_numbers(record); !numbers.empty()) {
+        section.gap();
+        section.add(std::move(numbers));
+        section.say("u: standard uncertainty of the measured number");
     }
-    std::string text = phases_text(base, extended);
-    if (const std::string signals = signals_text(base, extended); !signals.empty()) {
-        text += "\n  The signals that it follows closest; p: probability by chance\n" + signals;
-    }
-    return text + (numbers.empty() ? "" : "\n") + numbers;
+    return section;
 }
 
 }  // namespace tiretherm::post

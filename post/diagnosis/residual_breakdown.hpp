@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where and when a model and its measured runs differ.
 #pragma once
 
 #include <string>
@@ -15,6 +17,6 @@ namespace tiretherm::post {
 
 /// Where and when measured and simulated differ, with the base model and, where there is one, with the extended one.
 /// Single numbers stand for themselves.
-[[nodiscard]] std::string residual_breakdown_text(const DiagnosisRecord& record);
+[[nodiscard]] Section residual_breakdown(const DiagnosisRecord& record);
 
 }  // namespace tiretherm::post

@@ -7,7 +7,7 @@
 
 namespace tiretherm::post {
 
-CsvWriter::CsvWriter(const std::filesystem::path& path, const solver::Problem& problem) : file_(path) {
+CsvWriter::CsvWriter(const std::filesystem::path& path, const solver::Problem& problem) : path_(path), file_(path) {
     std::string header = "time [s]";
     for (const solver::Channel& channel : problem.channels) {
         header += fmt::format(",{} [{}]", channel.name, solver::shown_unit(channel.quantity).name);
@@ -23,5 +23,17 @@ void CsvWriter::take(const solver::Snapshot& snapshot) {
     }
     file_.append(row + "\n");
 }
+
+namespace formats {
+
+extern const OutputFormat csv;
+const OutputFormat csv{.name = "csv",
+                       .use = OutputFormat::Use::always,
+                       .help = "channels.csv: the channels, a row for each output time",
+                       .open = [](const RunTarget& target) -> std::unique_ptr<RunOutput> {
+                           return std::make_unique<CsvWriter>(target.directory / "channels.csv", target.problem);
+                       }};
+
+}  // namespace formats
 
 }  // namespace tiretherm::post

@@ -23,6 +23,7 @@ std::vector<double> coordinates(const std::vector<mesh::Point>& points) {
 Hdf5Writer::Hdf5Writer(const std::filesystem::path& path, const solver::Problem& problem, const Provenance& provenance)
     : problem_(problem),
       source_(fmt::format("case {}, tiretherm {}", problem.name, provenance.version)),
+      path_(path),
       file_(path),
       flushed_(std::chrono::steady_clock::now()) {
     file_.add_attribute("/", "format", "tiretherm results 1");
@@ -48,10 +49,10 @@ void Hdf5Writer::write_case(const Provenance& provenance) {
 
 void Hdf5Writer::write_mesh() {
     const mesh::Mesh& mesh = problem_.mesh;
-    const bool round = mesh.grid && mesh.grid->metric == mesh::Metric::axisymmetric;
+    const mesh::Metric metric = mesh.grid ? mesh.grid->metric : mesh::Metric::cartesian;
     file_.add_group("/mesh");
     file_.add_attribute("/mesh", "kind", mesh.kind);
-    file_.add_attribute("/mesh", "metric", round ? "axisymmetric" : "cartesian");
+    file_.add_attribute("/mesh", "metric", std::string(name_of(metric)));
     file_.add_attribute("/mesh", "n_cells", mesh.n_cells);
     file_.add_attribute("/mesh", "sectors", mesh.sectors);
     file_.add_attribute("/mesh", "symmetry", problem_.symmetry);
@@ -60,9 +61,9 @@ void Hdf5Writer::write_mesh() {
     };
     file_.write(
         "/mesh/centre", coordinates(mesh.centre), 3,
-        label("m", round                  ? "radius, 0 and depth of each node"
-                   : mesh.columns.empty() ? "x, y and depth of each node"
-                   : mesh.sectors == 1    ? "arc length along the meridian, 0 and depth of each node"
+        label("m", metric == mesh::Metric::axisymmetric ? "radius, 0 and depth of each node"
+                   : mesh.columns.empty()               ? "x, y and depth of each node"
+                   : mesh.sectors == 1                  ? "arc length along the meridian, 0 and depth of each node"
                                        : "arc length along the meridian, arc around the tire and depth of each node"));
     file_.write("/mesh/volume", mesh.volume, 0, label("m3", "volume of each node, 0 on a surface", "/mesh/centre"));
     file_.write("/mesh/layer", mesh.layer, 0, label("1", "layer of each node, counted from 0", "/mesh/centre"));
@@ -156,5 +157,18 @@ void Hdf5Writer::flush() {
 }
 
 void Hdf5Writer::finish() { flush(); }
+
+namespace formats {
+
+extern const OutputFormat hdf5;
+const OutputFormat hdf5{.name = "hdf5",
+                        .use = OutputFormat::Use::always,
+                        .help = "results.h5: everything, SI units",
+                        .open = [](const RunTarget& target) -> std::unique_ptr<RunOutput> {
+                            return std::make_unique<Hdf5Writer>(target.directory / "results.h5", target.problem,
+                                                                target.provenance);
+                        }};
+
+}  // namespace formats
 
 }  // namespace tiretherm::post

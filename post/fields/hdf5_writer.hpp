@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "post/fields/hdf5_file.hpp"
+#include "post/fields/output_format.hpp"
 #include "post/report/provenance.hpp"
-#include "solver/time_integration/march.hpp"
 
 namespace tiretherm::post {
 
@@ -19,15 +19,16 @@ namespace tiretherm::post {
 ///   /field     time; temperature [n_times, n_nodes]: the cells first, then the nodes on the surfaces
 ///
 /// Rows reach the disk at least twice a second, a field at once: a run that is killed leaves them readable.
-class Hdf5Writer {
+class Hdf5Writer final : public RunOutput {
 public:
     /// @param problem must outlive the writer   @errors FileError
     Hdf5Writer(const std::filesystem::path& path, const solver::Problem& problem, const Provenance& provenance);
 
     /// @errors FileError
-    void take(const solver::Snapshot& snapshot);
+    void take(const solver::Snapshot& snapshot) override;
     /// Writes what is still held back. @errors FileError
-    void finish();
+    void finish() override;
+    [[nodiscard]] std::vector<std::filesystem::path> files() const override { return {path_}; }
 
 private:
     /// Rows held back in memory until the next flush.
@@ -44,6 +45,7 @@ private:
 
     const solver::Problem& problem_;
     std::string source_;
+    std::filesystem::path path_;
     Hdf5File file_;
     std::vector<Column> channels_;  ///< time, then the channels
     std::vector<Column> ledger_;    ///< watts, joules, stored

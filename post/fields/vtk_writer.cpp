@@ -141,6 +141,12 @@ void VtkWriter::write(double time, std::span<const double> temperature) {
     write_series();
 }
 
+void VtkWriter::take(const solver::Snapshot& snapshot) {
+    if (snapshot.field) {
+        write(snapshot.time, snapshot.temperature);
+    }
+}
+
 std::filesystem::path VtkWriter::series() const { return directory_ / series_name; }
 
 void VtkWriter::write_series() const {
@@ -155,5 +161,18 @@ void VtkWriter::write_series() const {
     text += "  </Collection>\n</VTKFile>\n";
     replace_file(series(), text);
 }
+
+namespace formats {
+
+extern const OutputFormat vtk;
+const OutputFormat vtk{.name = "vtk",
+                       .use = OutputFormat::Use::unless_refused,
+                       .help = "No field_*.vtu and field.pvd for ParaView",
+                       .open = [](const RunTarget& target) -> std::unique_ptr<RunOutput> {
+                           return std::make_unique<VtkWriter>(target.directory, target.problem.mesh);
+                       },
+                       .remove_old = &VtkWriter::remove_series};
+
+}  // namespace formats
 
 }  // namespace tiretherm::post

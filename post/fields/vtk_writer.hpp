@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesh/mesh.hpp"
+#include "post/fields/output_format.hpp"
 #include "post/pictures/drawn_field.hpp"
 
 namespace tiretherm::post {
@@ -18,7 +19,7 @@ namespace tiretherm::post {
 /// x is the distance from the centre plane, inboard positive, z the radius.
 ///
 /// Each file is renamed into place when it is whole, and field.pvd names only files that are.
-class VtkWriter {
+class VtkWriter final : public RunOutput {
 public:
     /// Removes the series of an earlier run from the directory.
     /// @param mesh must outlive the writer   @errors FileError
@@ -29,6 +30,10 @@ public:
 
     /// @param time s  @param temperature [n_nodes] K   @errors FileError
     void write(double time, std::span<const double> temperature);
+
+    /// Writes the field of a snapshot that has one. @errors FileError
+    void take(const solver::Snapshot& snapshot) override;
+    [[nodiscard]] std::vector<std::filesystem::path> files() const override { return {series()}; }
 
     [[nodiscard]] std::filesystem::path series() const;
 

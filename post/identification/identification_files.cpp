@@ -1,11 +1,12 @@
-#include <iterator>
-
+// SPDX-License-Identifier: BSD-3-Clause
+// The files of a fit: the case with the fitted values, samples as a table, a plan as JSON.
 #include <fmt/format.h>
 
 #include "input/parameters/fitted_case.hpp"
 #include "post/identification/identification_report.hpp"
-#include "solver/channel_unit.hpp"
+#include "post/report/csv.hpp"
 #include "post/report/file.hpp"
+#include "solver/channel_unit.hpp"
 
 namespace tiretherm::post {
 
@@ -14,7 +15,7 @@ using namespace diagnosis;  // whose results are rendered here
 namespace {
 
 std::string samples_csv(const IdentificationRecord& record) {
-    std::string text = "time [s],run,channel,unit,measured,case,fitted\n";
+    Csv csv({"time [s]", "run", "channel", "unit", "measured", "case", "fitted"});
     const std::vector<solver::Channel>& channels = record.experiment.runs.front().problem.channels;
     for (std::size_t i = 0; i < record.observations.rows.size(); ++i) {
         const Observations::Row& row = record.observations.rows[i];
@@ -23,12 +24,11 @@ std::string samples_csv(const IdentificationRecord& record) {
         }
         const auto k = static_cast<Eigen::Index>(i);
         const solver::ShownUnit unit = solver::shown_unit(channels[row.channel].quantity);
-        fmt::format_to(std::back_inserter(text), "{:.10g},{},{},{},{:.8g},{:.8g},{:.8g}\n",
-                       record.observations.times[row.run][row.time], record.experiment.runs[row.run].name,
-                       channels[row.channel].name, unit.name, unit.value(record.observations.measured[k]),
-                       unit.value(record.result.before[k]), unit.value(record.result.after[k]));
+        csv.row(Digits{record.observations.times[row.run][row.time], 10}, record.experiment.runs[row.run].name,
+                channels[row.channel].name, unit.name, Digits{unit.value(record.observations.measured[k]), 8},
+                Digits{unit.value(record.result.before[k]), 8}, Digits{unit.value(record.result.after[k]), 8});
     }
-    return text;
+    return csv.text();
 }
 
 std::string toml(const IdentificationRecord& record, const std::filesystem::path& directory) {
@@ -61,14 +61,10 @@ std::string toml(const IdentificationRecord& record, const std::filesystem::path
 
 std::vector<std::filesystem::path> write_identification(const IdentificationRecord& record,
                                                         const std::filesystem::path& directory) {
-    std::error_code error;
-    std::filesystem::create_directories(directory, error);
-    if (error) {
-        throw FileError("create", directory, error.message());
-    }
+    create_folder(directory);
     if (record.planned) {
         const std::filesystem::path file = directory / "plan.json";
-        replace_file(file, identification_json(record, {file}));
+        replace_file(file, json_text(identification_report(record, {file}).data));
         return {file};
     }
     const std::vector<std::filesystem::path> files{directory / "identified.toml", directory / "identify.csv"};

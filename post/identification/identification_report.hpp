@@ -1,15 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A fit of a case's parameters to measured runs as a report, and its files.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "input/measurements/experiment.hpp"
 #include "diagnosis/fit/identification.hpp"
+#include "input/measurements/experiment.hpp"
+#include "post/report/report.hpp"
 
 namespace tiretherm::post {
 
-/// What was fitted, to what, and what came of it: all that a report tells.
+/// What was fitted, to what, and what came of it: all that a report needs.
 struct IdentificationRecord {
     const input::Experiment& experiment;
     const diagnosis::Observations& observations;
@@ -21,11 +24,9 @@ struct IdentificationRecord {
     bool planned = false;  ///< nothing was measured: the intervals are predicted
 };
 
-/// A page for a thermal engineer.
-[[nodiscard]] std::string identification_text(const IdentificationRecord& record, bool bold);
-/// @param files that were written
-[[nodiscard]] std::string identification_json(const IdentificationRecord& record,
-                                              const std::vector<std::filesystem::path>& files);
+/// A page for a thermal engineer, and all figures. @param files that were written
+[[nodiscard]] Report identification_report(const IdentificationRecord& record,
+                                           const std::vector<std::filesystem::path>& files);
 /// identified.toml: the case with the fitted values, which runs as it is. identify.csv: a row for each sample. Of a plan
 /// plan.json. @errors FileError  @returns their paths
 [[nodiscard]] std::vector<std::filesystem::path> write_identification(const IdentificationRecord& record,

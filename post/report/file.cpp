@@ -29,6 +29,15 @@ std::string read_text(const std::filesystem::path& path) {
     return text;
 }
 
+std::filesystem::path create_folder(std::filesystem::path folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) {
+        throw FileError("create the directory", folder, error.message());
+    }
+    return folder;
+}
+
 void replace_file(const std::filesystem::path& path, std::string_view content) {
     std::filesystem::path draft = path;
     draft += ".part";

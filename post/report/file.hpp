@@ -27,6 +27,9 @@ private:
 /// The whole of a file. @errors FileError
 [[nodiscard]] std::string read_text(const std::filesystem::path& path);
 
+/// Creates a folder with those above it, where it is missing. @returns it  @errors FileError
+std::filesystem::path create_folder(std::filesystem::path folder);
+
 /// Writes a whole file beside the old one and renames it, so that a reader sees one or the other, never a half.
 /// @errors FileError
 void replace_file(const std::filesystem::path& path, std::string_view content);

@@ -34,7 +34,7 @@ std::string heat_budget_text(const RunRecord& run) {
     for (std::size_t e = 0; e < run.problem.effects.size(); ++e) {
         const physics::Effect& effect = *run.problem.effects[e].effect;
         // Property modifiers and sensor models have no heat of their own, and what conducts only moves it.
-        const bool has_terms = effect.add_terms != nullptr && effect.kind != physics::Kind::property;
+        const bool has_terms = effect.heat_effect() != nullptr && effect.kind != physics::Kind::property;
         const bool within =
             !run.problem.effects[e].coupling_faces.empty() && report.watts[e] == 0.0;  // from node to node
         if ((has_terms && !within) || report.joules[e] != 0.0) {

@@ -1,30 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The files of a run in one directory, in every format that was chosen.
 #pragma once
 
 #include <filesystem>
-#include <optional>
+#include <memory>
+#include <set>
+#include <string>
 #include <vector>
 
-#include "post/fields/csv_writer.hpp"
-#include "post/fields/hdf5_writer.hpp"
-#include "post/report/history.hpp"
+#include "post/fields/output_format.hpp"
 #include "post/hot_spot/hot_spots_report.hpp"
-#include "post/fields/vtk_writer.hpp"
+#include "post/report/history.hpp"
 
 namespace tiretherm::post {
 
-/// Which files a run writes besides results.h5 and channels.csv.
-struct FileOptions {
-    bool vtk = true;
-    bool pictures = true;
-};
-
-/// The files of a run in one directory. They replace those of an earlier run there; other files are left alone.
+/// The files of a run. They replace those of an earlier run there; other files are left alone.
 class RunFiles {
 public:
     /// Creates the directory and opens the files, so that whatever is wrong with them shows before the run.
-    /// @param problem must outlive this   @errors FileError
+    /// @param problem, provenance must outlive this
+    /// @param switched names of formats that are refused although usual, or wanted although not   @errors FileError
     RunFiles(std::filesystem::path directory, const solver::Problem& problem, const Provenance& provenance,
-             const FileOptions& choice);
+             const std::set<std::string>& switched);
+    RunFiles(const RunFiles&) = delete;
+    RunFiles& operator=(const RunFiles&) = delete;
 
     /// @errors FileError
     void take(const solver::Snapshot& snapshot);
@@ -36,21 +35,15 @@ public:
 
     [[nodiscard]] const History& history() const { return history_; }
     /// All files written so far, by their use: results, channels, fields, pictures.
-    [[nodiscard]] const std::vector<std::filesystem::path>& written() const { return written_; }
+    [[nodiscard]] std::vector<std::filesystem::path> written() const;
 
 private:
-    std::filesystem::path add(const char* name);
-
     std::filesystem::path directory_;
     const solver::Problem& problem_;
-    FileOptions choice_;
-    std::vector<std::filesystem::path> written_;
-    Hdf5Writer hdf5_;
-    CsvWriter csv_;
-    std::optional<VtkWriter> vtk_;
+    bool with_pictures_;
     History history_;
-    double last_field_time_ = 0.0;
-    std::vector<double> last_field_;  ///< [n_nodes] K
+    std::vector<std::unique_ptr<RunOutput>> outputs_;
+    std::vector<std::filesystem::path> of_hot_spots_;
 };
 
 }  // namespace tiretherm::post

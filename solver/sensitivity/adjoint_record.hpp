@@ -64,6 +64,7 @@ private:
         std::vector<std::vector<double>> capacity;  ///< [stages][n_nodes] J/K
         double s = 0.0;
     };
+    class BackwardSweep;
     void add_step(const Stepper& stepper, std::span<const physics::Inputs> inputs, const SensorOutputs& sensor_outputs);
     void linearise(const Step& step);
     void solve(BlockSolver& solver, const Matrix& J, std::span<const double> B, std::span<double> X, double tolerance,

@@ -30,15 +30,29 @@ physics::Curve moved(const physics::Curve& law, const FreeParameter& parameter, 
     return law.plus_quadratic(here, by, by * slope, x.size() == 3 ? by * curvature : 0.0);
 }
 
-/// All conductivities of a material that are the same law as that through its thickness.
-void move_conductivity(physics::Material& material, const FreeParameter& parameter, double from, double to) {
-    const physics::Curve before = material.along(mesh::Axis::through);
-    const physics::Curve after = moved(before, parameter, from, to);
-    for (physics::Curve& law : material.conductivity) {
-        if (law == before) {
-            law = after;
+/// Every law that a parameter moves: of a conductivity all axes that have the same law as that through the thickness.
+std::vector<physics::Curve*> laws_of(Problem& problem, const FreeParameter& parameter) {
+    using Kind = FreeParameter::Kind;
+    std::vector<physics::Curve*> laws;
+    for (const int layer : parameter.layers) {
+        physics::Material& material = problem.materials[at(layer)];
+        if (parameter.kind == Kind::heat_capacity) {
+            laws.push_back(&material.heat_capacity);
+            continue;
+        }
+        const physics::Curve& through = material.along(mesh::Axis::through);
+        for (physics::Curve& law : material.conductivity) {
+            if (law == through) {
+                laws.push_back(&law);
+            }
         }
     }
+    if (parameter.kind == Kind::link_conductivity) {
+        for (physics::Curve& law : problem.link_laws) {
+            laws.push_back(&law);
+        }
+    }
+    return laws;
 }
 
 void move_parameter(physics::ActiveEffect& active, const FreeParameter& parameter, double to) {
@@ -63,55 +77,44 @@ void move_parameter(physics::ActiveEffect& active, const FreeParameter& paramete
 
 }  // namespace
 
-double value_of(const Problem& problem, const FreeParameter& parameter) {
+const physics::Curve* law_of(const Problem& problem, const FreeParameter& parameter) {
     using Kind = FreeParameter::Kind;
     switch (parameter.kind) {
-        case Kind::effect: {
-            const physics::ActiveEffect& active = problem.effects[parameter.effect];
-            return parameter.everywhere ? active[parameter.parameter]
-                                        : active.at(parameter.parameter, parameter.scope, parameter.place);
-        }
         case Kind::conductivity:
-            return problem.materials[at(parameter.layers.front())]
-                .along(mesh::Axis::through)
-                .value(parameter.knots[parameter.knot]);
+            return &problem.materials[at(parameter.layers.front())].along(mesh::Axis::through);
         case Kind::heat_capacity:
-            return problem.materials[at(parameter.layers.front())].heat_capacity.value(parameter.knots[parameter.knot]);
+            return &problem.materials[at(parameter.layers.front())].heat_capacity;
         case Kind::link_conductivity:
-            return problem.link_laws.front().value(parameter.knots[parameter.knot]);
+            return problem.link_laws.empty() ? nullptr : &problem.link_laws.front();
+        case Kind::effect:
         case Kind::initial:
-            return 0.0;
+            return nullptr;
     }
-    return 0.0;
+    return nullptr;
+}
+
+double value_of(const Problem& problem, const FreeParameter& parameter) {
+    if (const physics::Curve* law = law_of(problem, parameter)) {
+        return law->value(parameter.knots[parameter.knot]);
+    }
+    if (parameter.kind != FreeParameter::Kind::effect) {
+        return 0.0;
+    }
+    const physics::ActiveEffect& active = problem.effects[parameter.effect];
+    return parameter.everywhere ? active[parameter.parameter]
+                                : active.at(parameter.parameter, parameter.scope, parameter.place);
 }
 
 void move(Problem& problem, const FreeParameter& parameter, double from, double to) {
     using Kind = FreeParameter::Kind;
-    switch (parameter.kind) {
-        case Kind::effect:
-            move_parameter(problem.effects[parameter.effect], parameter, to);
-            return;
-        case Kind::conductivity:
-            for (const int layer : parameter.layers) {
-                move_conductivity(problem.materials[at(layer)], parameter, from, to);
-            }
-            return;
-        case Kind::heat_capacity:
-            for (const int layer : parameter.layers) {
-                physics::Curve& law = problem.materials[at(layer)].heat_capacity;
-                law = moved(law, parameter, from, to);
-            }
-            return;
-        case Kind::link_conductivity:
-            for (physics::Curve& law : problem.link_laws) {
-                law = moved(law, parameter, from, to);
-            }
-            return;
-        case Kind::initial:
-            for (const int node : parameter.nodes) {
-                problem.initial[at(node)] += to - from;
-            }
-            return;
+    if (parameter.kind == Kind::effect) {
+        move_parameter(problem.effects[parameter.effect], parameter, to);
+    }
+    for (const int node : parameter.nodes) {
+        problem.initial[at(node)] += to - from;
+    }
+    for (physics::Curve* law : laws_of(problem, parameter)) {
+        *law = moved(*law, parameter, from, to);
     }
 }
 

@@ -48,6 +48,8 @@ struct FreeParameter {
     double high = std::numeric_limits<double>::infinity();
 };
 
+/// The law k(T) or c(T) of which the parameter is a value; null for other parameters and where there is no link.
+[[nodiscard]] const physics::Curve* law_of(const Problem& problem, const FreeParameter& parameter);
 /// The value that the problem has now; 0 of a shift.
 [[nodiscard]] double value_of(const Problem& problem, const FreeParameter& parameter);
 /// Moves a parameter of the problem from one value to another. Moves of several parameters commute.

@@ -81,28 +81,31 @@ ParameterPerturbation::ParameterPerturbation(const Problem& base, const FreePara
     const bool moves_conductivity = !same_conductivity(plus_->system.material_model(), minus_->system.material_model());
     const bool moves_tire = !(plus_->system.material_model().tire == minus_->system.material_model().tire);
     moves_enthalpy_ = !same_capacity(plus_->system, minus_->system);
+    const auto depends_on_inputs = [](const physics::Effect& effect) {
+        const physics::InputCorrection* correction = effect.input_correction();
+        const physics::PropertyModifier* modifier = effect.property_modifier();
+        return effect.n_coefficients() > 0 || (correction != nullptr && correction->transform != nullptr) ||
+               (modifier != nullptr && modifier->modify_laws != nullptr);
+    };
     bool scales_loss = false;
     for (std::size_t e = 0; e < ours.size(); ++e) {
         const physics::Effect& effect = *ours[e].effect;
         const bool moved_one = !same_places(ours[e], theirs[e]);
-        const bool conducts = moves_conductivity && effect.n_coefficients == 0;
-        if (effect.add_terms != nullptr && (moved_one || conducts)) {
+        const bool conducts = moves_conductivity && effect.n_coefficients() == 0;
+        if (effect.heat_effect() != nullptr && (moved_one || conducts)) {
             moved_effects_.push_back(e);
         }
-        scales_loss = scales_loss || (moved_one && effect.scale_loss != nullptr);
-        moves_coefficients_ = moves_coefficients_ || moves_tire ||
-                              (moved_one && (effect.evaluate_coefficients != nullptr || effect.modify_laws != nullptr ||
-                                             effect.transform != nullptr));
+        scales_loss = scales_loss || (moved_one && effect.loss_law() != nullptr);
+        moves_coefficients_ = moves_coefficients_ || moves_tire || (moved_one && depends_on_inputs(effect));
     }
     for (std::size_t e = 0; scales_loss && e < ours.size(); ++e) {
-        if (ours[e].effect->add_terms != nullptr && ours[e].effect->by_deformation &&
-            std::ranges::find(moved_effects_, e) == moved_effects_.end()) {
+        const physics::HeatEffect* heat = ours[e].effect->heat_effect();
+        if (heat != nullptr && heat->by_deformation && std::ranges::find(moved_effects_, e) == moved_effects_.end()) {
             moved_effects_.push_back(e);
         }
     }
     for (const Channel& channel : base.channels) {
-        follows_watts_ =
-            follows_watts_ || channel.quantity == Quantity::drag_force || channel.quantity == Quantity::rolling_moment;
+        follows_watts_ = follows_watts_ || description_of(channel.quantity).follows_watts;
     }
 }
 

@@ -233,7 +233,9 @@ private:
         const physics::Inputs inputs = problem_.input_signals.at(stepper_.time(), JumpSide::before);
         for (std::size_t e = 0; e < problem_.effects.size(); ++e) {
             const physics::Effect& effect = *problem_.effects[e].effect;
-            report_.law_watts.push_back(effect.modify_laws != nullptr || effect.scale_loss != nullptr
+            const physics::PropertyModifier* modifier = effect.property_modifier();
+            const bool modifies_laws = modifier != nullptr && modifier->modify_laws != nullptr;
+            report_.law_watts.push_back(modifies_laws || effect.loss_law() != nullptr
                                             ? stepper_.system().share_of_law(e, stepper_.temperature(), inputs)
                                             : std::numeric_limits<double>::quiet_NaN());
         }

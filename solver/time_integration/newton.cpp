@@ -145,89 +145,120 @@ double Newton::shift_all(std::span<double> T) {
     return std::abs(last_shift_);
 }
 
+/// The balance at T, and its residual; not done when it is not a number or an effect gave a negative conductance.
+Status Newton::evaluate(const Stage& stage, std::span<const double> T) {
+    {
+        const Stopwatch watch(counters_.assembly_seconds);
+        system_->evaluate(T, stage.coefficients);
+        find_residual(stage, T);
+    }
+    if (const int bad = system_->first_not_finite(); bad >= 0) {
+        return system_->failure_at(Outcome::not_finite, "the heat balance is not a number", bad, stage.time, T,
+                                   stage.coefficients);
+    }
+    if (const physics::Terms& terms = system_->terms(); terms.negative_effect >= 0) {
+        const physics::ActiveEffect& cause =
+            system_->problem().effects[static_cast<std::size_t>(terms.negative_effect)];
+        return system_->failure_at(
+            Outcome::negative_conductance,
+            fmt::format("effect {} gave a negative conductance (a law k(T) or h below zero?)", cause.title()),
+            terms.negative_node, stage.time, T, stage.coefficients);
+    }
+    return {};
+}
+
+/// Whether the error of the iterate is within the tolerance. The correction just made was for the residual before; what
+/// is left of it shrank as the residual did.
+bool Newton::is_small(const Progress& progress, double residual, double tolerance) {
+    const double error = progress.residual > 0.0 ? progress.correction * residual / progress.residual : 0.0;
+    return progress.solved || error <= tolerance;
+}
+
+/// The first solve with a new factor sets what a solve costs; more than that is owed to the factor's age.
+void Newton::count_solves(const Krylov::Result& result) {
+    counters_.linear_iterations += result.solves;
+    ++counters_.newton_iterations;
+    fresh_solves_ = fresh_solves_ == 0 ? std::max(1, result.solves) : fresh_solves_;
+    excess_solves_ += std::max(0, result.solves - fresh_solves_);
+    if (!result.converged) {
+        excess_solves_ = 2.0 * factor_->factor_cost();  // a fresh factor next time
+    }
+}
+
+/// Shifts the correction by the constant that makes the linearised balance of the whole mesh exact. @returns its size, K
+double Newton::close_linearised_budget() {
+    J_.multiply(ones_, J_ones_);
+    weight_ = sum(J_ones_);
+    const double shift = weight_ != 0.0 ? sum(remainder_) / weight_ : 0.0;
+    double largest = 0.0;
+    for (double& change : correction_) {
+        change += shift;
+        largest = std::max(largest, std::abs(change));
+    }
+    return largest;
+}
+
+/// A temperature below a fifth of the present one is an overshoot of the linear model.
+void Newton::add_damped_correction(std::span<double> T) const {
+    double damping = 1.0;
+    for (std::size_t i = 0; i < correction_.size(); ++i) {
+        if (correction_[i] < -0.8 * T[i]) {
+            damping = std::min(damping, -0.5 * T[i] / correction_[i]);
+        }
+    }
+    for (std::size_t i = 0; i < correction_.size(); ++i) {
+        T[i] += damping * correction_[i];
+    }
+}
+
+/// One correction by Newton's method with the matrices of the iterate.
+Status Newton::correct(const Stage& stage, std::span<double> T, Progress& progress) {
+    if (Status status = prepare(stage); !status.ok()) {
+        return status;
+    }
+    const Stopwatch watch(counters_.solve_seconds);
+    const bool linear = !system_->terms().nonlinear && !has_nonlinear_capacity_;
+    const Krylov::Result result =
+        krylov_.solve(J_, *factor_, residual_, correction_, remainder_, 0.5 * stage.tolerance, linear ? 0.0 : forcing);
+    count_solves(result);
+    progress.solved = linear && result.converged;
+    progress.polished = false;
+    progress.correction = close_linearised_budget();
+    add_damped_correction(T);
+    return {};
+}
+
 Status Newton::solve(const Stage& stage, std::span<double> T) {
-    double before = 0.0;      // scaled residual of the last iterate
-    double correction = 0.0;  // size of the last correction, K
-    bool solved = false;      // a linear balance needs one correction only
-    bool polished = false;
+    Progress progress;
     for (int iteration = 0; iteration <= most_iterations; ++iteration) {
-        {
-            const Stopwatch watch(counters_.assembly_seconds);
-            system_->evaluate(T, stage.coefficients);
-            find_residual(stage, T);
-        }
-        if (const int bad = system_->first_not_finite(); bad >= 0) {
-            return system_->failure_at(Outcome::not_finite, "the heat balance is not a number", bad, stage.time, T,
-                                       stage.coefficients);
-        }
-        if (const physics::Terms& said = system_->terms(); said.negative_effect >= 0) {
-            const physics::ActiveEffect& cause =
-                system_->problem().effects[static_cast<std::size_t>(said.negative_effect)];
-            return system_->failure_at(
-                Outcome::negative_conductance,
-                fmt::format("effect {} gave a negative conductance (a law k(T) or h below zero?)", cause.title()),
-                said.negative_node, stage.time, T, stage.coefficients);
-        }
-        if (iteration == 0) {
-            assemble(stage);
-        }
-        const double now = scaled_residual();
-        if (iteration > 0) {
-            // The correction just made was for `before`; what is left of it shrank as the residual did.
-            const double error = before > 0.0 ? correction * now / before : 0.0;
-            const bool small = solved || error <= stage.tolerance;
-            if (small && (closes_heat_budget(stage) || iteration > max_stalled)) {
-                return {};
-            }
-            // The field is as good as found: what is left needs no new matrix, and after that only the mean still has to
-            // close the heat budget to the last digit.
-            if (small && factor_->is_exact()) {
-                correction = polished ? shift_all(T) : polish(T);
-                polished = true;
-                before = now;
-                continue;
-            }
-            polished = false;
-            assemble(stage);
-        }
-        before = now;
-        if (iteration == most_iterations) {
-            break;
-        }
-        if (Status status = prepare(stage); !status.ok()) {
+        if (Status status = evaluate(stage, T); !status.ok()) {
             return status;
         }
-        const Stopwatch watch(counters_.solve_seconds);
-        const bool linear = !system_->terms().nonlinear && !has_nonlinear_capacity_;
-        const Krylov::Result result = krylov_.solve(J_, *factor_, residual_, correction_, remainder_,
-                                                    0.5 * stage.tolerance, linear ? 0.0 : forcing);
-        counters_.linear_iterations += result.solves;
-        ++counters_.newton_iterations;
-        solved = linear && result.converged;
-        // The first solve with a new factor sets what a solve costs; more than that is owed to the factor's age.
-        fresh_solves_ = fresh_solves_ == 0 ? std::max(1, result.solves) : fresh_solves_;
-        excess_solves_ += std::max(0, result.solves - fresh_solves_);
-        if (!result.converged) {
-            excess_solves_ = 2.0 * factor_->factor_cost();  // a fresh factor next time
+        if (iteration == 0) {
+            assemble(stage);  // the residual is scaled by its diagonal
         }
-        J_.multiply(ones_, J_ones_);
-        weight_ = sum(J_ones_);
-        const double shift = weight_ != 0.0 ? sum(remainder_) / weight_ : 0.0;
-        correction = 0.0;
-        for (std::size_t i = 0; i < correction_.size(); ++i) {
-            correction_[i] += shift;
-            correction = std::max(correction, std::abs(correction_[i]));
+        const double residual = scaled_residual();
+        const bool small = iteration > 0 && is_small(progress, residual, stage.tolerance);
+        if (small && (closes_heat_budget(stage) || iteration > max_stalled)) {
+            return {};
         }
-        // A temperature below a fifth of the present one is an overshoot of the linear model.
-        double damping = 1.0;
-        for (std::size_t i = 0; i < correction_.size(); ++i) {
-            if (correction_[i] < -0.8 * T[i]) {
-                damping = std::min(damping, -0.5 * T[i] / correction_[i]);
+        if (small && factor_->is_exact()) {
+            // The field is as good as found: what is left needs no new matrix, and after that only the mean still has to
+            // close the heat budget to the last digit.
+            progress.correction = progress.polished ? shift_all(T) : polish(T);
+            progress.polished = true;
+        } else {
+            if (iteration > 0) {
+                assemble(stage);
+            }
+            if (iteration == most_iterations) {
+                break;
+            }
+            if (Status status = correct(stage, T, progress); !status.ok()) {
+                return status;
             }
         }
-        for (std::size_t i = 0; i < correction_.size(); ++i) {
-            T[i] += damping * correction_[i];
-        }
+        progress.residual = residual;
     }
     return system_->failure_at(Outcome::not_converged, "the heat balance did not converge", worst_node_, stage.time, T,
                                stage.coefficients);

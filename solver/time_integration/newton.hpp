@@ -64,6 +64,19 @@ public:
     [[nodiscard]] std::string linear_solver() const { return factor_->description(); }
 
 private:
+    /// Where an iteration stands.
+    struct Progress {
+        double residual = 0.0;    ///< K, scaled residual of the iterate before
+        double correction = 0.0;  ///< K, size of the last correction
+        bool solved = false;      ///< the balance is linear and its one correction is made
+        bool polished = false;    ///< the last correction was made with the matrices at hand
+    };
+    [[nodiscard]] Status evaluate(const Stage& stage, std::span<const double> T);
+    [[nodiscard]] static bool is_small(const Progress& progress, double residual, double tolerance);
+    [[nodiscard]] Status correct(const Stage& stage, std::span<double> T, Progress& progress);
+    void count_solves(const Krylov::Result& result);
+    double close_linearised_budget();
+    void add_damped_correction(std::span<double> T) const;
     [[nodiscard]] Status prepare(const Stage& stage);
     [[nodiscard]] double scaled_residual();
     [[nodiscard]] bool closes_heat_budget(const Stage& stage) const;

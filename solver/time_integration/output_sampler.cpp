@@ -52,7 +52,8 @@ void OutputSampler::watch(Report& report) {
     }
     for (std::size_t e = 0; e < problem_->effects.size(); ++e) {
         const physics::ActiveEffect& active = problem_->effects[e];
-        if (active.effect->range_warning == nullptr) {
+        const physics::HeatEffect* heat = active.effect->heat_effect();
+        if (heat == nullptr || heat->range_warning == nullptr) {
             continue;
         }
         for (const int patch : active.patches) {
@@ -80,9 +81,9 @@ std::vector<std::string> OutputSampler::range_warnings() const {
     std::vector<std::string> sentences;
     for (std::size_t e = 0; e < problem_->effects.size(); ++e) {
         const physics::ActiveEffect& active = problem_->effects[e];
-        if (active.effect->range_warning != nullptr) {
-            if (std::string sentence = active.effect->range_warning(active, coldest_[e], hottest_[e]);
-                !sentence.empty()) {
+        const physics::HeatEffect* heat = active.effect->heat_effect();
+        if (heat != nullptr && heat->range_warning != nullptr) {
+            if (std::string sentence = heat->range_warning(active, coldest_[e], hottest_[e]); !sentence.empty()) {
                 sentences.push_back(std::move(sentence));
             }
         }

@@ -35,7 +35,12 @@ Parabola through(std::span<const double> u, std::span<const double> v) {
 }  // namespace
 
 SensorOutputs::SensorOutputs(const Problem& problem, const System& system)
-    : problem_(&problem), system_(&system), chains_(problem.channels.size()), coefficients_(system.n_coefficients()) {
+    : problem_(&problem),
+      system_(&system),
+      chains_(problem.channels.size()),
+      coefficients_(system.n_coefficients()),
+      flow_(static_cast<std::size_t>(system.size())),
+      means_(problem.mesh.regions.size()) {
     const std::span<const physics::ActiveEffect> effects = system.effects();
     for (std::size_t c = 0; c < chains_.size(); ++c) {
         Chain& chain = chains_[c];
@@ -43,17 +48,17 @@ SensorOutputs::SensorOutputs(const Problem& problem, const System& system)
         chain.where = channel.where;
         double depth_offset = 0.0;
         for (const physics::ActiveEffect& active : effects) {
-            const physics::Effect& effect = *active.effect;
+            const physics::SensorModel* model = active.effect->sensor_model();
             const auto found = std::find(active.channels.begin(), active.channels.end(), static_cast<int>(c));
-            if (!effect.on_channels || found == active.channels.end()) {
+            if (model == nullptr || found == active.channels.end()) {
                 continue;
             }
             const auto position = static_cast<std::size_t>(found - active.channels.begin());
-            depth_offset += effect.depth_offset != nullptr ? effect.depth_offset(active, position) : 0.0;
-            chain.delay += effect.delay != nullptr ? effect.delay(active, position) : 0.0;
-            chain.lag += effect.lag != nullptr ? effect.lag(active, position) : 0.0;
-            if (effect.read != nullptr) {
-                (effect.before_lag ? chain.before : chain.after).push_back({&active, position});
+            depth_offset += model->depth_offset != nullptr ? model->depth_offset(active, position) : 0.0;
+            chain.delay += model->delay != nullptr ? model->delay(active, position) : 0.0;
+            chain.lag += model->lag != nullptr ? model->lag(active, position) : 0.0;
+            if (model->read != nullptr) {
+                (model->before_lag ? chain.before : chain.after).push_back({&active, position, model->read});
             }
         }
         if (depth_offset != 0.0 && channel.point) {
@@ -62,25 +67,36 @@ SensorOutputs::SensorOutputs(const Problem& problem, const System& system)
             chain.where = mesh::contains(problem.mesh, point) ? mesh::at_point(problem.mesh, point) : chain.where;
         }
     }
-    for (std::size_t e = 0; e < effects.size(); ++e) {
-        if (effects[e].effect->by_deformation) {
-            deformation_.push_back(e);
-        }
-    }
 }
 
-/// What is followed along a step: the temperature at the channel's place, or the power that deformation loses.
+/// What is followed along a step: the temperature at the channel's place, or what its quantity names instead.
 double SensorOutputs::followed_quantity(std::size_t channel, std::span<const double> T,
                                         std::span<const double> watts) const {
-    const Quantity kind = problem_->channels[channel].quantity;
-    if (kind != Quantity::drag_force && kind != Quantity::rolling_moment) {
-        return chains_[channel].where(T);
+    const auto follow = description_of(problem_->channels[channel].quantity).follow;
+    const mesh::Functional& where = chains_[channel].where;
+    return follow == nullptr ? where(T)
+                             : follow({.system = *system_,
+                                       .where = where,
+                                       .temperature = T,
+                                       .watts = watts,
+                                       .flow = flow_,
+                                       .means = means_});
+}
+
+/// What the channel reads, from what is followed and from the inputs of the moment.
+double SensorOutputs::quantity(std::size_t channel, double followed, const physics::Inputs& logged) const {
+    const QuantityDescription& quantity = description_of(problem_->channels[channel].quantity);
+    if (quantity.evaluate == nullptr) {
+        return followed;
     }
-    double lost = 0.0;
-    for (const std::size_t e : deformation_) {
-        lost += watts[e];
-    }
-    return lost;
+    return quantity.evaluate({.problem = *problem_,
+                              .system = *system_,
+                              .quantity = quantity.quantity,
+                              .followed = followed,
+                              .inputs = system_->transformed(logged),
+                              .logged = logged,
+                              .gas_start = gas_start_,
+                              .coefficients = coefficients_});
 }
 
 void SensorOutputs::begin(double t, std::span<const double> T, std::span<const double> watts,
@@ -91,8 +107,8 @@ void SensorOutputs::begin(double t, std::span<const double> T, std::span<const d
     for (std::size_t c = 0; c < chains_.size(); ++c) {
         Chain& chain = chains_[c];
         double value = followed_quantity(c, T, watts);
-        for (const SensorModel& reader : chain.before) {
-            value = reader.active->effect->read(*reader.active, reader.position, value, inputs);
+        for (const AppliedModel& model : chain.before) {
+            value = model.read(*model.active, model.position, value, inputs);
         }
         chain.past.assign(1, {.begin = t, .end = t, .a = value, .b = 0.0, .c = 0.0, .lagged = value});
     }
@@ -111,8 +127,8 @@ void SensorOutputs::take_step(std::span<const Stage> stages, std::span<const phy
             const Stage& stage = stages[i];
             u[i] = stage.time - begin;
             v[i] = followed_quantity(c, stage.temperature, stage.watts);
-            for (const SensorModel& reader : chain.before) {
-                v[i] = reader.active->effect->read(*reader.active, reader.position, v[i], inputs[i]);
+            for (const AppliedModel& model : chain.before) {
+                v[i] = model.read(*model.active, model.position, v[i], inputs[i]);
             }
         }
         const Parabola p = through({u.data(), n}, {v.data(), n});
@@ -164,8 +180,8 @@ void SensorOutputs::at(double t, const physics::Inputs& logged, std::span<double
 
 double SensorOutputs::shown(std::size_t channel, double followed, const physics::Inputs& logged) const {
     double value = quantity(channel, followed, logged);
-    for (const SensorModel& reader : chains_[channel].after) {
-        value = reader.active->effect->read(*reader.active, reader.position, value, logged);
+    for (const AppliedModel& model : chains_[channel].after) {
+        value = model.read(*model.active, model.position, value, logged);
     }
     return value;
 }
@@ -178,11 +194,10 @@ double SensorOutputs::slope(std::size_t channel, double t, const physics::Inputs
 
 SensorOutputs::Form SensorOutputs::form(std::size_t channel, std::span<const Stage> stages,
                                         std::span<const physics::Inputs> inputs, double t) const {
-    const Quantity kind = problem_->channels[channel].quantity;
-    if (kind == Quantity::drag_force || kind == Quantity::rolling_moment || kind == Quantity::loaded_radius) {
+    const Chain& chain = chains_[channel];
+    if (description_of(problem_->channels[channel].quantity).follow != nullptr || chain.where.nodes.empty()) {
         return {};
     }
-    const Chain& chain = chains_[channel];
     const std::size_t n = stages.size();
     const double begin = stages.front().time;
     const double end = stages.back().time;
@@ -201,9 +216,9 @@ SensorOutputs::Form SensorOutputs::form(std::size_t channel, std::span<const Sta
         unit[i] = 1.0;
         double above = chain.where(stages[i].temperature) + difference;
         double below = above - 2.0 * difference;
-        for (const SensorModel& reader : chain.before) {
-            above = reader.active->effect->read(*reader.active, reader.position, above, inputs[i]);
-            below = reader.active->effect->read(*reader.active, reader.position, below, inputs[i]);
+        for (const AppliedModel& model : chain.before) {
+            above = model.read(*model.active, model.position, above, inputs[i]);
+            below = model.read(*model.active, model.position, below, inputs[i]);
         }
         form.stage[i] = response(unit, 0.0) * (above - below) / (2.0 * difference);
     }

@@ -55,14 +55,16 @@ private:
         [[nodiscard]] double slope(double t) const { return b + 2.0 * c * (t - begin); }
     };
     /// One sensor model on one channel.
-    struct SensorModel {
+    struct AppliedModel {
         const physics::ActiveEffect* active = nullptr;
         std::size_t position = 0;  ///< of the channel in the effect's list
+        double (*read)(const physics::ActiveEffect& active, std::size_t position, double value,
+                       const physics::Inputs& logged) = nullptr;
     };
     struct Chain {
         mesh::Functional where;
-        std::vector<SensorModel> before;  ///< the lag
-        std::vector<SensorModel> after;
+        std::vector<AppliedModel> before;  ///< the lag
+        std::vector<AppliedModel> after;
         double lag = 0.0;         ///< s
         double delay = 0.0;       ///< s
         std::vector<Piece> past;  ///< as far back as the delay looks
@@ -71,10 +73,6 @@ private:
     [[nodiscard]] double followed_quantity(std::size_t channel, std::span<const double> T,
                                            std::span<const double> watts) const;
     [[nodiscard]] double quantity(std::size_t channel, double followed, const physics::Inputs& logged) const;
-    [[nodiscard]] double flash(Quantity quantity, const physics::Inputs& logged, double T) const;
-    [[nodiscard]] double stiffness(const physics::Tire& tire, const physics::Inputs& inputs, double T) const;
-    [[nodiscard]] double magic_formula(Quantity quantity, const physics::Tire& tire, const physics::Inputs& inputs,
-                                       double T) const;
     [[nodiscard]] static double followed(const Chain& chain, const Piece& piece, double t);
     /// After the end of the last piece, as it is changing there.
     [[nodiscard]] static double ahead(const Chain& chain, const Piece& piece, double t);
@@ -84,9 +82,10 @@ private:
     const Problem* problem_;
     const System* system_;
     std::vector<Chain> chains_;
-    std::vector<std::size_t> deformation_;      ///< effects whose watts are rolling resistance
     double gas_start_ = 0.0;                    ///< K
     mutable std::vector<double> coefficients_;  ///< of all effects at the inputs of a moment
+    mutable std::vector<double> flow_;          ///< [n_nodes] and
+    mutable std::vector<double> means_;         ///< [n_regions] for quantities to work in
 };
 
 }  // namespace tiretherm::solver

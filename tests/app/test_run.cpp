@@ -72,10 +72,11 @@ TEST(Run, LeavesOutFieldsAndPicturesOnRequest) {
     const sample::Scratch scratch;
     call("run " + two_node + " --out " + scratch.path().string());
     EXPECT_TRUE(std::filesystem::exists(scratch / "channels.png"));
-    call("run --no-pictures --no-vtk " + two_node + " --out " + scratch.path().string());
+    call("run --no-pictures --no-vtk --mat " + two_node + " --out " + scratch.path().string());
     EXPECT_FALSE(std::filesystem::exists(scratch / "channels.png"));  // not even those of the run before
     EXPECT_FALSE(std::filesystem::exists(scratch / "field.pvd"));
     EXPECT_FALSE(std::filesystem::exists(scratch / "field_0000.vtu"));
+    EXPECT_TRUE(std::filesystem::exists(scratch / "channels.mat"));
 }
 
 TEST(Run, StoresFieldsAsOftenAsTold) {

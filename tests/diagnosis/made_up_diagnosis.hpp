@@ -22,7 +22,7 @@ struct MadeUp {
         result.simulations = 22;
         result.seconds = 3.1;
     }
-    [[nodiscard]] DiagnosisRecord record() const {
+    [[nodiscard]] post::DiagnosisRecord record() const {
         return {.experiment = experiment,
                 .observations = observations,
                 .result = result,

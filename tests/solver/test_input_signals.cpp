@@ -54,6 +54,17 @@ TEST(InputSignals, ConstantsHoldForEver) {
     EXPECT_TRUE(input_signals.stops().empty());
 }
 
+TEST(InputSignals, LearnTimesWithoutAnInput) {
+    InputSignals input_signals;
+    input_signals.add(Series{.signal = &power(), .time = {0.0, 10.0}, .value = {1.0, 3.0}});
+    input_signals.add_break_times({5.0, 2.0, 5.0, 10.0});
+    input_signals.add_sample_times({4.0, 1.0, 1.0});
+    EXPECT_EQ(input_signals.stops(), (std::vector<double>{0.0, 2.0, 5.0, 10.0}));
+    EXPECT_EQ(input_signals.samples(), (std::vector<double>{1.0, 4.0}));
+    EXPECT_EQ(input_signals.series().size(), 1U);
+    EXPECT_DOUBLE_EQ(input_signals.at(5.0, JumpSide::before).laser_power, 2.0);
+}
+
 TEST(StepForcing, TakesASmoothDriveAtTheTimesOfItsStages) {
     const Problem problem = lit_strip({.signal = &power(), .time = {0.0, 10.0}, .value = {0.0, 5.0}});
     const System system(problem);

@@ -1,4 +1,5 @@
 // Effects of the user's own in whole runs, switched on as a diagnosis does it.
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <stdexcept>
@@ -86,8 +87,8 @@ TEST(UserEffect, CountsFromTheRunsStart) {
     problem.input_signals.start_at(1000.0);
     const physics::Inputs before = problem.input_signals.at(1017.0, JumpSide::before);
     const std::size_t user_effect = add_user_effect(problem, heat("surface", later, -40.0));
-    const physics::Inputs after = problem.input_signals.at(1017.0, JumpSide::before);
-    EXPECT_NEAR(after.speed, before.speed, 1e-13 * before.speed);
+    EXPECT_EQ(problem.input_signals.at(1017.0, JumpSide::before), before);
+    EXPECT_TRUE(problem.input_signals.stops().empty()) << "the log's samples bound no step";
     EXPECT_NEAR(run_closed(problem).joules[user_effect], -40.0 * integral(walk), 1e-10 * 40.0 * integral(walk));
 }
 
@@ -144,6 +145,36 @@ TEST(UserEffect, JumpsWhereItsSignalJumps) {
         add_user_effect(problem, heat("bulk", {{0.0, 200.0, 200.0, 600.0}, {0.0, 0.0, 1.0, 1.0}}, 100.0));
     const Report report = run_closed(problem);
     EXPECT_NEAR(report.joules[user_effect], 100.0 * (400.0 - 0.5e-3), 1e-7);
+}
+
+// A user's signal is no input: a case without any has none afterwards, no series either, and its steps still see the
+// signal: one ends on either end of the jump at 10 s.
+TEST(UserEffect, AddsNoInputToACaseWithoutInputs) {
+    Problem problem;
+    problem.mesh = mesh::build(mesh::Layers{.area = 1.0, .stack = {{.name = "rubber", .thickness = 0.01, .cells = 8}}});
+    problem.materials = {material(physics::Curve::constant(0.29))};
+    act(problem, "conduction");
+    problem.initial.assign(static_cast<std::size_t>(problem.mesh.n_nodes), 300.0);
+    problem.settings.end = 20.0;
+    const std::size_t user_effect =
+        add_user_effect(problem, heat("rubber", {{0.0, 10.0, 10.0, 20.0}, {0.0, 0.0, 1.0, 1.0}}, 1000.0));
+    EXPECT_TRUE(problem.input_signals.series().empty());
+    for (const physics::Signal& signal : physics::signals()) {
+        EXPECT_FALSE(problem.input_signals.gives(signal)) << signal.name;
+    }
+    EXPECT_EQ(problem.input_signals.stops(), (std::vector<double>{10.0, 10.001}));
+    EXPECT_EQ(problem.input_signals.samples(), (std::vector<double>{0.0, 10.0, 10.001, 20.0}));
+    std::vector<double> times;
+    const Report report = run(problem, [&](const Snapshot& snapshot) {
+        times.push_back(snapshot.time);
+        return true;
+    });
+    ASSERT_TRUE(report.status.ok()) << report.status.message;
+    for (const double stop : {10.0, 10.001}) {
+        EXPECT_EQ(std::ranges::count(times, stop), 1) << stop;
+    }
+    EXPECT_NEAR(report.joules[user_effect], 1000.0 * (10.0 - 0.5e-3), 1e-7);
+    EXPECT_LT(report.energy_closure, 1e-10);
 }
 
 // A missing sample is bridged: between 0 at 0 s and 1 at 100 s the mean is a half.

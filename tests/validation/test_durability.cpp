@@ -154,7 +154,7 @@ TEST(DurabilityStudy, DrawsWhatTheCaseSaysIsUncertain) {
         known.push_back({"effects." + number.name, number.prior, number.standard_deviation});
     }
     for (const UncertainKey& key : asked->uncertain) {
-        known.push_back({key.key.text, key.number, key.standard_deviation});
+        known.push_back({key.path.text(), key.number, key.standard_deviation});
     }
     ASSERT_EQ(study.inputs.size(), known.size());
     for (const Known& one : known) {

@@ -32,11 +32,7 @@ const physics::Effect surroundings{.id = "surroundings",
                                    .reads = {},
                                    .needs_tire = false,
                                    .patches = {},
-                                   .n_coefficients = 0,
-                                   .place = nullptr,
-                                   .evaluate_coefficients = nullptr,
-                                   .add_terms = add_terms_of_surroundings,
-                                   .gives_derivatives = true};
+                                   .model = physics::HeatEffect{.add_terms = add_terms_of_surroundings}};
 
 TEST(RobinSlab, SurfaceSettlesAt333K) {
     // 1/12.5 outside, 0.012/0.3 in the rubber, 1/25 inside: 0.08 + 0.04 + 0.04 = 0.16 m2K/W between 293.15 and 373.15

@@ -116,10 +116,13 @@ const Effect air_convection{
     .reads = reads,
     .needs_tire = true,
     .patches = patches,
-    .n_coefficients = 3,
-    .evaluate_coefficients = evaluate_coefficients,
-    .add_terms = add_terms,
-    .range_warning = range_warning,
+    .model =
+        HeatEffect{
+            .n_coefficients = 3,
+            .evaluate_coefficients = evaluate_coefficients,
+            .add_terms = add_terms,
+            .range_warning = range_warning,
+        },
 };
 
 }  // namespace tiretherm::physics::effects

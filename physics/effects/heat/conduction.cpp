@@ -120,8 +120,11 @@ const Effect conduction{
     .equation = "q = -k(T) grad T inside the layers; (T_b - T_s) k(T_b)/dZ S_tot across a link",
     .source = "Fourier; thesis (31)(34)",
     .meaning = "Heat conducted between cells. The laws k(T) and c(T) belong to the materials of the layers.",
-    .place = place,
-    .add_terms = add_terms,
+    .model =
+        HeatEffect{
+            .place = place,
+            .add_terms = add_terms,
+        },
 };
 
 }  // namespace tiretherm::physics::effects

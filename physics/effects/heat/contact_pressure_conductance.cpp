@@ -68,10 +68,13 @@ const Effect contact_pressure_conductance{
     .reads = reads,
     .needs_tire = true,
     .patches = patches,
-    .n_coefficients = 2,
-    .place = place,
-    .evaluate_coefficients = evaluate_coefficients,
-    .add_terms = add_terms,
+    .model =
+        HeatEffect{
+            .n_coefficients = 2,
+            .place = place,
+            .evaluate_coefficients = evaluate_coefficients,
+            .add_terms = add_terms,
+        },
 };
 
 }  // namespace tiretherm::physics::effects

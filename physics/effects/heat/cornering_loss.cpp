@@ -43,11 +43,14 @@ const Effect cornering_loss{
         "lateral force, before anything slides. Part of what rolling resistance pays for.",
     .parameters = parameters,
     .reads = reads,
-    .by_deformation = true,
-    .n_coefficients = 1,
-    .place = place,
-    .evaluate_coefficients = evaluate_coefficients,
-    .add_terms = add_terms,
+    .model =
+        HeatEffect{
+            .by_deformation = true,
+            .n_coefficients = 1,
+            .place = place,
+            .evaluate_coefficients = evaluate_coefficients,
+            .add_terms = add_terms,
+        },
 };
 
 }  // namespace tiretherm::physics::effects

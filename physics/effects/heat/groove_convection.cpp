@@ -81,10 +81,13 @@ const Effect groove_convection{
     .reads = reads,
     .needs_tire = true,
     .patches = patches,
-    .n_coefficients = 2,
-    .place = place,
-    .evaluate_coefficients = evaluate_coefficients,
-    .add_terms = add_terms,
+    .model =
+        HeatEffect{
+            .n_coefficients = 2,
+            .place = place,
+            .evaluate_coefficients = evaluate_coefficients,
+            .add_terms = add_terms,
+        },
 };
 
 }  // namespace tiretherm::physics::effects

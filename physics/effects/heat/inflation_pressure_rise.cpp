@@ -38,6 +38,8 @@ void place(const PlacementContext& context, ActiveEffect& active) {
     active.nodes = {exchanges ? inner->lumped_nodes.front() : active.lumped_nodes.front()};
 }
 
+/// A heat effect that carries a law of the loss: the gas whose temperature the law follows is a node that this effect
+/// adds and heats, so that the two cannot be switched on apart.
 LossFactor scale_loss(const EvaluationState& m) {
     const bool is_user_effect = m.active.nodes.front() == m.active.lumped_nodes.front();
     const int region = m.mesh.find_region(is_user_effect ? own : "gas");
@@ -76,13 +78,16 @@ const Effect inflation_pressure_rise{
     .parameters = parameters,
     .reads = reads,
     .needs_tire = true,
-    .n_coefficients = 1,
-    .extend = extend,
-    .capacity = capacity,
-    .place = place,
-    .scale_loss = scale_loss,
-    .evaluate_coefficients = evaluate_coefficients,
-    .add_terms = add_terms,
+    .model =
+        HeatEffect{
+            .n_coefficients = 1,
+            .extend = extend,
+            .capacity = capacity,
+            .place = place,
+            .scale_loss = scale_loss,
+            .evaluate_coefficients = evaluate_coefficients,
+            .add_terms = add_terms,
+        },
 };
 
 }  // namespace tiretherm::physics::effects

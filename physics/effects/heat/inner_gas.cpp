@@ -63,12 +63,15 @@ const Effect inner_gas{
     .parameters = parameters,
     .reads = reads,
     .patches = patches,
-    .n_coefficients = 1,
-    .extend = extend,
-    .capacity = capacity,
-    .place = place,
-    .evaluate_coefficients = evaluate_coefficients,
-    .add_terms = add_terms,
+    .model =
+        HeatEffect{
+            .n_coefficients = 1,
+            .extend = extend,
+            .capacity = capacity,
+            .place = place,
+            .evaluate_coefficients = evaluate_coefficients,
+            .add_terms = add_terms,
+        },
 };
 
 }  // namespace tiretherm::physics::effects

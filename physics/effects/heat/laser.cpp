@@ -26,8 +26,7 @@ void place(const PlacementContext& context, ActiveEffect& active) {
     active.nodes.clear();
     active.weights.clear();
     const mesh::Mesh& mesh = context.mesh;
-    const ActiveEffect* spot_size = context.find("laser_spot_size");
-    const double spot = active[radius] * (spot_size != nullptr ? (*spot_size)[0] : 1.0);
+    const double spot = active[radius] * context.material_model.laser_spot_scale;
     if (mesh.grid && mesh.grid->size(0) == 1 && mesh.grid->size(1) == 1) {  // layers: the light is spread evenly
         spread_over_patches(context, active);
         return;
@@ -90,10 +89,13 @@ const Effect laser{
     .choices = choices,
     .reads = reads,
     .patches = patches,
-    .n_coefficients = 1,
-    .place = place,
-    .evaluate_coefficients = evaluate_coefficients,
-    .add_terms = add_terms,
+    .model =
+        HeatEffect{
+            .n_coefficients = 1,
+            .place = place,
+            .evaluate_coefficients = evaluate_coefficients,
+            .add_terms = add_terms,
+        },
 };
 
 }  // namespace tiretherm::physics::effects

@@ -87,9 +87,12 @@ const Effect natural_convection{
     .choices = choices,
     .reads = reads,
     .patches = patches,
-    .n_coefficients = 2,
-    .evaluate_coefficients = evaluate_coefficients,
-    .add_terms = add_terms,
+    .model =
+        HeatEffect{
+            .n_coefficients = 2,
+            .evaluate_coefficients = evaluate_coefficients,
+            .add_terms = add_terms,
+        },
 };
 
 }  // namespace tiretherm::physics::effects

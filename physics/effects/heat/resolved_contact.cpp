@@ -64,11 +64,14 @@ const Effect resolved_contact{
     .instead_of = "road_contact",
     .needs_tire = true,
     .patches = patches,
-    .n_coefficients = 2,
-    .field = FieldOf::pressure,
-    .place = place,
-    .evaluate_coefficients = evaluate_coefficients,
-    .add_terms = exchange_by_weights,
+    .model =
+        HeatEffect{
+            .n_coefficients = 2,
+            .field = FieldOf::pressure,
+            .place = place,
+            .evaluate_coefficients = evaluate_coefficients,
+            .add_terms = exchange_by_weights,
+        },
 };
 
 }  // namespace effects

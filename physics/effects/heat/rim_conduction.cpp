@@ -55,11 +55,14 @@ const Effect rim_conduction{
     .reads = reads,
     .patches = patches,
     .one_patch = true,
-    .n_coefficients = 1,
-    .extend = extend,
-    .capacity = capacity,
-    .evaluate_coefficients = evaluate_coefficients,
-    .add_terms = add_terms,
+    .model =
+        HeatEffect{
+            .n_coefficients = 1,
+            .extend = extend,
+            .capacity = capacity,
+            .evaluate_coefficients = evaluate_coefficients,
+            .add_terms = add_terms,
+        },
 };
 
 }  // namespace tiretherm::physics::effects

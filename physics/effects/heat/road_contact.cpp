@@ -44,11 +44,14 @@ const Effect road_contact{
     .reads = reads,
     .needs_tire = true,
     .patches = patches,
-    .n_coefficients = 2,
-    .field = FieldOf::pressure,
-    .place = place,
-    .evaluate_coefficients = evaluate_coefficients,
-    .add_terms = exchange_by_weights,
+    .model =
+        HeatEffect{
+            .n_coefficients = 2,
+            .field = FieldOf::pressure,
+            .place = place,
+            .evaluate_coefficients = evaluate_coefficients,
+            .add_terms = exchange_by_weights,
+        },
 };
 
 }  // namespace tiretherm::physics::effects

@@ -50,10 +50,13 @@ const Effect sidewall_convection{
     .reads = reads,
     .patches = patches,
     .one_patch = true,
-    .n_coefficients = 1,
-    .place = place,
-    .evaluate_coefficients = evaluate_coefficients,
-    .add_terms = add_terms,
+    .model =
+        HeatEffect{
+            .n_coefficients = 1,
+            .place = place,
+            .evaluate_coefficients = evaluate_coefficients,
+            .add_terms = add_terms,
+        },
 };
 
 }  // namespace tiretherm::physics::effects

@@ -115,12 +115,15 @@ const Effect sliding_friction{
     .may_read = may_read,
     .needs_tire = true,
     .patches = patches,
-    .n_coefficients = 1,
-    .field = FieldOf::friction,
-    .frame_coefficients = most_frames,
-    .place = place,
-    .evaluate_coefficients = evaluate_coefficients,
-    .add_terms = add_terms,
+    .model =
+        HeatEffect{
+            .n_coefficients = 1,
+            .field = FieldOf::friction,
+            .frame_coefficients = most_frames,
+            .place = place,
+            .evaluate_coefficients = evaluate_coefficients,
+            .add_terms = add_terms,
+        },
 };
 
 }  // namespace tiretherm::physics::effects

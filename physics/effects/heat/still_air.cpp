@@ -39,9 +39,12 @@ const Effect still_air{
     .parameters = parameters,
     .reads = reads,
     .patches = patches,
-    .n_coefficients = 1,
-    .evaluate_coefficients = evaluate_coefficients,
-    .add_terms = add_terms,
+    .model =
+        HeatEffect{
+            .n_coefficients = 1,
+            .evaluate_coefficients = evaluate_coefficients,
+            .add_terms = add_terms,
+        },
 };
 
 }  // namespace tiretherm::physics::effects

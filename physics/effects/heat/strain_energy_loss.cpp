@@ -256,13 +256,16 @@ const Effect strain_energy_loss{
     .scopes = scopes,
     .reads = reads,
     .needs_tire = true,
-    .by_deformation = true,
-    .n_coefficients = 3,
-    .field = FieldOf::loss,
-    .frame_coefficients = most_frames + most_temperatures,
-    .place = place,
-    .evaluate_coefficients = evaluate_coefficients,
-    .add_terms = add_terms,
+    .model =
+        HeatEffect{
+            .by_deformation = true,
+            .n_coefficients = 3,
+            .field = FieldOf::loss,
+            .frame_coefficients = most_frames + most_temperatures,
+            .place = place,
+            .evaluate_coefficients = evaluate_coefficients,
+            .add_terms = add_terms,
+        },
 };
 
 }  // namespace tiretherm::physics::effects

@@ -105,12 +105,15 @@ const Effect travelling_contact{
     .needs_tire = true,
     .needs_grid = true,
     .patches = patches,
-    .travels = true,
-    .n_coefficients = 2,
-    .frame_coefficients = most_sectors - 1,
-    .place = place,
-    .evaluate_coefficients = evaluate_coefficients,
-    .add_terms = add_terms,
+    .model =
+        HeatEffect{
+            .travels = true,
+            .n_coefficients = 2,
+            .frame_coefficients = most_sectors - 1,
+            .place = place,
+            .evaluate_coefficients = evaluate_coefficients,
+            .add_terms = add_terms,
+        },
 };
 
 }  // namespace tiretherm::physics::effects

@@ -28,7 +28,7 @@ const Effect uniform_source{
     .source = "definition; used by reference problems",
     .meaning = "The same heat per volume everywhere, for problems with an exact solution.",
     .parameters = parameters,
-    .add_terms = add_terms,
+    .model = HeatEffect{.add_terms = add_terms},
 };
 
 }  // namespace tiretherm::physics::effects

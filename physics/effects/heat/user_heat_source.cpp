@@ -41,11 +41,14 @@ const Effect user_heat_source{
         "quarter.",
     .parameters = parameters,
     .tables = tables,
-    .n_coefficients = 1,
-    .place = place_user_effect,
-    .evaluate_coefficients = evaluate_coefficients,
-    .add_terms = add_terms,
     .invalid_on_mesh = user_effect_invalid_on_mesh,
+    .model =
+        HeatEffect{
+            .n_coefficients = 1,
+            .place = place_user_effect,
+            .evaluate_coefficients = evaluate_coefficients,
+            .add_terms = add_terms,
+        },
 };
 
 }  // namespace tiretherm::physics::effects

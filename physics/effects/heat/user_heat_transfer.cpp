@@ -51,11 +51,14 @@ const Effect user_heat_transfer{
     .parameters = parameters,
     .tables = tables,
     .may_read = may_read,
-    .n_coefficients = 2,
-    .place = place_user_effect,
-    .evaluate_coefficients = evaluate_coefficients,
-    .add_terms = add_terms,
     .invalid_on_mesh = user_effect_invalid_on_mesh,
+    .model =
+        HeatEffect{
+            .n_coefficients = 2,
+            .place = place_user_effect,
+            .evaluate_coefficients = evaluate_coefficients,
+            .add_terms = add_terms,
+        },
 };
 
 }  // namespace tiretherm::physics::effects

@@ -49,10 +49,13 @@ const Effect wet_road{
     .reads = reads,
     .needs_tire = true,
     .patches = patches,
-    .n_coefficients = 2,
-    .place = place,
-    .evaluate_coefficients = evaluate_coefficients,
-    .add_terms = exchange_by_weights,
+    .model =
+        HeatEffect{
+            .n_coefficients = 2,
+            .place = place,
+            .evaluate_coefficients = evaluate_coefficients,
+            .add_terms = exchange_by_weights,
+        },
 };
 
 }  // namespace tiretherm::physics::effects

@@ -32,7 +32,7 @@ const Effect air_temperature_drift{
         "air sees it; what a camera sees reflected stays the logged air. Without a rate it does nothing.",
     .parameters = parameters,
     .reads = reads,
-    .transform = transform,
+    .model = InputCorrection{.transform = transform},
 };
 
 }  // namespace tiretherm::physics::effects

@@ -38,7 +38,7 @@ const Effect initial_temperature{
     .parameters = parameters,
     .scopes = scopes,
     .on_layers = true,
-    .start = start,
+    .model = InputCorrection{.start = start},
 };
 
 }  // namespace tiretherm::physics::effects

@@ -33,7 +33,7 @@ const Effect laser_absorptivity{
         "share and the time constant stays.",
     .parameters = parameters,
     .reads = reads,
-    .transform = transform,
+    .model = InputCorrection{.transform = transform},
 };
 
 }  // namespace tiretherm::physics::effects

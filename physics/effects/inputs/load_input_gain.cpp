@@ -27,7 +27,7 @@ const Effect load_input_gain{
         "A load cell, or a load distribution, that is off by a factor: strain-energy loss, contact and radii follow.",
     .parameters = parameters,
     .reads = reads,
-    .transform = transform,
+    .model = InputCorrection{.transform = transform},
 };
 
 }  // namespace tiretherm::physics::effects

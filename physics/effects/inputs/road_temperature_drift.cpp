@@ -31,7 +31,7 @@ const Effect road_temperature_drift{
         "rate it does nothing.",
     .parameters = parameters,
     .reads = reads,
-    .transform = transform,
+    .model = InputCorrection{.transform = transform},
 };
 
 }  // namespace tiretherm::physics::effects

@@ -33,7 +33,7 @@ const Effect slip_input_gain{
         "and all other heat are as logged. From temperatures it cannot be told from the partition or lambda_y.",
     .parameters = parameters,
     .may_read = may_read,
-    .transform = transform,
+    .model = InputCorrection{.transform = transform},
 };
 
 }  // namespace tiretherm::physics::effects

@@ -28,7 +28,7 @@ const Effect speed_input_gain{
         "friction follow, each by its own law of speed.",
     .parameters = parameters,
     .reads = reads,
-    .transform = transform,
+    .model = InputCorrection{.transform = transform},
 };
 
 }  // namespace tiretherm::physics::effects

@@ -45,7 +45,7 @@ const Effect belt_anisotropy{
     .scopes = scopes,
     .needs_grid = true,
     .on_layers = true,
-    .modify_properties = modify_properties,
+    .model = PropertyModifier{.modify_properties = modify_properties},
 };
 
 }  // namespace tiretherm::physics::effects

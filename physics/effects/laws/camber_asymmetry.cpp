@@ -36,7 +36,7 @@ const Effect camber_asymmetry{
     .may_read = may_read,
     .needs_tire = true,
     .needs_grid = true,
-    .modify_laws = modify_laws,
+    .model = PropertyModifier{.modify_laws = modify_laws},
 };
 
 }  // namespace tiretherm::physics::effects

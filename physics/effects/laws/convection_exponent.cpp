@@ -47,8 +47,11 @@ const Effect convection_exponent{
     .parameters = parameters,
     .reads = reads,
     .needs_tire = true,
-    .place = place,
-    .modify_laws = modify_laws,
+    .model =
+        PropertyModifier{
+            .place = place,
+            .modify_laws = modify_laws,
+        },
 };
 
 }  // namespace tiretherm::physics::effects

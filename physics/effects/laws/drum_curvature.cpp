@@ -31,7 +31,7 @@ const Effect drum_curvature{
         "1.7 m diameter.",
     .parameters = parameters,
     .needs_tire = true,
-    .modify_laws = modify_laws,
+    .model = PropertyModifier{.modify_laws = modify_laws},
 };
 
 }  // namespace tiretherm::physics::effects

@@ -27,7 +27,7 @@ void modify_properties(const ActiveEffect& active, const mesh::Mesh& mesh, Mater
         for (Curve& k : material_model.materials[static_cast<std::size_t>(layer)].conductivity) {
             k = modified(active, layer, k);
         }
-        if (mesh.kind == "two_node" && layer == 1) {
+        if (mesh.is_lumped() && layer == 1) {
             material_model.link_laws.front() = modified(active, layer, material_model.link_laws.front());
         }
     }
@@ -47,7 +47,7 @@ const Effect layer_conductivity{
     .parameters = parameters,
     .scopes = scopes,
     .on_layers = true,
-    .modify_properties = modify_properties,
+    .model = PropertyModifier{.modify_properties = modify_properties},
 };
 
 }  // namespace tiretherm::physics::effects

@@ -33,7 +33,7 @@ const Effect layer_heat_capacity{
     .parameters = parameters,
     .scopes = scopes,
     .on_layers = true,
-    .modify_properties = modify_properties,
+    .model = PropertyModifier{.modify_properties = modify_properties},
 };
 
 }  // namespace tiretherm::physics::effects

@@ -35,7 +35,7 @@ const Effect load_exponent_of_loss{
     .parameters = parameters,
     .reads = reads,
     .needs_tire = true,
-    .modify_laws = modify_laws,
+    .model = PropertyModifier{.modify_laws = modify_laws},
 };
 
 }  // namespace tiretherm::physics::effects

@@ -37,7 +37,7 @@ const Effect loss_frequency_shift{
     .parameters = parameters,
     .reads = reads,
     .needs_tire = true,
-    .modify_laws = modify_laws,
+    .model = PropertyModifier{.modify_laws = modify_laws},
 };
 
 }  // namespace tiretherm::physics::effects

@@ -36,7 +36,7 @@ const Effect loss_tangent_slope{
         "the reference, less on the other. Follows the bulk's mean also where the loss tangent is local.",
     .parameters = parameters,
     .needs_tire = true,
-    .scale_loss = scale_loss,
+    .model = PropertyModifier{.scale_loss = scale_loss},
 };
 
 }  // namespace tiretherm::physics::effects

@@ -41,7 +41,7 @@ const Effect partition_speed{
     .parameters = parameters,
     .reads = reads,
     .may_read = may_read,
-    .modify_laws = modify_laws,
+    .model = PropertyModifier{.modify_laws = modify_laws},
 };
 
 }  // namespace tiretherm::physics::effects

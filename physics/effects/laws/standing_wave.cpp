@@ -38,7 +38,7 @@ const Effect standing_wave{
         "Nothing below. The wave heats the shoulders first; here the excess is spread as the loss is.",
     .parameters = parameters,
     .reads = reads,
-    .modify_laws = modify_laws,
+    .model = PropertyModifier{.modify_laws = modify_laws},
 };
 
 }  // namespace tiretherm::physics::effects

@@ -71,8 +71,8 @@ const Effect tread_wear{
         "takes its smaller share of the strain-energy loss by mass; the law of the total is that of the new tire.",
     .parameters = parameters,
     .needs_grid = true,
-    .modify_properties = modify_properties,
     .invalid_on_mesh = invalid_on_mesh,
+    .model = PropertyModifier{.modify_properties = modify_properties},
 };
 
 }  // namespace tiretherm::physics::effects

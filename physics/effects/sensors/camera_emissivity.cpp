@@ -47,10 +47,12 @@ const Effect camera_emissivity{
     .choices = choices,
     .scopes = scopes,
     .reads = reads,
-    .on_channels = true,
-    .before_lag = true,
-    .reads_what = Reads::temperature,
-    .read = read,
+    .model =
+        SensorModel{
+            .applies_to = ChannelsOf::temperature,
+            .before_lag = true,
+            .read = read,
+        },
 };
 
 }  // namespace tiretherm::physics::effects

@@ -30,8 +30,7 @@ const Effect clock_delay{
         "together by hand. Without a delay it does nothing.",
     .parameters = parameters,
     .scopes = scopes,
-    .on_channels = true,
-    .delay = delay,
+    .model = SensorModel{.delay = delay},
 };
 
 }  // namespace tiretherm::physics::effects

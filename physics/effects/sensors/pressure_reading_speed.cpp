@@ -33,9 +33,11 @@ const Effect pressure_reading_speed{
     .parameters = parameters,
     .scopes = scopes,
     .reads = reads,
-    .on_channels = true,
-    .reads_what = Reads::pressure,
-    .read = read,
+    .model =
+        SensorModel{
+            .applies_to = ChannelsOf::pressure,
+            .read = read,
+        },
 };
 
 }  // namespace tiretherm::physics::effects

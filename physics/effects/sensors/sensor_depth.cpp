@@ -31,9 +31,11 @@ const Effect sensor_depth{
     .parameters = parameters,
     .scopes = scopes,
     .needs_grid = true,
-    .on_channels = true,
-    .reads_what = Reads::place,
-    .depth_offset = depth_offset,
+    .model =
+        SensorModel{
+            .applies_to = ChannelsOf::temperature_at_point,
+            .depth_offset = depth_offset,
+        },
 };
 
 }  // namespace tiretherm::physics::effects

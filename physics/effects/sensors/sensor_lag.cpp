@@ -31,8 +31,7 @@ const Effect sensor_lag{
         "changes.",
     .parameters = parameters,
     .scopes = scopes,
-    .on_channels = true,
-    .lag = lag,
+    .model = SensorModel{.lag = lag},
 };
 
 }  // namespace tiretherm::physics::effects

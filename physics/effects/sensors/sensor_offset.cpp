@@ -31,9 +31,11 @@ const Effect sensor_offset{
         "thermometer with long leads. Without kelvin it does nothing.",
     .parameters = parameters,
     .scopes = scopes,
-    .on_channels = true,
-    .reads_what = Reads::temperature,
-    .read = read,
+    .model =
+        SensorModel{
+            .applies_to = ChannelsOf::temperature,
+            .read = read,
+        },
 };
 
 }  // namespace tiretherm::physics::effects

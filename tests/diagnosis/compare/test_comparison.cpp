@@ -7,8 +7,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "post/comparison/comparison_report.hpp"
 #include "post/report/file.hpp"
 #include "tests/diagnosis/compare/compared_bench.hpp"
+#include "tests/support/report_cells.hpp"
 
 namespace tiretherm::diagnosis {
 namespace {
@@ -109,13 +111,19 @@ TEST(Comparison, SingleNumbersInTheirUncertainty) {
     const ComparedNumber& number = idle.comparison.numbers.front();
     EXPECT_NEAR(number.in_uncertainties(), -4.0, 1e-9);
     EXPECT_TRUE(number.at_end);
-    const std::string text = comparison_text(idle.comparison, false);
-    EXPECT_NE(text.find("25 degC  0.5      23.00  -4.0 u, too cold  needle"), std::string::npos) << text;
+    const post::Report report = post::comparison_report(idle.comparison, {});
+    const post::Section& numbers = post::section(report, "Single numbers");
+    EXPECT_EQ(post::cell_text(numbers, 0, "measured"), "25 degC");
+    EXPECT_EQ(post::cell_text(numbers, 0, "+-"), "0.5");
+    EXPECT_EQ(post::cell_text(numbers, 0, "simulated"), "23.00");
+    EXPECT_EQ(post::cell_text(numbers, 0, "off by"), "-4.0 u, too cold");
+    EXPECT_EQ(post::cell_text(numbers, 0, "source"), "needle");
 }
 
 TEST(Comparison, TheJsonSaysTheSameInKelvin) {
     const Idle idle;
-    const nlohmann::json json = nlohmann::json::parse(comparison_json(idle.comparison, {"a/compare.csv"}));
+    const nlohmann::json json =
+        nlohmann::json::parse(post::json_text(post::comparison_report(idle.comparison, {"a/compare.csv"}).data));
     EXPECT_EQ(json["difference"], "simulated - measured");
     EXPECT_EQ(json["runs"][1]["name"], "second");
     EXPECT_EQ(json["outputs"][0], "a/compare.csv");
@@ -131,7 +139,8 @@ TEST(Comparison, TheJsonSaysTheSameInKelvin) {
 
 TEST(Comparison, FilesHaveARowForEachSampleAndEachFigure) {
     const Idle idle;
-    const std::vector<std::filesystem::path> files = write_comparison(idle.comparison, idle.written.folder() / "out");
+    const std::vector<std::filesystem::path> files =
+        post::write_comparison(idle.comparison, idle.written.folder() / "out");
     ASSERT_EQ(files.size(), 2u);
     const std::string samples = post::read_text(files[0]);
     EXPECT_EQ(std::count(samples.begin(), samples.end(), '\n'), 1 + 6 + 5);
@@ -172,7 +181,7 @@ TEST(Comparison, SaysInWordsWhatItFinds) {
     // 2 K too hot and 0.5 K that follow slip power, whose mean over 1000 s is (7 * 1.085 + 11 * 1.981) / 1000 = 0.029: 2.01 K,
     // and 32.01 / 30 = 1.067 of the rise.
     const ComparedChannel channel = made_up(2.0, 0.5, 0.3);
-    const std::vector<std::string> said = sentences(channel);
+    const std::vector<std::string> said = post::sentences(channel);
     ASSERT_EQ(said.size(), 4u);
     EXPECT_NE(said[0].find("2.01 +- "), std::string::npos) << said[0];
     EXPECT_NE(said[0].find(" K too hot on the whole"), std::string::npos) << said[0];
@@ -183,7 +192,7 @@ TEST(Comparison, SaysInWordsWhatItFinds) {
 
 TEST(Comparison, SaysSoWhereNothingShows) {
     const ComparedChannel channel = made_up(0.0, 0.0, 0.2);
-    const std::vector<std::string> said = sentences(channel);
+    const std::vector<std::string> said = post::sentences(channel);
     EXPECT_EQ(said[0].find("no significant bias: "), 0u) << said[0];
     EXPECT_EQ(said[1].find("the differences scatter by 0.14 K, less than the sensor may by itself, 0.30 K (stated)"),
               0u)

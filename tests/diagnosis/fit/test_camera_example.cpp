@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "diagnosis/compare/comparison.hpp"
+#include "post/comparison/comparison_report.hpp"
+#include "tests/support/report_cells.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -28,9 +30,12 @@ TEST(CameraExample, IsOneChannelWhosePixelsAreOffWhereTheImageLiesElsewhere) {
     EXPECT_NEAR(three.figures.rmse, 3.81, 0.03);
     EXPECT_NEAR(one.noise, 0.086, 0.004);
     EXPECT_GT(three.rings[2].rmse, 5.0 * three.rings[6].rmse);
-    const std::string page = comparison_text(comparison, false);
-    EXPECT_NE(page.find("camera  three_watts      40   4 093"), std::string::npos) << page;
-    EXPECT_EQ(page.find("camera 12"), std::string::npos);
+    const post::Report report = post::comparison_report(comparison, {});
+    const post::Section& cameras = post::section(report, "Cameras");
+    EXPECT_EQ(post::cell_text(cameras, 1, "run"), "three_watts");
+    EXPECT_EQ(post::cell_text(cameras, 1, "frames"), "40");
+    EXPECT_EQ(post::cell_text(cameras, 1, "pixels"), "4 093");
+    EXPECT_EQ(post::page_text(report, false).find("camera 12"), std::string::npos);
 }
 
 }  // namespace tiretherm::diagnosis

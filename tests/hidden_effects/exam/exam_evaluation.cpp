@@ -75,7 +75,7 @@ tiretherm::input::Experiment read_data_set(const ExamDataSet& data_set, int fine
 diagnosis::Diagnosis diagnose_data_set(const ExamDataSet& data_set, diagnosis::DiagnosisOptions choice) {
     const tiretherm::input::Experiment experiment = read_data_set(data_set);
     std::optional<tiretherm::input::Experiment> finer;
-    if (experiment.runs.front().problem.mesh.kind != "two_node") {
+    if (!experiment.runs.front().problem.mesh.is_lumped()) {
         finer = read_data_set(data_set, 2);
         choice.finer = &*finer;
     }

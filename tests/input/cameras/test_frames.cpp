@@ -42,7 +42,7 @@ TEST(Frames, OfACsvAreReadPixelByPixel) {
     EXPECT_NEAR(frames.value[5], 25.0 + 273.15, 1e-9);
     EXPECT_NEAR(frames.value[12 + 6], 33.5 + 273.15, 1e-9);
     // The surface's ten nodes are the camera's channels; pixels cost none.
-    EXPECT_EQ(frames.n_channels, 10U);
+    EXPECT_EQ(frames.channels.count, 10U);
     EXPECT_EQ(run.problem.channels.size(), 10U);
 }
 

@@ -9,6 +9,7 @@
 
 #include "input/effects/user_signals.hpp"
 #include "input/parameters/fitted_case.hpp"
+#include "post/report/file.hpp"
 #include "solver/time_integration/march.hpp"
 #include "tests/input/measurements/measured_bench.hpp"
 
@@ -332,7 +333,7 @@ source = "throttle_heat"
     }
     fs::create_directories(written.folder() / "out");
     const fs::path extended = written.folder() / "out/extended.toml";
-    write_fitted_case(what, extended);
+    post::replace_file(extended, fitted_case(what, extended.parent_path()));
     SCOPED_TRACE(text_of(extended));
     const Experiment again = read_sound(extended);
     ASSERT_EQ(again.runs.size(), 2U);
@@ -361,12 +362,12 @@ source = "throttle_heat"
     solver::move(problem, wall, 2.0 / 3.0, 4.5);
     const std::vector<solver::FreeParameter> moved{wall};
     const fs::path twice = written.folder() / "out/twice.toml";
-    write_fitted_case({.original = extended,
-                       .before = &again.runs.front().problem,
-                       .fitted = &problem,
-                       .parameters = moved,
-                       .runs = {}},
-                      twice);
+    post::replace_file(twice, fitted_case({.original = extended,
+                                           .before = &again.runs.front().problem,
+                                           .fitted = &problem,
+                                           .parameters = moved,
+                                           .runs = {}},
+                                          twice.parent_path()));
     EXPECT_NE(text_of(twice).find("[[exchange]]\nname = \"wall\"\nconductance = \"4.5 W K-1\"\n"), std::string::npos)
         << text_of(twice);
     const Experiment last = read_sound(twice);

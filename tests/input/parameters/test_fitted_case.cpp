@@ -4,13 +4,13 @@
 #include <cmath>
 #include <fstream>
 #include <sstream>
-#include <system_error>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "input/measurements/experiment.hpp"
 #include "input/text/quantity_specs.hpp"
+#include "post/report/file.hpp"
 #include "support/written.hpp"
 
 // What was fitted is written as a case; reading it must give the fitted problem again.
@@ -64,7 +64,7 @@ Experiment written_and_read(const fs::path& original, const Experiment& before, 
     for (const MeasuredRun& run : fitted.runs) {
         what.runs.push_back({.name = run.name, .problem = &run.problem, .file = data ? run.file : ""});
     }
-    write_fitted_case(what, file);
+    post::replace_file(file, fitted_case(what, file.parent_path()));
     SCOPED_TRACE(text_of(file));
     return read(file);
 }
@@ -341,7 +341,7 @@ uncertainty = "1 K"
     for (const std::string_view id : {"sidewall_convection", "sensor_offset", "layer_conductivity"}) {
         physics::ActiveEffect active = physics::activate(*physics::find_effect(id), mesh);
         active.parameters[0] = 1.75;
-        if (active.effect->on_channels) {
+        if (active.effect->sensor_model() != nullptr) {
             active.channels = {0};
         }
         if (active.effect->on_layers) {
@@ -384,9 +384,10 @@ TEST(FittedCase, SaysWhyItCannotBeWritten) {
     const FittedCase what{
         .original = file, .before = &*reading.problem, .fitted = &*reading.problem, .parameters = {}, .runs = {}};
     try {
-        write_fitted_case(what, written.folder() / "no/such/folder/fitted.toml");
+        const fs::path target = written.folder() / "no/such/folder/fitted.toml";
+        post::replace_file(target, fitted_case(what, target.parent_path()));
         FAIL() << "written";
-    } catch (const std::system_error& error) {
+    } catch (const post::FileError& error) {
         EXPECT_NE(std::string(error.what()).find("no/such/folder/fitted.toml"), std::string::npos) << error.what();
         EXPECT_NE(std::string(error.what()).find("No such file or directory"), std::string::npos) << error.what();
     }

@@ -38,30 +38,29 @@ struct Bench {
     }
 
     void place(ActiveEffect& effect) const {
-        if (effect.effect->place != nullptr) {
-            const MaterialModel material_model = this->material_model();
-            effect.effect->place({.mesh = mesh, .material_model = material_model, .effects = {&effect, 1}}, effect);
-        }
+        const MaterialModel material_model = this->material_model();
+        effect.effect->place({.mesh = mesh, .material_model = material_model, .effects = {&effect, 1}}, effect);
     }
 
     /// What the effect says at `temperature` under `inputs`. The terms keep a view of `temperature`.
     [[nodiscard]] Terms said(const ActiveEffect& effect, const Inputs& inputs,
                              const std::vector<double>& temperature) const {
-        std::vector<double> coefficients(static_cast<std::size_t>(effect.effect->n_coefficients));
-        if (effect.effect->evaluate_coefficients != nullptr) {
-            effect.effect->evaluate_coefficients(effect, {.tire = tire, .inputs = inputs, .laws = {}}, coefficients);
+        const HeatEffect& heat = *effect.effect->heat_effect();
+        std::vector<double> coefficients(static_cast<std::size_t>(heat.n_coefficients));
+        if (heat.evaluate_coefficients != nullptr) {
+            heat.evaluate_coefficients(effect, {.tire = tire, .inputs = inputs, .laws = {}}, coefficients);
         }
         Terms terms(mesh, 1);
         terms.begin(temperature);
         const std::vector<double> region_mean = means(temperature);
         const MaterialModel material_model = this->material_model();
-        effect.effect->add_terms({.mesh = mesh,
-                                  .material_model = material_model,
-                                  .temperature = temperature,
-                                  .region_mean = region_mean,
-                                  .active = effect,
-                                  .coefficients = coefficients},
-                                 terms);
+        heat.add_terms({.mesh = mesh,
+                        .material_model = material_model,
+                        .temperature = temperature,
+                        .region_mean = region_mean,
+                        .active = effect,
+                        .coefficients = coefficients},
+                       terms);
         return terms;
     }
 
@@ -197,7 +196,7 @@ public:
                 assert(find_parameter(*active.effect, key) >= 0);
                 active.parameters[static_cast<std::size_t>(find_parameter(*active.effect, key))] = value;
             }
-            if (active.effect->on_channels) {
+            if (active.effect->sensor_model() != nullptr) {
                 active.channels = {0, 1};
             }
             if (part.id.starts_with(

@@ -62,7 +62,7 @@ inline bool has_absent(const Effect& effect) {
 inline bool can_act(const Effect& effect, const Bench& bench) {
     const bool has_place = effect.patches.empty() || !activate(effect, bench.mesh).patches.empty();
     const bool has_tire = !effect.needs_tire || bench.mesh.find_patch("top") < 0;
-    const bool has_grid = !effect.needs_grid || bench.mesh.kind != "two_node";
+    const bool has_grid = !effect.needs_grid || !bench.mesh.is_lumped();
     return has_place && has_tire && has_grid;
 }
 

@@ -73,7 +73,7 @@ TEST(Catalogue, HoldsTheseEffectsAndNoOther) {
 TEST(Catalogue, ReadingsStandInTheirOrder) {
     std::vector<std::string_view> order;
     for (const Effect* effect : catalogue()) {
-        if (effect->on_channels) {
+        if (effect->sensor_model() != nullptr) {
             order.push_back(effect->id);
         }
     }
@@ -87,7 +87,7 @@ TEST(Catalogue, OrderOfEffectsDoesNotMatter) {
     for (const Bench& bench : {two_nodes(), specimen(), section()}) {
         std::vector<Part> parts;
         for (const Effect* effect : catalogue()) {
-            if (!effect->on_channels && can_act(*effect, bench)) {
+            if (effect->sensor_model() == nullptr && can_act(*effect, bench)) {
                 parts.push_back(loud(effect->id));
             }
         }

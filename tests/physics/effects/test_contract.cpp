@@ -32,9 +32,27 @@ TEST_P(EveryEffect, SaysWhatItIs) {
             EXPECT_NE(find_signal(name), nullptr) << name;
         }
     }
-    EXPECT_EQ(effect.extend == nullptr, effect.capacity == nullptr);
-    EXPECT_EQ(effect.on_channels, effect.kind == Kind::sensor);
+    EXPECT_EQ(effect.sensor_model() != nullptr, effect.kind == Kind::sensor);
     ASSERT_FALSE(benches().empty()) << "no bench lets this effect act";
+}
+
+TEST_P(EveryEffect, HasTheFunctionsOfItsClass) {
+    const Effect& effect = *GetParam();
+    if (const HeatEffect* heat = effect.heat_effect()) {
+        EXPECT_NE(heat->add_terms, nullptr);
+        EXPECT_EQ(heat->n_coefficients > 0, heat->evaluate_coefficients != nullptr);
+        EXPECT_EQ(heat->extend == nullptr, heat->capacity == nullptr);
+        EXPECT_TRUE(heat->scale_loss == nullptr || heat->extend != nullptr) << "a law without a node of its own";
+    } else if (const PropertyModifier* modifier = effect.property_modifier()) {
+        EXPECT_TRUE(modifier->modify_properties != nullptr || modifier->modify_laws != nullptr ||
+                    modifier->scale_loss != nullptr);
+    } else if (const InputCorrection* correction = effect.input_correction()) {
+        EXPECT_TRUE(correction->transform != nullptr || correction->start != nullptr);
+    } else {
+        const SensorModel& model = *effect.sensor_model();
+        EXPECT_TRUE(model.read != nullptr || model.lag != nullptr || model.delay != nullptr ||
+                    model.depth_offset != nullptr);
+    }
 }
 
 TEST_P(EveryEffect, IsFiniteWithConductancesThatAreNotNegative) {
@@ -73,8 +91,9 @@ TEST_P(EveryEffect, IsFiniteWithConductancesThatAreNotNegative) {
             }
             ASSERT_LT(terms.negative_effect, 0);
             for (const ActiveEffect& active : whole.system().effects()) {
-                if (active.effect->read != nullptr) {
-                    ASSERT_TRUE(std::isfinite(active.effect->read(active, 0, 250.0 + 200.0 * unit(random), in)));
+                if (const SensorModel* model = active.effect->sensor_model();
+                    model != nullptr && model->read != nullptr) {
+                    ASSERT_TRUE(std::isfinite(model->read(active, 0, 250.0 + 200.0 * unit(random), in)));
                 }
             }
         }
@@ -189,7 +208,7 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, EveryPassiveEffect,
                          testing::ValuesIn(effects_that([](const Effect* e) { return e->kind != Kind::source; })),
                          id_of);
 INSTANTIATE_TEST_SUITE_P(Catalogue, EveryLoss, testing::ValuesIn(effects_that([](const Effect* e) {
-                             return e->kind == Kind::loss && e->add_terms != nullptr;
+                             return e->kind == Kind::loss && e->heat_effect() != nullptr;
                          })),
                          id_of);
 

@@ -39,11 +39,14 @@ std::vector<double> evaluated(const Bench& bench, const std::vector<Part>& parts
     double delay = 0.0;
     double depth_offset = 0.0;
     for (const ActiveEffect& active : system.effects()) {
-        const Effect& effect = *active.effect;
-        value = effect.read != nullptr ? effect.read(active, 0, value, lively()) : value;
-        lag += effect.lag != nullptr ? effect.lag(active, 0) : 0.0;
-        delay += effect.delay != nullptr ? effect.delay(active, 0) : 0.0;
-        depth_offset += effect.depth_offset != nullptr ? effect.depth_offset(active, 0) : 0.0;
+        const SensorModel* model = active.effect->sensor_model();
+        if (model == nullptr) {
+            continue;
+        }
+        value = model->read != nullptr ? model->read(active, 0, value, lively()) : value;
+        lag += model->lag != nullptr ? model->lag(active, 0) : 0.0;
+        delay += model->delay != nullptr ? model->delay(active, 0) : 0.0;
+        depth_offset += model->depth_offset != nullptr ? model->depth_offset(active, 0) : 0.0;
     }
     numbers.insert(numbers.end(), {value, lag, delay, depth_offset});
     return numbers;

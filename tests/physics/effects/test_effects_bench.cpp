@@ -128,7 +128,7 @@ std::array<double, 2> simulate(const std::vector<Part>& extensions) {
     parts.insert(parts.end(), extensions.begin(), extensions.end());
     solver::Problem problem = Whole::problem_of(bench, parts);
     for (ActiveEffect& active : problem.effects) {
-        if (active.effect->on_channels) {
+        if (active.effect->sensor_model() != nullptr) {
             active.channels = {active.effect->id == "camera_emissivity" ? 0 : 1};
         }
     }

@@ -81,7 +81,7 @@ TEST(InitialTemperature, CanDifferFromLayerToLayer) {
     effect.parameters = {4.0};
     effect.overrides = {{.scope = Scope::layer, .index = 0, .parameter = 0, .value = -2.0}};
     std::vector<double> T(bench.T.size(), 300.0);
-    effect.effect->start(effect, bench.mesh, T);
+    effect.effect->input_correction()->start(effect, bench.mesh, T);
     for (std::size_t node = 0; node < T.size(); ++node) {
         EXPECT_EQ(T[node], bench.mesh.layer[node] == 0 ? 298.0 : 304.0);
     }

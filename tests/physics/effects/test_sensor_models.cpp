@@ -15,7 +15,7 @@ namespace {
 double read(const Part& part, double value, const Inputs& logged) {
     const solver::Problem problem = Whole::problem_of(two_nodes(), {part});
     const ActiveEffect& effect = problem.effects.front();
-    return effect.effect->read(effect, 1, value, logged);
+    return effect.effect->sensor_model()->read(effect, 1, value, logged);
 }
 
 /// A slab 10 mm thick without losses, heated at 1e5 W/m3: 1e5/1.98e6 = 0.0505051 K/s. One channel, 3 mm deep.
@@ -37,7 +37,7 @@ solver::Problem heated(const std::vector<Part>& readings) {
     problem.channels[0].where = mesh::at_point(problem.mesh, point);
     problem.channels[0].point = point;
     for (ActiveEffect& effect : problem.effects) {
-        if (effect.effect->on_channels) {
+        if (effect.effect->sensor_model() != nullptr) {
             effect.channels = {0};
         }
     }
@@ -70,8 +70,8 @@ TEST(SensorOffset, MayDifferBetweenChannels) {
     effect.parameters = {1.0};
     effect.channels = {4, 7};
     effect.overrides = {{.scope = Scope::channel, .index = 7, .parameter = 0, .value = 3.0}};
-    EXPECT_EQ(effect.effect->read(effect, 0, 300.0, {}), 301.0);
-    EXPECT_EQ(effect.effect->read(effect, 1, 300.0, {}), 303.0);
+    EXPECT_EQ(effect.effect->sensor_model()->read(effect, 0, 300.0, {}), 301.0);
+    EXPECT_EQ(effect.effect->sensor_model()->read(effect, 1, 300.0, {}), 303.0);
 }
 
 TEST(SensorGain, TurnsAbout25C) {

@@ -16,16 +16,18 @@
 #include "post/report/file.hpp"
 #include "post/report/number_text.hpp"
 #include "tests/diagnosis/made_up_diagnosis.hpp"
+#include "tests/support/report_cells.hpp"
 #include "tests/support/written.hpp"
 
 namespace tiretherm::diagnosis {
 namespace {
 
+using namespace post;
 using Json = nlohmann::json;
 using sample::MadeUp;
 
-std::string page(const MadeUp& made_up) { return diagnosis_text(made_up.record(), false); }
-Json json(const MadeUp& made_up) { return Json::parse(diagnosis_json(made_up.record(), {})); }
+std::string page(const MadeUp& made_up) { return page_text(diagnosis_report(made_up.record(), {}), false); }
+Json json(const MadeUp& made_up) { return Json::parse(json_text(diagnosis_report(made_up.record(), {}).data)); }
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// The same words, however they are broken into lines.
@@ -167,9 +169,12 @@ TEST(DiagnosisReport, CannotTellSaysWhyAndWhatHelps) {
 
 // The base model is 0.5 K too cold everywhere, the extended one right; a mean of equal values has no uncertainty.
 TEST(DiagnosisReport, ThePageShowsWhereAndWhatIsLeft) {
-    const std::string text = on_one_line(page(sample::named()));
-    EXPECT_TRUE(has(text, "surface_temperature K all -0.50 0.00 0.50 +0.00 0.00 0.00")) << text;
-    EXPECT_TRUE(has(text, " standing ")) << "a phase of the bench's programme: " << text;
+    const MadeUp made_up = sample::named();
+    const Report report = diagnosis_report(made_up.record(), {});
+    const Section& where = section(report, "Where it shows");
+    EXPECT_EQ(post::row_texts(where, 0), (std::vector<std::string>{"surface_temperature", "K", "all", "", "-0.50",
+                                                                   "0.00", "0.50", "+0.00", "0.00", "0.00"}));
+    EXPECT_EQ(post::cell_text(where, 1, "while"), "standing");  // a phase of the bench's programme
 }
 
 TEST(DiagnosisReport, NoLineIsWiderThanThePage) {
@@ -350,10 +355,11 @@ TEST(DiagnosisReport, WindowsOfMissingHeatAreReportedAndWritten) {
     }
     made_up.result.missing_heat.push_back(
         {.run = 2, .place = "surface", .from = 600.0, .to = 630.0, .watts = -85.0, .sigma = -4.25});
-    const std::string text = on_one_line(page(made_up));
-    EXPECT_TRUE(has(text, "run place from s to s W sigma run3 surface 600 630 -85 -4.2 run2 bulk 180 210 +10 +3.0"))
-        << text;
-    EXPECT_FALSE(has(text, "run2 bulk 30 60")) << text;
+    const Report report = diagnosis_report(made_up.record(), {});
+    const Section& inferred = section(report, "Inferred heat source");
+    EXPECT_EQ(post::row_texts(inferred, 0), (std::vector<std::string>{"run3", "surface", "600", "630", "-85", "-4.2"}));
+    EXPECT_EQ(post::row_texts(inferred, 1), (std::vector<std::string>{"run2", "bulk", "180", "210", "+10", "+3.0"}));
+    EXPECT_EQ(post::row_count(inferred), 5u);
     const input::Written written;
     DiagnosisRecord record = made_up.record();
     EXPECT_EQ(write_diagnosis(record, written.folder()).size(), 5u);

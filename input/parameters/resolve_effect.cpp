@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Paths of numbers of effects: those of the catalogue, the user's own and those of cameras.
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "input/effects/user_effects.hpp"
+#include "input/parameters/resolve.hpp"
+#include "input/text/quantity_specs.hpp"
+#include "input/text/suggestions.hpp"
+#include "physics/user_effect_place.hpp"
+#include "solver/user_effect.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+using physics::ActiveEffect;
+using physics::Effect;
+using physics::Scope;
+
+/// What follows the effect in a path: "h", or "h_by_patch.top".
+struct NumberKey {
+    std::string key;
+    SourceLocation at{};
+    std::optional<Scope> scope{};
+    LocatedString place{};  ///< where `scope` is given
+};
+
+NumberKey number_key(const ParameterPath& path) {
+    const LocatedString& last = path.keys[2];
+    NumberKey found{.key = last.text, .at = last.place};
+    for (const Scope scope : {Scope::patch, Scope::layer, Scope::zone, Scope::channel}) {
+        if (path.keys.size() == 4 && last.text.ends_with(key_ending(scope))) {
+            found.key.resize(last.text.size() - key_ending(scope).size());
+            found.scope = scope;
+            found.place = path.keys[3];
+        }
+    }
+    return found;
+}
+
+/// Whether a path has the keys of a number: three, or four where its place is named. Otherwise an error.
+bool has_shape(const ParameterPath& path, const CaseAsRead& in) {
+    const std::size_t n = path.keys.size();
+    const bool has_places = path.keys[0].text != "camera";
+    const bool is_sound = n == 3 || (n == 4 && has_places && number_key(path).scope);
+    if (!is_sound) {
+        const std::string whole = fmt::format("{}.{}", path.keys[0].text, path.keys[1].text);
+        in.errors.add(path.keys[n == 2 ? 1 : 3].place, fmt::format("{} does not end at a number", path.text()),
+                      has_places ? fmt::format("write \"{0}.KEY\", or at one place \"{0}.KEY_by_patch.PLACE\"", whole)
+                                 : fmt::format("write \"{}.KEY\"", whole));
+    }
+    return is_sound;
+}
+
+std::vector<std::string> keys_of(const Effect& effect) {
+    std::vector<std::string> keys;
+    for (const physics::ParameterSpec& parameter : effect.parameters) {
+        keys.emplace_back(parameter.key);
+    }
+    return keys;
+}
+
+/// Index of the parameter that a key names, or an error.
+std::optional<std::size_t> find_number(const CaseAsRead& in, const Effect& effect, const NumberKey& number) {
+    const int found = physics::find_parameter(effect, number.key);
+    if (found >= 0 || number.key.empty()) {
+        return found >= 0 ? std::optional(static_cast<std::size_t>(found)) : std::nullopt;
+    }
+    const bool is_choice = physics::find_choice(effect, number.key) >= 0;
+    if (is_choice || physics::find_table(effect, number.key) >= 0) {
+        in.errors.add(number.at,
+                      fmt::format("{}.{} is {}, not a number", effect.id, number.key, is_choice ? "a word" : "a table"),
+                      fmt::format("`tiretherm effects {}` lists its numbers", effect.id));
+    } else {
+        in.errors.add(number.at, fmt::format("{} has no parameter \"{}\"", effect.id, number.key),
+                      suggest(number.key, keys_of(effect), "parameters"));
+    }
+    return std::nullopt;
+}
+
+bool may_differ(const Effect& effect, Scope scope) {
+    return scope == Scope::patch ? !effect.patches.empty()
+                                 : std::ranges::find(effect.scopes, scope) != effect.scopes.end();
+}
+
+/// Where an effect acts, as indices of the places of a kind.
+std::vector<int> acting_places(const ActiveEffect& active, Scope scope, std::size_t n_places) {
+    if (scope == Scope::patch) {
+        return active.patches;
+    }
+    if (scope == Scope::channel) {
+        return active.channels;
+    }
+    if (scope == Scope::layer && active.effect->on_layers) {
+        return active.layers;
+    }
+    std::vector<int> all(n_places);
+    for (std::size_t i = 0; i < n_places; ++i) {
+        all[i] = static_cast<int>(i);
+    }
+    return all;
+}
+
+/// A camera as a place: it is many channels, so that the effect must act on nothing else.
+bool resolve_camera_place(const CaseAsRead& in, const LocatedString& place, const Camera& camera,
+                          const ActiveEffect& active, solver::FreeParameter& number) {
+    const bool alone = std::ranges::all_of(active.channels, [&](int channel) { return camera.channels.contains(channel); });
+    if (!alone || active.channels.empty() || !active.overrides.empty()) {
+        in.errors.add(place.place,
+                      alone ? fmt::format("{} does not act on the camera {}", active.title(), camera.name)
+                            : fmt::format("{} acts on other sensors beside the camera {}", active.title(), camera.name),
+                      "let it act on the camera alone, everywhere with one value");
+        return false;
+    }
+    number.name += " at " + camera.name;
+    return true;
+}
+
+struct ScopeWords {
+    std::string_view key;
+    std::string_view word;
+    std::string_view plural;
+};
+constexpr std::array<ScopeWords, 4> scope_words{{{"patch", "patch", "patches"},
+                                                 {"layer", "layer", "layers"},
+                                                 {"zone", "zone", "zones"},
+                                                 {"channel", "sensor", "sensors"}}};
+
+/// The place where alone the number is free. @returns false after an error, or where the mesh is not known
+bool resolve_place(const CaseAsRead& in, Scope scope, const LocatedString& place, const ActiveEffect& active,
+                   solver::FreeParameter& number) {
+    const ScopeWords& words = scope_words[static_cast<std::size_t>(scope)];
+    const std::string& name = place.text;
+    if (!may_differ(*active.effect, scope)) {
+        in.errors.add(place.place, fmt::format("{} has the same values in all {}", active.title(), words.plural),
+                      fmt::format("leave {} out: the value is free everywhere", words.key));
+        return false;
+    }
+    if (!in.builder.has_mesh) {
+        return false;
+    }
+    const std::vector<Camera>& cameras = in.builder.cameras;
+    const auto camera = std::ranges::find(cameras, name, &Camera::name);
+    if (scope == Scope::channel && camera != cameras.end()) {
+        return resolve_camera_place(in, place, *camera, active, number);
+    }
+    std::vector<std::string> known = place_names(in.builder.problem, scope);
+    if (scope == Scope::channel) {
+        known.resize(in.builder.problem.n_sensors());
+    }
+    const auto found = std::ranges::find(known, name);
+    if (found == known.end()) {
+        in.errors.add(place.place,
+                      scope == Scope::channel ? fmt::format("there is no sensor \"{}\"", name)
+                                              : fmt::format("the mesh has no {} \"{}\"", words.word, name),
+                      suggest(name, known, words.plural));
+        return false;
+    }
+    number.everywhere = false;
+    number.scope = scope;
+    number.place = static_cast<int>(found - known.begin());
+    number.name += " at " + name;
+    const std::vector<int> acting = acting_places(active, scope, known.size());
+    if (std::ranges::find(acting, number.place) == acting.end()) {
+        in.errors.add(place.place, fmt::format("{} does not act on the {} \"{}\"", active.effect->id, words.word, name),
+                      fmt::format("name it in {} of [effects.{}]", scope == Scope::channel ? "channels" : words.plural,
+                                  active.effect->id));
+        return false;
+    }
+    return true;
+}
+
+/// A number of an effect that is on, everywhere or at the place that its key names.
+std::optional<FreeParameters> free_number(const CaseAsRead& in, std::size_t effect, std::size_t parameter,
+                                          const NumberKey& key) {
+    const ActiveEffect& active = in.builder.problem.effects[effect];
+    const physics::ParameterSpec& found = active.effect->parameters[parameter];
+    solver::FreeParameter number;
+    number.name = fmt::format("{}.{}", active.title(), found.key);
+    number.unit = found.unit;
+    number.kind = solver::FreeParameter::Kind::effect;
+    number.effect = effect;
+    number.parameter = parameter;
+    number.low = found.low;
+    number.high = found.high;
+    if (key.scope && !resolve_place(in, *key.scope, key.place, active, number)) {
+        return std::nullopt;
+    }
+    return FreeParameters{.numbers = {std::move(number)}, .spec = quantity_specs::of(found)};
+}
+
+void report_unknown_effect(const CaseAsRead& in, const LocatedString& id) {
+    std::vector<std::string> known;
+    for (const Effect* effect : physics::catalogue()) {
+        if (!physics::is_user_effect(*effect)) {
+            known.emplace_back(effect->id);
+        }
+    }
+    const std::size_t of_the_catalogue = known.size();
+    for (const UserEffectKind& kind : {user_heat_source, user_heat_transfer}) {
+        std::ranges::copy(user_effect_names(in.document, kind.list), std::back_inserter(known));
+    }
+    in.errors.add(id.place, fmt::format("there is no effect \"{}\"", id.text),
+                  nearest(id.text, known).empty()
+                      ? fmt::format("`tiretherm effects` lists all {} of them", of_the_catalogue)
+                      : suggest(id.text, known, "effects"));
+}
+
+}  // namespace
+
+std::optional<FreeParameters> resolve_effect(const ParameterPath& path, const CaseAsRead& in) {
+    const LocatedString& id = path.keys[1];
+    const Effect* effect = physics::find_effect(id.text);
+    if (effect == nullptr || physics::is_user_effect(*effect)) {
+        report_unknown_effect(in, id);
+        return std::nullopt;
+    }
+    if (!has_shape(path, in)) {
+        return std::nullopt;
+    }
+    const NumberKey key = number_key(path);
+    const std::optional<std::size_t> number = find_number(in, *effect, key);
+    const std::vector<ActiveEffect>& on = in.builder.problem.effects;
+    const auto active = std::ranges::find(on, effect, &ActiveEffect::effect);
+    if (active == on.end()) {
+        const TomlValue* effects = in.document.find("effects");
+        const bool named = effects != nullptr && effects->find(id.text) != nullptr;
+        in.errors.add(id.place, fmt::format("{} is off: its numbers change nothing", id.text),
+                      named ? fmt::format("switch it on: remove on = false from [effects.{}]", id.text)
+                            : fmt::format("switch it on: add [effects.{}]", id.text));
+        return std::nullopt;
+    }
+    return number ? free_number(in, static_cast<std::size_t>(active - on.begin()), *number, key) : std::nullopt;
+}
+
+std::optional<FreeParameters> resolve_user_effect(const ParameterPath& path, const CaseAsRead& in) {
+    const UserEffectKind& kind = path.keys[0].text == user_heat_source.list ? user_heat_source : user_heat_transfer;
+    const LocatedString& name = path.keys[1];
+    const std::vector<std::string> known = user_effect_names(in.document, kind.list);
+    if (std::ranges::find(known, name.text) == known.end()) {
+        in.errors.add(name.place, fmt::format("there is no [[{}]] \"{}\"", kind.list, name.text),
+                      suggest(name.text, known, kind.list == user_heat_source.list ? "sources" : "exchanges"));
+        return std::nullopt;
+    }
+    if (!has_shape(path, in)) {
+        return std::nullopt;
+    }
+    const NumberKey key = number_key(path);
+    if (key.key != kind.number) {
+        in.errors.add(key.at, fmt::format("[[{}]] {} has no number \"{}\" to fit", kind.list, name.text, key.key),
+                      fmt::format("its number is {}", kind.number));
+        return std::nullopt;
+    }
+    const std::size_t index = solver::find_user_effect(in.builder.problem, name.text);
+    if (index == in.builder.problem.effects.size()) {
+        return std::nullopt;  // it has been reported
+    }
+    return free_number(in, index, 0, key);
+}
+
+std::optional<FreeParameters> resolve_camera(const ParameterPath& path, const CaseAsRead& in) {
+    const ProblemBuilder& builder = in.builder;
+    const LocatedString& name = path.keys[1];
+    if (std::ranges::find(builder.cameras, name.text, &Camera::name) == builder.cameras.end()) {
+        in.errors.add(name.place, fmt::format("there is no camera \"{}\"", name.text),
+                      builder.cameras.empty() ? "add [[camera]] with this name"
+                                              : suggest(name.text, names_of(builder.cameras), "cameras"));
+        return std::nullopt;
+    }
+    if (!has_shape(path, in)) {
+        return std::nullopt;
+    }
+    // A camera's numbers are those of the effects that carry its name.
+    const NumberKey key = number_key(path);
+    std::vector<std::string> known;
+    for (std::size_t e = 0; e < builder.problem.effects.size(); ++e) {
+        const ActiveEffect& active = builder.problem.effects[e];
+        if (active.name != name.text || active.effect->sensor_model() == nullptr) {
+            continue;
+        }
+        for (std::size_t p = 0; p < active.effect->parameters.size(); ++p) {
+            const std::string_view its = active.effect->parameters[p].key;
+            if (its == "reflected_temperature" && active.choices.front() == 0) {
+                continue;
+            }
+            if (its == key.key) {
+                return free_number(in, e, p, key);
+            }
+            known.emplace_back(its);
+        }
+    }
+    const bool is_grey = key.key == "emissivity" || key.key == "reflected_temperature";
+    if (!builder.has_mesh || key.key.empty() || (is_grey && path.find(in.document) != nullptr)) {
+        return std::nullopt;
+    }
+    if (is_grey) {
+        in.errors.add(
+            key.at, fmt::format("the [[camera]] {} does not state {}", name.text, key.key),
+            fmt::format("add {} to it: there the search begins",
+                        key.key == "emissivity" ? "emissivity = 0.95" : "reflected_temperature = \"23 degC\""));
+    } else {
+        in.errors.add(key.at, fmt::format("a camera has no number \"{}\"", key.key),
+                      suggest(key.key, known, "numbers"));
+    }
+    return std::nullopt;
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Made-up cases, a study and a table of measured numbers that lead the readers through every branch: each kind of mesh,
+// sensor and parameter once. They are read for what the readers ask, not to be run: what is missing in them is no matter.
+#include "input/reference/case_keys.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+constexpr std::string_view two_node = R"(
+[tire]
+size = "225/50 R17"
+[mesh]
+kind = "two_node"
+surface_mass_share = 0.15
+bulk_depth = "10 mm"
+material = "rubber"
+link_conductivity = { at = "20 degC", value = "0.29 W/mK" }
+[[material]]
+name = "rubber"
+density = "1100 kg/m3"
+heat_capacity = { through = [["20 degC", "1800 J/kgK"], ["90 degC", "1900 J/kgK"]] }
+conductivity = { columns = ["temperature [degC]", "k [W/mK]"], rows = [[20, 0.29], [90, 0.95]] }
+[drive]
+vertical_load = "4000 N"
+speed = "100 km/h"
+air_temperature = "23 degC"
+road_temperature = "23 degC"
+[initial]
+temperature = "23 degC"
+[time]
+end = "3600 s"
+[[sensor]]
+name = "bulk_temperature"
+kind = "region"
+region = "bulk"
+)";
+
+constexpr std::string_view section = R"(
+include = ["two_node.toml"]
+[mesh]
+kind = "section"
+crown_cells = 4
+shoulder_cells = 2
+sidewall_cells = 2
+sectors = 1
+[[mesh.layer]]
+name = "tread"
+thickness = "12 mm"
+cells = 4
+material = "rubber"
+[effects.inner_gas]
+[effects.rim_conduction]
+[effects.resolved_contact]
+[effects.road_contact]
+on = false
+[effects.layer_conductivity]
+layers = ["tread"]
+[effects.sensor_offset]
+channels = ["point"]
+[effects.strain_energy_loss]
+total = "drum.csv"
+coastdown = { alpha = -0.4, beta = 0.9, a = 0.1, b = 0, c = 0 }
+field = "loss.h5"
+use = "watts"
+[drive]
+inflation_pressure = "2.2 bar"
+slip_angle = "1 deg"
+slip_ratio = 0.0
+wheel_angle = "0 deg"
+[[drive.schedule]]
+columns = ["time [s]", "camber [deg]"]
+rows = [[0, 0], [10, 1]]
+[[drive.file]]
+path = "log.csv"
+[[sensor]]
+name = "point"
+kind = "point"
+depth = "10 mm"
+[[sensor]]
+name = "strip"
+kind = "strip"
+from = "-10 mm"
+to = "10 mm"
+[[sensor]]
+name = "strips"
+kind = "strips"
+from = "-10 mm"
+to = "10 mm"
+count = 2
+[[sensor]]
+name = "patch"
+kind = "patch"
+patch = "outside"
+[[sensor]]
+name = "layer"
+kind = "layer"
+layer = "tread"
+[[sensor]]
+name = "zone"
+kind = "zone"
+zone = "crown"
+[[sensor]]
+name = "node"
+kind = "node"
+node = "gas"
+[[sensor]]
+name = "drag"
+kind = "drag_force"
+[[sensor]]
+name = "moment"
+kind = "rolling_moment"
+[[sensor]]
+name = "loaded"
+kind = "loaded_radius"
+[[sensor]]
+name = "pressure"
+kind = "gas_pressure"
+[[sensor]]
+name = "entry"
+kind = "surface_at_entry"
+[[sensor]]
+name = "exit"
+kind = "surface_at_exit"
+[[sensor]]
+name = "stiffness"
+kind = "cornering_stiffness"
+[[sensor]]
+name = "factor"
+kind = "bulk_temperature_factor"
+[[sensor]]
+name = "lateral"
+kind = "lateral_force"
+[[sensor]]
+name = "reference"
+kind = "reference_lateral_force"
+[[sensor]]
+name = "longitudinal"
+kind = "longitudinal_force"
+[[measured]]
+channel = "point"
+range = ["50 degC", "60 degC"]
+[[source]]
+name = "own"
+follows = "speed"
+at = "surface"
+watts = "37 W"
+[[exchange]]
+name = "other"
+at = "surface"
+conductance = "5 W/K"
+temperature = "30 degC"
+[[parameter]]
+effect = "air_convection"
+key = "lambda_h"
+[[parameter]]
+effect = "air_convection"
+key = "lambda_h"
+patch = "outside"
+[[parameter]]
+effect = "sensor_offset"
+key = "kelvin"
+channel = "point"
+[[parameter]]
+source = "own"
+[[parameter]]
+exchange = "other"
+[[parameter]]
+material = "rubber"
+law = "conductivity"
+at = ["40 degC"]
+[[parameter]]
+initial = "temperature"
+[[critical]]
+name = "belt"
+temperature = "110 degC"
+[[uncertain]]
+key = "drive.speed"
+standard_deviation = "1 km/h"
+)";
+
+constexpr std::string_view layers = R"(
+include = ["two_node.toml"]
+[mesh]
+kind = "layers"
+link_below = "tread"
+link_length = "1 mm"
+link_conductivity = "0.3 W/mK"
+[[mesh.layer]]
+name = "tread"
+thickness = "8 mm"
+cells = 4
+material = "rubber"
+[[mesh.layer]]
+name = "bulk"
+thickness = "4 mm"
+cells = 4
+material = "rubber"
+[[parameter]]
+link = "conductivity"
+at = "70 degC"
+[[run]]
+name = "warm-up"
+file = "run.csv"
+[[run]]
+name = "numbers"
+measured = [{ channel = "bulk_temperature", value = "42 degC", uncertainty = "2 K" }]
+)";
+
+constexpr std::string_view block = R"(
+[mesh]
+kind = "block"
+x = [{ to = "30 mm", cells = 4 }]
+y = [{ to = "30 mm", cells = 4 }]
+[[mesh.layer]]
+name = "tread"
+thickness = "8 mm"
+cells = 4
+material = "rubber"
+[[material]]
+name = "rubber"
+density = "1100 kg/m3"
+heat_capacity = "1800 J/kgK"
+conductivity = "0.3 W/mK"
+[effects.laser]
+radius = "5 mm"
+[effects.still_air]
+h_by_patch = { top = "10 W/m2K" }
+[drive]
+laser_power = "1 W"
+air_temperature = "23 degC"
+[initial]
+temperature = "23 degC"
+[time]
+end = "10 s"
+[[sensor]]
+name = "point"
+kind = "point"
+depth = "0 mm"
+[[sensor]]
+name = "spot"
+kind = "spot"
+patch = "top"
+radius = "5 mm"
+[[camera]]
+name = "camera"
+pixel_size = "0.5 mm"
+emissivity = 0.9
+rows = [0, 3]
+columns = [0, 3]
+[[parameter]]
+camera = "camera"
+key = "x"
+standard_deviation = "1 mm"
+[[run]]
+name = "frames"
+frames = { camera = "camera.h5" }
+)";
+
+constexpr std::string_view axisymmetric = R"(
+include = ["block.toml"]
+[mesh]
+kind = "axisymmetric"
+radius = [{ to = "30 mm", cells = 4 }]
+)";
+
+constexpr std::string_view study = R"(
+case = "two_node.toml"
+[sample]
+count = 20
+[[vary]]
+key = "drive.speed"
+values = ["80 km/h", "100 km/h"]
+[[vary]]
+key = "drive.vertical_load"
+from = "3 kN"
+to = "4 kN"
+count = 2
+[[draw]]
+key = "effects.air_convection.lambda_h"
+distribution = "normal"
+mean = 1.0
+standard_deviation = 0.1
+[[draw]]
+key = "effects.road_contact.Hc"
+distribution = "uniform"
+from = "400 W/m2K"
+to = "600 W/m2K"
+)";
+
+constexpr std::string_view table = R"(
+[[number]]
+id = "M1"
+what = "bulk"
+files = { two_node = "two_node.toml" }
+channel = "bulk_temperature"
+value = "50 degC"
+uncertainty = "3 K"
+source = "here"
+minus = { at = "0 s" }
+[[number]]
+id = "M2"
+what = "bulk"
+files = { two_node = "two_node.toml" }
+channel = "bulk_temperature"
+time_to = 0.95
+from = "0 s"
+below = "600 s"
+source = "here"
+[[number]]
+id = "M3"
+what = "bulk"
+files = { two_node = "two_node.toml" }
+channel = "bulk_temperature"
+take = "max"
+above = 1.0
+source = "here"
+over = { at = "0 s", minus = { at = "1 s" } }
+)";
+
+}  // namespace
+
+const std::vector<MadeUpFile>& files_of_every_kind() {
+    static const std::vector<MadeUpFile> files{
+        {"two_node.toml", two_node},         {"section.toml", section}, {"layers.toml", layers}, {"block.toml", block},
+        {"axisymmetric.toml", axisymmetric}, {"study.toml", study},     {"table.toml", table}};
+    return files;
+}
+
+}  // namespace tiretherm::input

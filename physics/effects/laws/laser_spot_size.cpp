@@ -1,0 +1,40 @@
+#include <array>
+
+#include "physics/effect.hpp"
+
+namespace tiretherm::physics::effects {
+
+namespace {
+
+enum : std::size_t { scale };
+
+constexpr std::array parameters{
+    ParameterSpec{"scale", "1", 1.0, 0.01, 100.0, "true radius of the spot over that of the laser effect", false, 1.0},
+};
+constexpr std::array<std::string_view, 1> reads{"laser_power"};
+
+/// The laser effect finds the scale among the properties when it places its light.
+void modify_properties(const ActiveEffect& active, const mesh::Mesh& /*mesh*/, MaterialModel& material_model) {
+    material_model.laser_spot_scale *= active[scale];
+}
+
+}  // namespace
+
+extern const Effect laser_spot_size;
+const Effect laser_spot_size{
+    .id = "laser_spot_size",
+    .kind = Kind::input,
+    .equation = "radius = scale radius of the laser effect",
+    .source = "definition; thesis III.1.1 states a spot of 1 cm2",
+    .meaning =
+        "A spot that is wider or narrower than stated, at the same power. The laser effect reads it when it places "
+        "its light: the front shows it, the back hardly.",
+    .parameters = parameters,
+    .reads = reads,
+    .model =
+        InputCorrection{
+
+        },
+};
+
+}  // namespace tiretherm::physics::effects

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A comparison as a report: each channel by run, phase and signal, cameras, single numbers.
+#include "post/comparison/comparison_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "post/comparison/comparison_sentences.hpp"
+#include "post/report/number_text.hpp"
+
+namespace tiretherm::post {
+
+using namespace diagnosis;  // whose results are rendered here
+
+namespace {
+
+/// A difference in the unit of its channel.
+Cell cell(const ComparedChannel& channel, double difference) {
+    return {channel.unit.difference(difference), shown(channel, difference)};
+}
+
+DataTable::Row figures(const ComparedChannel& channel, const Figures& f, bool with_scatter) {
+    const Cell scatter = cell(channel, f.scatter);
+    return {{"samples", "samples", count(f.samples)},
+            {"bias", "bias", {channel.unit.difference(f.bias), shown_signed(channel, f.bias)}},
+            {"+-", "bias_deviation", cell(channel, f.bias_deviation)},
+            {"rms", "rmse", cell(channel, f.rmse)},
+            with_scatter ? Field("scatter", "scatter", scatter) : data_only("scatter", scatter.value),
+            data_only("independent_samples", f.independent)};
+}
+
+DataTable::Row joined(DataTable::Row row, const DataTable::Row& rest) {
+    row.insert(row.end(), rest.begin(), rest.end());
+    return row;
+}
+
+DataTable phases(const ComparedChannel& channel) {
+    DataTable table;
+    for (const PhaseFigures& phase : channel.phases) {
+        DataTable::Row row{page_only("channel", table.empty() ? channel.name : ""),
+                           {"phase", "phase", name_of(phase.phase)},
+                           {"of the time", "share", {phase.share, fmt::format("{:.0f} %", 100.0 * phase.share)}}};
+        row = joined(std::move(row), figures(channel, phase.figures, false));
+        row.push_back(page_only("", meaning_of(phase.phase)));
+        table.add(std::move(row));
+    }
+    return table;
+}
+
+Value regressors(const ComparedChannel& channel) {
+    Value::List list;
+    for (const RegressorFigures& regressor : channel.regressors) {
+        const Association& a = regressor.association;
+        Value::List bins;
+        for (const Bin& bin : regressor.bins) {
+            bins.push_back({{"low", bin.low},
+                            {"high", bin.high},
+                            {"samples", bin.samples},
+                            {"bias", channel.unit.difference(bin.mean)},
+                            {"bias_deviation", channel.unit.difference(bin.deviation)}});
+        }
+        list.push_back({{"name", regressor.name},
+                        {"unit", regressor.unit},
+                        {"correlation", a.correlation},
+                        {"independent_samples", a.independent},
+                        {"sigmas", a.sigmas},
+                        {"chance", a.chance},
+                        {"bins", bins}});
+    }
+    return list;
+}
+
+Value model(const ComparedChannel& channel) {
+    const ModelUncertainty& m = channel.model;
+    return {{"scatter", channel.unit.difference(m.scatter)},
+            {"below_sensor", m.below_sensor},
+            {"factor", where(m.compared > 0, m.factor)},
+            {"relative", where(m.compared > 0, m.relative)},
+            {"samples", m.compared}};
+}
+
+/// All of each channel. On the page: its figures over all runs and, of several, in each.
+DataTable channels(const Comparison& comparison) {
+    DataTable table;
+    for (const ComparedChannel& channel : comparison.channels) {
+        DataTable runs;
+        for (const RunFigures& run : channel.runs) {
+            runs.add(joined({page_only("", ""), page_only("", ""), {"run", "run", comparison.runs[run.run]}},
+                            figures(channel, run.figures, true)));
+        }
+        const std::string sensor = shown(channel, channel.sensor) + (channel.sensor_is_stated ? "" : "*");
+        DataTable::Row row{{"channel", "name", channel.name},
+                           data_only("unit", channel.unit.name),
+                           {"unit", "difference_unit", difference_unit(channel)},
+                           page_only("run", "all")};
+        row = joined(std::move(row), figures(channel, channel.figures, true));
+        table.add(joined(std::move(row), {{"noise", "noise", cell(channel, channel.noise)},
+                                          {"sensor", "sensor", {channel.unit.difference(channel.sensor), sensor}},
+                                          data_only("sensor_is_stated", channel.sensor_is_stated),
+                                          {"rms model", "removable_rmse", cell(channel, channel.model.removable)},
+                                          data_only("model", model(channel)),
+                                          data_only("runs", runs.data()),
+                                          data_only("phases", phases(channel).data()),
+                                          data_only("regressors", regressors(channel)),
+                                          data_only("significant_chance", channel.significant),
+                                          data_only("interpretation", sentences(channel))}));
+        for (const DataTable::Row& run : runs.rows()) {
+            if (comparison.runs.size() > 1) {
+                table.add_to_page(run);
+            }
+        }
+    }
+    return table;
+}
+
+Section per_run(const Comparison& comparison, DataTable table) {
+    Section section("Channels", std::move(table));
+    section.say(
+        "noise: what changes from one sample to the next; sensor: the standard deviation stated with it; rms model: "
+        "rms without sensor noise: the part that a better model could remove.");
+    if (!std::ranges::all_of(comparison.channels, &ComparedChannel::sensor_is_stated)) {
+        section.say("* not stated, noise is taken; state standard_deviation with the sensor.");
+    }
+    return section;
+}
+
+Section interpretation(const Comparison& comparison) {
+    Section section("Interpretation");
+    for (const ComparedChannel& channel : comparison.channels) {
+        Section part(channel.name);
+        for (const std::string& sentence : sentences(channel)) {
+            part.item(sentence);
+        }
+        section.add(std::move(part));
+    }
+    return section;
+}
+
+/// Empty where every channel stays in one phase.
+Section by_phase(const Comparison& comparison) {
+    Section section("By what the tire does");
+    if (std::ranges::any_of(comparison.channels, [](const auto& channel) { return channel.phases.size() > 1; })) {
+        DataTable all;
+        for (const ComparedChannel& channel : comparison.channels) {
+            const DataTable table = phases(channel);
+            for (const DataTable::Row& row : table.rows()) {
+                all.add_to_page(row);
+            }
+        }
+        section.add(std::move(all));
+    }
+    return section;
+}
+
+/// The means in the fifths of every signal, the closest first.
+Section by_signal(const ComparedChannel& channel) {
+    constexpr std::size_t most = 4;
+    Section section(fmt::format("{}: mean difference [{}] in each fifth of the signal's range of samples", channel.name,
+                                difference_unit(channel)));
+    DataTable table;
+    for (std::size_t i = 0; i < std::min(most, channel.regressors.size()); ++i) {
+        const RegressorFigures& regressor = channel.regressors[i];
+        const Association& a = regressor.association;
+        DataTable::Row values{page_only("signal", regressor.name), page_only("unit", regressor.unit),
+                              page_only("corr.", shown("{:+.2f}", a.correlation)),
+                              page_only("p", right(chance_text(a.chance)))};
+        DataTable::Row ranges{page_only("", ""), page_only("", ""), page_only("", ""),
+                              page_only("", "fifth starts at")};
+        for (const Bin& bin : regressor.bins) {
+            const char* heading = values.size() == 4 ? "the fifths, lowest first" : "";
+            values.push_back(page_only(heading, right(fmt::format("{} +- {}", shown_signed(channel, bin.mean),
+                                                                  shown(channel, bin.deviation)))));
+            // An edge that is zero but for round-off is printed as zero.
+            const double size = std::max(std::abs(regressor.bins.front().low), std::abs(regressor.bins.back().high));
+            ranges.push_back(page_only("", shown("{:.4g}", std::abs(bin.low) < 1e-9 * size ? 0.0 : bin.low)));
+        }
+        table.add(std::move(values));
+        table.add(std::move(ranges));
+    }
+    section.say("p: probability by chance");
+    section.add(std::move(table));
+    return section;
+}
+
+DataTable single_numbers(const Comparison& comparison) {
+    DataTable table;
+    for (const ComparedNumber& n : comparison.numbers) {
+        const double off = n.in_uncertainties();
+        const std::string verdict = std::abs(off) <= 2.0
+                                        ? fmt::format("{:+.1f} u, within", off)
+                                        : fmt::format("{:+.1f} u, too {}", off, too(n.unit, off > 0.0));
+        const double measured = n.unit.value(n.measured);
+        table.add({{"channel", "channel", n.channel},
+                   {"run", "run", comparison.runs[n.run]},
+                   {"at", "time", {n.time, n.at_end ? "the end" : fmt::format("{:.6g} s", n.time)}},
+                   data_only("unit", n.unit.name),
+                   {"measured", "measured", {measured, fmt::format("{:.4g} {}", measured, n.unit.name)}},
+                   {"+-", "uncertainty", shown("{:.2g}", n.unit.difference(n.uncertainty))},
+                   {"simulated", "simulated", shown("{:.2f}", n.unit.value(n.simulated))},
+                   data_only("difference", n.unit.difference(n.simulated - n.measured)),
+                   {"off by", "in_uncertainties", {off, verdict}},
+                   {"source", "source", n.source}});
+    }
+    return table;
+}
+
+Section numbers_section(DataTable table) {
+    Section section("Single numbers");
+    if (!table.empty()) {
+        section.add(std::move(table));
+        section.say("u: standard uncertainty of the measured number; within up to 2 u");
+    }
+    return section;
+}
+
+}  // namespace
+
+Report comparison_report(const Comparison& comparison, const std::vector<std::filesystem::path>& files) {
+    Value::List runs;
+    for (std::size_t r = 0; r < comparison.runs.size(); ++r) {
+        runs.push_back({{"name", comparison.runs[r]}, {"file", comparison.files[r]}});
+    }
+    DataTable of_channels = channels(comparison);
+    DataTable numbers = single_numbers(comparison);
+    Value cameras = Value::List{};
+    Report report{
+        .title = fmt::format("{}: {}, simulated in {} s", comparison.name, plural(comparison.runs.size(), "run"),
+                             to_its_digits(comparison.seconds, 0.05 * comparison.seconds)),
+        .lead = {"Differences are simulated - measured."}};
+    report.data = {{"case", comparison.name},        {"difference", "simulated - measured"},
+                   {"seconds", comparison.seconds},  {"runs", runs},
+                   {"channels", of_channels.data()}, {"numbers", numbers.data()}};
+    if (!comparison.channels.empty()) {
+        report.add(per_run(comparison, std::move(of_channels)));
+        report.add(interpretation(comparison));
+        report.add(by_phase(comparison));
+        Section signals("By signal");
+        for (const ComparedChannel& channel : comparison.channels) {
+            if (!channel.regressors.empty()) {
+                signals.add(by_signal(channel));
+            }
+        }
+        report.add(std::move(signals));
+    }
+    report.add(cameras_section(comparison.images, comparison.runs, cameras));
+    report.data.set("cameras", std::move(cameras));
+    report.add(numbers_section(std::move(numbers)));
+    report.add("Findings about the data", "findings", comparison.findings);
+    report.add("Warnings", "warnings", comparison.warnings);
+    report.add(files);
+    return report;
+}
+
+}  // namespace tiretherm::post

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A diagnosis as a report: verdict, causes with their sizes, where it shows, limits, gain and noise.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "diagnosis/detect/confounded_effects.hpp"
+#include "post/diagnosis/diagnosis_report.hpp"
+#include "post/diagnosis/diagnosis_sentences.hpp"
+#include "post/diagnosis/residual_breakdown.hpp"
+#include "post/report/number_text.hpp"
+#include "post/report/table.hpp"
+#include "solver/channel_unit.hpp"
+
+namespace tiretherm::post {
+
+using namespace diagnosis;  // whose results are rendered here
+
+namespace {
+
+/// Causes that are reported beside those of the set.
+constexpr std::size_t most_others = 6;
+/// Windows of missing heat that are listed.
+constexpr std::size_t most_windows = 5;
+/// Letters of a cause's name in a row.
+constexpr std::size_t widest_name = 36;
+
+std::string unit_or_dash(const std::string& unit) { return unit == "1" ? "-" : slashed_unit(unit); }
+
+/// A source without a name, as a case may have it.
+std::string unknown_text(const UnknownSource& unknown, const input::Experiment& experiment) {
+    const solver::ShownUnit unit = unit_of(unknown, experiment);
+    std::string text;
+    if (unknown.run.empty() && unknown.follows != "1") {
+        text =
+            fmt::format("{:.3g} {} per {}{} of {}. ", unit.difference(unknown.per), unit.name,
+                        unknown.unit == "1" || unknown.unit == "-" || unknown.unit.empty() ? "1" : "1 ",
+                        unknown.unit == "1" || unknown.unit == "-" ? "" : slashed_unit(unknown.unit), unknown.follows);
+    }
+    return text + (unknown.sensor
+                       ? "A reading that changes faster than heat could make it is the sensor's or the logger's."
+                       : "In extended.toml it is a [[source]] of the case's own, to go on with until it has a name.");
+}
+
+/// What each cause of the set is, and what is confounded with it.
+Section interpretation(const DiagnosisRecord& record) {
+    const Diagnosis& result = record.result;
+    Section section("Interpretation");
+    if (result.unknown) {
+        section.say(unknown_text(*result.unknown, record.experiment));
+    }
+    for (const Cause& cause : result.causes) {
+        if (!cause.in_set) {
+            continue;
+        }
+        Section part(name_of(cause), {meaning_of(cause), cause.bound});
+        for (const ConfoundedGroup* group : confounded_groups_of(cause.id)) {
+            part.say(fmt::format("Confounded with {}. What separates them: {}.", others_of(*group, cause.id),
+                                 group->separated));
+        }
+        section.add(std::move(part));
+    }
+    return section;
+}
+
+/// A cause's rows on the page, one for each of its numbers; a long name goes on in the second.
+void add_rows(DataTable& table, const Cause& cause) {
+    std::vector<std::string> names{name_of(cause)};
+    if (names.front().size() > widest_name) {
+        names = {cause.id, names.front().substr(cause.id.size())};
+    }
+    for (std::size_t i = 0; i < std::max({names.size(), cause.numbers.size()}); ++i) {
+        const CauseNumber number = i < cause.numbers.size() ? cause.numbers[i] : CauseNumber{};
+        const bool any = i < cause.numbers.size();
+        const double half = 0.5 * (number.high - number.low);
+        const auto show = [&](double value) { return to_its_digits(value, half); };
+        const std::string interval =
+            half > 0.0 ? fmt::format("{} to {}", show(number.low), show(number.high)) : "on trial";
+        table.add({page_only("", right(i == 0 ? fmt::format("{}", cause.rank) : "")),
+                   page_only("cause", i < names.size() ? names[i] : ""), page_only("number", number.key),
+                   page_only("fitted", right(any ? show(number.value) : "")),
+                   page_only("unit", any ? unit_or_dash(number.unit) : ""),
+                   page_only("95 %", right(any ? interval : "")),
+                   page_only("sigma", i == 0 ? shown("{:.1f}", cause.sigma) : right("")),
+                   page_only("gain", i == 0 ? shown("{:.1f}", cause.gain) : right("")),
+                   page_only("", i == 0 && cause.in_set ? "*" : "")});
+    }
+}
+
+Section causes_section(const Diagnosis& result) {
+    Section section("Candidate causes");
+    DataTable table;
+    std::size_t others = 0;
+    for (const Cause& cause : result.causes) {
+        if (cause.in_set || ++others <= most_others) {
+            add_rows(table, cause);
+        }
+    }
+    if (table.empty()) {
+        return section;
+    }
+    section.add(std::move(table));
+    section.say(
+        fmt::format("{}sigma: standard deviations from no effect or from the case's number; gain: in log "
+                    "likelihood over the model without it, the free numbers fitted anew each time.",
+                    std::ranges::any_of(result.causes, &Cause::in_set) ? "*: in the set; " : ""));
+    if (others > most_others) {
+        section.say(fmt::format("{} more are less likely; all of them stand in diagnosis.json.", others - most_others));
+    }
+    return section;
+}
+
+Value causes_data(const Diagnosis& result) {
+    Value::List list;
+    for (const Cause& cause : result.causes) {
+        Value parameters = Value::Object{};
+        for (const CauseNumber& one : cause.numbers) {
+            parameters.set(
+                one.key,
+                {{"value", one.value}, {"unit", slashed_unit(one.unit)}, {"low", one.low}, {"high", one.high}});
+        }
+        list.push_back({{"id", cause.id},
+                        {"channel", text_or_null(cause.channel)},
+                        {"place", text_or_null(cause.place)},
+                        {"parameters", parameters},
+                        {"instead_of", cause.instead_of},
+                        {"sigma", cause.sigma},
+                        {"log_likelihood_gain", cause.gain},
+                        {"probability", where(cause.probability > 0.0, cause.probability)},
+                        {"in_set", cause.in_set},
+                        {"rank", cause.rank},
+                        {"bound", text_or_null(cause.bound)},
+                        {"meaning", meaning_of(cause)}});
+    }
+    return list;
+}
+
+Value set_data(const Diagnosis& result) {
+    Value::List set;
+    for (const std::vector<std::size_t>& hypothesis : result.hypotheses) {
+        Value::List ids;
+        for (const std::size_t cause : hypothesis) {
+            ids.push_back(result.causes[cause].id);
+        }
+        set.push_back(ids);
+    }
+    return set;
+}
+
+/// `watts` of heat; of a reading that is off there are none, and `size` is in the channel's unit.
+Value unknown_data(const UnknownSource& source, const input::Experiment& experiment) {
+    const solver::ShownUnit unit = unit_of(source, experiment);
+    const auto show = [&](double si) { return unit.difference(si); };
+    Value data{
+        {"place", source.place},
+        {"follows", source.follows},
+        {"watts", where(!source.sensor, show(source.watts))},
+        {"sensor", source.sensor},
+        {"size",
+         {{"value", show(source.watts)}, {"unit", unit.name}, {"low", show(source.low)}, {"high", show(source.high)}}},
+        {"per_unit_of_signal", show(source.per)},
+        {"signal_unit", source.unit == "-" ? "1" : slashed_unit(source.unit)},
+        {"sigma", source.sigma},
+        {"alike", source.alike}};
+    if (!source.run.empty()) {
+        data.set("window", {{"run", source.run}, {"from", source.from}, {"to", source.to}});
+    }
+    return data;
+}
+
+DataTable limits(const Diagnosis& result) {
+    DataTable table;
+    for (const UpperLimit& limit : result.limits) {
+        const double half = 0.5 * (limit.high - limit.low);
+        const std::string cause = name_of(Cause{.id = limit.id, .channel = limit.channel, .place = limit.place});
+        table.add({{"cause", "id", {limit.id, cause, false}},
+                   data_only("channel", text_or_null(limit.channel)),
+                   data_only("place", text_or_null(limit.place)),
+                   {"number", "key", limit.key},
+                   {"unit", "unit", {slashed_unit(limit.unit), unit_or_dash(limit.unit), false}},
+                   {"95 % from", "low", {limit.low, to_its_digits(limit.low, half)}},
+                   {"to", "high", {limit.high, to_its_digits(limit.high, half)}}});
+    }
+    return table;
+}
+
+Section next_section(const Diagnosis& result) {
+    Section section("Discriminating experiments");
+    DataTable table;
+    for (const NextExperiment& next : result.next) {
+        table.add({page_only("additional experiment", next.name), page_only("sigma now", shown("{:.2g}", next.now)),
+                   page_only("then", shown("{:.2g}", next.then))});
+    }
+    if (!table.empty()) {
+        section.add(std::move(table));
+        section.say("sigma: standard deviations by which the explanations differ");
+    }
+    return section;
+}
+
+std::string unit_of(const solver::Channel& channel) {
+    return channel.quantity == solver::Quantity::temperature ? "K" : solver::shown_unit(channel.quantity).name;
+}
+
+DataTable channels(const DiagnosisRecord& record) {
+    DataTable table;
+    for (const ChannelGain& gain : record.result.channels) {
+        const solver::Channel& channel = record.experiment.runs.front().problem.channels[gain.channel];
+        const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
+        const auto show = [&](double si) { return shown("{:.3g}", unit.difference(si)); };
+        table.add({{"channel", "name", channel.name},
+                   {"unit", "unit", unit_of(channel)},
+                   {"rms before", "rmse_before", show(gain.rmse_before)},
+                   {"after", "rmse_after", show(gain.rmse_after)},
+                   {"held out before", "heldout_before", show(gain.heldout_before)},
+                   {"after", "heldout_after", show(gain.heldout_after)}});
+    }
+    return table;
+}
+
+Section gain_section(const Diagnosis& result, DataTable table) {
+    Section section("Gain");
+    const Gain& gain = result.gain;
+    if (table.empty()) {
+        return section;
+    }
+    section.add(std::move(table));
+    if (gain.measured) {
+        section.say(fmt::format(
+            "On {} that took no part in naming or fitting, {:.0f} % of the error that a model could remove "
+            "is removed (95 %: {:.0f} to {:.0f} %); {}.",
+            gain.within_run ? "blocks of the run" : "runs", 100.0 * gain.removable_removed, 100.0 * gain.low,
+            100.0 * gain.high,
+            gain.confirmed ? fmt::format("confirmed there, at odds of 10^{:.0f}", gain.log_e / std::log(10.0))
+                           : "detected, but not confirmed there"));
+    }
+    return section;
+}
+
+Value gain_data(const Gain& gain) {
+    return {{"removable_error_removed", where(gain.measured, gain.removable_removed)},
+            {"low", where(gain.measured, gain.low)},
+            {"high", where(gain.measured, gain.high)},
+            {"confirmed", gain.confirmed},
+            {"within_run", gain.within_run},
+            {"log_e", where(gain.measured, gain.log_e)}};
+}
+
+/// The windows in which most heat is missing.
+Section missing_heat_section(const DiagnosisRecord& record) {
+    Section section("Inferred heat source");
+    std::vector<MissingHeat> missing = record.result.missing_heat;
+    if (missing.empty()) {
+        return section;
+    }
+    const auto largest = missing.begin() + static_cast<std::ptrdiff_t>(std::min(most_windows, missing.size()));
+    std::partial_sort(missing.begin(), largest, missing.end(),
+                      [](const MissingHeat& a, const MissingHeat& b) { return std::abs(a.sigma) > std::abs(b.sigma); });
+    missing.erase(largest, missing.end());
+    DataTable table;
+    for (const MissingHeat& one : missing) {
+        table.add({page_only("run", record.experiment.runs[one.run].name), page_only("place", one.place),
+                   page_only("from s", shown("{:.0f}", one.from)), page_only("to s", shown("{:.0f}", one.to)),
+                   page_only("W", shown("{:+.3g}", one.watts)), page_only("sigma", shown("{:+.1f}", one.sigma))});
+    }
+    section.add(std::move(table));
+    section.say(
+        "The heat that is missing in a window if all else is as in the base model; all windows are listed in "
+        "missing_heat.csv. A large sigma here is no verdict: there are many windows.");
+    return section;
+}
+
+DataTable noise(const DiagnosisRecord& record) {
+    DataTable table;
+    for (std::size_t i = 0; i < record.result.noise.size(); ++i) {
+        const Noise& noise = record.result.noise[i];
+        const solver::Channel& channel =
+            record.experiment.runs.front().problem.channels[record.observations.channels[i]];
+        const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
+        const auto show = [&](double si) { return shown("{:.3g}", unit.difference(si)); };
+        const std::string time = noise.white_share < 1.0 ? fmt::format("{:.3g} s", noise.correlation_time) : "white";
+        table.add({{"channel", "channel", channel.name},
+                   page_only("unit", unit_of(channel)),
+                   {"sigma", "sigma", show(noise.sigma)},
+                   page_only("data sheet", channel.standard_deviation ? show(*channel.standard_deviation) : right("-")),
+                   page_only("correlation time", right(time)),
+                   data_only("rho_1s", noise.rho_1s()),
+                   {"white-noise share",
+                    "white_share",
+                    {noise.white_share, fmt::format("{:.0f} %", 100.0 * noise.white_share)}}});
+    }
+    return table;
+}
+
+}  // namespace
+
+Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::filesystem::path>& files) {
+    const Diagnosis& result = record.result;
+    DataTable of_limits = limits(result);
+    DataTable of_channels = channels(record);
+    DataTable of_noise = noise(record);
+    Report report{.title = record.experiment.runs.front().problem.title};
+    report.lead = {fmt::format("{}, {} values, {}; {} simulations, {} s", plural(record.experiment.runs.size(), "run"),
+                               grouped(static_cast<double>(record.observations.measured.size())),
+                               plural(record.experiment.parameters.size(), "free number"), result.simulations,
+                               to_its_digits(result.seconds, 0.05 * result.seconds)),
+                   "Differences are simulated - measured."};
+    report.data = {{"case", record.case_file.generic_string()},
+                   {"verdict", word_of(result.verdict)},
+                   {"causes", causes_data(result)},
+                   {"set", set_data(result)},
+                   {"unknown", result.unknown ? unknown_data(*result.unknown, record.experiment) : Value()},
+                   {"reason", reason_of(record)},
+                   {"next_experiment", result.next.empty() ? "" : text_of(result.next.front())},
+                   {"channels", of_channels.data()},
+                   {"gain", gain_data(result.gain)},
+                   {"limits", of_limits.data()},
+                   {"numerical_error_sigma", result.numerical_error_sigma},
+                   {"noise", of_noise.data()}};
+    report.add(Section("Verdict", {reason_of(record)}));
+    report.add(interpretation(record));
+    report.add(next_section(result));
+    report.add(residual_breakdown(record));
+    report.add(missing_heat_section(record));
+    report.add(causes_section(result));
+    report.add(Section("Upper limits (95 %)", std::move(of_limits)));
+    report.add(gain_section(result, std::move(of_channels)));
+    Section of_noise_section = Section("Noise", std::move(of_noise));
+    if (!result.noise.empty() && result.numerical_error_sigma > 0.0) {
+        of_noise_section.say(
+            fmt::format("The discretisation error of steps and grid amounts to {:.2g} standard deviations.",
+                        result.numerical_error_sigma));
+    }
+    report.add(std::move(of_noise_section));
+    report.add("Remarks", "remarks", result.remarks);
+    report.add("Findings about the data", "findings", record.findings);
+    report.add("Warnings", "warnings", record.warnings);
+    report.add(files);
+    report.data.set("simulations", result.simulations);
+    report.data.set("seconds", result.seconds);
+    return report;
+}
+
+}  // namespace tiretherm::post

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Comma-separated tables: separators, quotes, digits.
+#include "post/report/csv.hpp"
+
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+namespace tiretherm::post {
+
+Csv::Csv(const std::vector<std::string>& headings) {
+    for (const std::string& heading : headings) {
+        add(std::string_view(heading));
+    }
+    end_row();
+}
+
+void Csv::add(std::string_view text) {
+    separate();
+    if (text.find_first_of(",\"\n") == std::string_view::npos) {
+        text_ += text;
+        return;
+    }
+    text_ += '"';
+    for (const char letter : text) {
+        text_ += letter == '"' ? "\"\"" : letter == '\n' ? " " : std::string(1, letter);
+    }
+    text_ += '"';
+}
+
+void Csv::add(Digits number) {
+    separate();
+    if (std::isfinite(number.value)) {
+        fmt::format_to(std::back_inserter(text_), "{:.{}g}", number.value, number.digits);
+    }
+}
+
+void Csv::add(Decimals number) {
+    separate();
+    if (std::isfinite(number.value)) {
+        fmt::format_to(std::back_inserter(text_), "{:.{}f}", number.value, number.decimals);
+    }
+}
+
+void Csv::end_row() {
+    text_ += '\n';
+    in_row_ = false;
+}
+
+void Csv::separate() {
+    if (in_row_) {
+        text_ += ',';
+    }
+    in_row_ = true;
+}
+
+}  // namespace tiretherm::post

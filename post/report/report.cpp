@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A result as a value, and the text of its page.
+#include "post/report/report.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "post/report/table.hpp"
+
+namespace tiretherm::post {
+
+namespace {
+
+std::string table_text(const DataTable& table, std::size_t indent) {
+    std::vector<bool> left;
+    std::vector<std::string> headings;
+    for (const Field& field : table.rows().front()) {
+        if (field.on_page) {
+            left.push_back(!field.cell.to_right);
+            headings.push_back(field.heading);
+        }
+    }
+    Table lines(std::move(left));
+    if (std::ranges::any_of(headings, [](const std::string& heading) { return !heading.empty(); })) {
+        lines.add(std::move(headings));
+    }
+    for (const DataTable::Row& row : table.rows()) {
+        std::vector<std::string> cells;
+        for (const Field& field : row) {
+            if (field.on_page) {
+                cells.push_back(field.cell.text);
+            }
+        }
+        lines.add(std::move(cells));
+    }
+    return lines.text(indent);
+}
+
+std::string blocks_text(const std::vector<PageItem>& blocks, std::size_t indent) {
+    std::string text;
+    for (const PageItem& block : blocks) {
+        switch (block.kind) {
+            case PageItem::Kind::paragraph:
+                text += wrap(block.text, indent);
+                break;
+            case PageItem::Kind::item:
+                text += wrap("- " + block.text, indent);
+                break;
+            case PageItem::Kind::line:
+                text += std::string(indent, ' ') + block.text + "\n";
+                break;
+            case PageItem::Kind::gap:
+                text += "\n";
+                break;
+            case PageItem::Kind::table:
+                text += table_text(block.table, indent);
+                break;
+            case PageItem::Kind::part:
+                text += std::string(indent, ' ') + block.text + "\n" + blocks_text(block.blocks, indent + 2);
+                break;
+        }
+    }
+    return text;
+}
+
+}  // namespace
+
+Cell shown(std::string_view format, double value) {
+    return {value, std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-"};
+}
+
+Cell count(std::size_t n) { return {n, grouped(static_cast<double>(n))}; }
+
+Cell right(std::string text) {
+    const Value value(text);
+    return {value, std::move(text)};
+}
+
+Field page_only(std::string heading, Cell cell) { return {std::move(heading), "", std::move(cell)}; }
+
+Field data_only(std::string key, Value value) {
+    Field field("", std::move(key), Cell(std::move(value), ""));
+    field.on_page = false;
+    return field;
+}
+
+void DataTable::add_to_page(Row row) {
+    for (Field& field : row) {
+        field.key.clear();
+    }
+    rows_.push_back(std::move(row));
+}
+
+Value DataTable::data() const {
+    Value::List list;
+    for (const Row& row : rows_) {
+        Value object;
+        for (const Field& field : row) {
+            if (!field.key.empty()) {
+                object.set(field.key, field.cell.value);
+            }
+        }
+        if (!std::holds_alternative<std::monostate>(object.held())) {
+            list.push_back(std::move(object));
+        }
+    }
+    return list;
+}
+
+Section::Section(std::string heading, const std::vector<std::string>& paragraphs) : heading_(std::move(heading)) {
+    for (const std::string& paragraph : paragraphs) {
+        say(paragraph);
+    }
+}
+
+void Section::gap() {
+    if (!blocks_.empty()) {
+        add(PageItem::Kind::gap, "");
+    }
+}
+
+void Section::add(DataTable table) {
+    if (!table.empty()) {
+        blocks_.push_back({PageItem::Kind::table, "", std::move(table), {}});
+    }
+}
+
+void Section::add(Section part) {
+    blocks_.push_back({PageItem::Kind::part, std::move(part.heading_), {}, std::move(part.blocks_)});
+}
+
+void Report::add(std::string heading, std::string key, const std::vector<std::string>& sentences) {
+    data.set(std::move(key), sentences);
+    add(Section(std::move(heading), sentences));
+}
+
+void Report::add(const std::vector<std::filesystem::path>& files) {
+    Section section("Files");
+    Value::List outputs;
+    for (const std::filesystem::path& file : files) {
+        section.line(file.string());
+        outputs.push_back(file.generic_string());
+    }
+    data.set("outputs", std::move(outputs));
+    add(std::move(section));
+}
+
+std::string plural(std::size_t n, std::string_view thing) {
+    return fmt::format("{} {}{}", n, thing, n == 1 ? "" : "s");
+}
+
+const Section& section(const Report& report, std::string_view heading) {
+    const auto found = std::ranges::find(report.sections, heading, &Section::heading);
+    assert(found != report.sections.end());
+    return *found;
+}
+
+std::string page_text(const Report& report, bool bold) {
+    const auto strong = [&](const std::string& line) {
+        return bold ? fmt::format("\033[1m{}\033[0m\n", line) : line + "\n";
+    };
+    std::string text = strong(report.title);
+    for (const std::string& line : report.lead) {
+        text += line + "\n";
+    }
+    for (const Section& section : report.sections) {
+        if (!section.blocks().empty()) {
+            text += "\n" + strong(section.heading()) + blocks_text(section.blocks(), 2);
+        }
+    }
+    return text;
+}
+
+}  // namespace tiretherm::post

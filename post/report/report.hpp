@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A result as one value: its page (title, sections, tables, sentences) and its data. Text and JSON are made from it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "post/report/value.hpp"
+
+namespace tiretherm::post {
+
+/// One value of a table: as it is read, and as data.
+struct Cell {
+    Cell(std::string words) : text(words), value(std::move(words)) {}
+    Cell(std::string_view words) : Cell(std::string(words)) {}
+    Cell(const char* words) : Cell(std::string(words)) {}
+    /// A number as it is printed, or a word that reads otherwise than it is as data; numbers stand to the right.
+    Cell(Value number, std::string printed, bool right = true)
+        : text(std::move(printed)), value(std::move(number)), to_right(right) {}
+
+    std::string text;
+    Value value;
+    bool to_right = false;
+};
+
+/// A number in a format of fmt, "{:.3g}"; "-" where it is not finite.
+[[nodiscard]] Cell shown(std::string_view format, double value);
+/// A count in groups of three digits.
+[[nodiscard]] Cell count(std::size_t n);
+/// Figures that are no number by themselves, "3 to 5".
+[[nodiscard]] Cell right(std::string text);
+
+/// A cell with the heading of its column on the page and its key in the data.
+struct Field {
+    Field(std::string column, std::string member, Cell what)
+        : heading(std::move(column)), key(std::move(member)), cell(std::move(what)) {}
+
+    std::string heading;
+    std::string key;  ///< empty: on the page only
+    Cell cell;
+    bool on_page = true;
+};
+[[nodiscard]] Field page_only(std::string heading, Cell cell);
+[[nodiscard]] Field data_only(std::string key, Value value);
+
+/// Rows of fields, an object of the data each. The first row gives the columns of the page; later ones may be shorter.
+class DataTable {
+public:
+    using Row = std::vector<Field>;
+
+    void add(Row row) { rows_.push_back(std::move(row)); }
+    /// A row of the page that is no data.
+    void add_to_page(Row row);
+
+    [[nodiscard]] bool empty() const { return rows_.empty(); }
+    [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
+    /// An object for each row that has keys.
+    [[nodiscard]] Value data() const;
+
+private:
+    std::vector<Row> rows_;
+};
+
+/// A piece of a section, in the order of the page.
+struct PageItem {
+    enum class Kind {
+        paragraph,
+        item,  ///< of a list
+        line,  ///< as it is, whatever its length
+        gap,
+        table,
+        part,  ///< with a heading of its own: `text`
+    };
+    Kind kind = Kind::paragraph;
+    std::string text;
+    DataTable table;
+    std::vector<PageItem> blocks;  ///< of a part
+};
+
+/// A heading and what stands below it.
+class Section {
+public:
+    explicit Section(std::string heading) : heading_(std::move(heading)) {}
+    /// Sentences, a paragraph each.
+    Section(std::string heading, const std::vector<std::string>& paragraphs);
+    Section(std::string heading, DataTable table) : heading_(std::move(heading)) { add(std::move(table)); }
+
+    void say(std::string paragraph) { add(PageItem::Kind::paragraph, std::move(paragraph)); }
+    void item(std::string text) { add(PageItem::Kind::item, std::move(text)); }
+    void line(std::string text) { add(PageItem::Kind::line, std::move(text)); }
+    /// An empty line, where something stands above it.
+    void gap();
+    void add(DataTable table);
+    void add(Section part);
+
+    [[nodiscard]] const std::string& heading() const { return heading_; }
+    [[nodiscard]] const std::vector<PageItem>& blocks() const { return blocks_; }
+
+private:
+    void add(PageItem::Kind kind, std::string text) { blocks_.push_back({kind, std::move(text), {}, {}}); }
+
+    std::string heading_;
+    std::vector<PageItem> blocks_;
+};
+
+/// A result: one page and its data.
+struct Report {
+    std::string title;
+    std::vector<std::string> lead = {};  ///< lines below the title
+    std::vector<Section> sections = {};  ///< those with nothing in them are left out
+    Value data = {};
+
+    void add(Section section) { sections.push_back(std::move(section)); }
+    /// Sentences, on the page and under a key of the data.
+    void add(std::string heading, std::string key, const std::vector<std::string>& sentences);
+    /// Files that were written: the last section, and "outputs" of the data.
+    void add(const std::vector<std::filesystem::path>& files);
+};
+
+/// "1 run", "3 runs"
+[[nodiscard]] std::string plural(std::size_t n, std::string_view thing);
+
+/// The section of this heading. @pre there is one
+[[nodiscard]] const Section& section(const Report& report, std::string_view heading);
+
+/// The page as text of at most 100 columns, tables but for.
+/// @param bold headings in bold, for a terminal   @returns lines, each ended by a newline
+[[nodiscard]] std::string page_text(const Report& report, bool bold);
+
+}  // namespace tiretherm::post

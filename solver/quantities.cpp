@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The table of what channels read: temperatures, and what follows from them by the laws of the tire.
+#include "solver/quantity.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "physics/contact/contact_in_revolutions.hpp"
+#include "physics/contact/rolling_contact.hpp"
+#include "physics/contact/travelling.hpp"
+#include "physics/tire_laws/rolling_resistance.hpp"
+#include "solver/celsius.hpp"
+#include "solver/problem.hpp"
+#include "solver/system.hpp"
+
+namespace tiretherm::solver {
+
+namespace {
+
+constexpr double atmosphere = 101325.0;  // Pa
+
+const physics::Tire& tire_of(const SensorMoment& now) { return now.system.material_model().tire; }
+
+/// The power that deformation loses.
+double deformation_loss(const FollowedState& state) {
+    double lost = 0.0;
+    const std::span<const physics::ActiveEffect> effects = state.system.effects();
+    for (std::size_t e = 0; e < effects.size(); ++e) {
+        const physics::HeatEffect* heat = effects[e].effect->heat_effect();
+        lost += heat != nullptr && heat->by_deformation ? state.watts[e] : 0.0;
+    }
+    return lost;
+}
+
+/// What conduction brings to the surface nodes. They hold no heat: it is what all effects together take from the
+/// surface, less the heat that they give it.
+double conducted_to_surface(const FollowedState& state) {
+    const std::span<const physics::ActiveEffect> effects = state.system.effects();
+    const auto conduction = std::ranges::find_if(effects, [](const auto& e) { return e.effect->id == "conduction"; });
+    if (conduction == effects.end()) {
+        return 0.0;
+    }
+    const auto which = static_cast<std::size_t>(conduction - effects.begin());
+    state.system.find_means(state.temperature, state.means);
+    state.system.find_flow_of({&which, 1}, state.temperature, state.means, {}, state.flow);
+    return state.where(state.flow);
+}
+
+double drag_force(const SensorMoment& now) {
+    return physics::rolling_drag(tire_of(now), now.followed, now.inputs.speed, now.inputs.vertical_load);
+}
+
+double rolling_moment(const SensorMoment& now) {
+    return physics::rolling_moment(tire_of(now), now.followed, now.inputs.speed, now.inputs.vertical_load);
+}
+
+double loaded_radius(const SensorMoment& now) { return tire_of(now).loaded_radius(now.inputs.vertical_load); }
+
+double cornering_stiffness(const SensorMoment& now) {
+    const Handling& handling = now.problem.handling;
+    return handling.lambda_CP *
+           physics::cornering_stiffness(handling.modulus, tire_of(now), now.inputs.vertical_load, now.followed).value;
+}
+
+double lambda_Tb(const SensorMoment& now) {
+    const physics::MagicFormula& law = *now.problem.handling.magic_formula;
+    return physics::bulk_temperature_factor(cornering_stiffness(now),
+                                            law.cornering_stiffness(now.inputs.vertical_load, now.inputs.camber));
+}
+
+physics::PureSlipState side_slip(const physics::Inputs& inputs) {
+    return {.load = inputs.vertical_load,
+            .slip = inputs.slip_angle,
+            .camber = inputs.camber,
+            .speed = inputs.speed,
+            .sliding_speed = std::abs(inputs.speed * std::tan(inputs.slip_angle))};
+}
+
+double lateral_force(const SensorMoment& now) {
+    return now.problem.handling.magic_formula->lateral(side_slip(now.inputs), lambda_Tb(now)).force;
+}
+
+double reference_lateral_force(const SensorMoment& now) {
+    return now.problem.handling.magic_formula->lateral(side_slip(now.inputs)).force;
+}
+
+double longitudinal_force(const SensorMoment& now) {
+    physics::PureSlipState state = side_slip(now.inputs);
+    state.slip = now.inputs.slip_ratio;
+    state.sliding_speed = std::abs(now.inputs.speed * now.inputs.slip_ratio);
+    return now.problem.handling.magic_formula->longitudinal(state).force;
+}
+
+/// The tread's surface at an edge of the contact, T its mean over the revolution: what the road takes and what sliding
+/// puts in, each with the memory of earlier revolutions.
+double flash(const SensorMoment& now) {
+    const double T = now.followed;
+    const physics::Inputs& inputs = now.inputs;
+    const physics::Tire& tire = tire_of(now);
+    const std::span<const physics::ActiveEffect> effects = now.system.effects();
+    const auto by_id = [&](std::string_view id) {
+        return std::ranges::find_if(effects, [&](const auto& active) { return active.effect->id == id; });
+    };
+    const auto road = by_id("resolved_contact");
+    if (road == effects.end()) {
+        return T;
+    }
+    const std::optional<physics::ContactInRevolutions> contact = physics::contact_in_revolutions(*road, tire, inputs);
+    if (!contact) {
+        return T;
+    }
+    const bool entry = now.quantity == Quantity::surface_at_entry;
+    double heated = 0.0;  // W/m2
+    if (const auto sliding = by_id("sliding_friction"); sliding != effects.end() && !physics::travels(*sliding)) {
+        now.system.evaluate_coefficients(now.logged, now.coefficients);
+        const auto of_sliding =
+            now.system.coefficients_of(static_cast<std::size_t>(sliding - effects.begin()), now.coefficients);
+        heated = std::accumulate(of_sliding.begin(), of_sliding.end(), 0.0) / tire.contact_area(inputs.vertical_load);
+    }
+    const double taken = physics::rolling_contact::scale_of(*road) * (T - inputs.road_temperature);
+    return T + taken * (entry ? contact->at_entry() : contact->at_exit()) +
+           heated * (entry ? contact->heated_at_entry() : contact->heated_at_exit());
+}
+
+double gas_pressure(const SensorMoment& now) {
+    return (now.inputs.inflation_pressure + atmosphere) * now.followed / now.gas_start - atmosphere;
+}
+
+constexpr std::array<std::string_view, 2> rolling{"speed", "vertical_load"};
+constexpr std::array<std::string_view, 3> contact{"speed", "vertical_load", "road_temperature"};
+constexpr std::array<std::string_view, 1> load{"vertical_load"};
+constexpr std::array<std::string_view, 3> cornering{"speed", "vertical_load", "slip_angle"};
+constexpr std::array<std::string_view, 3> braking{"speed", "vertical_load", "slip_ratio"};
+constexpr std::array<std::string_view, 1> pressure{"inflation_pressure"};
+
+constexpr ShownUnit celsius{.name = "degC", .zero = zero_celsius};
+constexpr ShownUnit newton{.name = "N"};
+
+constexpr std::array table{
+    QuantityDescription{.quantity = Quantity::temperature,
+                        .kind = "",
+                        .meaning = "",
+                        .unit = "K",
+                        .shown = celsius,
+                        .needs_tire = false},
+    QuantityDescription{.quantity = Quantity::drag_force,
+                        .kind = "drag_force",
+                        .meaning = "rolling resistance, as a force at the axle",
+                        .unit = "N",
+                        .shown = newton,
+                        .signals = rolling,
+                        .follows_watts = true,
+                        .follow = deformation_loss,
+                        .evaluate = drag_force},
+    QuantityDescription{.quantity = Quantity::rolling_moment,
+                        .kind = "rolling_moment",
+                        .meaning = "rolling resistance, as a moment about the axle",
+                        .unit = "N m",
+                        .shown = {.name = "N m"},
+                        .signals = rolling,
+                        .follows_watts = true,
+                        .follow = deformation_loss,
+                        .evaluate = rolling_moment},
+    QuantityDescription{.quantity = Quantity::loaded_radius,
+                        .kind = "loaded_radius",
+                        .meaning = "radius under load",
+                        .unit = "m",
+                        .shown = {.name = "mm", .factor = 1e3},
+                        .signals = load,
+                        .evaluate = loaded_radius},
+    QuantityDescription{.quantity = Quantity::cornering_stiffness,
+                        .kind = "cornering_stiffness",
+                        .meaning = "cornering stiffness",
+                        .unit = "N rad-1",
+                        .shown = {.name = "N/rad"},
+                        .signals = load,
+                        .region = "bulk",
+                        .evaluate = cornering_stiffness},
+    QuantityDescription{.quantity = Quantity::bulk_temperature_factor,
+                        .kind = "bulk_temperature_factor",
+                        .meaning = "cornering stiffness over that of the Magic Formula, lambda_Tb",
+                        .unit = "1",
+                        .shown = {.name = "-"},
+                        .signals = load,
+                        .region = "bulk",
+                        .needs_magic_formula = true,
+                        .evaluate = lambda_Tb},
+    QuantityDescription{.quantity = Quantity::lateral_force,
+                        .kind = "lateral_force",
+                        .meaning = "lateral force in pure slip, Magic Formula with the cornering stiffness",
+                        .unit = "N",
+                        .shown = newton,
+                        .signals = cornering,
+                        .region = "bulk",
+                        .needs_magic_formula = true,
+                        .evaluate = lateral_force},
+    QuantityDescription{.quantity = Quantity::reference_lateral_force,
+                        .kind = "reference_lateral_force",
+                        .meaning = "lateral force in pure slip, Magic Formula without temperature",
+                        .unit = "N",
+                        .shown = newton,
+                        .signals = cornering,
+                        .needs_magic_formula = true,
+                        .evaluate = reference_lateral_force},
+    QuantityDescription{.quantity = Quantity::longitudinal_force,
+                        .kind = "longitudinal_force",
+                        .meaning = "longitudinal force in pure slip, Magic Formula without temperature",
+                        .unit = "N",
+                        .shown = newton,
+                        .signals = braking,
+                        .needs_magic_formula = true,
+                        .evaluate = longitudinal_force},
+    QuantityDescription{.quantity = Quantity::surface_at_entry,
+                        .kind = "surface_at_entry",
+                        .meaning = "outer surface where it meets the road, in each revolution",
+                        .unit = "K",
+                        .shown = celsius,
+                        .signals = contact,
+                        .region = "surface",
+                        .needs_effect = "resolved_contact",
+                        .evaluate = flash},
+    QuantityDescription{.quantity = Quantity::surface_at_exit,
+                        .kind = "surface_at_exit",
+                        .meaning = "outer surface where it leaves the road, in each revolution",
+                        .unit = "K",
+                        .shown = celsius,
+                        .signals = contact,
+                        .region = "surface",
+                        .needs_effect = "resolved_contact",
+                        .evaluate = flash},
+    QuantityDescription{.quantity = Quantity::gas_pressure,
+                        .kind = "gas_pressure",
+                        .meaning = "inflation pressure above the atmosphere",
+                        .unit = "Pa",
+                        .shown = {.name = "kPa", .factor = 1e-3},
+                        .signals = pressure,
+                        .region = "gas",
+                        .needs_tire = false,
+                        .evaluate = gas_pressure},
+    QuantityDescription{.quantity = Quantity::heat_flux,
+                        .kind = "heat_flux",
+                        .meaning = "heat flux out of the rubber",
+                        .unit = "W m-2",
+                        .shown = {.name = "W/m2"},
+                        .through_patch = true,
+                        .needs_tire = false,
+                        .needs_effect = "conduction",
+                        .follow = conducted_to_surface},
+};
+
+constexpr bool is_in_order() {
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        if (static_cast<std::size_t>(table[i].quantity) != i) {
+            return false;
+        }
+    }
+    return true;
+}
+static_assert(is_in_order(), "the rows stand in the order of the enumeration");
+
+}  // namespace
+
+std::span<const QuantityDescription> quantities() { return table; }
+
+const QuantityDescription& description_of(Quantity quantity) { return table[static_cast<std::size_t>(quantity)]; }
+
+std::string_view unit_of(Quantity quantity) { return description_of(quantity).unit; }
+
+ShownUnit shown_unit(Quantity quantity) { return description_of(quantity).shown; }
+
+}  // namespace tiretherm::solver

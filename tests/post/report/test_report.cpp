@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A report becomes text, JSON and CSV by rules that hold for every result.
+#include "post/report/report.hpp"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "post/report/csv.hpp"
+#include "post/report/file.hpp"
+
+namespace tiretherm::post {
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+DataTable two_layers() {
+    DataTable table;
+    table.add({{"layer", "name", "K1"},
+               {"hottest degC", "hottest", shown("{:.1f}", 81.25)},
+               {"cells", "cells", count(4800)},
+               data_only("share", 0.5)});
+    table.add({{"layer", "name", "belt"}, {"hottest degC", "hottest", shown("{:.1f}", nothing)}});
+    return table;
+}
+
+TEST(Report, ATableHasNumbersToTheRightAndADashWhereThereIsNone) {
+    Report report{.title = "Two layers"};
+    report.add(Section("Layers", two_layers()));
+    EXPECT_EQ(page_text(report, false),
+              "Two layers\n"
+              "\n"
+              "Layers\n"
+              "  layer  hottest degC  cells\n"
+              "  K1             81.2  4 800\n"
+              "  belt              -\n");
+}
+
+TEST(Report, DataHaveTheNumbersThatThePageRounds) {
+    EXPECT_EQ(json_text(two_layers().data()),
+              "[\n"
+              "  {\n"
+              "    \"name\": \"K1\",\n"
+              "    \"hottest\": 81.25,\n"
+              "    \"cells\": 4800,\n"
+              "    \"share\": 0.5\n"
+              "  },\n"
+              "  {\n"
+              "    \"name\": \"belt\",\n"
+              "    \"hottest\": null\n"
+              "  }\n"
+              "]\n");
+}
+
+TEST(Report, ARowOfThePageAloneIsNoData) {
+    DataTable table = two_layers();
+    table.add_to_page({{"layer", "name", "both"}, {"hottest degC", "hottest", shown("{:.1f}", 81.25)}});
+    EXPECT_EQ(table.rows().size(), 3u);
+    EXPECT_EQ(json_text(table.data()), json_text(two_layers().data()));
+}
+
+TEST(Report, HeadingsStandWhereThereIsSomethingBelowThem) {
+    Report report{.title = "Nothing"};
+    report.add("Warnings", "warnings", {});
+    report.add(Section("Table", DataTable()));
+    EXPECT_EQ(page_text(report, true), "\033[1mNothing\033[0m\n");
+    EXPECT_EQ(json_text(report.data), "{\n  \"warnings\": []\n}\n");
+}
+
+TEST(Report, PartsAndItemsAreIndented) {
+    Section part("surface");
+    part.item("too hot");
+    Section section("Interpretation", {"In words:"});
+    section.gap();
+    section.add(part);
+    Report report{.title = "A page"};
+    report.add(section);
+    report.add(std::vector<std::filesystem::path>{"out/a.csv"});
+    EXPECT_EQ(page_text(report, false),
+              "A page\n\nInterpretation\n  In words:\n\n  surface\n    - too hot\n\nFiles\n  out/a.csv\n");
+    EXPECT_EQ(json_text(report.data["outputs"]), "[\n  \"out/a.csv\"\n]\n");
+}
+
+// JSON knows neither infinity nor text that is not UTF-8; neither may end the program.
+TEST(Report, WhatJsonCannotHoldIsReplaced) {
+    EXPECT_EQ(json_text(Value(std::numeric_limits<double>::infinity())), "null\n");
+    EXPECT_EQ(json_text(Value("\xff")), "\"\xEF\xBF\xBD\"\n");
+    EXPECT_EQ(json_text(where(false, 1.0)), "null\n");
+    EXPECT_EQ(json_text(Value(std::optional<double>())), "null\n");
+}
+
+TEST(CsvText, TextIsQuotedAndWhatIsMissingIsAnEmptyCell) {
+    Csv csv({"time [s]", "name, unit", "n"});
+    csv.row(Digits{1.0 / 3.0, 4}, "say \"hot\"", 3);
+    csv.row(Decimals{2.0, 2}, Digits{nothing, 3}, -1);
+    EXPECT_EQ(csv.text(), "time [s],\"name, unit\",n\n0.3333,\"say \"\"hot\"\"\",3\n2.00,,-1\n");
+}
+
+}  // namespace
+}  // namespace tiretherm::post
