@@ -16,7 +16,7 @@ enum class KeyForm : std::uint8_t { mentioned, any, text, name, texts, choice, f
 
 /// One call of a reader.
 struct KeyUse {
-    std::string table;      ///< as messages call it: "[[mesh.layer]]"
+    std::string table{};    ///< as messages call it: "[[mesh.layer]]"
     std::string variant{};  ///< the `kind` of the table, or the word that says what it is about; often empty
     std::string key{};
     KeyForm form = KeyForm::mentioned;

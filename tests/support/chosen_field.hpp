@@ -98,9 +98,8 @@ inline physics::Effect effect(std::string_view id,
             .source = "this test",
             .meaning = "what a chosen field needs to be a solution",
             .reads = reads,
-            .n_coefficients = 1,
-            .evaluate_coefficients = evaluate_coefficients,
-            .add_terms = add_terms};
+            .model = physics::HeatEffect{
+                .n_coefficients = 1, .evaluate_coefficients = evaluate_coefficients, .add_terms = add_terms}};
 }
 
 inline const physics::Effect inside = effect("chosen_source", add_terms_of_source);

@@ -31,10 +31,7 @@ const Effect laser_spot_size{
         "its light: the front shows it, the back hardly.",
     .parameters = parameters,
     .reads = reads,
-    .model =
-        InputCorrection{
-
-        },
+    .model = PropertyModifier{.modify_properties = modify_properties},
 };
 
 }  // namespace tiretherm::physics::effects

@@ -61,20 +61,10 @@ physics::Effect effect(std::string_view id, void (*add_terms)(const physics::Eva
                        bool derivatives) {
     return {.id = id,
             .kind = physics::Kind::source,
-            .on = false,
             .equation = "",
             .source = "",
             .meaning = "",
-            .parameters = {},
-            .choices = {},
-            .reads = {},
-            .needs_tire = false,
-            .patches = {},
-            .n_coefficients = 0,
-            .place = nullptr,
-            .evaluate_coefficients = nullptr,
-            .add_terms = add_terms,
-            .gives_derivatives = derivatives};
+            .model = physics::HeatEffect{.gives_derivatives = derivatives, .add_terms = add_terms}};
 }
 
 Problem with(const physics::Effect& extra) {
