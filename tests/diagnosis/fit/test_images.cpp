@@ -5,7 +5,7 @@
 
 #include "diagnosis/compare/camera_comparison.hpp"
 #include "diagnosis/compare/camera_rings.hpp"
-#include "diagnosis/detect/discretisation_error.hpp"
+#include "diagnosis/fit/refinement.hpp"
 #include "diagnosis/fit/camera_bench.hpp"
 #include "diagnosis/fit/identification.hpp"
 

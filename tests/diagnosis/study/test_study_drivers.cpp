@@ -5,9 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "post/study/study_drivers_text.hpp"
 #include "post/study/study_summary.hpp"
 
-namespace tiretherm::post {
+namespace tiretherm::diagnosis {
 namespace {
 
 constexpr double zero = 273.15;
@@ -80,7 +81,7 @@ TEST(StudyDrivers, ShareTheVarianceOfAnExactPlane) {
     EXPECT_NEAR(line.drivers[0].share, 0.64, 1e-9);
     EXPECT_NEAR(line.standard_deviation, 5.0, 1e-9);
     EXPECT_NEAR(line.r_squared, 1.0, 1e-12);
-    const std::string text = study_text(study, {}, false);
+    const std::string text = post::study_text(study, {}, false);
     EXPECT_NE(text.find("What drives it"), std::string::npos) << text;
     EXPECT_NE(text.find("explains 100.0 % of the variance"), std::string::npos) << text;
     // A run that failed does not count.
@@ -93,7 +94,7 @@ TEST(StudyDrivers, ShareTheVarianceOfAnExactPlane) {
 TEST(StudyDrivers, NeedFiveSamplesForEachNumber) {
     const std::vector<double> nine{1, 2, 3, 4, 5, 6, 7, 8, 9};
     EXPECT_FALSE(regression(sampled({drawn("film", nine)}, nine), 0).exists());
-    EXPECT_EQ(regression_text({}), "");
+    EXPECT_EQ(post::regression_text({}), "");
 }
 
-}  // namespace tiretherm::post
+}  // namespace tiretherm::diagnosis

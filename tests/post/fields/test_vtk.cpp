@@ -64,7 +64,7 @@ TEST(Vtk, CellsAreReadBackInDegreesCelsius) {
     ASSERT_NE(layers, nullptr);
     for (int cell = 0; cell < problem.mesh.n_cells; ++cell) {
         const auto at = static_cast<std::size_t>(cell);
-        EXPECT_EQ(cells->GetTuple1(cell), celsius(sample::warmth(problem.mesh.centre[at][2], 7.5)));
+        EXPECT_EQ(cells->GetTuple1(cell), solver::celsius(sample::warmth(problem.mesh.centre[at][2], 7.5)));
         EXPECT_EQ(layers->GetTuple1(cell), problem.mesh.layer[at]);
     }
     auto* names = vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray("layer names"));
@@ -86,7 +86,7 @@ TEST(Vtk, PointsOfTheSurfaceShowTheSurfaceNotTheOutermostCells) {
     ASSERT_NE(points, nullptr);
     for (vtkIdType i = 0; i < points->GetNumberOfTuples(); ++i) {
         const double depth = -reader->GetOutput()->GetPoint(i)[2];
-        EXPECT_NEAR(points->GetTuple1(i), celsius(sample::warmth(depth, 0.0)), 1e-10);
+        EXPECT_NEAR(points->GetTuple1(i), solver::celsius(sample::warmth(depth, 0.0)), 1e-10);
         EXPECT_EQ(reader->GetOutput()->GetPoint(i)[1], 0.0);  // or turning the half plane about z would make a tube
     }
 }
@@ -120,7 +120,7 @@ TEST(Vtk, SectionIsFoldedWithItsLayersAndZones) {
         const double* place = grid->GetPoint(i);
         if (std::abs(place[0] - 0.06) < 1e-9 && std::abs(place[2] - 0.3) < 1e-9) {
             found = true;
-            EXPECT_NEAR(points->GetTuple1(i), celsius(306.0), 1e-6);
+            EXPECT_NEAR(points->GetTuple1(i), solver::celsius(306.0), 1e-6);
         }
     }
     EXPECT_TRUE(found);

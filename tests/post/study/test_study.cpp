@@ -15,6 +15,8 @@
 
 // What is made of a study's runs, without running any.
 namespace tiretherm::post {
+
+using namespace diagnosis;  // whose results are rendered
 namespace {
 
 constexpr double zero = 273.15;

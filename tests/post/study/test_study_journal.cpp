@@ -8,6 +8,8 @@
 
 // What survives the end of a study, however it ends.
 namespace tiretherm::post {
+
+using namespace diagnosis;  // whose results are rendered
 namespace {
 
 RunIdentity run(int i) {

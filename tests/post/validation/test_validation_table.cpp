@@ -8,6 +8,8 @@
 #include "post/validation/validation_cells.hpp"
 
 namespace tiretherm::post {
+
+using namespace diagnosis;  // whose results are rendered
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
