@@ -224,7 +224,8 @@ std::optional<FreeParameters> resolve_effect(const ParameterPath& path, const Ca
     const NumberKey key = number_key(path);
     const std::optional<std::size_t> number = find_number(in, *effect, key);
     const std::vector<ActiveEffect>& on = in.builder.problem.effects;
-    const auto active = std::ranges::find(on, effect, &ActiveEffect::effect);
+    // By its name: an effect that follows a field in frames has a description of its own.
+    const auto active = std::ranges::find_if(on, [&](const ActiveEffect& one) { return one.effect->id == effect->id; });
     if (active == on.end()) {
         const TomlValue* effects = in.document.find("effects");
         const bool named = effects != nullptr && effects->find(id.text) != nullptr;

@@ -17,10 +17,14 @@ namespace {
 std::string table_text(const DataTable& table, std::size_t indent) {
     std::vector<bool> left;
     std::vector<std::string> headings;
-    for (const Field& field : table.rows().front()) {
-        if (field.on_page) {
-            left.push_back(!field.cell.to_right);
-            headings.push_back(field.heading);
+    // Rows may differ in length: a column is as the first row says that has it.
+    for (const DataTable::Row& row : table.rows()) {
+        std::size_t column = 0;
+        for (const Field& field : row) {
+            if (field.on_page && column++ == left.size()) {
+                left.push_back(!field.cell.to_right);
+                headings.push_back(field.heading);
+            }
         }
     }
     Table lines(std::move(left));

@@ -59,8 +59,8 @@ TEST(Call, MissingCaseAndMissingCommandAreErrors) {
     EXPECT_EQ(call("").exit_code, 1);
     EXPECT_EQ(
         call("").err,
-        "tiretherm: no command; the commands are run, check, compare, identify, diagnose, study, validate, effects "
-        "and convert; see tiretherm --help\n");
+        "tiretherm: no command; the commands are run, check, compare, identify, diagnose, study, validate, effects, "
+        "keys and convert; see tiretherm --help\n");
 }
 
 TEST(Check, SoundCaseIsToldInAFewLines) {

@@ -217,7 +217,7 @@ TEST(Identify, AFileIsNoPlaceForFiles) {
     const std::string file = fits.written.add("taken", "a file\n").string();
     const Call fit = call("identify " + library + "two_node/identify_saturation.toml --out " + file);
     EXPECT_EQ(fit.exit_code, 1);
-    EXPECT_EQ(fit.err, "tiretherm: cannot create " + file + ": Not a directory; choose another directory with --out\n");
+    EXPECT_EQ(fit.err, "tiretherm: cannot create the directory " + file + ": Not a directory; choose another directory with --out\n");
     EXPECT_EQ(post::read_text(file), "a file\n");
 }
 

@@ -60,7 +60,7 @@ TEST(SheetBad, AllErrorsAreReportedAtOnceWithTheirPlaces) {
 TEST(SheetBad, WorkbookIsToldByItsCells) {
     for (const std::string ending : {".xls", ".xlsx"}) {
         const std::string file = "wrong_sheets" + ending;
-        const SheetCase made = convert_sheet(source_folder() / "tests" / "cases" / "data" / file);
+        const SheetCase made = convert_sheet(source_folder() / "tests" / "input" / "data" / file);
         EXPECT_TRUE(made.text.empty());
         const std::string report = sheets::report(made);
         expect_reported(report,

@@ -10,7 +10,7 @@ namespace tiretherm::input {
 
 namespace {
 
-std::filesystem::path data(const std::string& name) { return source_folder() / "tests" / "cases" / "data" / name; }
+std::filesystem::path data(const std::string& name) { return source_folder() / "tests" / "input" / "data" / name; }
 
 struct Read {
     std::optional<TirFile> tire;
