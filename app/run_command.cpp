@@ -15,7 +15,7 @@
 #include "post/report/file.hpp"
 #include "post/report/progress.hpp"
 #include "post/run/run_files.hpp"
-#include "post/run/summary.hpp"
+#include "post/run/run_report.hpp"
 #include "solver/stop_signal.hpp"
 #include "solver/time_integration/march.hpp"
 
@@ -95,10 +95,8 @@ int run(const Options& options) {
                                  .warnings = reading.warnings,
                                  .files = files->written(),
                                  .hot_spots = hot_spots ? &*hot_spots : nullptr};
-    if (options.json) {
-        fmt::print("{}", post::summary_json(record));
-    } else if (!options.quiet) {
-        fmt::print("{}", post::summary_text(record, may_be_bold()));
+    if (options.json || !options.quiet) {
+        print_report(post::run_report(record), options.json);
     }
     if (report.status.ok()) {
         return Exit::done;

@@ -1,10 +1,10 @@
-#include <cmath>
-#include <iterator>
-
-#include <fmt/format.h>
+// SPDX-License-Identifier: BSD-3-Clause
+// The histories of the hot spots as a table, a row for each row of the run.
+#include <limits>
 
 #include "mesh/place.hpp"
 #include "post/hot_spot/hot_spots_report.hpp"
+#include "post/report/csv.hpp"
 #include "post/report/file.hpp"
 #include "solver/celsius.hpp"
 
@@ -12,41 +12,37 @@ namespace tiretherm::post {
 
 using namespace diagnosis;  // whose results are rendered here
 
-namespace {
-
-std::string degrees(double kelvin) { return std::isnan(kelvin) ? "" : fmt::format("{:.4f}", solver::celsius(kelvin)); }
-
-}  // namespace
-
 void write_hot_spots_csv(const std::filesystem::path& path, const HotSpots& hot_spots, const solver::Problem& problem) {
-    std::string text = "time [s],speed [km/h],vertical_load [N]";
+    std::vector<std::string> headings{"time [s]", "speed [km/h]", "vertical_load [N]"};
     for (const HotSpot& spot : hot_spots.spots) {
-        const std::string& name = spot.history.critical().name;
-        text += fmt::format(
-            ",{0} [degC],{0} margin [K],{0} layer,{0} zone,{0} along [mm],{0} depth [mm],{0} surface [degC]", name);
+        for (const char* what :
+             {"[degC]", "margin [K]", "layer", "zone", "along [mm]", "depth [mm]", "surface [degC]"}) {
+            headings.push_back(spot.history.critical().name + " " + what);
+        }
     }
-    text += "\n";
+    Csv csv(headings);
     const std::size_t rows = hot_spots.spots.empty() ? 0 : hot_spots.spots.front().history.rows();
     for (std::size_t row = 0; row < rows; ++row) {
         const double time = hot_spots.spots.front().history.time()[row];
         const physics::Inputs inputs = problem.input_signals.at(time, solver::JumpSide::before);
-        fmt::format_to(std::back_inserter(text), "{:.12g},{:.6g},{:.6g}", time, 3.6 * inputs.speed,
-                       inputs.vertical_load);
+        csv.add(Digits{time, 12});
+        csv.add(Digits{3.6 * inputs.speed, 6});
+        csv.add(Digits{inputs.vertical_load, 6});
         for (const HotSpot& spot : hot_spots.spots) {
             const solver::HotSpotFinder::Found& found = spot.history.found(row);
             const mesh::Place place = mesh::place_of(problem.mesh, found.node);
-            fmt::format_to(std::back_inserter(text), ",{},{:.4f},{},{},", degrees(found.temperature),
-                           spot.history.critical().temperature - found.temperature, place.layer, place.zone);
-            if (place.position) {
-                fmt::format_to(std::back_inserter(text), "{:.3f},{:.3f},", 1e3 * found.point[0], 1e3 * found.point[2]);
-            } else {
-                text += ",,";
-            }
-            text += degrees(spot.history.surface()[row]);
+            const double unknown = std::numeric_limits<double>::quiet_NaN();
+            csv.add(Decimals{solver::celsius(found.temperature), 4});
+            csv.add(Decimals{spot.history.critical().temperature - found.temperature, 4});
+            csv.add(place.layer);
+            csv.add(place.zone);
+            csv.add(Decimals{place.position ? 1e3 * found.point[0] : unknown, 3});
+            csv.add(Decimals{place.position ? 1e3 * found.point[2] : unknown, 3});
+            csv.add(Decimals{solver::celsius(spot.history.surface()[row]), 4});
         }
-        text += "\n";
+        csv.end_row();
     }
-    replace_file(path, text);
+    replace_file(path, csv.text());
 }
 
 }  // namespace tiretherm::post

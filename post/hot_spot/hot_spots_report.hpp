@@ -1,9 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The hot spots of a run as a part of its report, as a table and as a picture.
 #pragma once
 
 #include <filesystem>
 #include <string>
 
 #include "diagnosis/hot_spot/hot_spots.hpp"
+#include "post/report/report.hpp"
 
 namespace tiretherm::post {
 
@@ -11,11 +14,9 @@ namespace tiretherm::post {
 [[nodiscard]] std::string moment_text(const diagnosis::TestMoment& moment);
 
 /// What is said of each: how hot, where, when passed or what is left, step by step, what drives it.
-/// @returns lines, each ended by a newline
-[[nodiscard]] std::string hot_spots_text(const diagnosis::HotSpots& hot_spots, const mesh::Mesh& mesh);
-
-/// The same as a JSON array, an object each. Temperatures in degC, speeds in km/h, times in s.
-[[nodiscard]] std::string hot_spots_json(const diagnosis::HotSpots& hot_spots, const mesh::Mesh& mesh);
+[[nodiscard]] Section hot_spots_section(const diagnosis::HotSpots& hot_spots, const mesh::Mesh& mesh);
+/// "spots", an object each, and "notes". Temperatures in degC, speeds in km/h, times in s.
+[[nodiscard]] Value hot_spots_data(const diagnosis::HotSpots& hot_spots, const mesh::Mesh& mesh);
 
 /// The histories, a row for each row of the run. @errors FileError
 void write_hot_spots_csv(const std::filesystem::path& path, const diagnosis::HotSpots& hot_spots,

@@ -120,6 +120,12 @@ Section::Section(std::string heading, const std::vector<std::string>& paragraphs
     }
 }
 
+void Section::say(std::string paragraph) {
+    if (!paragraph.empty()) {
+        add(PageItem::Kind::paragraph, std::move(paragraph));
+    }
+}
+
 void Section::gap() {
     if (!blocks_.empty()) {
         add(PageItem::Kind::gap, "");

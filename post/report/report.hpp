@@ -88,7 +88,8 @@ public:
     Section(std::string heading, const std::vector<std::string>& paragraphs);
     Section(std::string heading, DataTable table) : heading_(std::move(heading)) { add(std::move(table)); }
 
-    void say(std::string paragraph) { add(PageItem::Kind::paragraph, std::move(paragraph)); }
+    /// Nothing, where there is nothing to say.
+    void say(std::string paragraph);
     void item(std::string text) { add(PageItem::Kind::item, std::move(text)); }
     void line(std::string text) { add(PageItem::Kind::line, std::move(text)); }
     /// An empty line, where something stands above it.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mesh/builders.hpp"
-#include "post/run/summary.hpp"
+#include "post/run/run_report.hpp"
 #include "solver/time_integration/march.hpp"
 #include "tests/post/scratch.hpp"
 

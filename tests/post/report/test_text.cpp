@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "post/run/comparison.hpp"
+#include "post/run/measured_values.hpp"
 #include "post/report/file.hpp"
 #include "mesh/place.hpp"
 #include "post/report/table.hpp"

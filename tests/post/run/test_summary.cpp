@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "post/run/summary.hpp"
+#include "post/run/run_report.hpp"
 #include "tests/post/sample.hpp"
 
 namespace tiretherm::post {
@@ -25,11 +25,11 @@ struct MadeUpRun {
     }
     [[nodiscard]] std::string text() const {
         const History history = sample::history(problem);
-        return summary_text(record(history), false);
+        return page_text(run_report(record(history)), false);
     }
     [[nodiscard]] nlohmann::json json() const {
         const History history = sample::history(problem);
-        return nlohmann::json::parse(summary_json(record(history)));
+        return nlohmann::json::parse(json_text(run_report(record(history)).data));
     }
 };
 
@@ -135,8 +135,8 @@ TEST(Summary, RunThatFailedBeforeItsFirstRowStillHasASummary) {
     made_up.report = {};
     made_up.report.status = {.outcome = solver::Outcome::not_converged, .message = "no steady state"};
     const History nothing;
-    EXPECT_NE(summary_text(made_up.record(nothing), false).find("no steady state"), std::string::npos);
-    EXPECT_EQ(nlohmann::json::parse(summary_json(made_up.record(nothing)))["error"], "no steady state");
+    EXPECT_NE(page_text(run_report(made_up.record(nothing)), false).find("no steady state"), std::string::npos);
+    EXPECT_EQ(nlohmann::json::parse(json_text(run_report(made_up.record(nothing)).data))["error"], "no steady state");
 }
 
 TEST(Summary, CaseWithoutATitleIsNamedOnce) {
@@ -148,7 +148,7 @@ TEST(Summary, CaseWithoutATitleIsNamedOnce) {
 TEST(Summary, HeadingsAreBoldOnATerminalOnly) {
     const MadeUpRun made_up;
     const History history = sample::history(made_up.problem);
-    EXPECT_TRUE(summary_text(made_up.record(history), true)
+    EXPECT_TRUE(page_text(run_report(made_up.record(history)), true)
                     .starts_with("\033[1mA warm spot (sample/spot)\033[0m\n\n\033[1mReadings"));
     EXPECT_EQ(made_up.text().find('\033'), std::string::npos);
 }

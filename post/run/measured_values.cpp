@@ -1,4 +1,6 @@
-#include "post/run/comparison.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+// Measured values of a case beside what its run gives.
+#include "post/run/measured_values.hpp"
 
 #include <algorithm>
 #include <cmath>

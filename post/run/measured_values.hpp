@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Measured values of a case beside what its run gives.
 #pragma once
 
 #include <string>

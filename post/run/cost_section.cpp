@@ -1,14 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a run cost: cells, steps, factorisations, time by part.
 #include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
 
-#include "post/run/summary_parts.hpp"
 #include "post/report/table.hpp"
+#include "post/run/run_sections.hpp"
 
 namespace tiretherm::post {
 
-std::string cost_text(const RunRecord& run) {
+Section cost_section(const RunRecord& run) {
     const solver::Report& report = run.report;
     const mesh::Mesh& mesh = run.problem.mesh;
     const bool round = mesh.grid && mesh.grid->metric == mesh::Metric::axisymmetric;
@@ -16,18 +18,20 @@ std::string cost_text(const RunRecord& run) {
     for (const std::string& name : mesh.layers) {
         layers += (layers.empty() ? "" : ", ") + name;
     }
-    Table table({true, true});
-    table.add({"mesh", fmt::format("{}{}, {} cells, layers {}", mesh.kind, round ? " about its axis" : "",
-                                   grouped(mesh.n_cells), layers)});
+    DataTable table;
+    const auto add = [&](const char* name, std::string text) {
+        table.add({page_only("", name), page_only("", std::move(text))});
+    };
+    add("mesh", fmt::format("{}{}, {} cells, layers {}", mesh.kind, round ? " about its axis" : "",
+                            grouped(mesh.n_cells), layers));
     if (run.problem.settings.steady) {
-        table.add({"steps", fmt::format("steady state; {} factorisations, {} Newton iterations", report.factorisations,
-                                        report.newton_iterations)});
+        add("steps", fmt::format("steady state; {} factorisations, {} Newton iterations", report.factorisations,
+                                 report.newton_iterations));
     } else {
-        table.add(
-            {"steps", fmt::format("{}, {} rejected, {} factorisations", grouped(static_cast<double>(report.steps)),
-                                  report.rejected, report.factorisations)});
+        add("steps", fmt::format("{}, {} rejected, {} factorisations", grouped(static_cast<double>(report.steps)),
+                                 report.rejected, report.factorisations));
     }
-    table.add({"solver", report.linear_solver});
+    add("solver", report.linear_solver);
     std::string time = fmt::format("{:.3f} s", run.seconds);
     if (report.simulated > 0.0 && run.seconds > 0.0) {
         time += fmt::format(" for {:.6g} s, {} x real time", report.simulated, grouped(report.simulated / run.seconds));
@@ -36,8 +40,8 @@ std::string cost_text(const RunRecord& run) {
     for (std::size_t i = 0; i < std::min(parts.size(), report.seconds.size()); ++i) {
         time += fmt::format("{}{} {:.3f}", i == 0 ? "; " : ", ", parts[i], report.seconds[i]);
     }
-    table.add({"time", time});
-    return table.text(2);
+    add("time", time);
+    return {"Cost", std::move(table)};
 }
 
 }  // namespace tiretherm::post

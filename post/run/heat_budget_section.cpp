@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The heat budget of a run: what each effect gave or took, and that it adds up to what was stored.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include <fmt/format.h>
 
-#include "post/report/table.hpp"
-#include "post/run/summary_parts.hpp"
+#include "post/run/run_sections.hpp"
 
 namespace tiretherm::post {
 
@@ -26,7 +27,7 @@ int decimals_for(const std::vector<double>& values) {
 
 }  // namespace
 
-std::string heat_budget_text(const RunRecord& run) {
+Section heat_budget_section(const RunRecord& run) {
     const solver::Report& report = run.report;
     std::vector<double> watts;
     std::vector<double> kilojoules;
@@ -49,33 +50,38 @@ std::string heat_budget_text(const RunRecord& run) {
     watts.push_back(std::accumulate(watts.begin(), watts.end(), 0.0));
     kilojoules.push_back(std::accumulate(kilojoules.begin(), kilojoules.end(), 0.0));
     const bool steady = run.problem.settings.steady;  // no time passes, so nothing is summed up or stored
-    Table table({true, false, false});
-    table.add({"heat into it", steady ? "W" : "W at the end", steady ? "" : "kJ in all"});
+    DataTable table;
+    const auto add = [&](const std::string& name, const std::string& of_watt, const std::string& kilojoule) {
+        table.add({page_only("heat into it", name), page_only(steady ? "W" : "W at the end", right(of_watt)),
+                   page_only(steady ? "" : "kJ in all", right(steady ? "" : kilojoule))});
+    };
     for (std::size_t i = 0; i < names.size(); ++i) {
-        table.add({names[i], fmt::format("{:.{}f}", watts[i], of_watts),
-                   steady ? "" : fmt::format("{:.{}f}", kilojoules[i], of_kilojoules)});
+        add(names[i], fmt::format("{:.{}f}", watts[i], of_watts), fmt::format("{:.{}f}", kilojoules[i], of_kilojoules));
     }
+    const double symmetry = run.problem.symmetry;
     if (!steady) {
-        table.add({"stored", "", fmt::format("{:.{}f}", run.problem.symmetry * report.stored / 1e3, of_kilojoules)});
+        add("stored", "", fmt::format("{:.{}f}", symmetry * report.stored / 1e3, of_kilojoules));
     }
-    std::string text = table.text(2);
-    text += fmt::format("  energy balance error {:.1e} ({}, relative to all heat exchanged)\n", report.energy_closure,
-                        steady ? "sum" : "stored minus sum");
+    Section section(symmetry == 1.0 ? std::string("Heat budget")
+                                    : fmt::format("Heat budget of the whole specimen, {:g} times the mesh", symmetry),
+                    std::move(table));
+    section.say(fmt::format("energy balance error {:.1e} ({}, relative to all heat exchanged)", report.energy_closure,
+                            steady ? "sum" : "stored minus sum"));
     const std::vector<physics::ActiveEffect>& effects = run.problem.effects;
     for (std::size_t e = 0; e < effects.size(); ++e) {
         const double share = run.problem.symmetry * report.law_watts[e];
         if (std::abs(share) >= 0.5 * std::pow(10.0, -of_watts)) {  // neither NaN nor what is shown as nothing
-            text += fmt::format("  {} contributes {:+.{}f} W of this\n", effects[e].title(), share, of_watts);
+            section.say(fmt::format("{} contributes {:+.{}f} W of this", effects[e].title(), share, of_watts));
         }
     }
     const bool is_tire = std::any_of(effects.begin(), effects.end(),
                                      [](const physics::ActiveEffect& active) { return active.effect->needs_tire; });
     if (is_tire && report.effective_two_node_conductance > 0.0) {  // where heat goes the other way, no link carries it
         const double link = run.problem.symmetry * report.effective_two_node_conductance;
-        text += fmt::format("  equivalent two-node link: {:.4g} W/K, or k = {:.3g} W/mK over 10 mm\n", link,
-                            link * bulk_depth / run.problem.tire.outer_area());
+        section.say(fmt::format("equivalent two-node link: {:.4g} W/K, or k = {:.3g} W/mK over 10 mm", link,
+                                link * bulk_depth / run.problem.tire.outer_area()));
     }
-    return text;
+    return section;
 }
 
 }  // namespace tiretherm::post

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A run as a report: readings beside measured values, extremes, hot spots, heat budget, cost.
+#include "post/run/run_report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mesh/place.hpp"
+#include "post/hot_spot/hot_spots_report.hpp"
+#include "post/run/measured_values.hpp"
+#include "post/run/run_sections.hpp"
+#include "solver/celsius.hpp"
+#include "solver/channel_unit.hpp"
+
+namespace tiretherm::post {
+
+namespace {
+
+std::string measured_text(const Comparison& c, const solver::ShownUnit& unit) {
+    const std::string value = c.low == c.high ? fmt::format("{:.4g}", unit.value(c.low))
+                                              : fmt::format("{:.4g} to {:.4g}", unit.value(c.low), unit.value(c.high));
+    return c.at_end ? value : fmt::format("{} at {:.6g} s", value, c.time);
+}
+
+/// The measured values of a channel: on the page beside its figures, or below them.
+DataTable measured(const RunRecord& run, const std::vector<Comparison>& compared, std::size_t channel) {
+    DataTable table;
+    const solver::ShownUnit unit = solver::shown_unit(run.problem.channels[channel].quantity);
+    for (const Comparison& c : compared) {
+        if (c.channel != channel) {
+            continue;
+        }
+        const double difference = unit.difference(c.difference);
+        const bool within = c.difference == 0.0 && c.low < c.high;
+        table.add({data_only("channel", run.problem.channels[channel].name),
+                   data_only("time", c.time),
+                   data_only("unit", unit.name),
+                   data_only("low", unit.value(c.low)),
+                   data_only("high", unit.value(c.high)),
+                   data_only("simulated", unit.value(c.simulated)),
+                   page_only("measured", right(measured_text(c, unit))),
+                   {"sim - meas", "difference", {difference, within ? "within" : fmt::format("{:+.2f}", difference)}},
+                   {"source", "source", c.source}});
+    }
+    return table;
+}
+
+/// The readings on the page; `channels` and `measured` of the data.
+DataTable readings(const RunRecord& run, Value& data) {
+    const std::vector<Comparison> compared = compare(run.problem, run.history);
+    DataTable table;
+    Value::List all_measured;
+    const DataTable::Row blank{page_only("", ""), page_only("", ""), page_only("", right("")), page_only("", right("")),
+                               page_only("", right(""))};
+    for (std::size_t c = 0; c < run.problem.channels.size(); ++c) {
+        const solver::Channel& channel = run.problem.channels[c];
+        const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
+        const auto show = [&](double si) { return shown("{:.2f}", unit.value(si)); };
+        DataTable::Row row{{"channel", "name", channel.name},
+                           {"unit", "unit", unit.name},
+                           {"final", "final", show(run.report.channel_final[c])},
+                           {"min", "min", show(run.report.channel_min[c])},
+                           {"max", "max", show(run.report.channel_max[c])},
+                           data_only("meaning", channel.meaning)};
+        const DataTable values = measured(run, compared, c);
+        for (const DataTable::Row& value : values.rows()) {
+            for (Field field : value) {
+                field.key.clear();
+                row.push_back(std::move(field));
+            }
+            table.add(std::exchange(row, blank));
+        }
+        if (values.empty()) {
+            if (!compared.empty()) {
+                const DataTable::Row none{page_only("measured", right("")), page_only("sim - meas", right("")),
+                                          page_only("source", "")};
+                row.insert(row.end(), none.begin(), none.end());
+            }
+            table.add(std::move(row));
+        }
+        const Value of_channel = values.data();
+        const auto& list = std::get<Value::List>(of_channel.held());
+        all_measured.insert(all_measured.end(), list.begin(), list.end());
+    }
+    data.set("channels", table.data());
+    data.set("measured", std::move(all_measured));
+    return table;
+}
+
+DataTable extremes(const RunRecord& run) {
+    DataTable table;
+    const auto add = [&](const char* name, const solver::Report::Extreme& extreme) {
+        if (extreme.node >= 0) {
+            const std::string degrees = fmt::format("{:.2f} degC", solver::celsius(extreme.temperature));
+            table.add({page_only("", name), page_only("", right(degrees)),
+                       page_only("", fmt::format("at {:.6g} s", extreme.time)),
+                       page_only("", mesh::describe_place(run.problem.mesh, extreme.node))});
+        }
+    };
+    add("hottest", run.report.hottest);
+    add("coldest", run.report.coldest);
+    return table;
+}
+
+Value extreme(const RunRecord& run, const solver::Report::Extreme& found) {
+    const mesh::Place place = mesh::place_of(run.problem.mesh, found.node);
+    Value position;  // null for a lump
+    if (place.position) {
+        const auto [x, y, depth] = *place.position;
+        position = {{"x", 1e3 * x}, {"y", 1e3 * y}, {"depth", 1e3 * depth}, {"unit", "mm"}};
+    }
+    return {{"temperature", solver::celsius(found.temperature)},
+            {"unit", "degC"},
+            {"time", found.time},
+            {"layer", place.layer},
+            {"zone", text_or_null(place.zone)},
+            {"patch", place.patch},
+            {"position", position}};
+}
+
+Value budget(const RunRecord& run) {
+    Value::List list;
+    for (std::size_t e = 0; e < run.problem.effects.size(); ++e) {
+        Value effect{{"effect", run.problem.effects[e].title()},
+                     {"watts_final", run.problem.symmetry * run.report.watts[e]},
+                     {"joules", run.problem.symmetry * run.report.joules[e]}};
+        if (std::isfinite(run.report.law_watts[e])) {
+            effect.set("law_watts_final", run.problem.symmetry * run.report.law_watts[e]);
+        }
+        list.push_back(std::move(effect));
+    }
+    return list;
+}
+
+Value seconds_by_part(const solver::Report& report) {
+    constexpr std::array parts{"assembly", "factor", "solve", "output"};
+    Value data;
+    for (std::size_t i = 0; i < std::min(parts.size(), report.seconds.size()); ++i) {
+        data.set(parts[i], report.seconds[i]);
+    }
+    return data;
+}
+
+void add_results(Report& page, const RunRecord& run) {
+    const mesh::Mesh& mesh = run.problem.mesh;
+    Section section("Readings", readings(run, page.data));
+    section.add(extremes(run));
+    page.add(std::move(section));
+    page.data.set({{"budget", budget(run)},
+                   {"stored_joules", run.problem.symmetry * run.report.stored},
+                   {"symmetry", run.problem.symmetry},
+                   {"hottest", extreme(run, run.report.hottest)},
+                   {"coldest", extreme(run, run.report.coldest)}});
+    if (run.hot_spots != nullptr) {
+        page.add(hot_spots_section(*run.hot_spots, mesh));
+        page.data.set("hot_spots", hot_spots_data(*run.hot_spots, mesh));
+    }
+    page.add(heat_budget_section(run));
+}
+
+}  // namespace
+
+Report run_report(const RunRecord& run) {
+    const solver::Report& report = run.report;
+    const std::string& name = run.problem.name;
+    const std::string& title = run.problem.title;
+    Report page{.title = title.empty() || title == name ? name : fmt::format("{} ({})", title, name)};
+    if (!report.status.ok()) {
+        page.lead = {"ended early: " + report.status.message};
+    }
+    page.data = {{"case", name},
+                 {"title", title},
+                 {"version", run.provenance.version},
+                 {"cells", run.problem.mesh.n_cells},
+                 {"steps", report.steps},
+                 {"rejected", report.rejected},
+                 {"factorisations", report.factorisations},
+                 {"newton_iterations", report.newton_iterations},
+                 {"linear_iterations", report.linear_iterations},
+                 {"linear_solver", report.linear_solver},
+                 {"seconds", run.seconds},
+                 {"seconds_by_part", seconds_by_part(report)},
+                 {"simulated_seconds", report.simulated},
+                 {"energy_closure", report.energy_closure},
+                 // W/K; null where it has no meaning
+                 {"effective_two_node_conductance", run.problem.symmetry * report.effective_two_node_conductance}};
+    if (run.history.rows() > 0) {
+        add_results(page, run);
+    }
+    page.add(cost_section(run));
+    std::vector<std::string> warnings = run.warnings;
+    warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
+    page.add("Warnings", "warnings", warnings);
+    page.add("Cite", "sources", run.problem.sources);
+    page.add(run.files);
+    if (!report.status.ok()) {
+        page.data.set({{"error", report.status.message}, {"mistakes", Value::List{}}});
+    }
+    return page;
+}
+
+}  // namespace tiretherm::post
