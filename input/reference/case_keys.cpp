@@ -81,15 +81,19 @@ bool is_alike(const KeyUse& a, const KeyUse& b) {
 void join(CaseKey& into, const std::vector<const KeyUse*>& uses, const std::set<std::string>& variants_of_table) {
     std::set<std::string> variants;
     bool asked = false;
+    // A value that is a quantity or a table is asked for as the one that it is; the call for a quantity says the need.
+    const bool has_quantity = std::ranges::find(uses, KeyForm::quantity, &KeyUse::form) != uses.end();
     into.required = true;
     for (const KeyUse* use : uses) {
         variants.insert(use->variant);
         if (use->form == KeyForm::mentioned) {
             continue;
         }
-        asked = true;
-        into.required = into.required && use->required;
-        into.sometimes_required = into.sometimes_required || use->required;
+        if (!has_quantity || (use->form != KeyForm::any && use->form != KeyForm::table)) {
+            asked = true;
+            into.required = into.required && use->required;
+            into.sometimes_required = into.sometimes_required || use->required;
+        }
         if (std::ranges::none_of(into.uses, [&](const KeyUse& known) { return is_alike(known, *use); })) {
             into.uses.push_back(*use);
         }

@@ -60,7 +60,6 @@ layers = ["tread"]
 channels = ["point"]
 [effects.strain_energy_loss]
 total = "drum.csv"
-coastdown = { alpha = -0.4, beta = 0.9, a = 0.1, b = 0, c = 0 }
 field = "loss.h5"
 use = "watts"
 [drive]
@@ -179,6 +178,14 @@ key = "drive.speed"
 standard_deviation = "1 km/h"
 )";
 
+constexpr std::string_view coastdown = R"(
+include = ["two_node.toml"]
+[effects.strain_energy_loss]
+coastdown = { alpha = -0.4, beta = 0.9, a = 0.1, b = 0, c = 0 }
+[drive]
+inflation_pressure = "2.2 bar"
+)";
+
 constexpr std::string_view layers = R"(
 include = ["two_node.toml"]
 [mesh]
@@ -205,6 +212,22 @@ file = "run.csv"
 [[run]]
 name = "numbers"
 measured = [{ channel = "bulk_temperature", value = "42 degC", uncertainty = "2 K" }]
+)";
+
+constexpr std::string_view strip = R"(
+[mesh]
+kind = "layers"
+area = "1 m2"
+[[mesh.layer]]
+name = "rubber"
+thickness = "12 mm"
+cells = 4
+material = "rubber"
+[[material]]
+name = "rubber"
+density = "1100 kg/m3"
+heat_capacity = { at = "20 degC", value = "1800 J/kgK", slope = "1 J/kgK/K" }
+conductivity = "0.3 W/mK"
 )";
 
 constexpr std::string_view block = R"(
@@ -321,9 +344,15 @@ over = { at = "0 s", minus = { at = "1 s" } }
 }  // namespace
 
 const std::vector<MadeUpFile>& files_of_every_kind() {
-    static const std::vector<MadeUpFile> files{
-        {"two_node.toml", two_node},         {"section.toml", section}, {"layers.toml", layers}, {"block.toml", block},
-        {"axisymmetric.toml", axisymmetric}, {"study.toml", study},     {"table.toml", table}};
+    static const std::vector<MadeUpFile> files{{"two_node.toml", two_node},
+                                               {"section.toml", section},
+                                               {"layers.toml", layers},
+                                               {"strip.toml", strip},
+                                               {"coastdown.toml", coastdown},
+                                               {"block.toml", block},
+                                               {"axisymmetric.toml", axisymmetric},
+                                               {"study.toml", study},
+                                               {"table.toml", table}};
     return files;
 }
 

@@ -113,7 +113,7 @@ std::string value_text(const CaseKey& key) {
             forms.push_back(text);
         }
     }
-    return forms.empty() ? "a value" : fmt::format("{}", fmt::join(forms, "; or "));
+    return forms.empty() ? "as described" : fmt::format("{}", fmt::join(forms, "; or "));
 }
 
 std::string required_text(const CaseKey& key) {
