@@ -32,6 +32,14 @@ TEST(Call, VersionIsOneLine) {
     EXPECT_EQ(version.out.find('\n'), version.out.size() - 1);
 }
 
+TEST(Call, CommandsAreListedOneALineForScripts) {
+    const Call commands = call("--commands");
+    EXPECT_EQ(commands.exit_code, 0);
+    EXPECT_EQ(commands.err, "");
+    EXPECT_EQ(commands.out, "run\ncheck\ncompare\nidentify\ndiagnose\nstudy\nvalidate\neffects\nconvert\n");
+    EXPECT_EQ(call("--help").out.find("--commands"), std::string::npos);
+}
+
 TEST(Call, UnknownCommandIsAnsweredWithTheNearestOne) {
     const Call wrong = call("chekc " + two_node);
     EXPECT_EQ(wrong.exit_code, 1);
