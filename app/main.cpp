@@ -76,6 +76,14 @@ int main(int argc, char** argv) {
     app::add_effects_command(program, exit_code);
     app::add_keys_command(program, exit_code);
     app::add_convert_command(program, exit_code);
+    // For ./run, which must tell commands from cases; not for people, whom --help tells more.
+    program
+        .add_flag_callback("--commands",
+                           [&] {
+                               fmt::print("{}\n", fmt::join(command_names(program), "\n"));
+                               throw CLI::Success();
+                           })
+        ->group("");
     program.footer(
         "Examples:\n"
         "  tiretherm run cases/laser/one_watt.toml\n"

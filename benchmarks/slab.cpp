@@ -21,6 +21,7 @@ namespace {
 
 constexpr double T_air = 296.15;
 constexpr double h = 10.0;
+constexpr double spot_radius = 5.6419e-3;  // a disc of 1 cm2
 constexpr double heat_per_volume = 1100.0 * 1800.0;
 constexpr double reference_rise = 113.937 - 23.0;
 
@@ -41,11 +42,7 @@ solver::Problem slab() {
                                                      {.name = "bulk", .thickness = 0.012, .cells = 30, .ratio = 0.7}}});
     problem.materials = {rubber(0.29, 0.0094), rubber(0.060, 0.0002)};
     for (const char* id : {"conduction", "laser", "still_air"}) {
-        physics::ActiveEffect active = physics::activate(*physics::find_effect(id), problem.mesh);
-        if (active.effect->place != nullptr) {
-            active.effect->place({.mesh = problem.mesh, .materials = problem.materials, .tire = problem.tire}, active);
-        }
-        problem.effects.push_back(std::move(active));
+        solver::switch_on(problem, physics::activate(*physics::find_effect(id), problem.mesh), T_air);
     }
     problem.input_signals.add(*physics::find_signal("laser_power"), 1.0);
     problem.input_signals.add(*physics::find_signal("air_temperature"), T_air);
@@ -62,10 +59,12 @@ double error_percent(double T_top) { return 100.0 * std::abs(T_top - 273.15 - 23
 struct Diffusion {
     explicit Diffusion(const solver::Problem& problem)
         : mesh(problem.mesh), k_now(static_cast<std::size_t>(mesh.n_cells)) {
-        const physics::ActiveEffect& spot = problem.effects[1];
         laser.assign(static_cast<std::size_t>(mesh.n_nodes), 0.0);
-        for (std::size_t i = 0; i < spot.nodes.size(); ++i) {
-            laser[static_cast<std::size_t>(spot.nodes[i])] = spot.weights[i];
+        const int top = mesh.find_patch("top");
+        const std::vector<double> lit = mesh::disc_overlap(mesh, top, spot_radius);
+        for (std::size_t f = 0; f < lit.size(); ++f) {
+            const int node = mesh.patches[static_cast<std::size_t>(top)].faces[f].node;
+            laser[static_cast<std::size_t>(node)] = lit[f] / (std::numbers::pi * spot_radius * spot_radius);
         }
         for (const mesh::Face& face : mesh.faces) {
             (face.b < mesh.n_cells ? inner : outer).push_back(face);
@@ -107,7 +106,7 @@ struct Diffusion {
     const mesh::Mesh& mesh;
     std::vector<mesh::Face> inner;
     std::vector<mesh::Face> outer;
-    std::vector<double> laser;  ///< [n_nodes] W
+    std::vector<double> laser;  ///< [n_nodes] W of the 1 W
     std::vector<double> k_now;
 };
 

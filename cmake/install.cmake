@@ -1,4 +1,4 @@
-# `cmake --install`: program, libraries, headers, case library and the package files of find_package(tiretherm).
+# `cmake --install`: program, libraries, headers, licence, case library and the package files of find_package(tiretherm).
 # Each library has its own export, so that whoever asks for the core alone needs neither VTK nor HDF5.
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/tiretherm)
@@ -10,6 +10,7 @@ foreach(part IN LISTS TIRETHERM_PARTS)
 endforeach()
 install(DIRECTORY mesh physics solver input diagnosis post DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tiretherm
     FILES_MATCHING PATTERN "*.hpp")
+install(FILES LICENSE docs/licences.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY cases/ DESTINATION ${CMAKE_INSTALL_DATADIR}/tiretherm/cases)
 
 configure_package_config_file(cmake/tirethermConfig.cmake.in ${PROJECT_BINARY_DIR}/tirethermConfig.cmake

@@ -27,7 +27,7 @@ struct Field {
 
     [[nodiscard]] std::size_t frames() const { return weights.size(); }
     /// How far each frame counts at a moment: straight between two frames, held beyond the first and the last.
-    /// @param time s since the run's start  @param out [>= n_frames], sums to 1; what is left over becomes 0
+    /// @param moment s since the run's start  @param out [>= n_frames], sums to 1; what is left over becomes 0
     void shares_at(double moment, std::span<double> out) const;
     /// Power of the file at a moment, that of each frame apart. @pre watts are given  @param out as above, W
     void watts_at(double moment, std::span<double> out) const;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -24,8 +25,8 @@ constexpr double flops_per_entry_for_blocks = 200.0;
 /// Owns everything of CHOLMOD: one workspace, the lower triangle of the matrix, the factor and the solve's buffers.
 class CholeskyFactor final : public Factor {
 public:
-    explicit CholeskyFactor(const Pattern& pattern) {
-        cholmod_start(&common_);
+    /// The other constructor has made a whole object, so that the destructor frees everything when this one throws.
+    explicit CholeskyFactor(const Pattern& pattern) : CholeskyFactor() {
         common_.print = 0;
         common_.supernodal = CHOLMOD_AUTO;
         common_.supernodal_switch = flops_per_entry_for_blocks;
@@ -113,6 +114,8 @@ public:
     [[nodiscard]] double entries_per_row() const { return entries_ / static_cast<double>(matrix_->nrow); }
 
 private:
+    CholeskyFactor() { cholmod_start(&common_); }
+
     static constexpr std::size_t at_once = 8;
     /// What a solve works in, for one number of columns.
     struct Buffers {
@@ -135,14 +138,17 @@ private:
             buffers.y->nrow = buffers.y->d = buffers.y->nzmax / n;
             buffers.y->ncol = n;
         }
-        cholmod_solve2(CHOLMOD_A, factor_, &right, nullptr, &buffers.solution, nullptr, &buffers.y, &buffers.e,
-                       &common_);
+        if (cholmod_solve2(CHOLMOD_A, factor_, &right, nullptr, &buffers.solution, nullptr, &buffers.y, &buffers.e,
+                           &common_) == 0) {
+            throw std::runtime_error("CHOLMOD could not solve: " + status());
+        }
         const auto* result = static_cast<const double*>(buffers.solution->x);
         std::copy(result, result + X.size(), X.begin());
     }
 
     /// L L' X = B in the factor's order, row by row with its columns next to each other. @param width <= at_once
     void solve_side_by_side(std::span<const double> B, std::span<double> X, std::size_t width) {
+        assert(factor_->xtype == CHOLMOD_REAL);  // it has been factorised
         const std::size_t n = matrix_->nrow;
         const auto* order = static_cast<const int*>(factor_->Perm);
         const auto* start = static_cast<const int*>(factor_->p);
@@ -200,11 +206,11 @@ private:
                 return "the matrix is not positive definite: a part of the mesh exchanges heat with nothing, or a "
                        "conductance or heat capacity is not positive";
             case CHOLMOD_OUT_OF_MEMORY:
-                return "the factor does not fit in memory";
+                return "there is too little memory";
             case CHOLMOD_TOO_LARGE:
                 return "the factor is too large for 32-bit indices";
             case CHOLMOD_INVALID:
-                return "the matrix is invalid";
+                return "the matrix is invalid or has not been factorised";
             default:
                 return fmt::format("CHOLMOD status {}", common_.status);
         }

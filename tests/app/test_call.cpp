@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -30,6 +32,18 @@ TEST(Call, VersionIsOneLine) {
     EXPECT_EQ(version.exit_code, 0);
     EXPECT_TRUE(version.out.starts_with("tiretherm 0.")) << version.out;
     EXPECT_EQ(version.out.find('\n'), version.out.size() - 1);
+}
+
+TEST(Call, CommandsAreListedOneALineForScripts) {
+    const Call commands = call("--commands");
+    EXPECT_EQ(commands.exit_code, 0);
+    EXPECT_EQ(commands.err, "");
+    EXPECT_TRUE(commands.out.starts_with("run\ncheck\ncompare\n")) << commands.out;
+    // As many as the program itself lists where one is missing: "the commands are run, check, ... and convert".
+    const std::string listed = call("").err;
+    const auto separators = std::count(listed.begin(), listed.end(), ',') + 1;
+    EXPECT_EQ(std::count(commands.out.begin(), commands.out.end(), '\n'), separators + 1) << commands.out << listed;
+    EXPECT_EQ(call("--help").out.find("--commands"), std::string::npos);
 }
 
 TEST(Call, UnknownCommandIsAnsweredWithTheNearestOne) {

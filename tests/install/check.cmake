@@ -1,5 +1,6 @@
-# Installs into a scratch prefix, then configures, builds and runs the consumer against it.
-# VTK, HDF5 and the libraries of the case reader are hidden from the consumer: the core must do without them.
+# SPDX-License-Identifier: BSD-3-Clause
+# Installs into a scratch prefix, then configures, builds and runs two programs against it: one of the core, from which VTK,
+# HDF5 and the libraries of the readers are hidden, and one of all libraries.
 set(scratch ${build}/install_check)
 file(REMOVE_RECURSE ${scratch})
 
@@ -11,18 +12,27 @@ function(step)
     endif()
 endfunction()
 
+# consumer(NAME [options of cmake]), which sets `program`
+function(consumer name)
+    step(${CMAKE_COMMAND} -S ${source}/${name} -B ${scratch}/${name} -G ${generator} -DCMAKE_CXX_COMPILER=${compiler}
+        -DCMAKE_CXX_FLAGS=${flags} -DCMAKE_PREFIX_PATH=${scratch}/prefix ${ARGN})
+    step(${CMAKE_COMMAND} --build ${scratch}/${name})
+    set(program ${scratch}/${name}/consumer PARENT_SCOPE)
+endfunction()
+
 step(${CMAKE_COMMAND} --install ${build} --prefix ${scratch}/prefix)
-foreach(installed bin/tiretherm include/tiretherm/mesh/mesh.hpp share/tiretherm/cases)
+foreach(installed bin/tiretherm include/tiretherm/mesh/mesh.hpp share/tiretherm/cases share/doc/tiretherm/LICENSE)
     if(NOT EXISTS ${scratch}/prefix/${installed})
         message(FATAL_ERROR "${installed} was not installed")
     endif()
 endforeach()
 
 set(hidden "")
-foreach(package VTK HDF5 tomlplusplus UDUNITS2 nlohmann_json CLI11)
+foreach(package VTK HDF5 tomlplusplus UDUNITS2 muparser FreeXL LibZip pugixml Ceres Cairo nlohmann_json CLI11)
     list(APPEND hidden -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
 endforeach()
-step(${CMAKE_COMMAND} -S ${source} -B ${scratch}/consumer -G ${generator} -DCMAKE_CXX_COMPILER=${compiler}
-    -DCMAKE_CXX_FLAGS=${flags} -DCMAKE_PREFIX_PATH=${scratch}/prefix ${hidden})
-step(${CMAKE_COMMAND} --build ${scratch}/consumer)
-step(${scratch}/consumer/consumer)
+consumer(core ${hidden})
+step(${program})
+
+consumer(post)
+step(${program} ${scratch}/prefix/share/tiretherm/cases/two_node/4000N_100kmh.toml ${scratch}/out)

@@ -195,7 +195,7 @@ inline std::set<std::string> changed_keys(const std::string& before, const std::
     std::set<std::string> changed;
     for (const auto* of : {&a, &b}) {
         for (const auto& [key, value] : *of) {
-            const auto values_in = [&](const auto& keys) {
+            const auto values_in = [&key = key](const auto& keys) {
                 std::multiset<std::string> found;
                 for (auto [i, end] = keys.equal_range(key); i != end; ++i) {
                     found.insert(i->second);

@@ -45,6 +45,7 @@ inline FreeParameter start_of(const Problem& problem) {
 
 inline std::vector<double> values_of(const Problem& problem, const std::vector<FreeParameter>& numbers) {
     std::vector<double> values;
+    values.reserve(numbers.size());
     for (const FreeParameter& one : numbers) {
         values.push_back(value_of(problem, one));
     }
