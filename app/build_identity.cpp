@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads the GNU build ID from the ELF notes of the running program (dl_iterate_phdr).
+
 #include "app/build_identity.hpp"
 
 #include <link.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Version and build of the program: a study keeps a result only for the program that computed it.
 #pragma once
 
 #include <string>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `tiretherm check`: reads a case without running it and prints a summary or all input errors, as text or JSON.
+
 #include <memory>
 #include <string>
 

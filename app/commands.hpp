@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The subcommands of the command line, one function each, and the exit codes of the program.
 #pragma once
 
 namespace CLI {

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `tiretherm compare`: simulates the measured runs of a case without fitting and reports the differences, channel by
+// channel.
+
 #include <cstdio>
 #include <filesystem>
 #include <memory>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `tiretherm convert`: turns the thesis's spreadsheet (.xls, .xlsx or a folder of CSV files) into a case file and lists
+// what became of each parameter.
+
 #include <filesystem>
 #include <memory>
 #include <string>

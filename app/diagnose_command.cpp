@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `tiretherm diagnose`: fits a case to measured runs and reports which effects of the catalogue explain the remaining
+// differences.
+
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>

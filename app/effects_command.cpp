@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `tiretherm effects`: lists the catalogue of effects, or one of them, as text or JSON; with Markdown it makes
+// docs/effects.md.
+
 #include <array>
 #include <memory>
 #include <string>
@@ -60,9 +64,9 @@ std::string unit_text(std::string_view unit) { return unit == "1" ? std::string(
 
 /// What an effect acts on, and what it needs; empty where it is nothing special.
 std::string acts_on_text(const physics::Effect& effect) {
-    return effect.on_layers     ? "the layers that a case names: layers = [...]"
+    return effect.on_layers                   ? "the layers that a case names: layers = [...]"
            : effect.sensor_model() != nullptr ? "the sensors that a case names: channels = [...]"
-                                : "";
+                                              : "";
 }
 
 std::string needs_text(const physics::Effect& effect) {

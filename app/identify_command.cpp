@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `tiretherm identify`: fits the [[parameter]] values of a case to measured runs, or with --plan predicts the intervals
+// before anything is measured.
+
 #include <cstdio>
 #include <filesystem>
 #include <memory>

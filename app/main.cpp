@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Entry point: adds all subcommands to the CLI11 parser and explains calls that it refuses.
+
 #include <algorithm>
 #include <exception>
 #include <span>

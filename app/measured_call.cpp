@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Implements the shared command-line options, the error reports, the counter of simulations on a terminal and the
+// writing of files.
+
 #include "app/measured_call.hpp"
 
 #include <cstdio>

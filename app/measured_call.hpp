@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Options and steps that compare, identify and diagnose share: case file, measured data, output directory and --json.
 #pragma once
 
 #include <filesystem>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes reports and errors to stdout and stderr; whether a terminal is there and NO_COLOR decide on bold text.
+
 #include "app/messages.hpp"
 
 #include <cstdio>

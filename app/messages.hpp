@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Output of all commands: reports, errors with a remedy, and lists of input errors, as text or JSON.
 #pragma once
 
 #include <string>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `tiretherm run`: simulates a case and writes channels, fields, pictures and, for [[critical]] temperatures, the hot
+// spots.
+
 #include <chrono>
 #include <cstdio>
 #include <memory>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `tiretherm study`: runs a case many times on a grid or with random draws, in several threads; runs that are already
+// there are kept.
+
 #include <chrono>
 #include <cstdio>
 #include <filesystem>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `tiretherm validate`: runs the cases of a validation table and compares the models with the measured numbers.
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

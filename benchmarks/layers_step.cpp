@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One real-time step of 100 cells through the thickness, against the least that any implicit solver must do: one
 // factorisation and one solve of a tridiagonal system by Thomas's algorithm.
 #include <vector>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Google Benchmark reporter that also prints each time as a ratio to the first benchmark of the same run, a figure that
+// carries over to other machines.
 #pragma once
 
 #include <ostream>

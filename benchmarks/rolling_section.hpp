@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Shared benchmark problem: a tire's cross-section of 24 x 64 cells with the thesis's effects, sidewalls, rim and gas,
+// driven by a noisy log or by constant inputs.
 #pragma once
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One hour of driving with inputs logged every second, on a section of 24 x 64 cells, error-controlled to 0.05 K: beside
 // the same hour at constant inputs, which costs what the field alone asks for. Counters: steps, and the shares of the
 // wall time.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What 16 sensitivities cost on a section of 24 x 64 cells: an hour at constant inputs and ten minutes under a rough log,
 // each alone over its steps and with the derivatives of its channels with 16 numbers. The ratio of the two is the figure.
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A rubber slab under a laser (3-D, k of temperature), the same mesh and physics solved twice in one run: by tiretherm,
 // and by SUNDIALS CVODE (BDF, unpreconditioned GMRES) on a right-hand side written out by hand over the same cells and
 // faces. Both report the error of the spot's centre at 600 s against the converged value (113.937 degC, from Richardson

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Finds CHOLMOD of SuiteSparse, which Debian packages without CMake files: target SuiteSparse::CHOLMOD (the name that
 # SuiteSparse's own package files use from version 7 on), CHOLMOD_VERSION.
 find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)

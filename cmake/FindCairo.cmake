@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Finds Cairo, which draws the pictures and which Debian packages without CMake files: target Cairo::Cairo.
 find_path(CAIRO_INCLUDE_DIR cairo/cairo.h)
 find_library(CAIRO_LIBRARY cairo)

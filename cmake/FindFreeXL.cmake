@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Finds FreeXL, which reads .xls workbooks and which Debian packages without CMake files: target FreeXL::FreeXL.
 find_path(FREEXL_INCLUDE_DIR freexl.h)
 find_library(FREEXL_LIBRARY freexl)

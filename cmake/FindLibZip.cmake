@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Finds libzip, which unpacks .xlsx workbooks: target LibZip::LibZip. Its own package files name the command-line tools too,
 # which Debian packages apart, and refuse to work without them.
 find_path(LIBZIP_INCLUDE_DIR zip.h)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Finds UDUNITS-2, which Debian packages without CMake files: target UDUNITS2::UDUNITS2.
 find_path(UDUNITS2_INCLUDE_DIR udunits2.h PATH_SUFFIXES udunits2)
 find_library(UDUNITS2_LIBRARY udunits2)

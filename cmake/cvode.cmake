@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # CVODE of SUNDIALS as one target: an independent solution of the same equations, for tests and benchmarks only.
 find_package(SUNDIALS REQUIRED COMPONENTS cvode nvecserial
     sunmatrixband sunmatrixdense sunmatrixsparse sunlinsolband sunlinsoldense sunlinsolklu sunlinsolspgmr)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # `cmake --install`: program, libraries, headers, licence, case library and the package files of find_package(tiretherm).
 # Each library has its own export, so that whoever asks for the core alone needs neither VTK nor HDF5.
 include(CMakePackageConfigHelpers)

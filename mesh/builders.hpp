@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Descriptions of the meshes (two nodes, layers, cylinder, section, block, disc) and the functions that build each of
+// them as a graph of cells and faces.
 #pragma once
 
 #include <array>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Interpolates linearly in depth within a column and along the meridian between columns of equal thickness; where the
+// thickness jumps, nothing is interpolated.
+
 #include "mesh/column_probe.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Temperatures at points and over strips of a cross-section or ring, whose cells stand in columns through the
+// thickness.
 #pragma once
 
 #include <cstddef>

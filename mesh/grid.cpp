@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cell edges with geometric grading, w_i = w_1 q^(i-1) with q^(n-1) = ratio, and the look-up of surface nodes of a
+// tensor-product mesh.
+
 #include "mesh/grid.hpp"
 
 #include <cmath>

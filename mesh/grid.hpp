@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Structured part of a mesh: axes, metric (Cartesian, axisymmetric, cylindrical), cell edges and surface nodes of a
+// tensor product of cells.
 #pragma once
 
 #include <array>

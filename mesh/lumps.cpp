@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Builds the two-node mesh: a surface lump and a bulk lump joined by a link of length dZ (thesis (31)).
+
 #include "mesh/builders.hpp"
 
 namespace tiretherm::mesh {

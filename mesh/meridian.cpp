@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Adds up circular arcs from the centre plane to a place s; the mean radius of a stretch is found by Gauss's five-point
+// rule on each arc.
+
 #include "mesh/meridian.hpp"
 
 #include <algorithm>

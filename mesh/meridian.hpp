@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Outer profile of a tire's cross-section as circular arcs without kinks, mirrored about the centre plane; the
+// coordinate is the arc length s.
 #pragma once
 
 #include <vector>

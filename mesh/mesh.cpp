@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Adds cells, patches, surface nodes and lumped nodes, finds parts by name, and checks the graph for defects.
+
 #include "mesh/mesh.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finite-volume mesh as a graph of nodes and faces, with patches, regions and lumped nodes. It knows no physics and no
+// unit but the metre.
 #pragma once
 
 #include <array>

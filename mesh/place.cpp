@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Looks up layer, patch, zone and position of a node and writes them as a phrase.
+
 #include "mesh/place.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where a node lies, as names and coordinates, and the same as a phrase for messages and reports.
 #pragma once
 
 #include <optional>

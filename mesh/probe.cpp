@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Linear interpolation on a tensor product, with even parabolas at planes of symmetry, and exact overlaps of discs and
+// Gaussian spots with rectangular or ring-shaped faces.
+
 #include "mesh/probe.hpp"
 
 #include <algorithm>

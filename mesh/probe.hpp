@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Measured places as weighted sums of node temperatures: at a point, over a disc, over a patch, over a layer or zone.
 #pragma once
 
 #include "mesh/mesh.hpp"

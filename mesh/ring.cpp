@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copies the section's cells into equal sectors and joins each cell to the one in the next sector by a face along the
+// arc; the first sector has its middle at angle 0.
+
 #include "mesh/ring.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tire resolved around its circumference: a cross-section repeated in equal sectors, in the frame of the turning
+// rubber; means around it and values at an angle.
 #pragma once
 
 #include <span>

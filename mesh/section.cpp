@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Builds the cross-section column by column: cells are rings of the column's mean radius; neighbouring columns share a
+// face wherever the depths of two cells overlap.
+
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Builds layers, cylinders, blocks and discs. Half distances in a cylinder are r |ln(r/r_c)|, r of the face and r_c of
+// the cell centre, so that the steady profile T ~ ln r is exact.
+
 #include "mesh/tensor.hpp"
 
 #include <cmath>

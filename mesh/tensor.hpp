@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Common description of all tensor-product meshes (edges on three axes, layer of each cell, named sides) and the
+// function that builds them.
 #pragma once
 
 #include <array>

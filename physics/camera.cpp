@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pixel footprints by quadrature: three Gauss-Legendre points across a pixel and three Gauss-Hermite points across the
+// Gaussian blur, in each direction.
+
 #include "physics/camera.hpp"
 
 #include <algorithm>

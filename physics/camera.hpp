@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Thermal camera over a flat specimen: pose, detector array, and for each pixel the weighted mean of surface nodes that
+// it measures.
 #pragma once
 
 #include <array>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Forced convection of a rolling tire: Nu = 0.318 Re^0.571 on the length 1/L = 1/D + 1/W (thesis (32)).
 #pragma once
 
 #include <cmath>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Values, slopes, exact integrals and means of quadratics and of tables with linear interpolation; over very narrow
+// intervals a table's mean is the average of its end values.
+
 #include "physics/curve.hpp"
 
 #include <algorithm>

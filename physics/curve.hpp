@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Law of one variable: c0 + c1 x + c2 x^2 (thesis (34)) or a table. Its mean over two temperatures makes the steady
+// flux exact (Kirchhoff's transform).
 #pragma once
 
 #include <array>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Material of a layer: density, c(T), and k(T) along the meridian, along the circumference and through the thickness.
 #pragma once
 
 #include <array>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Table of all input signals with unit, plausible range and meaning; linear interpolation between two moments.
+
 #include "physics/signals.hpp"
 
 #include <algorithm>

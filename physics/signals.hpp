@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Inputs of a tire at one moment (speed, load, slip, forces, temperatures and others) and their description by name and
+// unit.
 #pragma once
 
 #include <optional>

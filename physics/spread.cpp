@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Weights by area, by mass and by a profile along the meridian, normalised to 1; coupling faces between patches and
+// lumped nodes such as gas and rim.
+
 #include "physics/spread.hpp"
 
 #include <algorithm>

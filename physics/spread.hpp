@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How a total heat or conductance is distributed over the nodes of a mesh: the weights that distributed effects start
+// from.
 #pragma once
 
 #include <cstddef>

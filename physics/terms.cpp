@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Storage that is sized once and cleared before each evaluation; difference quotients for effects without derivatives
+// of their own.
+
 #include "physics/terms.hpp"
 
 #include <algorithm>

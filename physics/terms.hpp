@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What effects add to the heat balance q_i = sum G (T_j - T_i) + sum G (T_env - T_i) + sum W [W], with derivatives for
+// the Jacobian and the watts of each effect.
 #pragma once
 
 #include <cstddef>

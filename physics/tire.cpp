@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Evaluates thesis (35), (37)-(49), (57), (62) and (66)-(68); tables measured against the load replace the laws of
+// contact and radii where they are given.
+
 #include "physics/tire.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Dimensions of a tire and its laws: contact length and area, radii, loss tangent, power of the strain-energy loss
+// (thesis (35), (37)-(49), (57), (62), (66)-(68), errata E1 to E3, E5, E7, E8, E16).
 #pragma once
 
 #include <optional>

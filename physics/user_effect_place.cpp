@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds nodes by the name of a region, layer, zone or patch. Cells share by heat capacity at 60 degC, surface nodes by
+// area.
+
 #include "physics/user_effect_place.hpp"
 
 #include <algorithm>

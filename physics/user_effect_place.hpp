@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where a user effect acts: the nodes of a named part of the mesh and the share of each node.
 #pragma once
 
 #include <span>

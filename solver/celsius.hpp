@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Conversion from kelvin to degrees Celsius.
 #pragma once
 
 namespace tiretherm::solver {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs independent tasks on several threads; a free thread takes the next task in order.
 #pragma once
 
 #include <algorithm>

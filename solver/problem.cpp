@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Switches effects on together with their lumped nodes, and checks everything that a run needs.
+
 #include "solver/problem.hpp"
 
 #include <algorithm>

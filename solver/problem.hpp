@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A case as the solver sees it: mesh, materials, tire, effects, inputs, settings and channels, in SI units and kelvin.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How a step or a run ended, with a message that names place, effect and time of a failure.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Handlers of SIGINT and SIGTERM that only set a flag and are reset after the first signal.
+
 #include "solver/stop_signal.hpp"
 
 #include <csignal>

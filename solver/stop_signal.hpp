@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Regular end of a run on Ctrl-C or SIGTERM.
 #pragma once
 
 namespace tiretherm::solver {

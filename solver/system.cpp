@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lets every effect act in turn: properties, places, input corrections, laws, coefficients, terms; then sums the heat
+// flow of each node, and describes failures in words.
+
 #include "solver/system.hpp"
 
 #include <algorithm>

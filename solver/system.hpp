@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Semi-discrete heat balance dH/dt = q(T, t): enthalpy H(T) and heat flow q of every node, with its matrices.
 #pragma once
 
 #include <optional>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Matrices of Newton's method, A = C + s K and J = C - s dq/dT, and the relaxation of surface nodes without capacity to
+// q = 0.
+
 #include <algorithm>
 #include <cmath>
 

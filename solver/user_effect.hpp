@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A heat source, q = amount s(t), or a heat transfer, q = amount s(t) (T_surroundings(t) - T), that a user adds to a
+// problem, following any signal s.
 #pragma once
 
 #include <cstddef>

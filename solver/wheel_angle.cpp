@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Integrates V/R_R by Simpson's rule and finds the moments at which an edge of the contact has moved by a whole sector
+// by regula falsi (Illinois).
+
 #include "solver/wheel_angle.hpp"
 
 #include <algorithm>

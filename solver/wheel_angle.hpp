@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Wheel angle over a run, from its signal or the integral of V/R_R (thesis (62)), with a point wherever an edge of the
+// travelling contact reaches a column or the next sector.
 #pragma once
 
 #include <cstddef>

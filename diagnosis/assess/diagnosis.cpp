@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs the parts of a diagnosis in order: score tests, correction of the discretisation error, search of hypotheses,
+// missing heat, gain on held-out data, next experiment.
+
 #include "diagnosis/assess/diagnosis.hpp"
 
 #include <algorithm>

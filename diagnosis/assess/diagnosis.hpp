@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Diagnosis of a model against measured data: the verdict, the causes with their sizes and confidence intervals, the
+// unknown heat source, the gain on held-out data and the next experiment.
 #pragma once
 
 #include <cstdint>
@@ -126,8 +129,8 @@ struct Diagnosis {
         hypotheses;  ///< the set: indices into causes, one or two each, the best first
     std::optional<UnknownSource> unknown;
     std::string reason;
-    std::vector<NextExperiment> next;  ///< the most telling first
-    std::vector<UpperLimit> limits;    ///< when nothing is found
+    std::vector<NextExperiment> next;       ///< the most telling first
+    std::vector<UpperLimit> limits;         ///< when nothing is found
     std::vector<MissingHeat> missing_heat;  ///< where and when, of the base model
     std::vector<ChannelGain> channels;
     Gain gain;

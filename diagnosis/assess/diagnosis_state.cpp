@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes the state of a diagnosis into its result: causes with 95 % intervals, unknown sources, and upper limits for
+// effects that were not found.
+
 #include "diagnosis/assess/diagnosis_state.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Working state of a diagnosis, shared by its steps: score tests, fitted hypotheses, the set of hypotheses that remain,
+// and the verdict.
 #pragma once
 
 #include <vector>
@@ -25,8 +28,8 @@ struct DiagnosisState {
     FittedHypothesis unknown_fit;
     Verdict verdict = Verdict::cannot_tell;
     std::vector<const FittedHypothesis*> set;  ///< hypotheses that stand, the most likely first; point into the lists
-    bool unknown_stands = false;          ///< the unknown source explains the data about as well as the set
-    bool something_left = false;          ///< beside the best hypothesis
+    bool unknown_stands = false;               ///< the unknown source explains the data about as well as the set
+    bool something_left = false;               ///< beside the best hypothesis
 
     /// The hypothesis that the model is extended with; null where there is none.
     [[nodiscard]] const FittedHypothesis* best() const;

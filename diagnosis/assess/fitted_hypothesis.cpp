@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Chooses hypotheses by the gain of the linearised model, fits the likely ones in full, alone and in pairs, and tests
+// what is left of the residuals.
+
 #include "diagnosis/assess/fitted_hypothesis.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A hypothesis of a diagnosis: the model with one or more missing effects, or an unknown heat source, switched on and
+// fitted to the data.
 #pragma once
 
 #include <vector>
@@ -12,11 +15,11 @@ struct FittedHypothesis {
     std::vector<std::size_t> candidates;  ///< indices into ScoreTestData::candidates, one of each cause
     input::Experiment model;              ///< with the causes switched on, their numbers free after its own
     Refit fit;
-    double gain = 0.0;             ///< log likelihood ratio over the base model
-    double largest_score = 0.0;    ///< that is left among the candidates
+    double gain = 0.0;                   ///< log likelihood ratio over the base model
+    double largest_score = 0.0;          ///< that is left among the candidates
     double largest_unknown_score = 0.0;  ///< and among the unknown sources
     bool rest_is_insignificant = false;  ///< neither of the two is significant
-    bool sound = false;            ///< the fit ended, with every number on the side that physics allows
+    bool sound = false;                  ///< the fit ended, with every number on the side that physics allows
 
     Eigen::Index n_held = 0;  ///< numbers that causes hold on trial, free after all others
 

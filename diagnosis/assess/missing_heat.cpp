@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Estimates the missing heat by place and time from the residuals, with one adjoint run backwards for each measured
+// run; simulated noise gives its standard deviation.
+
 #include <cmath>
 #include <random>
 

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Discriminating experiments: simulates manoeuvres of a menu and computes by how many standard deviations each would
+// separate the likeliest hypotheses.
+
 #include <algorithm>
 #include <array>
 #include <cmath>

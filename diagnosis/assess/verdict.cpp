@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Decides between no missing effect, one cause, two causes and an unknown source, by thresholds on the log likelihood
+// ratio.
+
 #include <algorithm>
 #include <cmath>
 #include <set>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Computes the figures of a camera's images from measured and simulated pixels: bias, noise, and differences by ring,
+// by time and by size of structure.
+
 #include "diagnosis/compare/camera_comparison.hpp"
 
 #include <algorithm>

@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Compares the frames of a thermal camera with simulated images, pixel by pixel; a camera counts as one channel.
 #pragma once
 
 #include <array>
 #include <string>
 #include <vector>
 
-#include "input/measurements/experiment.hpp"
 #include "diagnosis/compare/comparison_statistics.hpp"
+#include "input/measurements/experiment.hpp"
 #include "solver/sensitivity/prediction.hpp"
 
 namespace tiretherm::diagnosis {

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Puts rings of pixels in the place of the camera's surface nodes: means of the measured pixels, corrected for the
+// difference between mean radiation and mean temperature.
+
 #include "diagnosis/compare/camera_rings.hpp"
 
 #include <algorithm>

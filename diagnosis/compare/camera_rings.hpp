@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reduces the images of a camera to a few channels, the mean temperatures of rings about the origin of the specimen, so
+// that a diagnosis can use them.
 #pragma once
 
 #include <string>

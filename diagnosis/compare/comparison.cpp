@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Simulates the runs of an experiment and puts the simulated values beside the measured samples, single numbers and
+// images.
+
 #include "diagnosis/compare/comparison.hpp"
 
 #include <algorithm>

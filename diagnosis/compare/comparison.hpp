@@ -1,12 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Comparison of measured and simulated values as the case stands, without any fit: series by channel and run, single
+// numbers, camera images and their figures.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "input/measurements/experiment.hpp"
 #include "diagnosis/compare/camera_comparison.hpp"
 #include "diagnosis/compare/comparison_statistics.hpp"
 #include "diagnosis/compare/phase.hpp"
+#include "input/measurements/experiment.hpp"
 #include "solver/channel_unit.hpp"
 #include "solver/status.hpp"
 

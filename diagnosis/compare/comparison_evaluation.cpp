@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Figures of one compared channel: bias and scatter over all runs, by run and by driving phase, model uncertainty, and
+// association with each signal.
+
 #include <algorithm>
 #include <cmath>
 #include <utility>

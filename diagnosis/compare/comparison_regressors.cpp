@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Collects the regressors of an experiment and evaluates them at a sample: time, inputs, slip power, simulated rise and
+// unused log columns.
+
 #include "diagnosis/compare/comparison_regressors.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Signals with which the differences between simulation and measurement may be associated.
 #pragma once
 
 #include <functional>

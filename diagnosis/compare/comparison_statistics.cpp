@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sums of autocorrelations (Geyer's initial monotone sequence, Bartlett's formula), sample-to-sample noise, bins and
+// correlation with Fisher's transformation.
+
 #include "diagnosis/compare/comparison_statistics.hpp"
 
 #include <algorithm>

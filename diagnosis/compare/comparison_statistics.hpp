@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Statistics of correlated differences: bias with its standard deviation (Geyer, Stat. Sci. 7 (1992) 473), model
+// uncertainty (McGrattan and Toman, Metrologia 48 (2011) 173), association with a signal.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Thresholds of speed, slip and deceleration that separate the driving phases; the deceleration is taken over 2 s
+// before and after.
+
 #include "diagnosis/compare/phase.hpp"
 
 #include <algorithm>

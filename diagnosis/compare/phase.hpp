@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Driving phase of a tire at a moment, determined from its inputs alone: standing, slipping, slowing down or free
+// rolling.
 #pragma once
 
 #include <array>

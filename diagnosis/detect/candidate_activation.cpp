@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Candidates in a model: what is switched on, or moved, when one of them is taken as true.
 #include <algorithm>
 #include <cmath>

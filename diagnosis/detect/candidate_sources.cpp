@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Responses of the channels to every candidate heat source, from a forward run of the linearised equations with all
+// sources side by side.
+
 #include "diagnosis/detect/candidate_sources.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Unknown heat sources as candidates: heat at a place of the mesh that follows a signal or acts in a time window, and
+// what the channels would read of each.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +9,8 @@
 
 #include <Eigen/Core>
 
-#include "input/measurements/experiment.hpp"
 #include "diagnosis/fit/observations.hpp"
+#include "input/measurements/experiment.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -50,7 +53,7 @@ struct CandidateSources {
     std::vector<SourceSignal> signals;
     std::vector<UnknownTerm> terms;  ///< events last
     Eigen::Index n_followers = 0;    ///< terms that follow a signal
-    Eigen::MatrixXd columns;  ///< [n_rows][n_terms] SI per unit of the signal's largest value, per W of an event
+    Eigen::MatrixXd columns;         ///< [n_rows][n_terms] SI per unit of the signal's largest value, per W of an event
 };
 
 /// @param problems [n_runs] at the fitted values  @param steps [n_runs] that they take

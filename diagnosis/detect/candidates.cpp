@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lists the candidate causes of an experiment: which effects can act on its mesh and inputs, at which places, and at
+// which trial values the signatures are taken.
+
 #include "diagnosis/detect/candidates.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Candidate causes of a diagnosis: effects of the catalogue that are off, and chosen parameters of effects that are on,
+// each with the value at which it changes nothing.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The table of confounded groups, and the search for the groups that an effect belongs to.
+
 #include "diagnosis/detect/confounded_effects.hpp"
 
 #include <algorithm>

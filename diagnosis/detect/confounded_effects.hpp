@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Effects whose signatures are alike for physical reasons, whatever the data, with the experiment that separates them.
 #pragma once
 
 #include <span>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Weighs the change by refinement after the projection that removes the free parameters.
+
 #include "diagnosis/detect/discretisation_error.hpp"
 
 #include "diagnosis/fit/refinement.hpp"

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Error of time steps and grid in the simulated data, by Richardson's extrapolation, and its size in standard
+// deviations of the noise.
 #pragma once
 
 #include <Eigen/Core>

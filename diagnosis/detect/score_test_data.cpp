@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fits base model and noise until they agree, takes the signatures of all candidates by slopes or differences, and
+// whitens them.
+
 #include "diagnosis/detect/score_test_data.hpp"
 
 #include <cmath>

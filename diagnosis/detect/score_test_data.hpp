@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All that Rao's score tests of a fitted model need: noise, residuals, whitened signatures of the candidate effects and
+// unknown sources, and thresholds.
 #pragma once
 
 #include <functional>

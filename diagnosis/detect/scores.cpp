@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Projection by a QR factorisation, scores of single signatures and of pairs, and simulated family-wise thresholds for
+// correlated normal scores.
+
 #include "diagnosis/detect/scores.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rao's score test (Proc. Cambridge Phil. Soc. 44 (1948) 50) of signatures beside nuisance parameters, which are
+// projected out (Frisch and Waugh, Econometrica 1 (1933) 387).
 #pragma once
 
 #include <utility>

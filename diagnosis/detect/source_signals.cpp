@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Signals that an unknown heat source may follow: inputs, products of inputs, and columns of the log that the model
+// does not use.
+
 #include <algorithm>
 #include <array>
 #include <cmath>

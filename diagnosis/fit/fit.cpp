@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Residuals, whitened slopes and information matrix at the present values; the noise of long image channels is
+// estimated from a part of their rows.
+
 #include "diagnosis/fit/fit.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A parameter fit under way: the values, the prediction and its slopes, the noise, and least squares with the noise
+// held.
 #pragma once
 
 #include <optional>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Standard deviations and Wald intervals from the information matrix, its eigenvectors as combinations that the data
+// determine, and cautions about each channel's noise.
+
 #include "diagnosis/fit/fit_assessment.hpp"
 
 #include <algorithm>

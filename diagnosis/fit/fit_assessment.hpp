@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Assessment of a finished fit: which parameters and combinations the data determine, their intervals, and how well
+// each channel fits.
 #pragma once
 
 #include "diagnosis/fit/fit.hpp"

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Alternates least squares and noise estimation until neither moves the other, then corrects the data of cameras for
+// the grid's error and assesses the result.
+
 #include "diagnosis/fit/identification.hpp"
 
 #include <algorithm>
@@ -5,10 +9,10 @@
 #include <cmath>
 #include <limits>
 
-#include "diagnosis/fit/refinement.hpp"
 #include "diagnosis/fit/fit.hpp"
 #include "diagnosis/fit/fit_assessment.hpp"
 #include "diagnosis/fit/profile.hpp"
+#include "diagnosis/fit/refinement.hpp"
 
 namespace tiretherm::diagnosis {
 

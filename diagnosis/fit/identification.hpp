@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Result of a parameter identification: fitted values with 95 % intervals, identifiability, determined combinations,
+// and the fit of each channel.
 #pragma once
 
 #include <cstdint>
@@ -77,10 +80,10 @@ struct Identification {
     std::vector<ChannelFit> channels;
     std::vector<NumberFit> numbers;
     std::vector<std::string> non_smooth_parameters;  ///< numbers at a switch or a clamp
-    Eigen::VectorXd before;          ///< [n_rows] SI, simulated with the case's values
-    Eigen::VectorXd after;           ///< [n_rows] SI
-    double misfit = 0.0;             ///< sum of the squared whitened residuals
-    double freedom = 0.0;            ///< rows less what the numbers take of them
+    Eigen::VectorXd before;                          ///< [n_rows] SI, simulated with the case's values
+    Eigen::VectorXd after;                           ///< [n_rows] SI
+    double misfit = 0.0;                             ///< sum of the squared whitened residuals
+    double freedom = 0.0;                            ///< rows less what the numbers take of them
     bool converged = false;
     int iterations = 0;
     long simulations = 0;

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Builds the Haar transformation for an image with missing pixels, level by level, and applies it in place.
+
 #include "diagnosis/fit/image_bands.hpp"
 
 #include <cmath>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Orthogonal Haar wavelet transformation of images with missing pixels (Mallat, IEEE Trans. Pattern Anal. 11 (1989)
+// 674), with noise of equal size within each band (Wornell, Proc. IEEE 81 (1993) 1428).
 #pragma once
 
 #include <span>

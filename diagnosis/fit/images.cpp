@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pixels as the fourth root of the mean of T^4 over their footprint, and derivatives with respect to temperatures and
+// to the parameters of the pose.
+
 #include "diagnosis/fit/images.hpp"
 
 #include <algorithm>

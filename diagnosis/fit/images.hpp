@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Turns simulated surface temperatures into the pixels of a thermal camera, with derivatives; a pixel adds up radiation
+// (T^4).
 #pragma once
 
 #include <array>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Levenberg-Marquardt by Ceres Solver; the only source that includes it. A trial value at which the model fails is
+// rejected without ending the fit.
+
 #include "diagnosis/fit/least_squares.hpp"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bounded nonlinear least squares of whitened residuals, each parameter in units of its own scale.
 #pragma once
 
 #include <functional>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Normal equations over chosen rows, solved by Cholesky factorisation, and residuals of rows that were held out.
+
 #include "diagnosis/fit/linearised_model.hpp"
 
 #include <cmath>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A fitted model linearised in its parameters, used to refit it to some of the data and to predict the rest (cross-
+// validation).
 #pragma once
 
 #include <vector>

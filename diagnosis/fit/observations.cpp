@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Arranges samples, images and single numbers as rows, and simulates all runs in parallel with their parameter slopes.
+
 #include "diagnosis/fit/observations.hpp"
 
 #include <algorithm>

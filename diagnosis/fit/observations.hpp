@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All measured values of an experiment as one vector, and a simulator that predicts it with its slopes over fixed time
+// steps.
 #pragma once
 
 #include <cstddef>
@@ -38,8 +41,8 @@ struct Observations {
 /// What the model says of the observations at some values of its numbers.
 struct ModelPrediction {
     solver::Status status;
-    Eigen::VectorXd simulated;       ///< [n_rows] SI
-    Eigen::MatrixXd slope;           ///< [n_rows][n_parameters] SI per unit of the parameter
+    Eigen::VectorXd simulated;                       ///< [n_rows] SI
+    Eigen::MatrixXd slope;                           ///< [n_rows][n_parameters] SI per unit of the parameter
     std::vector<std::string> non_smooth_parameters;  ///< names of numbers at a switch or a clamp
 };
 

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Plans an experiment: the intervals that a fit would give, from the linearised model and the stated sensor noise,
+// without any measured data.
+
 #include <chrono>
 
 #include "diagnosis/fit/fit.hpp"

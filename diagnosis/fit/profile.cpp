@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Searches each end of an interval by a root search on the minimised sum of squares, starting from the previous
+// minimum.
+
 #include "diagnosis/fit/profile.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Confidence intervals by profile likelihood: the sum of squares, minimised over all other parameters, rises by 3.84
+// (95 %).
 #pragma once
 
 #include "diagnosis/fit/identification.hpp"

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Simulates over halved steps, and on the finer grid where one is given, and extrapolates the change.
+
 #include "diagnosis/fit/refinement.hpp"
 
 #include <utility>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Discretisation error of a fitted model by Richardson's extrapolation, from halved time steps and half the grid
+// spacing.
 #pragma once
 
 #include <vector>

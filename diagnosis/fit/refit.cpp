@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Gauss-Newton steps with parameters held at their bounds and a line search by halving and by a parabola.
+
 #include "diagnosis/fit/refit.hpp"
 
 #include <algorithm>

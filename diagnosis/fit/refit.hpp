@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fit of a model with the noise held, by the Gauss-Newton method within bounds, and the linearisation at its end.
 #pragma once
 
 #include <vector>

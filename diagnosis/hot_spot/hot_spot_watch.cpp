@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tracks hot spots along a run; simulates further steps, steady states and, for the uncertain parameters, two runs
+// each.
+
 #include "diagnosis/hot_spot/hot_spot_watch.hpp"
 
 #include <algorithm>

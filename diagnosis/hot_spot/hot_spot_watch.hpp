@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Follows the hot spots of a run with critical temperatures and predicts when these are passed: in each step, held for
+// ever, and in further steps.
 #pragma once
 
 #include <optional>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Results of a hot spot analysis as data: histories, moments of passing a critical temperature, further steps, surface
+// threshold and uncertainty.
 #pragma once
 
 #include <optional>

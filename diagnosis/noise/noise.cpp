@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Scalar Kalman filter for exponentially correlated plus white noise: whitening, its transpose and the log determinant
+// in one sweep along each block.
+
 #include "diagnosis/noise/noise.hpp"
 
 #include <algorithm>

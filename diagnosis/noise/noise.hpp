@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Noise model of a channel, exponentially correlated (AR(1)) plus white, and whitening of residuals by a Kalman filter,
+// with Huber's weights for outliers.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sentences of caution about an estimated noise: far above the data sheet, as slow as the tire, at the bound, or not
+// estimated.
+
 #include <cmath>
 #include <string>
 #include <vector>

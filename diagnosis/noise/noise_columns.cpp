@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds the columns of the span that are linearly independent, by Gram-Schmidt orthogonalisation with scaled rows.
+
 #include <cmath>
 #include <vector>
 

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Improves the noise of each channel in turn until the restricted likelihood settles; decides between white and
+// correlated noise and sets Huber's weights.
+
 #include "diagnosis/noise/noise_estimate.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Noise of all channels by restricted maximum likelihood, REML (Patterson and Thompson, Biometrika 58 (1971) 545;
+// Harville, JASA 72 (1977) 320).
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whitens the rows of one channel, forms the products G_c, and finds sigma for a given correlation by Newton steps.
+
 #include "diagnosis/noise/noise_likelihood.hpp"
 
 #include <algorithm>

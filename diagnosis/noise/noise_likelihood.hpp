@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The restricted likelihood (REML) evaluated channel by channel; keeps the products of whitened columns, so that a
+// trial of one channel is cheap.
 #pragma once
 
 #include <cstddef>

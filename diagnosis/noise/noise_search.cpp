@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Central differences and Newton steps in the logarithms of the correlation time and of the white part, and standard
+// deviations from the curvature.
+
 #include "diagnosis/noise/noise_search.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Newton's method for the correlation time and the white share of one channel's noise, within bounds.
 #pragma once
 
 #include "diagnosis/noise/noise_likelihood.hpp"

@@ -1,10 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Least squares on standardised samples by Eigen, with 95 % intervals of the coefficients and their shares of the
+// variance.
+
 #include "diagnosis/study/study_drivers.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <Eigen/Dense>
-
 
 namespace tiretherm::diagnosis {
 

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What drives the hottest temperature of a study: linear regression on the drawn quantities, and the probability that
+// follows from it.
 #pragma once
 
 #include <string>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Failed runs of a study, column headings, and the search for varied quantities that changed nothing.
+
 #include "diagnosis/study/study_record.hpp"
 
 #include <fmt/format.h>

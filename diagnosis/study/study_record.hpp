@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A completed study as data: varied quantities, the shape of its grid, samples, and the outcome of each run.
 #pragma once
 
 #include <cstddef>

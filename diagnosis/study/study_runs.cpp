@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs the cases of a study in parallel, watches the hottest temperature, and stores each outcome as soon as it is
+// known.
+
 #include "diagnosis/study/study_runs.hpp"
 
 #include <algorithm>
@@ -9,11 +13,11 @@
 
 #include <fmt/format.h>
 
-#include "solver/time_integration/run_to_end.hpp"
-#include "solver/stop_signal.hpp"
-#include "solver/in_parallel.hpp"
 #include "mesh/place.hpp"
 #include "solver/hot_spot/hot_spot.hpp"
+#include "solver/in_parallel.hpp"
+#include "solver/stop_signal.hpp"
+#include "solver/time_integration/run_to_end.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -77,7 +81,8 @@ diagnosis::RunIdentity identity(const input::Study& study, std::size_t run) {
 
 StudyResults run_study(const input::Study& study, CompletedRuns& journal, unsigned threads,
                        const std::function<void(std::size_t done)>& progress) {
-    StudyResults results{.outcomes = std::vector<diagnosis::StudyOutcome>(study.runs.size()), .warnings = {}, .error = {}};
+    StudyResults results{
+        .outcomes = std::vector<diagnosis::StudyOutcome>(study.runs.size()), .warnings = {}, .error = {}};
     std::vector<std::size_t> open;
     for (std::size_t run = 0; run < study.runs.size(); ++run) {
         if (const diagnosis::StudyOutcome* known = journal.find(identity(study, run))) {

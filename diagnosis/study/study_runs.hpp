@@ -1,11 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Execution of a study: makes the runs that are not stored yet and returns the outcomes in order, independent of the
+// number of threads.
 #pragma once
 
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "input/studies/study.hpp"
 #include "diagnosis/study/study_record.hpp"
+#include "input/studies/study.hpp"
 
 namespace tiretherm::diagnosis {
 

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Wilson's interval, quantiles by linear interpolation, and counts of runs above the critical temperature.
+
 #include "diagnosis/study/study_statistics.hpp"
 
 #include <algorithm>

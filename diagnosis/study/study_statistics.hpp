@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Statistics of a study's runs: quantiles of the hottest temperature and the probability of passing the critical one,
+// with Wilson's interval (J. Am. Stat. Assoc. 22 (1927) 209).
 #pragma once
 
 #include <cstddef>

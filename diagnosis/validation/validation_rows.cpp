@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Evaluates the expression of each number on the simulated channels of each model, in the unit in which it is shown.
+
 #include "diagnosis/validation/validation_rows.hpp"
 
 #include <string>
@@ -26,8 +29,7 @@ solver::ShownUnit unit_of(const input::ValidationNumber& number) {
     return unit;
 }
 
-ModelValue model_value(const input::Expression& expression, const RunResults& results,
-                             const solver::ShownUnit& unit) {
+ModelValue model_value(const input::Expression& expression, const RunResults& results, const solver::ShownUnit& unit) {
     ModelValue found{.applicable = true, .value = std::nullopt, .failure = {}};
     for (const std::size_t run : expression.runs()) {
         found.failure = results.failures[run].empty() ? found.failure : results.failures[run];
@@ -41,15 +43,15 @@ ModelValue model_value(const input::Expression& expression, const RunResults& re
 ValidationRow row_of(const input::ValidationNumber& number, const RunResults& results) {
     const solver::ShownUnit unit = unit_of(number);
     ValidationRow row{.id = number.id,
-                            .what = number.what,
-                            .unit = unit.name,
-                            .source = number.source,
-                            .is_measured = number.is_measured,
-                            .low = unit.value(number.low),
-                            .high = unit.value(number.high),
-                            .uncertainty = unit.difference(number.total_uncertainty()),
-                            .parts = {},
-                            .models = {}};
+                      .what = number.what,
+                      .unit = unit.name,
+                      .source = number.source,
+                      .is_measured = number.is_measured,
+                      .low = unit.value(number.low),
+                      .high = unit.value(number.high),
+                      .uncertainty = unit.difference(number.total_uncertainty()),
+                      .parts = {},
+                      .models = {}};
     for (const auto& [name, part] : number.uncertainty) {
         row.parts.emplace_back(name, unit.difference(part));
     }

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs the cases in parallel, the largest first, and collects channels, failures and the energy closure.
+
 #include "diagnosis/validation/validation_runs.hpp"
 
 #include <algorithm>
@@ -6,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "solver/time_integration/run_to_end.hpp"
 #include "solver/in_parallel.hpp"
+#include "solver/time_integration/run_to_end.hpp"
 
 namespace tiretherm::diagnosis {
 

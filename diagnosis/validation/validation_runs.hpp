@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Simulates all cases that a validation table needs, each once, and keeps their channels.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A validation table as data: measured numbers with uncertainty beside those of each model, verdicts, and the figures
+// of each model.
 #pragma once
 
 #include <limits>

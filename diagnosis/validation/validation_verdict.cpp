@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Differences in units of the measurement's uncertainty (within 2 u), verdicts in words, and bias, rms and scatter of a
+// model.
+
 #include <algorithm>
 #include <cmath>
 

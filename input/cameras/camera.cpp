@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads [[camera]]: adds the nodes of the seen surface as channels, the image position and blur as an effect, and the
+// emissivity as a sensor model.
+
 #include "input/cameras/camera.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Infrared cameras of a case, [[camera]]: surface, pixel size, position on the specimen, blur and emissivity.
 #pragma once
 
 #include <array>

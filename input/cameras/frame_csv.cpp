@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Frames of a camera as a CSV: a row for each of them, a column for each pixel.
 #include <algorithm>
 #include <charconv>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads camera frames from HDF5: dataset `frames` with its units and pixel size, dataset `time`; chooses between HDF5
+// and CSV.
+
 #include "input/cameras/frame_file.hpp"
 
 #include <cmath>

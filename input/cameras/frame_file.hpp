@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Files of infrared camera frames, HDF5 or CSV: the layout is described here; images are read one at a time.
 #pragma once
 
 #include <array>

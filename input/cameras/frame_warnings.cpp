@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds saturated plateaus, repeated frames and temperatures that look like a wrong unit.
+
 #include "input/cameras/frame_warnings.hpp"
 
 #include <algorithm>

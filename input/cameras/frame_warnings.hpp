@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Data checks on camera frames while they are read; each suspicion becomes one sentence.
 #pragma once
 
 #include <string>

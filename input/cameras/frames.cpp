@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Selects the frames within the run, masks dead detectors and those that see beside the specimen, and averages the rest
+// into binned pixels.
+
 #include "input/cameras/frames.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads the camera frames of a measured run, which [[run]] names with the key `frames`.
 #pragma once
 
 #include "input/measurements/experiment.hpp"

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads parameters, choices, patches and overrides (_by_patch, _by_layer, _by_zone, _by_channel), and binds sensor
+// models to channels and cameras.
+
 #include "input/effects/active.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads one table [effects.NAME] into an active effect; values that the table leaves out keep their defaults.
 #pragma once
 
 #include "input/model/problem_builder.hpp"

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Implements the checks of tire, cells, patches, placement weights and input signals; each error names the remedy.
+
 #include "input/effects/effect_requirements.hpp"
 
 #include <algorithm>

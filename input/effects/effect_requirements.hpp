@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Checks that a case has what its effects need, and warns of unused signals and of heat that is counted twice.
 #pragma once
 
 #include "input/model/problem_builder.hpp"

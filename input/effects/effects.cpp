@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads [effects]: switches the effects of the catalogue on or off, reports unknown names and binds sensor models to
+// their channels.
+
 #include <fmt/format.h>
 
 #include "input/effects/active.hpp"

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads `field` and `use` of [effects.NAME]: transfers a field of a structural code to the mesh as placement weights
+// and, where wanted, total watts.
+
 #include <algorithm>
 #include <array>
 #include <filesystem>

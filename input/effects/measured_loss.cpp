@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads `total` (a table of a drum test) and `coastdown` (the SAE J2452 coefficients), and checks that the drive gives
+// the inputs that they need.
+
 #include "input/effects/measured_loss.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Measured total of the strain-energy loss in [effects.strain_energy_loss]: a table from a drum, or a coastdown fit by
+// SAE J2452.
 #pragma once
 
 #include "input/model/problem_builder.hpp"

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Checks the columns and units of the rolling-resistance file and arranges its rows as a full grid.
+
 #include "input/effects/resistance_table.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// File of measured rolling resistance: force or power over speed, load, pressure and temperature, one row for each grid
+// point.
 #pragma once
 
 #include <filesystem>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Prepares effects that go round the tire with the contact: computes the wheel angle over the run and checks mesh, run
+// time and contact width.
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

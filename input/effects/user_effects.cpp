@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads the two lists, checks formulas, places and names, and adds each entry to the problem as an effect.
+
 #include "input/effects/user_effects.hpp"
 
 #include <algorithm>

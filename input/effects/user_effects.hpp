@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Effects that a user defines in a case: [[source]] adds heat, [[exchange]] adds heat transfer, both in proportion to a
+// signal.
 #pragma once
 
 #include <string>

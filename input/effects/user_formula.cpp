@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parses and evaluates formulas with muParser and locates errors in the text. The only file that includes muParser.
+
 #include "input/effects/user_formula.hpp"
 
 #include <algorithm>

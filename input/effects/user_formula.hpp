@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Formula of named signals for user effects, such as "speed * abs(lateral_force)".
 #pragma once
 
 #include <cstddef>

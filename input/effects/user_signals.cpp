@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Evaluates a formula at the samples of its signals; where these are schedules, halves the intervals until straight
+// lines are accurate.
+
 #include "input/effects/user_signals.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Signals for user effects: file columns in SI base units, and the history of a formula over a run.
 #pragma once
 
 #include <string>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Data check: jumps of the time column, and single outliers by the distance from a running median in robust standard
+// deviations.
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Data check: sensors that stand still much longer than is typical of their own signal.
+
 #include <algorithm>
 #include <cmath>
 

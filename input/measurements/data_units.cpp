@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Data check: values whose size suggests another unit, such as km/h read as m/s or degF read as degC.
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Data check: inputs that are possible but outside the usual range of tire tests.
+
 #include <algorithm>
 #include <array>
 #include <limits>

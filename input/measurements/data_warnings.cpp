@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Applies all data checks to the columns of a recording; statistics of a column and its values in the unit of the file.
+
 #include "input/measurements/data_warnings.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Data checks on measured signals (time jumps, stuck sensors, outliers, wrong units, unusual inputs) and the recording
+// they look at.
 #pragma once
 
 #include <string>

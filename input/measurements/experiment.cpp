@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads the case file with its runs; a caller that needs a finer grid lets it multiply the cell counts of [mesh].
+
 #include "input/measurements/experiment.hpp"
 
 #include "input/measurements/runs.hpp"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A case with its measured runs and fitted parameters: the data that compare, identify and diagnose work on.
 #pragma once
 
 #include <cstdint>

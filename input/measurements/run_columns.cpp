@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Applies `columns`, `units` and `ignore` to the headings and reports names that are unknown or used twice.
+
 #include "input/measurements/run_columns.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Says what each column of a measured run's file is: time, input, sensor, signal of a user effect, or unused.
 #pragma once
 
 #include <string>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds the samples within `from` and `to`, bridges short gaps by straight lines and refuses long ones.
+
 #include "input/measurements/run_inputs.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Input signals of a measured run, read from the columns of the file that [[run]] or --data names.
 #pragma once
 
 #include <optional>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Collects sensor series, unused columns and [[measured]] numbers within the run's time span.
+
 #include "input/measurements/run_readings.hpp"
 
 #include <algorithm>

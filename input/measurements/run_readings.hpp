@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Measured values of a run: sensor columns of its file and the numbers of [[measured]].
 #pragma once
 
 #include <string>

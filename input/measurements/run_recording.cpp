@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Collects the columns that the model uses, inputs and sensors, into the recording that the data checks look at.
+
 #include <cmath>
 #include <variant>
 

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads the keys of [[run]], or makes one run of each --data file, and tracks which columns the keys name.
+
 #include "input/measurements/run_table.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tables [[run]] and [data]: file, time window, camera frames, and the keys `columns`, `units` and `ignore` for column
+// names.
 #pragma once
 
 #include <filesystem>

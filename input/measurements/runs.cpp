@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lays the tables of each run (drive, initial, time, measured) over those of the case, reads the result and adds the
+// measured values.
+
 #include "input/measurements/runs.hpp"
 
 #include <algorithm>

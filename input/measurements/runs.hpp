@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads a case once for each of its measured runs; also used for a case without runs.
 #pragma once
 
 #include <filesystem>

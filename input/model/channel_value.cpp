@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Unit and range for the value and the standard deviation of each kind of quantity.
+
 #include "input/model/channel_value.hpp"
 
 #include "input/text/quantity_specs.hpp"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Specification of measured values: which unit and range a value of a channel must have.
 #pragma once
 
 #include "input/text/quantity.hpp"

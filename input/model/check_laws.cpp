@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Checks that conductivity and heat capacity are positive at all temperatures of the case; warns of trouble below 150
+// degC and of unused materials.
+
 #include <algorithm>
 
 #include <fmt/format.h>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Takes the last two speed steps as the pattern, appends rows to [[drive.schedule]] and reads the longer case.
+
 #include "input/model/continued_schedule.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Continues a step-speed test beyond its last step, to find the step in which a critical temperature would be passed.
 #pragma once
 
 #include <optional>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads [drive]: constant inputs, [[drive.schedule]] tables and [[drive.file]] logs; the file of a measured run takes
+// precedence.
+
 #include <algorithm>
 
 #include <fmt/format.h>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads [initial]: start temperatures of the layers and of lumped nodes such as gas and rim, as values or as
+// "air_temperature".
+
 #include <algorithm>
 #include <map>
 

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads the four forms of a law into curves: constant, line or parabola about a point or through points (divided
+// differences), and table.
+
 #include "input/model/law.hpp"
 
 #include <array>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Material properties as functions of temperature, and other curves that a case gives as tables.
 #pragma once
 
 #include <optional>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads [[drive.file]]: the CSV log of a data logger, with the keys `columns` and `ignore`, as input signals.
+
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads [[material]]: density, heat capacity and conductivity, which may differ along meridian and circumference.
+
 #include <algorithm>
 
 #include <fmt/format.h>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads [[measured]]: a number or a range for a channel; the width of a range counts as a uniform distribution in the
+// standard uncertainty.
+
 #include <algorithm>
 #include <array>
 #include <cmath>

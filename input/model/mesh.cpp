@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads [mesh] by its kind; the kinds "two_node" (surface and bulk of the crown) and "layers" (one column through the
+// thickness) are here.
+
 #include <array>
 #include <cmath>
 

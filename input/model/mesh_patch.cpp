@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads [mesh] kind = "block" and "axisymmetric" (specimens), and the list [[mesh.layer]] that all layered kinds share.
+
 #include <cmath>
 
 #include <fmt/format.h>

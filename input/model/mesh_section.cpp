@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads [mesh] kind = "section": crown, shoulders and sidewalls along the meridian, and with `sectors` the ring around
+// the circumference.
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Turns the keys of each sensor kind into weighted means over nodes and a sentence that says what is read.
+
 #include "input/model/probes.hpp"
 
 #include <algorithm>

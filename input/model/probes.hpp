@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Places where a [[sensor]] reads the temperature: point, spot, patch, layer, zone, region, strip or lumped node.
 #pragma once
 
 #include <optional>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The case as far as it has been read, and the readers of its tables; each reader fills in the problem and reports all
+// errors.
 #pragma once
 
 #include <cassert>

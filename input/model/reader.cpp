@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Calls the readers of all tables in the order in which one may refer to another.
+
 #include "input/model/reader.hpp"
 
 #include <algorithm>

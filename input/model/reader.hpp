@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Entry point for case files: a TOML file with its includes and data files becomes a problem, or a list of input
+// errors.
 #pragma once
 
 #include <filesystem>

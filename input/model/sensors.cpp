@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads [[sensor]]: its kind, its angle on a ring, derived quantities such as cornering stiffness, and the standard
+// deviation.
+
 #include <algorithm>
 #include <array>
 #include <iterator>

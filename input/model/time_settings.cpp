@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads [time]: start, end or steady state, step or tolerance, output intervals, time-integration method and linear
+// solver.
+
 #include <array>
 
 #include <fmt/format.h>

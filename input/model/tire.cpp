@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads [tire]: size designation such as 225/50 R17, dimensions, laws of the load, moduli of the cornering stiffness
+// and the .tir property file.
+
 #include <array>
 #include <charconv>
 #include <cmath>

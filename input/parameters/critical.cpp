@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads [[critical]] (temperature limits for parts of the tire) and [[uncertain]] (case values known only with a
+// standard deviation).
+
 #include <algorithm>
 #include <cmath>
 

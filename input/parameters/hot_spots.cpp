@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Keeps the merged document of the case and reads it again with changed values for the uncertainty of hot spots.
+
 #include "input/parameters/hot_spots.hpp"
 
 #include <cmath>

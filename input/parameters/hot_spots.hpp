@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Input of the hot-spot analysis: the lists [[critical]] and [[uncertain]], and variants of the case that it needs.
 #pragma once
 
 #include <filesystem>

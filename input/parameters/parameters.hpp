@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads what may be fitted and how: [[parameter]], [identify] and [diagnose].
 #pragma once
 
 #include <string>

@@ -107,7 +107,8 @@ std::vector<int> acting_places(const ActiveEffect& active, Scope scope, std::siz
 /// A camera as a place: it is many channels, so that the effect must act on nothing else.
 bool resolve_camera_place(const CaseAsRead& in, const LocatedString& place, const Camera& camera,
                           const ActiveEffect& active, solver::FreeParameter& number) {
-    const bool alone = std::ranges::all_of(active.channels, [&](int channel) { return camera.channels.contains(channel); });
+    const bool alone =
+        std::ranges::all_of(active.channels, [&](int channel) { return camera.channels.contains(channel); });
     if (!alone || active.channels.empty() || !active.overrides.empty()) {
         in.errors.add(place.place,
                       alone ? fmt::format("{} does not act on the camera {}", active.title(), camera.name)

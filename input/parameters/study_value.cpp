@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Converts numbers between the units of the study and the case, and formats them for the case document.
+
 #include "input/parameters/study_value.hpp"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Values that studies and parameters write into a case: a number with its unit as written, or a word.
 #pragma once
 
 #include <optional>

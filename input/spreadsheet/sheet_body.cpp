@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes each parameter of the sheets under its key in the case, fills in defaults, and lists what was mapped and what
+// was assumed.
+
 #include "input/spreadsheet/sheet_body.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The TOML tables of a converted case, line by line, each with the cell that it came from.
 #pragma once
 
 #include <string>

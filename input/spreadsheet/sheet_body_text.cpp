@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Order and headings of the TOML tables of a converted case, and the way back from a line of text to its cell.
+
 #include <array>
 
 #include <fmt/format.h>

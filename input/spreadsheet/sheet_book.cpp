@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Detects the format of the workbook, gives every cell its place, and names cells like SEL!B4 in messages.
+
 #include "input/spreadsheet/sheet_book.hpp"
 
 #include <algorithm>

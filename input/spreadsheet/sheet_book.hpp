@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The thesis's spreadsheet as cells with places, whichever format it was read from: .xls, .xlsx or a folder of CSV
+// files.
 #pragma once
 
 #include <filesystem>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Converts in three steps: scan the sheets, write the case, read the case to check it; errors are reported at the
+// cells.
+
 #include "input/spreadsheet/sheet_case.hpp"
 
 #include <algorithm>

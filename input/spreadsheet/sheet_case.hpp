@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Converts the thesis's spreadsheet of ten sheets (thesis V.4 to V.7) into a case of the two-node model.
 #pragma once
 
 #include <filesystem>

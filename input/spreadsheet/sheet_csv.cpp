@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads the spreadsheet from a folder with one CSV file for each sheet.
+
 #include <algorithm>
 #include <array>
 #include <system_error>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Readers of the spreadsheet formats (Excel BIFF, Office Open XML, CSV), one source file for each library.
 #pragma once
 
 #include <filesystem>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Converts the three coefficients A, B, C of a law k or c = A T^2 + B T + C into a law of the case.
+
 #include <array>
 
 #include <fmt/format.h>

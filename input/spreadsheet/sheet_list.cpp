@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The list of all parameters of the thesis's sheets: name, key in the case, unit, default and its reason, and the
+// equation of the thesis.
+
 #include <array>
 
 #include "input/spreadsheet/sheet_parameters.hpp"

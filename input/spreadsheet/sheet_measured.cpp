@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads measured tables in the sheets: a row of headings with units over rows of numbers.
+
 #include <algorithm>
 #include <cmath>
 

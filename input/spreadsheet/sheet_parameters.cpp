@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Names of the ten sheets, their measured tables, and the comparison of names without case and punctuation.
+
 #include "input/spreadsheet/sheet_parameters.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Data model of what the thesis's sheets may contain: parameters and measured tables, and where each goes in a case.
 #pragma once
 
 #include <cstdint>

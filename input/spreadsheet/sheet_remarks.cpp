@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Computes masses, areas and laws with the model and reports where the measured values of the sheets differ most.
+
 #include "input/spreadsheet/sheet_remarks.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Compares values that the sheets state, and the program computes itself, with the computed ones.
 #pragma once
 
 #include "input/spreadsheet/sheet_case.hpp"

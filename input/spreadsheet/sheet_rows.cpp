@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds parameters in the rows of a sheet as name, value, unit and note, and reports unknown names and wrong units.
+
 #include "input/spreadsheet/sheet_rows.hpp"
 
 #include <algorithm>

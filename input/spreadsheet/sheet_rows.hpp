@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parameters and measured tables found in the sheets, with their places.
 #pragma once
 
 #include <string>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Turns units as spreadsheets write them ("W/m 2 K", raised digits) into units of a case and checks their dimension.
+
 #include <algorithm>
 #include <array>
 

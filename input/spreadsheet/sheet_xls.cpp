@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads Excel 97 to 2003 workbooks (BIFF) with FreeXL. The only file that includes it.
+
 #include <memory>
 
 #include <fmt/format.h>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads Office Open XML workbooks (.xlsx) with pugixml: sheets, shared strings and stored cell values.
+
 #include <cctype>
 #include <charconv>
 #include <map>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Opens ZIP archives with libzip for the .xlsx reader; parts above a size limit are refused.
+
 #include <memory>
 
 #include <fmt/format.h>

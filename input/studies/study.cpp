@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Makes the runs as the product of grid and samples, and reads the case with the values of every run before the first
+// one starts.
+
 #include "input/studies/study.hpp"
 
 #include <algorithm>

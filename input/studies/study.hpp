@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A study file: a case, the inputs that vary ([[vary]], [[draw]], [sample]) and the list of its runs.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Quantiles of the distributions; random numbers from std::seed_seq and std::mt19937_64, the same on every machine.
+
 #include "input/studies/study_draw.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Random draws for studies: normal, lognormal and uniform distributions, which may be truncated.
 #pragma once
 
 #include <cstdint>

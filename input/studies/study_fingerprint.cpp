@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes the document and the contents of its files into one text and hashes it with FNV-1a, 64 bit.
+
 #include "input/studies/study_fingerprint.hpp"
 
 #include <algorithm>

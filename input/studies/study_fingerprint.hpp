@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fingerprint of all that a run depends on, so that a study need not repeat runs that have not changed.
 #pragma once
 
 #include <map>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads [[vary]] (list or range of values), [[draw]] (distribution) and [sample] (number of samples, seed) of a study.
+
 #include <algorithm>
 #include <array>
 #include <cmath>

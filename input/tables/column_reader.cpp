@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Converts fields to SI and checks order, range and missing values; words the errors.
+
 #include "input/tables/column_reader.hpp"
 
 #include <cmath>

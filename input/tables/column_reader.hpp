@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads one column of a CSV or HDF5 file into SI values, checked for its purpose: clock, input, measured, point and
+// others.
 #pragma once
 
 #include <limits>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Splits headings like "speed [km/h]" and reads the keys `columns` and `rows` into checked numbers.
+
 #include "input/tables/columns.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Column headings `name [unit]`, and tables that a case gives inline as { columns, rows }.
 #pragma once
 
 #include <optional>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Splits lines into fields (separator, quotes, blanks), reads the headings and finds the place of a row.
+
 #include "input/tables/csv.hpp"
 
 #include <algorithm>

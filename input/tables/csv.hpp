@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reader of CSV files from data loggers: headings with units, comma, semicolon or tab as separator.
 #pragma once
 
 #include <optional>

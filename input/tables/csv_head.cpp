@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds the line of names and the line of units in a CSV file below the logger's own text.
+
 #include <algorithm>
 #include <deque>
 

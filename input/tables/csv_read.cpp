@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads the requested columns of a CSV file and reports lines with the wrong number of fields.
+
 #include <fmt/format.h>
 
 #include "input/tables/csv.hpp"

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Chooses CSV or HDF5 by the name of the file and passes the calls on.
+
 #include "input/tables/data_file.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A file of measured columns, CSV or HDF5, behind one interface.
 #pragma once
 
 #include <filesystem>

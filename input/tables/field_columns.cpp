@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Names, units and ranges of the columns: coordinates, area, pressure, sliding velocity, shear stress, friction power,
+// loss density.
+
 #include "input/tables/field_columns.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Columns or datasets that a field file of a structural code may have, with unit and range.
 #pragma once
 
 #include <span>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Checks which columns belong together, divides the rows into frames and computes the density at each point.
+
 #include "input/tables/field_file.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fields of a structural (finite element) code: pressure, friction power or loss density at points, in frames over time
+// or wheel angle.
 #pragma once
 
 #include <cstdint>

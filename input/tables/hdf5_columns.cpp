@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Checks that all datasets have one length and reads the requested ones into SI values.
+
 #include "input/tables/hdf5_columns.hpp"
 
 #include <algorithm>

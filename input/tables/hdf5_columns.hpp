@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Columns of an HDF5 file: one-dimensional datasets with the attribute `units`, in the root or in one group.
 #pragma once
 
 #include <filesystem>

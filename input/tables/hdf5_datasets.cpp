@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The calls of the HDF5 C library for reading: handles, text and number attributes, datasets and slices of them.
+
 #include "input/tables/hdf5_datasets.hpp"
 
 #include <algorithm>

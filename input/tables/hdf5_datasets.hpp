@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// HDF5 datasets of one or several dimensions; packed values follow the CF conventions (scale_factor, add_offset,
+// _FillValue).
 #pragma once
 
 #include <filesystem>

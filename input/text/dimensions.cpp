@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Names of physical dimensions with an example for error messages: "a length", "8 mm".
+
 #include <array>
 
 #include <fmt/format.h>

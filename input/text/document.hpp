@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A TOML document as values with their places in the files, independent of the parser, and the rules for `include`.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Limits repeated errors of one kind, such as those of a data column: five are reported, the rest is counted.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Formats errors as a compiler does (file, line, caret, remedy) and sorts them by place.
+
 #include "input/text/input_error.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Errors and warnings in user input, with file, line, column and remedy, collected so that all are shown at once.
 #pragma once
 
 #include <string>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parses numbers with units, checks unit, dimension and range, and words the errors with an example.
+
 #include "input/text/quantity.hpp"
 
 #include <charconv>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Physical quantities as users write them ("25 degC"), and the specification of unit and range that they must meet.
 #pragma once
 
 #include <limits>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Specifications (unit, allowed range, usual range) of the quantities that many tables share.
 #pragma once
 
 #include "input/text/quantity.hpp"

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Edit distance with transpositions (optimal string alignment) for "did you mean", and help with UTF-8 text.
+
 #include "input/text/suggestions.hpp"
 
 #include <algorithm>

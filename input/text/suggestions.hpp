@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds the known word that the user probably meant, and lists words for messages.
 #pragma once
 
 #include <string>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads a text file whole; refuses UTF-16, binary and empty files and suggests a similar name for a missing one.
+
 #include <cerrno>
 #include <cstdio>
 #include <memory>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parses TOML with toml++ into a document with places. The only file that includes toml++.
+
 #include <algorithm>
 
 #include <fmt/format.h>

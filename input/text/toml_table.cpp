@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Access to keys and subtables, the errors for missing and unknown keys, and the record of keys for the case reference.
+
 #include "input/text/toml_table.hpp"
 
 #include <algorithm>

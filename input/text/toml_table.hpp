@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Checked reading of a TOML table; the calls of the reader are the schema of the table, and unknown keys are reported.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Typed values of a TOML table: quantities, texts, names, choices, flags, counts and lists of texts.
+
 #include <algorithm>
 #include <cmath>
 

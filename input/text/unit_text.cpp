@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tables of unit aliases and of the products behind a slash (mK, m2K, kgK).
+
 #include "input/text/unit_text.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rewrites units as engineers write them for UDUNITS: aliases and products such as W/mK.
 #pragma once
 
 #include <string>

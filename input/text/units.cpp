@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Calls UDUNITS-2 behind a lock, with a cache of parsed units. The only file that includes it.
+
 #include "input/text/units.hpp"
 
 #include <array>

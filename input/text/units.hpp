@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Conversion of units with UDUNITS; distinguishes temperatures from temperature differences.
 #pragma once
 
 #include <cstdint>

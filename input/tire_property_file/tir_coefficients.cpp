@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Stores the known keys, requires those without which there is no force, and warns of keys that the version does not
+// use.
+
 #include "input/tire_property_file/tir_coefficients.hpp"
 
 #include <algorithm>

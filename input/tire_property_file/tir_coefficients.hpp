@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Magic Formula coefficients and scaling factors of pure slip in a TYDEX/ADAMS property file, MF 5.2 or MF 6.1.
 #pragma once
 
 #include "input/tire_property_file/tir_lines.hpp"

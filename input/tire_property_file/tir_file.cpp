@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads [UNITS], the version (FITTYP or PROPERTY_FILE_FORMAT), dimensions and load range, and checks the pressure.
+
 #include "input/tire_property_file/tir_file.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reader of TYDEX/ADAMS tire property files (.tir): Magic Formula MF 5.2 and MF 6.1 in pure slip, in SI units.
 #pragma once
 
 #include <filesystem>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Keys of the Magic Formula for pure slip in .tir files (PCX1, PDY1, LMUY ...), with the version that uses each: MF
+// 5.2, MF 6.1 or both.
 #pragma once
 
 #include <array>

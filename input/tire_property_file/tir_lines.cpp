@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Splits the lines, removes comments and quotes, skips tables, and reports every line that cannot be read.
+
 #include "input/tire_property_file/tir_lines.hpp"
 
 #include <algorithm>

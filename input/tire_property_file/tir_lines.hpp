@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Syntax of TYDEX/ADAMS property files: sections, KEY = value lines, comments and tables.
 #pragma once
 
 #include <optional>

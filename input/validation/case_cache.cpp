@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads each case of a validation table once and collects the errors and warnings of all cases.
+
 #include <algorithm>
 #include <system_error>
 

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Evaluates value, mean, maximum, minimum or time to a share of the change, with straight lines between rows.
+
 #include "input/validation/trace.hpp"
 
 #include <algorithm>

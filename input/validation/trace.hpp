@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Channels of a run over time, and the single numbers that are read from them.
 #pragma once
 
 #include <cstddef>

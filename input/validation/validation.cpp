@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads the table file, evaluates readouts, differences and ratios, and selects experiments with the runs that they
+// need.
+
 #include "input/validation/validation.hpp"
 
 #include <algorithm>

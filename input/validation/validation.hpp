@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Validation table: measured numbers, [[number]], and how each is read from the two-node and the section model.
 #pragma once
 
 #include <array>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads how a number is evaluated (case, channel, time, `minus`, `over`) and finds run and channel for each model.
+
 #include <algorithm>
 #include <array>
 

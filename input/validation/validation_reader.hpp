@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Interfaces within the reader of a validation table: case cache, evaluation and number.
 #pragma once
 
 #include <filesystem>

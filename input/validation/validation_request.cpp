@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads case or files, channel and time keys; values that are left out come from the request above.
+
 #include "input/validation/validation_request.hpp"
 
 #include <algorithm>

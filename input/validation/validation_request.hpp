@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One readout as it is written in a validation table, before run and channel are known.
 #pragma once
 
 #include <array>

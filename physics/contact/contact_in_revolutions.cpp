@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Collocation in y = sqrt(t/t_c) with a flux that is linear in each of 24 pieces, Abel integrals in closed form, and
+// earlier revolutions by the Taylor series of zeta(1/2, 1 + x).
+
 #include "physics/contact/contact_in_revolutions.hpp"
 
 #include <array>

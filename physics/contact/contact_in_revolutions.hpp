@@ -1,9 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Flux between a rolling tread and fresh road: two half-spaces in contact once a revolution, with memory of earlier
+// contacts (Carslaw & Jaeger 1959, sec. 2.9; Hurwitz zeta function, DLMF 25.11).
 #pragma once
 
 #include <optional>
 
-#include "physics/tire_laws/contact.hpp"
 #include "physics/effect.hpp"
+#include "physics/tire_laws/contact.hpp"
 
 namespace tiretherm::physics {
 

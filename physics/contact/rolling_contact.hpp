@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parameters and effusivities e = sqrt(k rho c) of tread and road, shared by the effects that resolve the contact.
 #pragma once
 
 #include <array>

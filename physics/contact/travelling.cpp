@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds the contact's angle l/R_R and the angle since entry, l/(2 R_R) +- (wheel angle - pi), and the part of a sector
+// that lies inside.
+
 #include "physics/contact/travelling.hpp"
 
 #include <algorithm>

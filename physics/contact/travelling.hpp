@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Position of the contact on a turning tire at a moment, as angles in the rubber's frame, and the share of each sector
+// that is in contact.
 #pragma once
 
 #include "mesh/mesh.hpp"

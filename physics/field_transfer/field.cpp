@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Linear interpolation in time between the frames of a field, held beyond the first and the last.
+
 #include "physics/field_transfer/field.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Field of a structural code on the nodes of a mesh (contact pressure, friction power or loss): how a total power is
+// distributed, at one time or several.
 #pragma once
 
 #include <cstddef>

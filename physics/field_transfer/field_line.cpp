@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Exact integrals of piecewise linear basis functions over an interval, and the grouping of scattered points into rows
+// of equal coordinate.
+
 #include "physics/field_transfer/field_line.hpp"
 
 #include <algorithm>

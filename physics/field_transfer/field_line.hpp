@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One-dimensional part of the field transfer: linear interpolation between points on a line, and rows of points.
 #pragma once
 
 #include <cstddef>

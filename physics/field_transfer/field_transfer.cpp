@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Integrates the piecewise linear field over each face or cell, along the meridian and then along the contact or in
+// depth, and reports points outside the mesh.
+
 #include "physics/field_transfer/field_transfer.hpp"
 
 #include <algorithm>

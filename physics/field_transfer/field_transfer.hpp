@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Conservative transfer of heat from points of a structural code to faces or cells: shares are never negative and sum
+// to 1 for each point; a uniform field stays uniform.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Closed forms under the parabolic pressure; the sliding power integrates friction times the sliding of a bristle's tip
+// per metre of rolling.
+
 #include "physics/tire_laws/brush.hpp"
 
 #include <algorithm>

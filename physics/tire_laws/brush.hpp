@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Brush model of the contact: force F = mu Fz (1 - (1 - |sigma|/sigma_sl)^3), aligning moment and sliding power under a
+// parabolic pressure (thesis (1)-(3)).
 #pragma once
 
 #include <cstddef>

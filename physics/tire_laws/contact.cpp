@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Closed forms with e^tau erfc(sqrt tau), which is replaced by its asymptotic series for large tau; for small tau a
+// Taylor series avoids cancellation.
+
 #include "physics/tire_laws/contact.hpp"
 
 #include <cmath>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Two half-spaces in short contact through a conductance h: h_mean = h (e^tau erfc(sqrt tau) - 1 + 2 sqrt(tau/pi))/tau
+// (Carslaw & Jaeger 1959, sec. 2.5 and 2.8).
 #pragma once
 
 namespace tiretherm::physics {

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Mixing rules for the moduli of a ply, and moduli at an angle psi to the cords (shear with cos^2 and sin^2 of 2 psi).
+
 #include "physics/tire_laws/cord_rubber.hpp"
 
 #include <cmath>

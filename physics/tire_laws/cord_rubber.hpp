@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Elastic moduli of a belt ply from its cords and rubber, along and at an angle to the cords (thesis (53)-(56), errata
+// E6, E10, E11).
 #pragma once
 
 namespace tiretherm::physics {

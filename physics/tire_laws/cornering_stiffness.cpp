@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Moduli of belt and tread in series, with the derivative with respect to the bulk temperature; CP is 0 without
+// contact.
+
 #include "physics/tire_laws/cornering_stiffness.hpp"
 
 #include <cmath>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cornering stiffness against bulk temperature: CP = E_eq l^2/2, 1/E_eq = 1/E_l + 1/E_T, lambda_Tb = CP/|K_ref| (thesis
+// (52), (59), (60), (69)-(71), errata E12, E13, E17).
 #pragma once
 
 #include "physics/tire.hpp"

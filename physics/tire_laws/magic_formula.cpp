@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds B, C, D, E and the shifts of each version, then F = D sin(C atan(Bx - E (Bx - atan Bx))) + S_V with x = slip +
+// S_H.
+
 #include "physics/tire_laws/magic_formula.hpp"
 
 #include <algorithm>

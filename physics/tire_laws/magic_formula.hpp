@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Magic Formula in pure slip for MF-Tyre 5.2, MF-Tyre 6.1 and Pacejka's book of 2006 (thesis (8)-(11), (58)-(60),
+// erratum E14); lambda_Tb scales K_y with the bulk temperature.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Multilinear interpolation on the full grid of a drum test, held beyond its ends, or the coast-down regression in the
+// units of its fit.
+
 #include "physics/tire_laws/measured_loss.hpp"
 
 #include <algorithm>

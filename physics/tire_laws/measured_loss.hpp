@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Strain-energy loss from a measured rolling resistance, P = F |V|: a table of a drum test or coast-down coefficients
+// (SAE J2452).
 #pragma once
 
 #include <array>
@@ -7,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "physics/tire_laws/rolling_resistance.hpp"
 #include "physics/signals.hpp"
+#include "physics/tire_laws/rolling_resistance.hpp"
 
 namespace tiretherm::physics {
 

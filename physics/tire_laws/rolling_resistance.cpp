@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Evaluates the moment (0 at 0.1 m/s and below), the drag (0 also without contact), the drum correction and the coast-
+// down regression.
+
 #include "physics/tire_laws/rolling_resistance.hpp"
 
 #include <cmath>

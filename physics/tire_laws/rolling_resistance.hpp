@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rolling resistance: M_y = E R_R/V, F_R = M_y/R_L (thesis (50), (51)); drum and air-temperature corrections (ISO
+// 28580); coast-down regression (SAE J2452).
 #pragma once
 
 #include "physics/tire.hpp"

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws the temperature channels of a run against time, with the measured values beside them.
+
 #include <algorithm>
 #include <array>
 #include <cmath>

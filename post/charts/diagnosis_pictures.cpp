@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws the residuals of a diagnosis by channel and run, for the base model and the extended one, with the 95 % band of
+// the noise.
+
 #include <algorithm>
 #include <array>
 #include <cmath>

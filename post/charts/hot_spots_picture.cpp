@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws the histories of hot spots and their surfaces with the critical temperatures, as a picture of channels.
+
 #include <algorithm>
 
 #include <fmt/format.h>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws the inferred missing heat as a map of place against time for each run, coloured by its standard deviations.
+
 #include <algorithm>
 #include <array>
 #include <cmath>

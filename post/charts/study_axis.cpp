@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Chooses between a linear axis and equal steps, divides long numbers by powers of ten, and draws axes and titles of
+// study pictures.
+
 #include "post/charts/study_axis.hpp"
 
 #include <algorithm>

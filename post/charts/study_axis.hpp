@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One side of a study's grid as an axis of a picture: numbers at their places, words and uneven numbers in equal steps.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "post/pictures/axes.hpp"
 #include "diagnosis/study/study_record.hpp"
+#include "post/pictures/axes.hpp"
 
 namespace tiretherm::post {
 

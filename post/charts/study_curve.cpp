@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws the hottest temperature against one varied quantity; with samples the median and the range of nine tenths of
+// them.
+
 #include <algorithm>
 #include <array>
 

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws the distribution of the hottest temperature over a study's samples, with bins after Freedman and Diaconis
+// (1981).
+
 #include <algorithm>
 #include <array>
 #include <cmath>

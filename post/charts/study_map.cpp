@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws the hottest temperature over two varied quantities as a coloured map with isotherms, one panel for each value
+// of the others.
+
 #include <algorithm>
 #include <array>
 #include <cmath>

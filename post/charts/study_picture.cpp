@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Chooses map, curve or histogram by how many sides of the study's grid have more than one value.
+
 #include "post/charts/study_picture.hpp"
 
 #include "post/charts/study_axis.hpp"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The picture of a study: the hottest temperature against what was varied.
 #pragma once
 
 #include <filesystem>

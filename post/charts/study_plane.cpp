@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Collects the median temperatures of a plane and interpolates them bilinearly onto pixels.
+
 #include "post/charts/study_plane.hpp"
 
 #include <algorithm>

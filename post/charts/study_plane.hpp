@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Temperatures of a study over two sides of its grid, the other sides held, ready for a map.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "post/pictures/isotherms.hpp"
 #include "post/charts/study_axis.hpp"
+#include "post/pictures/isotherms.hpp"
 
 namespace tiretherm::post {
 

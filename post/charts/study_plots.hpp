@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The three kinds of study picture, for the file that chooses between them: map, curve and histogram.
 #pragma once
 
 #include <filesystem>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Words the figures of a compared channel: bias, scatter against the sensor's noise, factor of the rise, and the
+// closest signal.
+
 #include "post/comparison/comparison_sentences.hpp"
 
 #include <cmath>

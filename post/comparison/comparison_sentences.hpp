@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Wording shared by the reports of a comparison: units of differences, "too hot" and "too cold", probabilities to one
+// figure.
 #pragma once
 
 #include <string>

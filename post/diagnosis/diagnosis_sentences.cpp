@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes the interpretation of each verdict: causes with sizes and intervals, unknown sources, confounded effects, and
+// the next experiment.
+
 #include "post/diagnosis/diagnosis_sentences.hpp"
 
 #include <algorithm>

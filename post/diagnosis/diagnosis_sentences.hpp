@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Names, sizes and the interpretation of a diagnosis in plain sentences.
 #pragma once
 
 #include <string>

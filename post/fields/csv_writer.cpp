@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes one CSV row for each snapshot and registers the output format "csv".
+
 #include "post/fields/csv_writer.hpp"
 
 #include <iterator>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Output format "csv": the channels of a run as channels.csv, one row for each output time.
 #pragma once
 
 #include <filesystem>

@@ -1,10 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Opens, labels and writes datasets through the C library of HDF5, and turns its error stack into a FileError.
+
 #include "post/fields/hdf5_file.hpp"
 
 #include <array>
 #include <type_traits>
 
-#include "post/report/file.hpp"
 #include "post/fields/hdf5_handle.hpp"
+#include "post/report/file.hpp"
 
 namespace tiretherm::post {
 

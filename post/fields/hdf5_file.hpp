@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// An HDF5 file written from front to back, readable even after the process was killed; hides the C library from other
+// files.
 #pragma once
 
 #include <cstddef>

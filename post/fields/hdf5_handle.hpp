@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Scoped handles and creation properties of HDF5, shared by the sources of Hdf5File only.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Datasets of Hdf5File that grow by rows: chunked, compressed where a row is large, and appended in place.
+
 #include <array>
 
 #include "post/fields/hdf5_file.hpp"

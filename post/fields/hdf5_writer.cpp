@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lays out case, mesh, channels, heat budget and fields in the file, holds rows back for at most half a second, and
+// registers the format "hdf5".
+
 #include "post/fields/hdf5_writer.hpp"
 
 #include <array>

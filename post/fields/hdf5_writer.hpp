@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Output format "hdf5": results.h5 with case, mesh, channels, heat budget and temperature fields in SI units.
 #pragma once
 
 #include <chrono>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Builds the VTK grid of a mesh with layers and zones, writes field files and the series file, and registers the format
+// "vtk".
+
 #include "post/fields/vtk_writer.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Output format "vtk": temperature fields as a time series for ParaView (.vtu files and field.pvd).
 #pragma once
 
 #include <filesystem>

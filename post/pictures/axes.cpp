@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws ticks, numbers and names of horizontal and vertical axes.
+
 #include "post/pictures/axes.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Linear axes of pictures, with the colours and sizes that all pictures share.
 #pragma once
 
 #include <string>

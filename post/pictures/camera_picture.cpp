@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws three panels with their colour scales, in mm about the origin of the specimen.
+
 #include "post/pictures/camera_picture.hpp"
 
 #include <algorithm>

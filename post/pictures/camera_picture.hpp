@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Picture of one camera frame: measured, simulated and difference side by side.
 #pragma once
 
 #include <filesystem>

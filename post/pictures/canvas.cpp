@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lines, areas, text and images by cairo; the only source that includes it.
+
 #include "post/pictures/canvas.hpp"
 
 #include <cmath>

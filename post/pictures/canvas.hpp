@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A drawing surface that is saved as PNG, without a display.
 #pragma once
 
 #include <filesystem>

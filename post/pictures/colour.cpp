@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Control points of the colour map and the line colours.
+
 #include "post/pictures/colour.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Colours of pictures: matplotlib's perceptually uniform map "inferno" for temperatures, and line colours by Okabe and
+// Ito (2008).
 #pragma once
 
 #include <span>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws the bar pixel by pixel with its ticks and temperatures below.
+
 #include "post/pictures/colour_bar.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The temperature scale below the picture of a field.
 #pragma once
 
 #include "post/pictures/canvas.hpp"

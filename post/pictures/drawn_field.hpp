@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Temperatures at the corner points of the drawn cells, interpolated from the nodes of the mesh.
 #pragma once
 
 #include <span>

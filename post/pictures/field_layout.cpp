@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Computes size and position of the plane on the page and samples the field at the pixels.
+
 #include "post/pictures/field_layout.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Layout of a picture of the temperature across the thickness, and the field as a raster of pixels.
 #pragma once
 
 #include "post/pictures/axes.hpp"

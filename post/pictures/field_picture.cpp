@@ -1,13 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws the temperature across the thickness: colours, isotherms with their values, layers, axes and the hottest place.
+
 #include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
 
 #include "post/pictures/axes.hpp"
-#include "solver/celsius.hpp"
 #include "post/pictures/colour_bar.hpp"
 #include "post/pictures/field_layout.hpp"
 #include "post/pictures/picture.hpp"
+#include "solver/celsius.hpp"
 
 namespace tiretherm::post {
 

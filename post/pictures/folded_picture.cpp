@@ -1,16 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws the temperature of a tire's cross-section in its real shape, with the borders of layers and zones and the
+// hottest place.
+
 #include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
 
+#include "mesh/place.hpp"
 #include "mesh/ring.hpp"
 #include "post/pictures/axes.hpp"
-#include "solver/celsius.hpp"
 #include "post/pictures/colour_bar.hpp"
 #include "post/pictures/drawn_field.hpp"
 #include "post/pictures/field_layout.hpp"
 #include "post/pictures/picture.hpp"
-#include "mesh/place.hpp"
+#include "solver/celsius.hpp"
 
 namespace tiretherm::post {
 

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds pixels on a level by the local gradient, and places for the labels away from one another and from the frame.
+
 #include "post/pictures/isotherms.hpp"
 
 #include <algorithm>

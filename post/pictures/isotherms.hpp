@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A field on pixels, its colours with isotherms, and where the isotherms carry their labels.
 #pragma once
 
 #include <span>

@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The pictures of a run: field across the thickness, folded tire section, unrolled tread, and channels against time.
 #pragma once
 
 #include <filesystem>
 #include <span>
 #include <string>
 
-#include "post/report/history.hpp"
 #include "post/pictures/section_plane.hpp"
+#include "post/report/history.hpp"
 #include "solver/problem.hpp"
 
 namespace tiretherm::post {

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Extracts the plane from a mesh, adds interface temperatures from equal heat flux on both sides, and crops a uniform
+// rim.
+
 #include "post/pictures/section_plane.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Temperatures in the plane of width (or radius) and depth, ready to be drawn.
 #pragma once
 
 #include <span>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Chooses the step of an axis and the number of decimals of its labels.
+
 #include "post/pictures/ticks.hpp"
 
 #include <algorithm>

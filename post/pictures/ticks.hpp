@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Round values for axes and isotherms: multiples of 1, 2, 2.5 or 5 times a power of ten.
 #pragma once
 
 #include <string>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws the tread surface of a ring unrolled, angle against meridian, with the position of the contact.
+
 #include <algorithm>
 #include <array>
 #include <cmath>

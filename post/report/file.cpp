@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writing beside the old file and renaming, appending by lines, and error messages with the system's reason.
+
 #include "post/report/file.hpp"
 
 #include <cerrno>

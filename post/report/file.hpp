@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reading and writing files safely: whole replacement by renaming, append-only text, folders, and the error that names
+// path and reason.
 #pragma once
 
 #include <cstdio>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Stores the channel values of each snapshot and interpolates linearly between rows.
+
 #include "post/report/history.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The channels of a run kept in memory, for comparison with measured values and for pictures.
 #pragma once
 
 #include <cstddef>

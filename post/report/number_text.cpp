@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rounds a value to the digits of its interval, and rewrites units with negative powers as fractions.
+
 #include "post/report/number_text.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Numbers and units as engineers write them.
 #pragma once
 
 #include <string>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Appends headings and sections, and wraps paragraphs.
+
 #include "post/report/page.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A page of text with headings, as the commands print it on a terminal.
 #pragma once
 
 #include <string>

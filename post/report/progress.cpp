@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rewrites the progress line at most ten times a second, cut to the width of the terminal.
+
 #include "post/report/progress.hpp"
 
 #include <algorithm>
@@ -6,8 +9,8 @@
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 
-#include "solver/celsius.hpp"
 #include "post/report/table.hpp"
+#include "solver/celsius.hpp"
 
 namespace tiretherm::post {
 
@@ -35,9 +38,9 @@ std::string cut_to_width(const std::string& line, std::FILE* stream) {
 std::string progress_line(const std::string& name, const Advance& advance) {
     const double done = advance.time - advance.start;
     const double whole = advance.end - advance.start;
-    std::string line =
-        fmt::format("{}  {:.0f} %  t = {:.0f} s of {:.0f} s  hottest {:.1f} °C", name,
-                    whole > 0.0 ? 100.0 * done / whole : 100.0, advance.time, advance.end, solver::celsius(advance.hottest));
+    std::string line = fmt::format("{}  {:.0f} %  t = {:.0f} s of {:.0f} s  hottest {:.1f} °C", name,
+                                   whole > 0.0 ? 100.0 * done / whole : 100.0, advance.time, advance.end,
+                                   solver::celsius(advance.hottest));
     if (done > 0.0) {
         line += fmt::format("  {} x real time  {:.1f} s left", grouped(done / advance.elapsed),
                             advance.elapsed * (whole - done) / done);

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The progress line of a run on a terminal: share done, simulated time, hottest temperature, speed and remaining time.
 #pragma once
 
 #include <chrono>

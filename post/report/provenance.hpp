@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where results come from: program version and case text, stored with every result file.
 #pragma once
 
 #include <string>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Column widths by visible characters, line wrapping, and digits in groups of three.
+
 #include "post/report/table.hpp"
 
 #include <algorithm>

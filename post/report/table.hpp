@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Plain text tables with aligned columns, and wrapped paragraphs.
 #pragma once
 
 #include <cstddef>

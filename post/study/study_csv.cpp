@@ -1,10 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The runs of a study as a CSV table, one row for each run.
+
 #include <iterator>
 
 #include <fmt/format.h>
 
+#include "post/study/study_tables.hpp"
 #include "solver/celsius.hpp"
 #include "solver/channel_unit.hpp"
-#include "post/study/study_tables.hpp"
 
 namespace tiretherm::post {
 
@@ -52,8 +55,8 @@ std::string study_csv(const StudyRecord& study) {
             text += "," + cell(run.failure) + std::string(6 + 3 * study.channels.size(), ',') + "\n";
             continue;
         }
-        fmt::format_to(std::back_inserter(text), ",ok,{:.4f},{:.6g},{},{}", solver::celsius(run.hottest), run.hottest_time,
-                       cell(run.hottest_layer), cell(run.hottest_zone));
+        fmt::format_to(std::back_inserter(text), ",ok,{:.4f},{:.6g},{},{}", solver::celsius(run.hottest),
+                       run.hottest_time, cell(run.hottest_layer), cell(run.hottest_zone));
         for (std::size_t c = 0; c < study.channels.size(); ++c) {
             const solver::ShownUnit unit = solver::shown_unit(study.channels[c].quantity);
             for (const double value : {run.channel_final[c], run.channel_min[c], run.channel_max[c]}) {

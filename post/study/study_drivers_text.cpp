@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Formats the regression of a study: strongest quantities, explained variance, and the probability of passing the
+// critical temperature.
+
 #include "post/study/study_drivers_text.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The linear regression of a study as a text table.
 #pragma once
 
 #include <optional>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes CSV, HDF5 and picture of a study into its folder, and removes those of an earlier study.
+
 #include "post/study/study_files.hpp"
 
 #include <algorithm>
@@ -5,8 +8,8 @@
 #include <thread>
 
 #include "input/text/unit_text.hpp"
-#include "post/report/file.hpp"
 #include "post/charts/study_picture.hpp"
+#include "post/report/file.hpp"
 #include "post/study/study_tables.hpp"
 
 namespace tiretherm::post {
@@ -51,28 +54,28 @@ std::vector<fs::path> StudyFiles::write(const diagnosis::StudyRecord& study) con
 
 diagnosis::StudyRecord study_record(const input::Study& study, std::vector<diagnosis::StudyOutcome> outcomes) {
     diagnosis::StudyRecord record{.title = study.title,
-                             .study_file = study.file.generic_string(),
-                             .study_text = read_text(study.file),
-                             .case_file = study.case_file.generic_string(),
-                             .case_name = study.case_name,
-                             .version = TIRETHERM_VERSION,
-                             .critical = study.critical,
-                             .columns = {},
-                             .sides = {},
-                             .samples = study.samples,
-                             .is_sampled = study.is_sampled(),
-                             .channels = study.channels,
-                             .outcomes = std::move(outcomes),
-                             .warnings = {}};
+                                  .study_file = study.file.generic_string(),
+                                  .study_text = read_text(study.file),
+                                  .case_file = study.case_file.generic_string(),
+                                  .case_name = study.case_name,
+                                  .version = TIRETHERM_VERSION,
+                                  .critical = study.critical,
+                                  .columns = {},
+                                  .sides = {},
+                                  .samples = study.samples,
+                                  .is_sampled = study.is_sampled(),
+                                  .channels = study.channels,
+                                  .outcomes = std::move(outcomes),
+                                  .warnings = {}};
     for (std::size_t i = 0; i < study.inputs.size(); ++i) {
         const input::StudyInput& input = study.inputs[i];
         diagnosis::StudyColumn column{.key = input.key.text,
-                                 .unit = input.unit,
-                                 .udunits = input::spelt_out(input.unit),
-                                 .is_number = input.is_number,
-                                 .is_drawn = input.is_drawn,
-                                 .texts = {},
-                                 .numbers = {}};
+                                      .unit = input.unit,
+                                      .udunits = input::spelt_out(input.unit),
+                                      .is_number = input.is_number,
+                                      .is_drawn = input.is_drawn,
+                                      .texts = {},
+                                      .numbers = {}};
         for (std::size_t run = 0; run < study.runs.size(); ++run) {
             column.texts.push_back(study.value(run, i).text);
             column.numbers.push_back(study.value(run, i).number);

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The folder of a study's results and the files in it.
 #pragma once
 
 #include <filesystem>
@@ -27,7 +29,8 @@ private:
 };
 
 /// A study with its outcomes, as it is written and drawn. @param outcomes [runs]
-[[nodiscard]] diagnosis::StudyRecord study_record(const input::Study& study, std::vector<diagnosis::StudyOutcome> outcomes);
+[[nodiscard]] diagnosis::StudyRecord study_record(const input::Study& study,
+                                                  std::vector<diagnosis::StudyOutcome> outcomes);
 
 /// How many runs are made at a time. @param asked 0: as many as the machine has
 [[nodiscard]] unsigned threads_used(unsigned asked, std::size_t runs);

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The runs of a study as an HDF5 file in SI units, one array for each quantity.
+
 #include <functional>
 #include <limits>
 

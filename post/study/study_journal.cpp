@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads and appends the JSON lines, drops a line that was cut off, and locks the file against a second process.
+
 #include "post/study/study_journal.hpp"
 
 #include <fcntl.h>

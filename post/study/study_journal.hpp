@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Journal of a study's completed runs, one JSON line each, so that an interrupted study continues where it ended.
 #pragma once
 
 #include <filesystem>

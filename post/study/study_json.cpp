@@ -1,11 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The summary of a study as JSON: runs, statistics at the points of its grid, regression and cost.
+
 #include <algorithm>
 
 #include <nlohmann/json.hpp>
 
-#include "solver/celsius.hpp"
 #include "diagnosis/study/study_drivers.hpp"
 #include "diagnosis/study/study_statistics.hpp"
 #include "post/study/study_summary.hpp"
+#include "solver/celsius.hpp"
 
 namespace tiretherm::post {
 

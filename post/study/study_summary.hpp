@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The summary of a study, as text for people and as JSON for programs.
 #pragma once
 
 #include <filesystem>

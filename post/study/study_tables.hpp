@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The runs of a study as tables: CSV text and HDF5 file.
 #pragma once
 
 #include <filesystem>

@@ -1,13 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The text summary of a study: hottest temperatures over its grid, probabilities with intervals, regression and failed
+// runs.
+
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "solver/celsius.hpp"
-#include "post/report/page.hpp"
-#include "post/study/study_drivers_text.hpp"
 #include "diagnosis/study/study_statistics.hpp"
-#include "post/study/study_summary.hpp"
+#include "post/report/page.hpp"
 #include "post/report/table.hpp"
+#include "post/study/study_drivers_text.hpp"
+#include "post/study/study_summary.hpp"
+#include "solver/celsius.hpp"
 
 namespace tiretherm::post {
 
@@ -69,8 +73,8 @@ std::string points_text(const StudyRecord& study) {
     const bool judged = study.is_sampled && study.critical;
     Table table({true, false, false, false, true});
     if (study.is_sampled) {
-        table.add(
-            {"", "5 %", "median", "95 %", judged ? fmt::format("above {:.6g} degC", solver::celsius(*study.critical)) : ""});
+        table.add({"", "5 %", "median", "95 %",
+                   judged ? fmt::format("above {:.6g} degC", solver::celsius(*study.critical)) : ""});
     }
     for (std::size_t point = 0; point < study.points(); ++point) {
         const std::vector<double> hottest = hottest_at(study, point);
@@ -118,9 +122,10 @@ std::string extremes_text(const StudyRecord& study) {
     for (const auto& [name, found] : {std::pair("hottest", hottest), std::pair("coldest", coldest)}) {
         const auto run = static_cast<std::size_t>(found - study.outcomes.begin());
         const std::string zone = found->hottest_zone.empty() ? "" : ", " + found->hottest_zone;
-        text += wrap(fmt::format("{} run: {:.1f} degC in {}{} at {:.6g} s; run {}: {}", name, solver::celsius(found->hottest),
-                                 found->hottest_layer, zone, found->hottest_time, run + 1, values_of(study, run)),
-                     2);
+        text += wrap(
+            fmt::format("{} run: {:.1f} degC in {}{} at {:.6g} s; run {}: {}", name, solver::celsius(found->hottest),
+                        found->hottest_layer, zone, found->hottest_time, run + 1, values_of(study, run)),
+            2);
     }
     if (study.critical && !study.is_sampled) {
         const auto passing = static_cast<std::size_t>(

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Decimals by unit, ranges with uncertainty, differences with sign, and the rows of figures for each model.
+
 #include "post/validation/validation_cells.hpp"
 
 #include <cmath>

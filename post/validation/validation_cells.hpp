@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cells of a validation table, common to its text and Markdown forms.
 #pragma once
 
 #include <string>

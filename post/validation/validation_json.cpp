@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A validation table as one JSON object; an open end of a measured range is null.
+
 #include <cmath>
 
 #include <nlohmann/json.hpp>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sets a validation table as aligned text for a terminal and as Markdown, with its legend and figures.
+
 #include "post/validation/validation_table.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Renders a validation table as text, Markdown and JSON.
 #pragma once
 
 #include <string>

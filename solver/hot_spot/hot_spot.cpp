@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parabolas through three nodes about the hottest one, in depth and along the meridian, on one side of jumps of
+// material or thickness; passing times by linear interpolation.
+
 #include "solver/hot_spot/hot_spot.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Hottest place of a part of the tire, also between cell centres, its history over a run, and the time when it passes a
+// critical temperature.
 #pragma once
 
 #include <array>

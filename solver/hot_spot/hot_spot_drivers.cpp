@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Slopes from one tangent run that reads the temperature at the fixed hottest places; the variances of independent
+// parameters add up.
+
 #include "solver/hot_spot/hot_spot_drivers.hpp"
 
 #include <algorithm>

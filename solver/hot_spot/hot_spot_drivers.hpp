@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// First-order uncertainty of a hot spot: its slopes with uncertain parameters, the share of each in the variance, and
+// the probability of exceeding a temperature.
 #pragma once
 
 #include <span>

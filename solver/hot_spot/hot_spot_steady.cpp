@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Solves one steady state for each constant step of a schedule; the surface threshold is interpolated linearly between
+// the two steps around the critical temperature.
+
 #include "solver/hot_spot/hot_spot_steady.hpp"
 
 #include <cmath>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Steady hot spot and surface of each step of a test, and the surface temperature at which a hot spot would reach its
+// critical temperature in a slow test.
 #pragma once
 
 #include <limits>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Splits a run at the points of its schedules into steps and ramps, and joins neighbours with the same speed and load.
+
 #include "solver/hot_spot/schedule_steps.hpp"
 
 #include <algorithm>

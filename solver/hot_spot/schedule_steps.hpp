@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Steps and ramps of a test's schedule: stretches over which speed and load are constant or change linearly.
 #pragma once
 
 #include <span>

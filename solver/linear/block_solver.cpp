@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sweeps over all columns until the estimated error is small; when a sweep leaves more than 35 % of the error, the
+// remaining columns go to the Krylov iteration.
+
 #include "solver/linear/block_solver.hpp"
 
 #include <algorithm>

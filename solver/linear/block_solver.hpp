@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Solves J X = B for several right-hand sides with the kept factor M of a matrix near J: X <- X + M^-1 (B - J X). Used
+// by tangent and adjoint.
 #pragma once
 
 #include <span>

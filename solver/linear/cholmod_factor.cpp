@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sparse Cholesky factor by CHOLMOD with a solve of eight columns side by side; chooses between it and incomplete
+// Cholesky by the predicted fill.
+
 #include <algorithm>
 #include <array>
 #include <cassert>

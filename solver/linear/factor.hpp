@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Interface of a factorised symmetric positive definite matrix: all that the solver knows about linear algebra
+// libraries.
 #pragma once
 
 #include <memory>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Incomplete Cholesky preconditioner by Eigen (limited memory, Lin and More 1999) in the natural order of the nodes.
+
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A new direction is made orthogonal to two past ones, or to one when J is symmetric; the iteration ends on the
+// preconditioned residual M^-1 (b - J x).
+
 #include "solver/linear/krylov.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Iterative solver for J x = b with a preconditioner: truncated generalised conjugate residuals, Orthomin(k)
+// (Eisenstat, Elman & Schultz 1983).
 #pragma once
 
 #include <span>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Builds the compressed-row pattern from the faces of a mesh; products with the matrix, its transpose and blocks of
+// columns (four at a time).
+
 #include "solver/linear/matrix.hpp"
 
 #include <algorithm>

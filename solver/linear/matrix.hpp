@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sparse matrix on the pattern of a mesh, plus the few outer products row * mean' of laws that follow a region's mean
+// temperature.
 #pragma once
 
 #include <span>

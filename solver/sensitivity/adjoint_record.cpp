@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Repeats a run with given steps and keeps its stages, effect coefficients and the linear form of every sampled output.
+
 #include "solver/sensitivity/adjoint_record.hpp"
 
 namespace tiretherm::solver {

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Discrete tangent and adjoint of a run for heat added at each step and node: (forward(h), w) = (h, backward(w)) for
+// heat h and weights w on the outputs.
 #pragma once
 
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tangent and adjoint sweeps through the steps of a record.
 #include <algorithm>
 #include <cmath>

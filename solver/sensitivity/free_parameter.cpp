@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads and moves a parameter. A law k(T) or c(T) with one knot is scaled; with two or three the Lagrange polynomial of
+// the knots is added.
+
 #include "solver/sensitivity/free_parameter.hpp"
 
 #include <algorithm>

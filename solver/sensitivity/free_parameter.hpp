@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A parameter that fits and sensitivities may move: a parameter of an effect, the value of k(T) or c(T) at a
+// temperature, or an initial temperature.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Difference quotients between two neighbouring problems, normally one on each side of the value; different one-sided
+// slopes reveal a switch or a clamp.
+
 #include "solver/sensitivity/parameter_perturbation.hpp"
 
 #include <algorithm>

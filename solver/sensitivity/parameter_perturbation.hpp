@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Partial derivatives with respect to one parameter at a given state, dq/dp, dH/dp and those of the initial state and
+// the outputs: the right-hand sides of the tangent.
 #pragma once
 
 #include <memory>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Marches over given steps (otherwise those of the error control) or solves the steady state and carries the tangent
+// along; a step that does not converge is halved.
+
 #include "solver/sensitivity/prediction.hpp"
 
 #include <algorithm>

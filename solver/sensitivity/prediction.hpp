@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Values of the channels at requested times and, on request, their derivatives with respect to free parameters.
 #pragma once
 
 #include <span>
@@ -26,9 +28,9 @@ struct Prediction {
     Status status;
     std::size_t n_times = 0;
     std::size_t n_channels = 0;
-    std::vector<double> value;       ///< [n_times][n_channels] SI
-    std::vector<double> slope;       ///< [n_parameters][n_times][n_channels] SI per unit of the parameter
-    std::vector<double> step_ends;   ///< s: the steps taken
+    std::vector<double> value;      ///< [n_times][n_channels] SI
+    std::vector<double> slope;      ///< [n_parameters][n_times][n_channels] SI per unit of the parameter
+    std::vector<double> step_ends;  ///< s: the steps taken
     std::vector<std::string>
         non_smooth_parameters;  ///< parameters at a switch or a clamp, where the slope is that of one side
 

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Solves the linearised stages for all parameters at once with the block solver and the kept factor of the run; surface
+// nodes without capacity by a diagonal iteration.
+
 #include "solver/sensitivity/tangent.hpp"
 
 #include <algorithm>

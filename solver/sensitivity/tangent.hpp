@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sensitivities S = dT/dp carried along with a run: (C - s dq/dT) S = d(known)/dp - dH/dp + s dq/dp at every stage of a
+// step.
 #pragma once
 
 #include <memory>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// State of a run between two steps as numbers, from which a resumed run ends with the same digits, and the archive that
+// writes and reads it.
 #pragma once
 
 #include <cstddef>

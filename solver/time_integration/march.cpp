@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Time loop with the step factor 0.9 (tolerance/error)^(1/(order + 1)) and a dead zone; steps end on the stops of the
+// inputs and on logged samples.
+
 #include "solver/time_integration/march.hpp"
 
 #include <algorithm>

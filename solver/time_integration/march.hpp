@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs a problem from its start to its end or to its steady state; snapshots go to an observer, totals into a report.
 #pragma once
 
 #include <functional>

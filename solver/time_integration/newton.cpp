@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Damped Newton iteration; a factor is kept until its age has cost more solves than a new one. A constant shift of all
+// temperatures closes the energy balance of the mesh.
+
 #include "solver/time_integration/newton.hpp"
 
 #include <algorithm>

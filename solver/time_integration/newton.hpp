@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Solves one implicit stage H(T) - s q(T) = known by Newton's method, iterating on the kept factor of A = C + s K; the
+// heat budget closes to round-off.
 #pragma once
 
 #include <memory>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Interpolates temperatures and heat at output times inside a step, reads the channels there, and keeps extremes and
+// the temperatures for range warnings.
+
 #include "solver/time_integration/output_sampler.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a run reports while it goes: rows at the output times, stored fields, extremes and range warnings.
 #pragma once
 
 #include <span>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Checks the problem, runs it until the end or a stop signal, and turns every failure and exception into a result.
+
 #include "solver/time_integration/run_to_end.hpp"
 
 #include <exception>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One run of many: its report, or the reason why it has none. Never throws.
 #pragma once
 
 #include <functional>

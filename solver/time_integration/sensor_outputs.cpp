@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Follows each channel by the parabola through the stages of a step, solves tau dm/dt = v - m along it in closed form,
+// and looks up delays in the kept past.
+
 #include "solver/time_integration/sensor_outputs.hpp"
 
 #include <algorithm>

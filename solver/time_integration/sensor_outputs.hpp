@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Channels as the sensors give them: the quantity at its place, then the sensor models in the order of the catalogue;
+// also as linear forms for the adjoint.
 #pragma once
 
 #include <array>

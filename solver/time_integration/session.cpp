@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Takes one step of the problem's method per call, without error control, with inputs that are linear between two
+// calls.
+
 #include "solver/time_integration/session.hpp"
 
 #include <cmath>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Real-time interface: the caller gives a step and the inputs at its end and reads temperatures. Bounded work, no lock,
+// no file.
 #pragma once
 
 #include <memory>

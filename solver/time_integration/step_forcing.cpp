@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Simpson's rule between logged samples gives mean and first moment of each coefficient; the slope is limited, and the
+// largest integral left out is kept for the error estimate.
+
 #include "solver/time_integration/step_forcing.hpp"
 
 #include <algorithm>

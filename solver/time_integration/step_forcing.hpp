@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Coefficients of all effects at the stages of a step. Over logged samples they follow the straight line with the same
+// mean and first moment as the series.
 #pragma once
 
 #include <span>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Stages of a step, error estimate filtered by A^-1 into kelvin, heat budget of each effect, interpolation by the
+// parabola through the stages, steady states.
+
 #include "solver/time_integration/stepper.hpp"
 
 #include <algorithm>

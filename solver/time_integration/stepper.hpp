@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Advances dH/dt = q(T, t) by one step of TR-BDF2 or backward Euler, with an estimate of the local error and the heat
+// budget of every effect.
 #pragma once
 
 #include <span>

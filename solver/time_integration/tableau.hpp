@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Coefficients of the time integration methods: TR-BDF2 with a third-order companion (Hosea and Shampine 1996) and
+// backward Euler.
 #pragma once
 
 #include <array>

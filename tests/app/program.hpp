@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Calls the built program as a user does and keeps its output, its messages and its exit status.
 #pragma once
 
 #include <sys/wait.h>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Help, version, `check`, `effects` and wrong command lines: the printed words and the exit status.
+
 #include <algorithm>
 
 #include <gtest/gtest.h>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `tiretherm compare`: page, files and JSON for logs with a known offset; exit status 1 for bad input, 2 for a failed
+// run.
+
 #include <algorithm>
 
 #include <gtest/gtest.h>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `tiretherm convert`: the case made from a spreadsheet runs, all formats give the same case, and nothing is written on
+// errors.
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 

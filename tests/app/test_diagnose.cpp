@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `tiretherm diagnose` on made-up logs whose hidden cause is known: it is named, nothing is named where nothing is
+// hidden, bad input is refused.
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>

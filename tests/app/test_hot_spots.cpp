@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `tiretherm run` on a case with critical temperatures, as a user and a program read it.
 #include <cmath>
 

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `tiretherm identify` on made-up logs: intervals contain the true values, the fitted case runs and gives the fit, bad
+// input is refused.
+
 #include <algorithm>
 #include <array>
 
@@ -217,7 +221,8 @@ TEST(Identify, AFileIsNoPlaceForFiles) {
     const std::string file = fits.written.add("taken", "a file\n").string();
     const Call fit = call("identify " + library + "two_node/identify_saturation.toml --out " + file);
     EXPECT_EQ(fit.exit_code, 1);
-    EXPECT_EQ(fit.err, "tiretherm: cannot create the directory " + file + ": Not a directory; choose another directory with --out\n");
+    EXPECT_EQ(fit.err, "tiretherm: cannot create the directory " + file +
+                           ": Not a directory; choose another directory with --out\n");
     EXPECT_EQ(post::read_text(file), "a file\n");
 }
 

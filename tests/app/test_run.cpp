@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `tiretherm run`: summary, JSON, files, options, errors, numerical failure and Ctrl-C; temperatures against an
+// independent integration.
+
 #include <fcntl.h>
 #include <unistd.h>
 

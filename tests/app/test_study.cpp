@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `tiretherm study`: runs, files and journal; an interrupted study ends with the same files, for any number of threads.
+
 #include <fcntl.h>
 #include <unistd.h>
 

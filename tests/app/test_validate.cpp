@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `tiretherm validate`: table and JSON of a small table against an independent integration; each case runs once,
+// failures keep their row.
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 

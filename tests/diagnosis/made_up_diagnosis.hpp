@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Hand-made diagnoses of every verdict, for tests of their reports.
 #pragma once
 
 #include "diagnosis/detect/candidates.hpp"

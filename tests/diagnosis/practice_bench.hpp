@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads the shipped logs of cases/practice, changes them, and fits the practice case, for tests of the identification.
 #pragma once
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs a case of the library and returns its channels row by row, to be compared with an independent truth.
 #pragma once
 
 #include <algorithm>
@@ -7,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "support/written.hpp"
 #include "solver/time_integration/march.hpp"
+#include "support/written.hpp"
 
 namespace hidden_effects {
 

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws programme, parameters and noise from a seed and writes the logs that the program then reads.
+
 #include "hidden_effects/made_up_bench.hpp"
 
 #include <stdexcept>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Made-up runs of the two-node bench with known parameters, for tests of coverage.
 #pragma once
 
 #include <cstdint>

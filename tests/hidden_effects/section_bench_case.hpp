@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs the practice cases on a section with a given log and returns their sensor readings, to be compared with a truth.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "input/measurements/measured_bench.hpp"
 #include "hidden_effects/case_rows.hpp"
 #include "hidden_effects/made_up_bench.hpp"
+#include "input/measurements/measured_bench.hpp"
 #include "section/section_columns_truth.hpp"
 
 namespace hidden_effects {

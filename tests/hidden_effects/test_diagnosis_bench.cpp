@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What must hold of any diagnosis, whatever the data: on data sets of the exam of the bench.
 #include <algorithm>
 #include <fstream>

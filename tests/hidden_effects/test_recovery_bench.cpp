@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Benches of two nodes with known numbers: does identify find them again, as often as its intervals say?
 //     truth: 8 (or 200) sets of three runs of forty minutes, scales and starts drawn, tests/truths
 //     fit:   cases/practice/two_node_bench.toml, 8 numbers

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // K1(T) and K2(T) from a laser at three powers: do 95 % intervals hold what is true, 19 times of 20?
 //     truth: biquadratic finite elements, tests/truths, with the numbers of cases/laser/README.md
 //     fit:   cases/laser/identify.toml, finite volumes, 13 numbers

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the practice benches' own runs hold is found again: the tables of cases/practice/section_bench.md and laser_bench.md.
 // The runs are fixed, so that these fits are as well; how often intervals hold the truth at all is asked elsewhere
 // (BenchRecoveryLong).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One speed, one load, and a probe in the bulk alone: what it sees are combinations of film, loss and link. Heat that
 // leaves the bulk passes the link and the film one after the other, so that the probe sees little but their sum, and of
 // where the surface started nothing is left after a minute. What the data do not see is to be named, and nothing that is

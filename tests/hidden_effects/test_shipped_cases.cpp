@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The cases that the made-up logs belong to describe the benches that the logs come from: with the truth's numbers they
 // give the truth's readings.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The logs that the cases come with are what their generators write: make_bench_logs, make_laser_logs,
 // make_laser_bench_logs, make_section_logs.
 #include <cmath>

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the truths are driven by and what is added to them: programmes and noise.
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "two_node/programme_truth.hpp"
 #include "numerics/random_truth.hpp"
+#include "two_node/programme_truth.hpp"
 
 namespace hidden_effects {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The truth of the bench of two nodes: that it converges, agrees with what others computed and with this project where
 // nothing is hidden, and that what is hidden shows. It shares no source file with it (house.hidden_effects_border).
 #include <stdexcept>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The truth of the laser's specimen: that it converges, keeps its heat, and agrees with what others computed and with
 // this project. It shares no source file with it (house.hidden_effects_border).
 #include "hidden_effects/case_rows.hpp"

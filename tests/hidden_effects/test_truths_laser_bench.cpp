@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The truth of the laser's bench: that it converges, that it is the bench of cases/practice/laser_bench.md where nothing is
 // hidden, and that a cause changes it as the program's effect changes the program. It shares no source file with it
 // (house.hidden_effects_border).
 #include <stdexcept>
 
-#include "laser/laser_logs_truth.hpp"
 #include "hidden_effects/section_bench_case.hpp"
+#include "laser/laser_logs_truth.hpp"
 
 namespace hidden_effects {
 

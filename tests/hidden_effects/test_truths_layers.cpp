@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The truth of the bench of layers, the crown of the section's bench alone: that it converges, that it is the bench of
 // cases/practice where nothing is hidden, and that what the section's bench cannot hide changes both alike. It shares
 // no source file with the program (house.hidden_effects_border).

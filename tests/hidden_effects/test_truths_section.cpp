@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The truth of the section's bench: that it converges, that it is the bench of cases/practice/section_bench.md where nothing
 // is hidden, and that a cause changes it as the program's effect changes the program. It shares no source file with it
 // (house.hidden_effects_border), and was written from the page.

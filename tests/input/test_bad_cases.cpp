@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Wrong cases in tests/bad_cases: the messages are compared character by character.
+
 #include <fstream>
 
 #include <gtest/gtest.h>

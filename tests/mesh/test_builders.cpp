@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Meshes of lumps, layers, blocks and discs: volumes, areas, faces and drawn cells against geometry; defects are named.
+
 #include "mesh/builders.hpp"
 
 #include <cmath>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cell edges of uniform and graded segments against hand calculation.
+
 #include "mesh/grid.hpp"
 
 #include <gtest/gtest.h>

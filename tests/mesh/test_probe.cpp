@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Probes and surface means: exact for linear fields, and overlaps with discs and Gaussian beams against areas.
+
 #include "mesh/probe.hpp"
 
 #include <cmath>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Meshes of rings: volumes and areas of the section, second-order conduction around the ring, and readings at an angle.
+
 #include "mesh/ring.hpp"
 
 #include <algorithm>

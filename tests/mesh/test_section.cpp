@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Meridian and tire section: geometry against circles and Pappus's theorem, zones, grading, and exact reading of linear
+// fields.
+
 #include <cmath>
 #include <numbers>
 

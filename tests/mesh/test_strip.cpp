@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Mean temperature of a strip of the surface, weighted by area, against hand calculation.
+
 #include <numbers>
 
 #include <gtest/gtest.h>

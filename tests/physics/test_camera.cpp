@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pixels of a camera: footprint, blur, binning and mirrored quarters against means of analytic fields.
+
 #include <cmath>
 #include <numbers>
 

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Quadratic and tabulated laws: values, integrals, means and their derivatives against hand calculation and
+// differences.
+
 #include "physics/curve.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Terms add up sources and exchanges by effect, name a negative conductance, and give derivatives by differences.
+
 #include "physics/terms.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A small case and hand-made snapshots with a known linear field, shared by the tests of post/.
 #pragma once
 
 #include <limits>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A temporary directory that is removed at the end of a test.
 #pragma once
 
 #include <unistd.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Small problems put together by hand, for tests of the solver: a cooled strip and the two-node tire.
 #pragma once
 
 #include <initializer_list>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Input signals: jumps, break times, and steps that keep mean and first moment of a logged series, by hand calculation.
+
 #include "solver/input_signals.hpp"
 
 #include <cmath>

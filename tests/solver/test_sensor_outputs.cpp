@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A lagging sensor follows a parabola exactly in long steps, against the closed form.
+
 #include <cmath>
 
 #include <gtest/gtest.h>

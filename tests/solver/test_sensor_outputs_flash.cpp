@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The swing of the tread's surface temperature within a revolution, against half-space formulas.
+
 #include <gtest/gtest.h>
 
 #include "physics/contact/contact_in_revolutions.hpp"

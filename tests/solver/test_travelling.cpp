@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Simulated travelling contact against the contact averaged over revolutions, on a strip and on a ring.
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Effects of the user's own in whole runs, switched on as a diagnosis does it.
 #include <algorithm>
 #include <cmath>

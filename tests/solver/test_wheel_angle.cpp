@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Wheel angle from speed and load: the times at which the contact meets and leaves a column, by closed forms.
+
 #include "solver/wheel_angle.hpp"
 
 #include <cmath>

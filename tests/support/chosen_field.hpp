@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Method of manufactured solutions: a field chosen beforehand in an orthotropic block with k(T) and c(T), and the
+// source that makes it exact.
 #pragma once
 
 #include <array>

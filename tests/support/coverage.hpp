@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Counts how often confidence intervals contain the truth, with Wilson's interval (JASA 22 (1927) 209) and binomial
+// bounds.
 #pragma once
 
 #include <cmath>

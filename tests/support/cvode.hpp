@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reference integrator for small stiff systems: CVODE of SUNDIALS (Hindmarsh et al., ACM Trans. Math. Software 31
+// (2005) 363).
 #pragma once
 
 #include <functional>

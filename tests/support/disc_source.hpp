@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Exact surface temperature of a half-space heated over a disc: Carslaw and Jaeger, Conduction of Heat in Solids (2nd
+// ed. 1959), section 10.5.
 #pragma once
 
 #include <cmath>

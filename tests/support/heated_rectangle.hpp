@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Exact temperature of a rectangle with uniform source and Robin sides as a double series: Carslaw and Jaeger (2nd ed.
+// 1959), chapter V.
 #pragma once
 
 #include <cmath>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Exact temperature of a layered square slab under a flux on a disc: double cosine series times the modes of the
+// layers.
 #pragma once
 
 #include <algorithm>

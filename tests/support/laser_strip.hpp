@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A one-dimensional specimen under a laser, and logged series with their exact integrals.
 #pragma once
 
 #include <cmath>

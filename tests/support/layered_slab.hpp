@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Exact conduction through a stack of layers with Robin faces: Sturm-Liouville modes found by Pruefer's angle (Carslaw
+// and Jaeger, 3.9 to 3.11; Ozisik, composite media).
 #pragma once
 
 #include <cmath>

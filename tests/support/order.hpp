@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Observed order of convergence, and assertions on orders and errors that also report their figures.
 #pragma once
 
 #include <algorithm>

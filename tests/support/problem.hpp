@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the tests share: problems put together by hand, and runs that must close their energy balance.
 #pragma once
 
 #include <initializer_list>

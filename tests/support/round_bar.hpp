@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Exact cooling of a long round bar through its side, as a Bessel series: Carslaw and Jaeger (2nd ed. 1959), section
+// 7.7.
 #pragma once
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A 225/50 R17 tire section of five zones at any refinement, rolling with the thesis's effects, and its mirror image.
 #pragma once
 
 #include <numbers>

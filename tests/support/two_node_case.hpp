@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The two-node model of the thesis as a problem of the solver.
 #pragma once
 
 #include "tests/support/problem.hpp"

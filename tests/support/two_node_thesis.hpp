@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The two-node model written a second time from the thesis (equations 31 to 49) and its errata, without code of
+// physics/.
 #pragma once
 
 #include <algorithm>

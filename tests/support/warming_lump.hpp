@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A plate of one temperature heated by speed: closed form of a step-speed test, and its case.
 #pragma once
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A temporary folder of files that a test writes, and a minimal sound case.
 #pragma once
 
 #include <atomic>

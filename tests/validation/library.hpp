@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs a case of the library as a user does and gives its channels at any time.
 #pragma once
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Final bulk and inner liner temperatures of the section cases, as recorded from the program.
 #pragma once
 
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // cases/durability: what each test's page promises, on the grid it is shipped with and on one twice as fine.
 #include <algorithm>
 #include <cmath>

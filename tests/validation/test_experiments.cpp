@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every experiment of the library closes its energy balance, and the section cases end at their recorded temperatures.
+
 #include <vector>
 
 #include "validation/library.hpp"

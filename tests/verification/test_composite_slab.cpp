@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Two-layer slab with k jumping by 12.7: second order against the exact series of layered_slab.hpp, cooling and heated
+// by a flux.
+
 #include <array>
 #include <cmath>
 

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Disc source on a half-space, axisymmetric and as a block, against Carslaw and Jaeger; second order at the centre.
+
 #include <cmath>
 #include <numbers>
 #include <vector>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Direct factorisation and conjugate gradients give the same temperature field.
+
 #include <algorithm>
 #include <cmath>
 #include <vector>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Steps that span logged samples keep the exact energy, mean and first moment of the inputs and of their products.
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>

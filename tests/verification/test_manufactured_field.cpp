@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Method of manufactured solutions: second order in space and time on an orthotropic block with k(T) and c(T).
+
 #include <array>
 #include <cmath>
 #include <vector>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Slab between two Robin faces against its exact series: orders in space and time, and error control.
+
 #include <array>
 
 #include "tests/support/layered_slab.hpp"

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Steady slab between two surroundings: exact surface temperatures for any number of cells.
+
 #include <array>
 
 #include "tests/support/problem.hpp"

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Round bar that cools through its side: second order against its Bessel series.
+
 #include <array>
 #include <vector>
 

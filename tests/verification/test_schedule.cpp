@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Steps land exactly on points and jumps of a schedule, and pulses deliver their exact energy.
+
 #include <algorithm>
 #include <cmath>
 #include <vector>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The benchmark "section", a heated rectangle: the printed reference against its double series, and the solver within
+// 0.2 % of it.
+
 #include <algorithm>
 #include <array>
 #include <cmath>

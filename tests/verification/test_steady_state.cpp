@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Steady states against long transients, and against Kirchhoff's transform for k(T).
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whole tire section: limit of flat layers, mirror symmetry, grid convergence, and totals kept by the weights.
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

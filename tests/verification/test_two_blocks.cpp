@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Two finely meshed blocks tend to the two-node model at first order in their thermal resistance.
+
 #include <algorithm>
 #include <cmath>
 #include <vector>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Heat flows of the two-node model at a thousand random states against the thesis's equation (31), written out
+// independently.
+
 #include <algorithm>
 #include <random>
 

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Trajectories of the two-node model against CVODE: orders of TR-BDF2 and backward Euler, error control and final
+// temperatures.
+
 #include <algorithm>
 #include <cmath>
 #include <map>

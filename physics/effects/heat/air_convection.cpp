@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Heat from the tread to the air: q = lambda_h max(floor, h_forced + 8.59e-11 exp(0.0879 T_surf)) (S_tot - S_cont)
+// (T_air - T_surf) (thesis (31)-(33), (35), errata E4, E9).
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Heat conduction between cells, q = -k(T) grad T, with k averaged between the two temperatures inside a material; (T_b
+// - T_s) k(T_b)/dZ S_tot across a link (Fourier; thesis (31), (34)).
+
 #include <algorithm>
 
 #include "physics/effect.hpp"

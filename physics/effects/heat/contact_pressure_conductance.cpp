@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Corrects road_contact for a coefficient that grows with pressure as p^0.95 (Cooper, Mikic & Yovanovich 1969): q =
+// lambda_Hc Hc S_cont ((Fz/reference)^exponent - 1) (T_road - T_surf).
+
 #include <array>
 #include <cmath>
 

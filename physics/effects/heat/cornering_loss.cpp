@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Heat of lateral deformation in the bulk: q = coefficient Fy^2 V, coefficient = tan(delta)/cornering stiffness,
+// derived in this file. The thesis leaves it out (chapter V).
+
 #include <array>
 #include <cmath>
 

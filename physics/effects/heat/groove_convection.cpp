@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Forced convection from the walls of the grooves: q = area_share eta h_forced (S_tot - S_cont) (T_air - T_surf), eta =
+// tanh(mL)/(mL) (straight fin, Incropera & DeWitt; thesis (32), (35)).
+
 #include <array>
 #include <cmath>
 

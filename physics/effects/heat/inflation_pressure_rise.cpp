@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Loss that falls as the gas heats up: SEL' = SEL (T_gas/reference)^-exponent, T_gas of a lumped gas node (ideal gas at
+// constant volume; pressure exponents of SAE J2452).
+
 #include <array>
 #include <cmath>
 

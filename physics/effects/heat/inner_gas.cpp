@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lumped gas between inner liner and rim: C dT_gas/dt = liner (T_liner - T_gas) - rim (T_gas - T_rim). The conductances
+// are assumed, see the estimate in this file.
+
 #include <array>
 
 #include "physics/spread.hpp"

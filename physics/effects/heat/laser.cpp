@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Laser spot: q = absorptivity P/(pi radius^2) on a disc, or 2 absorptivity P/(pi w^2) exp(-2 r^2/w^2) (thesis
+// III.1.1); absorbed at the surface or over a depth by Beer's law.
+
 #include <array>
 #include <cmath>
 #include <numbers>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Buoyant air, at rest only: q = scale h A (T_air - T_surf), h = 1.32 (|T_surf - T_air|/D)^0.25 (McAdams 1954) or the
+// correlation for a horizontal cylinder (Churchill & Chu 1975).
+
 #include <array>
 #include <cmath>
 

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Heat radiated to surroundings at air temperature: q = eps sigma A (T_air^4 - T_surf^4) (Stefan-Boltzmann law, grey
+// surface).
+
 #include <array>
 
 #include "physics/effect.hpp"

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Heat to the road as a mean over revolutions: q = scale h_mean S_cont (T_road - T_surf), h_mean of two half-spaces
+// that meet once a revolution (Carslaw & Jaeger 1959, sec. 2.8, 2.9; DLMF 25.11).
+
 #include <array>
 #include <cmath>
 

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Heat through the beads into a lumped rim: q = bead (T_rim - T), C dT_rim/dt = bead (T - T_rim) + cooling (T_air -
+// T_rim). The numbers are assumed.
+
 #include <array>
 
 #include "physics/spread.hpp"

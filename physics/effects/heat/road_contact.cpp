@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Heat to the road through a contact smeared over the circumference: q = lambda_Hc Hc S_cont(Fz) (T_road - T_surf)
+// (thesis (31), (35)).
+
 #include <array>
 
 #include "physics/spread.hpp"

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Heat from the sidewalls to the air: q = (conductance + h A) (T_air - T) (Newton's law of cooling). The thesis's tire
+// has no sidewalls (erratum E16).
+
 #include <array>
 
 #include "physics/spread.hpp"

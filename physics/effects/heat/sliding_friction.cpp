@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Heat of sliding in the contact: q = partition (lambda_x |Fx v_sx| + lambda_y |Fy| |V| tan|alpha|), v_sx = V - R_R
+// Omega (thesis (31)); even around the tire, by a field, or in a travelling contact.
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Heat from named patches to air at rest: q = h A (T_air - T_surf) (Newton's law of cooling; thesis III.1.1).
+
 #include <array>
 
 #include "physics/effect.hpp"

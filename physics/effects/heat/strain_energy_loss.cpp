@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Heat of cyclic deformation, distributed by mass and weights: SEL = Fz eps (A_CS/A_VC) H tan delta(T_bulk, f) (2 pi
+// R0/l) V/(2 pi R_R) (thesis (36)-(49), errata E1, E2, E3, E7, E8).
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Heat to the road, revolution by revolution: q = scale h(t) S (T_road - T_surf) while in contact, t since entry, h of
+// two half-spaces of which the cells are one (Carslaw & Jaeger 1959, sec. 2.8, 2.9).
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The same heat per volume in every cell, q = power_density V_cell, for problems with an exact solution.
+
 #include <array>
 
 #include "physics/effect.hpp"

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Heat source that a user writes in a case: q = watts s(t) in named parts of the mesh, s any logged signal.
+
 #include <array>
 
 #include "physics/user_effect_place.hpp"

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Heat transfer that a user writes in a case: q = conductance s(t) (T_surroundings(t) - T), s any logged signal that is
+// not negative.
+
 #include <array>
 
 #include "physics/user_effect_place.hpp"

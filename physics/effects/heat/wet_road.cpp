@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Heat into water on the road: q = wet rho d W V (heated c_w + evaporated L) (T_road - T_surf), the enthalpy balance of
+// the film, derived in this file.
+
 #include <array>
 #include <cmath>
 

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Input correction: air temperature that drifts from the log, T_air = logged + rate t. The thesis holds it constant
+// (chapter V).
+
 #include <array>
 
 #include "physics/effect.hpp"

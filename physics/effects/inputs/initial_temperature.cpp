@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Correction of the initial state: T(0) = stated + offset in the named layers.
+
 #include <algorithm>
 #include <array>
 

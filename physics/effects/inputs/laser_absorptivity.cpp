@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Input correction: absorbed laser power, P = factor exp(-fall t) logged, for light that is reflected and a laser whose
+// power falls.
+
 #include <array>
 #include <cmath>
 

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Input correction: vertical load that is off by a factor, Fz = gain logged.
+
 #include <array>
 
 #include "physics/effect.hpp"

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Input correction: slip that is off by a factor, slip ratio = gain logged, tan(alpha) = gain tan(logged). The friction
+// heat of thesis (31) is proportional to both.
+
 #include <array>
 #include <cmath>
 

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Input correction: speed that is off by a factor, V = gain logged.
+
 #include <array>
 
 #include "physics/effect.hpp"

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Property modifier: cords that conduct along the belt, k_meridian' = meridian k_meridian, k_circumference' =
+// circumference k_circumference (rule of mixtures).
+
 #include <array>
 #include <utility>
 

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Property modifier: camber moves loss between the shoulders, 1 - c gamma at the inside and 1 + c gamma at the outside
+// one (geometry of a leaning band, derived in this file; thesis VI).
+
 #include <array>
 
 #include "physics/effect.hpp"

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Property modifier: more loss on a drum than on a flat road, SEL' = SEL sqrt(1 + R0 curvature), curvature = 1/R_drum
+// (after the drum correction of ISO 28580).
+
 #include <array>
 #include <cmath>
 

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Property modifier: laser spot wider or narrower than stated, radius = scale radius of the laser effect (1 cm2 in
+// thesis III.1.1).
+
 #include <array>
 
 #include "physics/effect.hpp"

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Property modifier: k'(T) = scale (k(T) + slope k(reference) (T - reference)) in the named layers, on two nodes in the
+// link between them (thesis (34)).
+
 #include <array>
 
 #include "physics/effect.hpp"

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Property modifier: c'(T) = scale c(T) in the named layers (thesis (34)).
+
 #include <array>
 
 #include "physics/effect.hpp"

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Property modifier: SEL' = SEL (Fz/reference)^exponent. The thesis over-estimates one tire at low load and under-
+// estimates it at high load (VI.1).
+
 #include <array>
 #include <cmath>
 

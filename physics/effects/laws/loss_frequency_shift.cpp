@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Property modifier: T_eq' = T_eq + per_decade log10(f/reference), an error of the time-temperature (WLF) shift of
+// thesis (48).
+
 #include <array>
 #include <cmath>
 

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Property modifier: tan delta' = tan delta exp(slope (T_bulk - reference)), an error in the temperature dependence of
+// thesis (49).
+
 #include <array>
 #include <cmath>
 

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Property modifier: partition' = partition (1 + slope v_s), v_s = sqrt((V s)^2 + (V tan alpha)^2), a straight line
+// through the partition of moving heat sources (Jaeger 1942; Blok 1937).
+
 #include <array>
 #include <cmath>
 

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Property modifier: loss of the standing wave above a critical speed, SEL' = SEL (1 + gain max(0, V -
+// critical_speed)^2) (the wave: Turner 1954).
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Property modifier: worn outer layer on an unchanged mesh, w = 1 - depth/thickness: mass times w, conductance across
+// times w, through the layer times 1/w.
+
 #include <algorithm>
 #include <array>
 

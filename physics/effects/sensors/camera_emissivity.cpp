@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sensor model: camera set to emissivity 1 over a grey surface, reading^4 = e T^4 + (1 - e) T_air^4 (Stefan-Boltzmann
+// law); a stated temperature may replace T_air.
+
 #include <array>
 #include <cmath>
 

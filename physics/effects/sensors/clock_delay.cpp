@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sensor model: logger whose clock is late or early, reading(t) = value(t - delay).
+
 #include <array>
 
 #include "physics/effect.hpp"

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sensor model: pressure sensor on the rim whose membrane the rotation loads, reading = p/(1 + kappa V^2).
+
 #include <array>
 
 #include "physics/effect.hpp"

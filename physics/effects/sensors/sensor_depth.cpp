@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sensor model: probe that sits deeper or shallower than stated, z = stated + offset.
+
 #include <array>
 
 #include "physics/effect.hpp"

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sensor model: temperature channel with a gain error about its calibration temperature, reading = value + excess
+// (value - reference).
+
 #include <array>
 
 #include "physics/effect.hpp"

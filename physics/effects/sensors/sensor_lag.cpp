@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sensor model: slow first-order sensor, tau dT_m/dt = T - T_m, T_m(0) = T(0).
+
 #include <array>
 
 #include "physics/effect.hpp"

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sensor model: temperature channel with a constant offset, reading = value + kelvin, as of a Pt100 with long leads
+// (IEC 60751).
+
 #include <array>
 
 #include "physics/effect.hpp"

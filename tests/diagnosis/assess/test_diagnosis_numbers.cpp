@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Diagnosis of single measured numbers: a hidden sidewall loss is named, nothing is named without one, and confounded
+// causes stay together.
+
 #include <algorithm>
 #include <string>
 #include <vector>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The two-node bench at constant temperature with short logs of known differences, for tests of the comparison.
 #pragma once
 
 #include <string>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Figures, phases, signals, single numbers, sentences and files of a comparison against values computed by hand.
+
 #include "diagnosis/compare/comparison.hpp"
 
 #include <algorithm>

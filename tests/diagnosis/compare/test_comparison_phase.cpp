@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Driving phases from constructed speed and slip histories whose phase at each time is known.
+
 #include <numbers>
 
 #include <gtest/gtest.h>

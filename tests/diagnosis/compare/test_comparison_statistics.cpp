@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Statistics of correlated samples against values by hand and against their scatter and coverage over many simulated
+// series.
+
 #include "diagnosis/compare/comparison_statistics.hpp"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Scores of signatures and their family-wise threshold, against what is known of normal numbers.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A small disc under a laser with made-up camera frames of known parameters, pixel noise and drift.
 #pragma once
 
 #include <random>

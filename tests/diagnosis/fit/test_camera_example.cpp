@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The shipped camera example: the comparison reports the noise and the rms that its page states.
+
 #include <filesystem>
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Fits that do not end in the middle of a valley: at a bound, past values at which the model fails.
 #include "diagnosis/practice_bench.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What must not matter to a fit: units, the order of columns and of parameters, how densely the data are sampled, a few
 // outliers. Data: cases/practice, three runs of forty minutes with lambda_h = 1.05 and lambda_SEL = 0.93.
 #include <random>

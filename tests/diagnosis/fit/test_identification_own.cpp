@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sizes of user effects, found in made-up runs whose truth is known.
 #include "diagnosis/practice_bench.hpp"
 

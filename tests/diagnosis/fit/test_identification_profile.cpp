@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Intervals by profile likelihood: to either side the value at which chi-square, minimised over all other numbers, has
 // risen by 3.84.
 #include <Eigen/Cholesky>

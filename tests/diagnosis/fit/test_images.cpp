@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Image bands are orthogonal, pixels add up radiation, slopes equal differences of runs, and camera fits contain the
+// true values.
+
 #include <algorithm>
 #include <cmath>
 
@@ -5,9 +9,9 @@
 
 #include "diagnosis/compare/camera_comparison.hpp"
 #include "diagnosis/compare/camera_rings.hpp"
-#include "diagnosis/fit/refinement.hpp"
 #include "diagnosis/fit/camera_bench.hpp"
 #include "diagnosis/fit/identification.hpp"
+#include "diagnosis/fit/refinement.hpp"
 
 namespace tiretherm::diagnosis {
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Simulated residuals with slow columns, as input to tests of the noise estimate.
 #pragma once
 
 #include <algorithm>

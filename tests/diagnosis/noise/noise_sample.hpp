@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Dense covariance matrices and noise samples written directly from the definition of the noise model.
 #pragma once
 
 #include <cmath>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whitening, its transpose and the log determinant against the Cholesky factor of the dense covariance matrix.
+
 #include "diagnosis/noise/noise.hpp"
 
 #include <cmath>

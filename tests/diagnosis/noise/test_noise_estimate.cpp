@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The noise's estimate against dense algebra, and over many made-up samples: right within its own uncertainty.
 #include <algorithm>
 #include <cmath>

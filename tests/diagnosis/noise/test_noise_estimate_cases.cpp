@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The noise's estimate where the data are special: several runs, other units and intervals, columns that others make up,
 // too few samples, outliers.
 #include <algorithm>

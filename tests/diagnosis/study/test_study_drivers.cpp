@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What drives the hottest temperature of a study's samples: a straight line by least squares.
 #include "diagnosis/study/study_drivers.hpp"
 

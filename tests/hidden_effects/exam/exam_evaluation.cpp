@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes a data set as case and logs, diagnoses it and marks it; runs several data sets in parallel.
+
 #include "hidden_effects/exam/exam_evaluation.hpp"
 
 #include <atomic>

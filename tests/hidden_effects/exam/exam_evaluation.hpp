@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Evaluates the diagnosis on simulated data sets with hidden effects: draws, diagnoses and marks each of them.
 #pragma once
 
 #include <functional>
 #include <vector>
 
-#include "input/measurements/experiment.hpp"
 #include "hidden_effects/exam/exam_marks.hpp"
+#include "input/measurements/experiment.hpp"
 
 namespace hidden_effects {
 

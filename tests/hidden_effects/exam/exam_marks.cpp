@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rules of marking: when a named cause, a set of hypotheses, an interval or an unknown source counts as right.
+
 #include "hidden_effects/exam/exam_marks.hpp"
 
 #include <algorithm>

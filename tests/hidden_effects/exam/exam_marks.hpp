@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Compares a diagnosis with what is hidden in its data set and marks it.
 #pragma once
 
 #include <cstdint>
@@ -40,8 +42,8 @@ struct Mark {
     bool confirmed = false;
     double numerical_error_sigma = 0.0;
     long simulations = 0;
-    double seconds = 0.0;        ///< of the diagnosis, by the clock
-    double draw_seconds = 0.0;   ///< of the processor: to draw the data set and to mark it,
+    double seconds = 0.0;           ///< of the diagnosis, by the clock
+    double draw_seconds = 0.0;      ///< of the processor: to draw the data set and to mark it,
     double diagnose_seconds = 0.0;  ///< and to diagnose it; both only where one data set is evaluated at a time
 
     /// What is wrong with the diagnosis, "missed", "the truth is not in the set"; empty where nothing is.

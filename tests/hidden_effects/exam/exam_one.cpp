@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Draws one data set of the exam, diagnoses it and says what came of it:
 //     exam_one [BENCH] KIND SIGMA SEED [FOLDER]
 // BENCH: two_node (when left out), layers, section, laser. With a FOLDER its logs are written there too, for

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Requirements for each kind of data set, counts with Wilson's interval, and lists of confusions and faults.
+
 #include "hidden_effects/exam/exam_table.hpp"
 
 #include <compare>

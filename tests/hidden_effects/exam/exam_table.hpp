@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Table of an exam's results: how often the diagnosis was right for each kind and size of hidden effect.
 #pragma once
 
 #include <string>

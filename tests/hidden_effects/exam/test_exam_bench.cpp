@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The exam of the diagnosis on the benches of cases/practice: data sets drawn from seeds, with something hidden by a
 // truth that shares no source file with the program, or nothing.
 //     quick: fixed seeds, so that a change that breaks the diagnosis shows at once

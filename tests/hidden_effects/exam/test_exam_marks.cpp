@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The marks of the exam, compared with diagnoses that are made up: each is worth what the rules say, and a table counts
 // what it is given.
 #include <algorithm>

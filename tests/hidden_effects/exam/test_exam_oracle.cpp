@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The examiner: does the oracle see what it says it sees, and does a data set hide what it is asked to hide?
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The benches to which an exam is set: does each say of itself what its case says, does its truth know what may be hidden,
 // and is a data set of layers what it is asked to be?
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A small specimen with a camera of 3 by 4 pixels, to which tests add frames.
 #pragma once
 
 #include <string>

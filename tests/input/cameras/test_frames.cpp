@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Camera frames from CSV: values, dead and outside pixels, binning, warnings, and the exact words of errors.
+
 #include <cmath>
 
 #include <gtest/gtest.h>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Camera frames from HDF5: scaling, units, pixel size, and files that are refused.
+
 #include <cmath>
 #include <filesystem>
 #include <functional>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Made-up contact fields of cases/contact_fields: nine ribs, each a brush model, cornering at 100 km/h.
 #pragma once
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A section in a bend, to which tests give field files of a structural code.
 #pragma once
 
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // cases/contact_fields: the made-up files of a structural code and the cases that use them.
 #include <algorithm>
 #include <cstdlib>

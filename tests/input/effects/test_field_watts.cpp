@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Watts of a structural code are taken as they are: the user is informed which of his keys then say nothing.
 #include <gtest/gtest.h>
 

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A measured total of the loss as a user gives it: a drum's table or SAE J2452 coefficients.
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "support/written.hpp"
 #include "physics/tire_laws/measured_loss.hpp"
 #include "solver/time_integration/march.hpp"
+#include "support/written.hpp"
 
 namespace tiretherm::input {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // [[source]] and [[exchange]]: what they follow, in every run from its own file, and how they are written again.
 #include <cmath>
 #include <fstream>

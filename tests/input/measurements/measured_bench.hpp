@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A two-node case whose inputs come from measured runs, and a short log for it.
 #pragma once
 
 #include <string>

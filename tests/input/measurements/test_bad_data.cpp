@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Wrong measured runs in tests/bad_cases/data: the messages are compared character by character.
+
 #include <gtest/gtest.h>
 
 #include "tests/input/measurements/measured_bench.hpp"

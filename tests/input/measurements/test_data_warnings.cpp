@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Warnings about suspicious data (units, clock, frozen sensors, outliers): each fires on its fault and none on sound
+// data.
+
 #include <cmath>
 #include <random>
 

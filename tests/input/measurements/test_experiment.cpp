@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Logs in all dialects are read into the same experiment: values in SI, columns mapped, renamed and ignored.
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Measured runs from HDF5: datasets as columns, results of the program read back, and files that are refused.
+
 #include <cmath>
 #include <functional>
 

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Several measured runs of one case: inputs, initial temperatures, clocks, missing samples and precedence of files.
+
 #include <cmath>
 #include <stdexcept>
 

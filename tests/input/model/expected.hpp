@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Access to tests/bad_cases: wrong files, and beside each the message that a user must read.
 #pragma once
 
 #include <algorithm>

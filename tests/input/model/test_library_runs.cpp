@@ -1,7 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Library cases run to the temperatures that independent integrators and finite elements give, or that their headers
+// state.
+
 #include <gtest/gtest.h>
 
-#include "support/written.hpp"
 #include "solver/time_integration/march.hpp"
+#include "support/written.hpp"
 
 // The library's cases as a user runs them: what their headers promise. Each tolerance is the case's own accuracy.
 namespace tiretherm::input {

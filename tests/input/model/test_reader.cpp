@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reading of sound cases: keys, defaults, tire sizes, sensors and warnings; any truncated case is explained and never
+// crashes.
+
 #include <fstream>
 #include <sstream>
 

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cases with a ring or a travelling contact: mesh, sensors at an angle, wheel angle, and a closed heat budget.
+
 #include <algorithm>
 #include <cmath>
 

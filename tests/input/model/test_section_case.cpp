@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cases on a tire cross-section: zones, sensors, gas and rim, forces, cornering stiffness and gas pressure against hand
+// calculation.
+
 #include <cmath>
 #include <numbers>
 

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Strips of infrared sensors on a section's surface, and uncertainties of measured numbers, against hand calculation.
+
 #include <cmath>
 
 #include <gtest/gtest.h>

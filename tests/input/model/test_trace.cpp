@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Interpolation, means, extremes and rise times of recorded channels, against hand calculation.
+
 #include "input/validation/trace.hpp"
 
 #include <cmath>

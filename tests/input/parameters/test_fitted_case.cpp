@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A fitted case written as TOML and read back gives the fitted problem again, for every kind of parameter.
+
 #include "input/parameters/fitted_case.hpp"
 
 #include <algorithm>

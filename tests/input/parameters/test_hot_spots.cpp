@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // [[critical]] and [[uncertain]]: what a case says of its hot spots, and the test that goes on after its last step.
 #include "input/parameters/hot_spots.hpp"
 

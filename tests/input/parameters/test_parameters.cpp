@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// [[parameter]] tables: bounds, priors, units and places of free parameters, and what [identify] and [diagnose] accept.
+
 #include "input/parameters/parameters.hpp"
 
 #include <cmath>

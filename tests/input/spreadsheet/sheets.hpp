@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Spreadsheets that tests write, with every parameter at a value that no default has, and the case made of them.
 #pragma once
 
 #include <map>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Wrong spreadsheets: every error with its cell and remedy, all reported at once.
+
 #include <gtest/gtest.h>
 
 #include "input/model/expected.hpp"

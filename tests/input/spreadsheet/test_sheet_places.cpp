@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Each parameter of the spreadsheet (thesis V.7) changes its own key of the case and no other.
+
 #include <cmath>
 
 #include <gtest/gtest.h>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Values of the spreadsheet arrive in the run in SI, the same from CSV, .xls and .xlsx.
+
 #include <algorithm>
 
 #include <gtest/gtest.h>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs of a study: products of varied values, draws against their distributions, fingerprints, and errors at their
+// place.
+
 #include <algorithm>
 #include <cmath>
 #include <set>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Wrong studies in tests/bad_cases/study: the messages are compared character by character.
+
 #include <gtest/gtest.h>
 
 #include "input/model/reader.hpp"

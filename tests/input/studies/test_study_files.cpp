@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A study that goes on makes those runs again whose case reads a file that has changed, whatever file it is.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One log in every CSV dialect gives the same inputs; columns, units and schedules; a long log is read in linear time.
+
 #include <gtest/gtest.h>
 
 #include "support/written.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Fields of a structural code as a user gives them to an effect, and what arrives.
 #include <algorithm>
 #include <cmath>

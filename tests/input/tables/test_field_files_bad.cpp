@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Files of a structural code that are wrong: what is refused, with which words, where, and what to do.
 #include <cmath>
 #include <functional>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Includes of TOML files: which value wins, how tables and lists merge, and where each value comes from.
+
 #include <gtest/gtest.h>
 
 #include "input/text/document.hpp"

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Material laws as constant, quadratic, line, parabola and table, against values computed by hand.
+
 #include <gtest/gtest.h>
 
 #include "support/written.hpp"

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Quantities with units: accepted and refused texts, bounds in the user's unit, hints, and unusual values.
+
 #include <gtest/gtest.h>
 
 #include "input/text/quantity_specs.hpp"

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Edit distance of suggestions, and the layout of error messages with line, caret and remedy.
+
 #include <gtest/gtest.h>
 
 #include "input/text/input_error.hpp"

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Unit conversion against factors by hand: aliases, products, temperatures and differences, wrong dimensions.
+
 #include <cmath>
 
 #include <gtest/gtest.h>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tire property files (.tir): coefficients and dimensions in SI, Magic Formula versions, and all errors at once.
+
 #include "input/tire_property_file/tir_file.hpp"
 
 #include <sstream>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Validation tables: differences, ratios and times against hand calculation, and the shipped table holds every
+// experiment.
+
 #include "input/validation/validation.hpp"
 
 #include <cmath>

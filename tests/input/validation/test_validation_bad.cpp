@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Wrong validation tables in tests/bad_cases/validation: the messages are compared character by character.
+
 #include <gtest/gtest.h>
 
 #include "input/model/reader.hpp"

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Periodic contact averaged over revolutions, against half-spaces and a fine grid integrated exactly in time.
+
 #include "physics/contact/contact_in_revolutions.hpp"
 
 #include <cmath>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Travelling contact: conductance of two half-spaces, times of contact, and the same exchange at every wheel angle.
+
 #include "physics/contact/travelling.hpp"
 
 #include <cmath>

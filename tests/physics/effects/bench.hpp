@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Small meshes, materials and operating points on which tests evaluate single effects.
 #pragma once
 
 #include <cassert>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parameters and inputs at which every effect of the catalogue acts, for tests that run over all effects.
 #pragma once
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The catalogue as a whole: which effects it holds, and that their order does not matter.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every effect of the catalogue goes through the same identities, alone and beside the thesis's effects.
 #include <algorithm>
 #include <cmath>

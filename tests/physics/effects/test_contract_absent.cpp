@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every effect that may be missing from a model changes nothing at the value where it is absent, and something elsewhere.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The thesis's effects: numbers computed by hand from their equations.
 #include <cmath>
 

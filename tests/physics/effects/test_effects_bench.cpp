@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The extensions that can be distinguished on the bench of two nodes, each against an integration of its definition
 // that shares no source file with the program: the thesis's model of tests/support, and the lines below.
 #include <algorithm>

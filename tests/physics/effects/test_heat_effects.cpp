@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Extensions that move or make heat: one number each, by hand, on the bench of two nodes: surface 35 C, bulk 55 C, air
 // and road 23 C, 100 km/h, 4000 N.
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Effects on the inputs and on the initial state: one number each, by hand.
 #include <cmath>
 

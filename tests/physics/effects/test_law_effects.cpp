@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Effects on properties and laws: one number each, by hand, on the bench of two nodes where the law acts there.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Effects between the field and a channel: one number each, by hand.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Effects of the user's own: where they act and how the places share what they give.
 #include <numeric>
 

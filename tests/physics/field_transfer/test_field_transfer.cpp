@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Fields of structural codes on meshes: what the points give the nodes get, to the last digit.
 #include <algorithm>
 #include <cmath>

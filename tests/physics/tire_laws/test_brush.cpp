@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Brush model: slopes, saturation, and the balance of sliding, stored and total power, against closed forms of the
+// thesis.
+
 #include "physics/tire_laws/brush.hpp"
 
 #include <cmath>

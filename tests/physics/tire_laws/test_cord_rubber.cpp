@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Moduli of cord-rubber plies (lamina theory) against hand calculation and limits.
+
 #include "physics/tire_laws/cord_rubber.hpp"
 
 #include <numbers>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cornering stiffness from load and temperature against hand calculation, limits and a central difference.
+
 #include "physics/tire_laws/cornering_stiffness.hpp"
 
 #include <cmath>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Magic Formula: stiffnesses, forces, camber and scaling against hand calculation, symmetry and another implementation.
+
 #include "physics/tire_laws/magic_formula.hpp"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The total of the loss as a machine measured it, and fields in time, as the effects use them.
 #include <cmath>
 

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rolling resistance moment and force, drum correction, air correction and coastdown law against hand calculation.
+
 #include "physics/tire_laws/rolling_resistance.hpp"
 
 #include <cmath>

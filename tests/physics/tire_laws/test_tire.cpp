@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Geometry, contact, radii, loss tangent and strain energy loss of the thesis's tire against independent evaluations.
+
 #include "physics/tire.hpp"
 
 #include <cmath>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reports of diagnoses of every verdict: what the page, the JSON, the residual files and the extended case say.
+
 #include "post/diagnosis/diagnosis_report.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// channels.csv is read back to its decimals, row by row while it is written; failures name the file.
+
 #include <gtest/gtest.h>
 
 #include "input/tables/csv.hpp"

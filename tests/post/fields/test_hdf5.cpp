@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// results.h5 is read back with the C library: values, units and labels; a killed writer leaves a readable file.
+
 #include <sys/wait.h>
 
 #include <csignal>
@@ -5,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <hdf5.h>
 
-#include "post/report/file.hpp"
 #include "post/fields/hdf5_writer.hpp"
+#include "post/report/file.hpp"
 #include "tests/post/sample.hpp"
 
 namespace tiretherm::post {

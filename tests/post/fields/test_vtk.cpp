@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// VTK files are read back: cells, surface points, folded section, series and every cell shape.
+
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -13,9 +16,9 @@
 #include <vtkXMLDataParser.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
-#include "solver/celsius.hpp"
-#include "post/report/file.hpp"
 #include "post/fields/vtk_writer.hpp"
+#include "post/report/file.hpp"
+#include "solver/celsius.hpp"
 #include "tests/post/sample.hpp"
 
 namespace tiretherm::post {

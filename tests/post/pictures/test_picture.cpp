@@ -1,12 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Interfaces, symmetry, isotherms and colours of pictures against hand calculation, and sizes of the PNG files.
+
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "mesh/ring.hpp"
-#include "solver/celsius.hpp"
-#include "post/report/file.hpp"
 #include "post/pictures/isotherms.hpp"
 #include "post/pictures/picture.hpp"
+#include "post/report/file.hpp"
+#include "solver/celsius.hpp"
 #include "tests/post/sample.hpp"
 
 namespace tiretherm::post {

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The progress line: its numbers, how often it is written, and its removal at the end.
+
 #include <cstdio>
 #include <thread>
 

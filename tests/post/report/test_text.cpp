@@ -1,10 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Building blocks of reports: tables, wrapping, ticks, histories, comparisons and safe file replacement.
+
 #include <gtest/gtest.h>
 
-#include "post/run/measured_values.hpp"
-#include "post/report/file.hpp"
 #include "mesh/place.hpp"
-#include "post/report/table.hpp"
 #include "post/pictures/ticks.hpp"
+#include "post/report/file.hpp"
+#include "post/report/table.hpp"
+#include "post/run/measured_values.hpp"
 #include "tests/post/sample.hpp"
 
 namespace tiretherm::post {

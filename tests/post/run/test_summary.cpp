@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The summary of a run as text, line by line, and as JSON, for hand-made results.
+
 #include <limits>
 
 #include <gtest/gtest.h>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Statistics and outputs of a hand-made study: Wilson's interval against Newcombe, Stat. Med. 17 (1998), tables, files
+// and pictures.
+
 #include <cmath>
 #include <limits>
 
@@ -5,10 +9,10 @@
 #include <hdf5.h>
 #include <nlohmann/json.hpp>
 
-#include "post/report/file.hpp"
+#include "diagnosis/study/study_statistics.hpp"
 #include "post/charts/study_picture.hpp"
 #include "post/charts/study_plane.hpp"
-#include "diagnosis/study/study_statistics.hpp"
+#include "post/report/file.hpp"
 #include "post/study/study_summary.hpp"
 #include "post/study/study_tables.hpp"
 #include "tests/post/scratch.hpp"

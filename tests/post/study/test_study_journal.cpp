@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The journal of a study gives back every digit and survives lines that are cut off or damaged, other builds and a
+// second process.
+
 #include <limits>
 
 #include <gtest/gtest.h>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Verdicts, cells and figures of a validation table against hand calculation, as text, Markdown and JSON.
+
 #include "post/validation/validation_table.hpp"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The hot spot between the cells, its history, and when it passes what a part can bear.
 #include "solver/hot_spot/hot_spot.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What drives a hot spot: slopes by the tangent, and the probability that follows from them.
 #include "solver/hot_spot/hot_spot_drivers.hpp"
 

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Steps of a schedule of inputs, and the surface threshold between steady states, against hand calculation.
+
 #include "solver/hot_spot/schedule_steps.hpp"
 
 #include <cmath>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cholesky, incomplete Cholesky and Krylov solvers against multiplying back, and messages about indefinite matrices.
+
 #include <gtest/gtest.h>
 
 #include "solver/linear/factor.hpp"

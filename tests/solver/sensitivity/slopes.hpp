@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Compares parameter slopes of predictions with central differences of whole runs over the same steps.
 #pragma once
 
 #include <algorithm>

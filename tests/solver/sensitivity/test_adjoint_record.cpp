@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The adjoint equals the transpose of the tangent run, (S h, w) = (h, S' w), and agrees with slopes of a heat source.
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>

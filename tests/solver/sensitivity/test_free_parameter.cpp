@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Values of free parameters change laws, effects and initial temperatures as computed by hand.
+
 #include "solver/sensitivity/free_parameter.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parameter slopes of the two-node tire against differences of runs, and the report of a parameter at a switch.
+
 #include "solver/bench.hpp"
 #include "solver/sensitivity/slopes.hpp"
 

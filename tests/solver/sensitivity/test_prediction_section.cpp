@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parameter slopes of a tire section against differences of runs.
+
 #include "solver/sensitivity/slopes.hpp"
 #include "support/tire_section.hpp"
 

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A run resumed from a checkpoint ends with the same digits; a checkpoint of another problem is refused.
+
 #include "solver/time_integration/checkpoint.hpp"
 
 #include <gtest/gtest.h>

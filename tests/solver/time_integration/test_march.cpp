@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Time marching: output times, energy closure, steps at jumps, steady states, observers, and failures with cell and
+// effect.
+
 #include "solver/time_integration/march.hpp"
 
 #include <cmath>

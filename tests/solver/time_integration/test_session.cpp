@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Stepping from outside gives the numbers of a whole run, leaves the state after a refused step, and allocates nothing
+// in a step.
+
 #include "solver/time_integration/session.hpp"
 
 #include <atomic>

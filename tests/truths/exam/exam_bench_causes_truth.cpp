@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the benches of layers, of a section and of a laser can hide, cases/practice/section_bench.md and laser_bench.md.
 #include <span>
 

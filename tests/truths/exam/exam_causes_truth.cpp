@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The variants of the two-node bench with their physical ranges, and the cause that belongs to a number.
+
 #include "exam/exam_causes_truth.hpp"
 
 namespace hidden_effects {

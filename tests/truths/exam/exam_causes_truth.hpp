@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The effects that an exam may hide in simulated data, each with the range of its parameter.
 #pragma once
 
 #include <string>

@@ -1,3 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Least-squares search over single causes and pairs with physical signs; the nearest few are compared again with steps
+// of their own size.
+
 #include "exam/exam_confounded_truth.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The wrong hypothesis that comes nearest to the hidden one, as a measure of how well data can tell them apart.
 #pragma once
 
 #include <optional>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws runs, parameters, hidden effect and noise of a data set from its seed.
+
 #include "exam/exam_data_set_truth.hpp"
 
 #include <algorithm>

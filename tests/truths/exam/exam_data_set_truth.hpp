@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A data set of the exam: three logged runs of a bench with one or two hidden effects, an unknown heat source, or
+// nothing.
 #pragma once
 
 #include <cmath>

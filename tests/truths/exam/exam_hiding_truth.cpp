@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws causes until one has a physical size at which it shows as wanted, and computes its correlation with all others.
+
 #include "exam/exam_hiding_truth.hpp"
 
 #include <algorithm>

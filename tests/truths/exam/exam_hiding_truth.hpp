@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Hides causes or unknown heat sources in a data set at a given size in standard deviations.
 #pragma once
 
 #include "exam/exam_data_set_truth.hpp"

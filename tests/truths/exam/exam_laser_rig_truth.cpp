@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The bench of a laser, cases/practice/laser_bench.md, as a rig of the exam.
 #include <algorithm>
 #include <utility>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whitening by a one-state Kalman filter, slopes by central differences, and a secant search for the size of a cause.
+
 #include "exam/exam_oracle_truth.hpp"
 
 #include <algorithm>

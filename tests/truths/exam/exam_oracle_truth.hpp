@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The oracle of the exam: at how many standard deviations a difference shows to somebody who knows the noise, after the
+// free parameters are projected out.
 #pragma once
 
 #include <optional>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The two-node bench as a rig of the exam, and the look-up of rigs by name.
+
 #include "exam/exam_rig_truth.hpp"
 
 #include <algorithm>

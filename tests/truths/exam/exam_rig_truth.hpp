@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Common interface of the benches to which an exam is set: case, unknown parameters, sensors with noise, and truth.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +10,8 @@
 
 #include "exam/exam_causes_truth.hpp"
 #include "numerics/random_truth.hpp"
-#include "section/section_programme_truth.hpp"
 #include "numerics/table_truth.hpp"
+#include "section/section_programme_truth.hpp"
 
 namespace hidden_effects {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The benches of a section and of its crown in layers, cases/practice/section_bench.md, as rigs of the exam.
 #include <algorithm>
 #include <array>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws unknown heat sources with the signals that they follow, and columns unrelated to heat.
+
 #include "exam/exam_signals_truth.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Signals that hidden heat sources follow, and decoy columns in the logs.
 #pragma once
 
 #include <vector>

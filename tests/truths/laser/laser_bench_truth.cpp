@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws the laser programme and integrates the specimen with causes and sensors, stopping at every sample.
+
 #include "laser/laser_bench_truth.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Independent truth of the laser bench, cases/practice/laser_bench.md: programme, hidden causes and noise-free sensors.
 #pragma once
 
 #include <array>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds the number that a cause sets in the laser's equations by its id and channel.
+
 #include "laser/laser_causes_truth.hpp"
 
 #include <algorithm>

@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Causes of the laser bench as numbers of its equations.
 #pragma once
 
 #include <array>
 #include <vector>
 
-#include "two_node/causes_truth.hpp"
 #include "laser/laser_bench_truth.hpp"
+#include "two_node/causes_truth.hpp"
 
 namespace hidden_effects {
 

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Assembles capacity, heat flow and exact Jacobian by Gauss quadrature, with convection and radiation on the faces.
+
 #include "laser/laser_elements_truth.hpp"
 
 #include <algorithm>

@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Axisymmetric biquadratic finite elements for the laser's specimen.
 #pragma once
 
 #include <array>
 #include <span>
 #include <vector>
 
-#include "numerics/band_truth.hpp"
 #include "laser/laser_truth.hpp"
+#include "numerics/band_truth.hpp"
 
 namespace hidden_effects {
 

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Seeds and parameters of the shipped logs of the laser bench, and the columns of a log.
+
 #include "laser/laser_logs_truth.hpp"
 
 #include "numerics/random_truth.hpp"

@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The made-up logs of the laser bench that come with the cases.
 #pragma once
 
 #include <vector>
 
 #include "laser/laser_bench_truth.hpp"
-#include "two_node/shipped_truth.hpp"
 #include "numerics/table_truth.hpp"
+#include "two_node/shipped_truth.hpp"
 
 namespace hidden_effects {
 

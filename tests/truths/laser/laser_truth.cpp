@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Integrates the specimen under constant light and reads spot, mean and inner face at the wanted times.
+
 #include "laser/laser_truth.hpp"
 
 #include <numeric>

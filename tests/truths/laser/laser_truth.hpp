@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Independent truth of the laser experiment: biquadratic finite elements and RODAS (Hairer and Wanner, Solving Ordinary
+// Differential Equations II, IV.10).
 #pragma once
 
 #include <array>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// In-place LU factorisation of a band matrix, products and solutions.
+
 #include "numerics/band_truth.hpp"
 
 #include <algorithm>

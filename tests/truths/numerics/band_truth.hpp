@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Band matrix with LU factors without pivoting, for the truths.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Nodes of quadratic elements with geometric grading.
+
 #include "numerics/quadratic_truth.hpp"
 
 #include <cmath>

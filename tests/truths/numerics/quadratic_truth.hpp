@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Quadratic shape functions and three-point Gauss quadrature on a line.
 #pragma once
 
 #include <array>

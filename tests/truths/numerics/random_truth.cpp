@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Uniform and normal numbers (Box and Muller) and noise with AR(1) and white parts.
+
 #include "numerics/random_truth.hpp"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Random numbers and sensor noise that are the same with every standard library.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Coefficients and stages of RODAS, step size control, and rank-one couplings by Woodbury's formula.
+
 #include "numerics/rodas_truth.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rosenbrock integrator RODAS of order 4(3): Hairer and Wanner, Solving Ordinary Differential Equations II, IV.10.
 #pragma once
 
 #include <cstddef>

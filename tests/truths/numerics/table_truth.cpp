@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes columns as CSV, and converts the bench's values to the units of a log.
+
 #include "numerics/table_truth.hpp"
 
 #include <cmath>

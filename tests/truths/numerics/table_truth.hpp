@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Logs as CSV text with units in the headings, as the truths write them.
 #pragma once
 
 #include <filesystem>

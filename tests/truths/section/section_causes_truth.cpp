@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds the number that a cause sets in the section's equations by its id and channel.
+
 #include "section/section_causes_truth.hpp"
 
 #include <algorithm>

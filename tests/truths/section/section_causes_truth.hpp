@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Causes of the section bench as numbers of its equations.
 #pragma once
 
 #include <array>
@@ -5,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "two_node/causes_truth.hpp"
 #include "section/section_truth.hpp"
+#include "two_node/causes_truth.hpp"
 
 namespace hidden_effects {
 

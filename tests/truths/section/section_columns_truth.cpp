@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Converts inputs and readings of the section bench to the units of a log.
+
 #include "section/section_columns_truth.hpp"
 
 #include <numbers>

@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Columns of a log of the section bench.
 #pragma once
 
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "section/section_truth.hpp"
 #include "numerics/table_truth.hpp"
+#include "section/section_truth.hpp"
 
 namespace hidden_effects {
 

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Evaluates loss, film, contact, friction and gas at a moment, with the exact Jacobian as band and couplings.
+
 #include "section/section_heat_truth.hpp"
 
 #include <algorithm>

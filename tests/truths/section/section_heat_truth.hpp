@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Right-hand side of the section bench: heat flow into the nodes of the finite elements and into the gas.
 #pragma once
 
 #include "numerics/rodas_truth.hpp"

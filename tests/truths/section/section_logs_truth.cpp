@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Seeds, parameters and noise of the shipped logs of the section bench and of the bench of layers.
+
 #include "section/section_logs_truth.hpp"
 
 #include "numerics/random_truth.hpp"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The made-up logs of the section bench and of the bench of layers that come with the cases.
 #pragma once
 
 #include <vector>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The outer profile as three tangent arcs: crown, shoulder and sidewall.
+
 #include "section/section_meridian_truth.hpp"
 
 #include <cmath>

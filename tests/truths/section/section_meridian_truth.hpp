@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Outer profile of the section bench over its arc length.
 #pragma once
 
 namespace hidden_effects {

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws holds of speed, load, camber and slip angle with ramps between them, and a side force that saturates.
+
 #include "section/section_programme_truth.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Programmes of inputs for the section bench, drawn from a seed.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Nodes along meridian and depth, element matrices, surface weights and load vectors of the section.
+
 #include "section/section_shape_truth.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Biquadratic finite elements of the tire section, or of its crown alone as flat layers.
 #pragma once
 
 #include <cstddef>

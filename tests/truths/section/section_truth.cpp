@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Integrates the section bench by RODAS between samples and switches, and reads its sensors.
+
 #include "section/section_truth.hpp"
 
 #include "section/section_heat_truth.hpp"

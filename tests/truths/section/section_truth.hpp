@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Independent truth of the section bench, cases/practice/section_bench.md: parameters, hidden causes and noise-free
+// sensors.
 #pragma once
 
 #include <array>

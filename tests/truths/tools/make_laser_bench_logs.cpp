@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Writes the made-up runs of the laser's bench: make_laser_bench_logs CASES, where CASES is the folder cases/.
 #include "laser/laser_logs_truth.hpp"
 

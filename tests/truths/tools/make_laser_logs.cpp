@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Writes the made-up runs of the laser's specimen: make_laser_logs CASES, where CASES is the folder cases/.
 #include "two_node/shipped_truth.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Writes the made-up runs of the benches of a section and of layers: make_section_logs CASES, where CASES is the folder cases/.
 #include "section/section_logs_truth.hpp"
 

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The tire's numbers as the thesis prints them, and the balance of both lumps with every cause.
+
 #include "two_node/bench_equations_truth.hpp"
 
 #include <algorithm>

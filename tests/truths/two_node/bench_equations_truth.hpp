@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Right-hand side of the two-node bench and its sensors, independent of the program.
 #pragma once
 
 #include <array>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds the number that a parameter of a cause sets in the bench's equations.
+
 #include "two_node/causes_truth.hpp"
 
 #include <stdexcept>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Causes of the two-node bench as numbers of its equations.
 #pragma once
 
 #include <string>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Programmes of inputs for the two-node bench, drawn from a seed.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Exact response of a first-order lag to cubics, then offset and gain; emissivity by Stefan and Boltzmann's law.
+
 #include "two_node/sensors_truth.hpp"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sensors of the truths: place, emissivity, lag, offset and gain.
 #pragma once
 
 #include <cstddef>

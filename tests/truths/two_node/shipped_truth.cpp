@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Seeds, hidden effects and noise of the shipped logs of the two-node bench and of the laser's specimen.
+
 #include "two_node/shipped_truth.hpp"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The made-up logs that come with the cases of the two-node bench and of the laser's specimen.
 #pragma once
 
 #include <string>

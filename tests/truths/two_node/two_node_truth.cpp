@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Integrates the bench between samples and switches with step size control.
+
 #include "two_node/two_node_truth.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Independent truth of the two-node bench, cases/practice/README.md, by Dormand and Prince's method of order 5(4).
 #pragma once
 
 #include <map>
