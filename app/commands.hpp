@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The subcommands of the command line, one function each, and the exit codes of the program.
+// What main.cpp and the files of the commands share: the functions that add a command, and exit codes.
 #pragma once
 
 namespace CLI {
@@ -13,15 +13,8 @@ namespace tiretherm::app {
 enum Exit : int { done = 0, input_error = 1, numerical_failure = 2, interrupted = 130 };
 
 /// Each adds a command to the program; called by the user, it leaves its exit code in `exit_code`.
-void add_run_command(CLI::App& program, int& exit_code);
-void add_check_command(CLI::App& program, int& exit_code);
-void add_compare_command(CLI::App& program, int& exit_code);
-void add_convert_command(CLI::App& program, int& exit_code);
-void add_diagnose_command(CLI::App& program, int& exit_code);
-void add_effects_command(CLI::App& program, int& exit_code);
-void add_identify_command(CLI::App& program, int& exit_code);
-void add_keys_command(CLI::App& program, int& exit_code);
-void add_study_command(CLI::App& program, int& exit_code);
-void add_validate_command(CLI::App& program, int& exit_code);
+#define COMMAND(name, example) void add_##name##_command(CLI::App& program, int& exit_code);
+#include "app/commands.list"
+#undef COMMAND
 
 }  // namespace tiretherm::app

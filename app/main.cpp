@@ -62,6 +62,11 @@ void report_wrong_call(const CLI::App& program, const CLI::ParseError& error, bo
     }
 }
 
+/// A line of the examples under the program's help.
+std::string example_call(const std::string& command, const std::string& arguments) {
+    return fmt::format("  tiretherm {}{}{}\n", command, arguments.empty() ? "" : " ", arguments);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -69,16 +74,12 @@ int main(int argc, char** argv) {
     CLI::App program{"tiretherm: temperature field of a tire, compared with measured data", "tiretherm"};
     program.set_version_flag("--version", "tiretherm " TIRETHERM_VERSION);
     program.require_subcommand(1);
-    app::add_run_command(program, exit_code);
-    app::add_check_command(program, exit_code);
-    app::add_compare_command(program, exit_code);
-    app::add_identify_command(program, exit_code);
-    app::add_diagnose_command(program, exit_code);
-    app::add_study_command(program, exit_code);
-    app::add_validate_command(program, exit_code);
-    app::add_effects_command(program, exit_code);
-    app::add_keys_command(program, exit_code);
-    app::add_convert_command(program, exit_code);
+    std::string examples = "Examples:\n";
+#define COMMAND(name, example)                     \
+    app::add_##name##_command(program, exit_code); \
+    examples += example_call(#name, example);
+#include "app/commands.list"
+#undef COMMAND
     // For ./run, which must tell commands from cases; not for people, whom --help tells more.
     program
         .add_flag_callback("--commands",
@@ -87,18 +88,7 @@ int main(int argc, char** argv) {
                                throw CLI::Success();
                            })
         ->group("");
-    program.footer(
-        "Examples:\n"
-        "  tiretherm run cases/laser/one_watt.toml\n"
-        "  tiretherm check cases/laser/one_watt.toml\n"
-        "  tiretherm compare cases/practice/two_node_bench.toml\n"
-        "  tiretherm diagnose cases/practice/two_node_bench.toml\n"
-        "  tiretherm study cases/studies/speed_and_load_two_node.toml\n"
-        "  tiretherm validate\n"
-        "  tiretherm effects air_convection\n"
-        "  tiretherm keys mesh.layer\n"
-        "  tiretherm convert cases/convert/thesis_225_50_R17.xlsx\n\n"
-        "Help for a command: tiretherm COMMAND --help");
+    program.footer(examples + "\nHelp for a command: tiretherm COMMAND --help");
 
     const std::span<char*> arguments(argv, static_cast<std::size_t>(argc));
     const bool json =

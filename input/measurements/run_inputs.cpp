@@ -45,31 +45,15 @@ Missing find_missing(const std::vector<double>& time, const std::vector<double>&
     return missing;
 }
 
-/// Complains about gaps in a signal, or warns of them. @returns whether it is known well enough
+/// Reports gaps in a signal as an error, or as a warning. @returns whether it is known well enough
 /// @param elsewhere what to do about a signal that cannot be had from the column
 bool judge_gaps(const std::string& name, const std::vector<double>& time, const std::vector<double>& value,
                 const SourceLocation& place, const std::string& elsewhere, InputErrors& errors) {
-    const Missing missing = find_missing(time, value);
-    const double length = time.back() - time.front();
-    if (missing.samples == time.size()) {
-        errors.add(place, fmt::format("{} has no value in the run", name), elsewhere);
+    if (std::optional<ErrorText> error = gap_error(name, time, value, elsewhere)) {
+        errors.add(place, std::move(*error));
         return false;
     }
-    if (missing.longest > longest_gap && missing.longest > longest_share * length) {
-        errors.add(
-            place,
-            fmt::format("{} is missing for {:.6g} s from {:.6g} s on, {:.0f} % of the run", name, missing.longest,
-                        missing.from, 100.0 * missing.longest / length),
-            fmt::format("split the run there: a [[run]] up to the gap and one from its end, with from and to; or {}",
-                        elsewhere));
-        return false;
-    }
-    if (static_cast<double>(missing.samples) > most_missing * static_cast<double>(time.size())) {
-        errors.add(place, fmt::format("{} is missing in {} of {} samples", name, missing.samples, time.size()),
-                   fmt::format("leave out the part where it is missing, with from and to; or {}", elsewhere));
-        return false;
-    }
-    if (missing.samples > 0) {
+    if (const Missing missing = find_missing(time, value); missing.samples > 0) {
         errors.warn(place, fmt::format("{} is missing in {} of {} samples, for at most {:.6g} s from {:.6g} s on: it "
                                        "is taken as straight between its neighbours",
                                        name, missing.samples, time.size(), missing.longest, missing.from));
@@ -108,6 +92,27 @@ bool find_samples(const RunTable& run, RunFile& file, InputErrors& errors) {
 }
 
 }  // namespace
+
+std::optional<ErrorText> gap_error(const std::string& name, const std::vector<double>& time,
+                                   const std::vector<double>& value, const std::string& elsewhere) {
+    const Missing missing = find_missing(time, value);
+    const double length = time.back() - time.front();
+    if (missing.samples == time.size()) {
+        return ErrorText{fmt::format("{} has no value in the run", name), elsewhere};
+    }
+    if (missing.longest > longest_gap && missing.longest > longest_share * length) {
+        return ErrorText{
+            fmt::format("{} is missing for {:.6g} s from {:.6g} s on, {:.0f} % of the run", name, missing.longest,
+                        missing.from, 100.0 * missing.longest / length),
+            fmt::format("split the run there: a [[run]] up to the gap and one from its end, with from and to; or {}",
+                        elsewhere)};
+    }
+    if (static_cast<double>(missing.samples) > most_missing * static_cast<double>(time.size())) {
+        return ErrorText{fmt::format("{} is missing in {} of {} samples", name, missing.samples, time.size()),
+                         fmt::format("leave out the part where it is missing, with from and to; or {}", elsewhere)};
+    }
+    return std::nullopt;
+}
 
 std::optional<RunFile> open_run_file(const RunTable& run, const std::vector<std::string>& sensors,
                                      const std::vector<std::string>& followed, InputErrors& errors) {

@@ -23,6 +23,12 @@ struct RunFile {
 [[nodiscard]] std::optional<RunFile> open_run_file(const RunTable& run, const std::vector<std::string>& sensors,
                                                    const std::vector<std::string>& followed, InputErrors& errors);
 
+/// Why a signal with these gaps is not known well enough to drive a run; nothing where it is.
+/// @param time [n] s  @param value [n], NaN where it is missing
+/// @param elsewhere what to do about a signal that cannot be had from the column
+[[nodiscard]] std::optional<ErrorText> gap_error(const std::string& name, const std::vector<double>& time,
+                                                 const std::vector<double>& value, const std::string& elsewhere);
+
 /// The inputs that the file gives. A missing sample is left out, so that the input goes straight between its neighbours;
 /// where too much is missing that would be an invention, and is an error.
 [[nodiscard]] RunInputs read_run_inputs(const RunTable& run, const RunFile* file, InputErrors& errors);

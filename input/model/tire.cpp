@@ -3,9 +3,7 @@
 // and the .tir property file.
 
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <regex>
 
 #include <fmt/format.h>
 
@@ -13,6 +11,7 @@
 #include "input/model/problem_builder.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/text/tire_size.hpp"
 #include "input/tire_property_file/tir_file.hpp"
 
 namespace tiretherm::input {
@@ -65,35 +64,21 @@ const std::array laws{
     Law{"rolling_radius", &Tire::rolling_radius_table, radius, "rolling_radius_factor"},
 };
 
-/// "225/50 R17": width in mm, aspect ratio in %, rim in inches; with or without what sidewalls add to it.
 void read_size(TomlTable& tire, Tire& into) {
-    const std::optional<std::string> size = tire.text("size", Need::required);
-    if (!size) {
+    const std::optional<std::string> text = tire.text("size", Need::required);
+    if (!text) {
         return;
     }
-    static const std::regex pattern(
-        R"(\s*(?:P|LT|T)?\s*(\d{2,3})\s*/\s*(\d{2,3})\s*-?\s*(?:ZR|R|B|D|-)\s*(\d{2}(?:\.5)?)\s*C?(?:\s+.*)?)",
-        std::regex::icase);
-    std::smatch parts;
-    if (!std::regex_match(*size, parts, pattern)) {
-        tire.add_error("size", fmt::format("size is \"{}\", not the size of a tire", *size),
-                       "write width in mm / aspect ratio in %, R, rim in inches: \"225/50 R17\"");
+    const std::variant<TireSize, ErrorText> read = read_tire_size(*text);
+    if (const auto* error = std::get_if<ErrorText>(&read)) {
+        tire.add_error("size", error->what, error->remedy);
         return;
     }
-    const double width_mm = std::stod(parts[1]);
-    const double aspect = std::stod(parts[2]);
-    const double rim = std::stod(parts[3]) * 0.0254;
-    if (width_mm < 20.0 || aspect < 15.0 || aspect > 110.0 || rim < 0.2) {
-        tire.add_error("size",
-                       fmt::format("size is \"{}\": {} mm wide, aspect ratio {} %, rim {} in", *size, width_mm, aspect,
-                                   parts[3].str()),
-                       "write width in mm / aspect ratio in %, R, rim in inches: \"225/50 R17\"");
-        return;
-    }
-    into.name = *size;
-    into.width = width_mm * 1e-3;
-    into.section_height = into.width * aspect * 1e-2;
-    into.unloaded_radius = 0.5 * rim + into.section_height;
+    const TireSize& size = std::get<TireSize>(read);
+    into.name = size.text;
+    into.width = size.width;
+    into.section_height = size.section_height;
+    into.unloaded_radius = size.radius();
 }
 
 /// The moduli of the cornering stiffness: [tire.modulus].

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "input/text/suggestions.hpp"
 #include "physics/effect.hpp"
 #include "tests/app/program.hpp"
 
@@ -14,13 +15,28 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// All commands of the program, in the order of its help.
+const std::vector<std::string> commands{
+#define COMMAND(name, example) #name,
+#include "app/commands.list"
+#undef COMMAND
+};
+
 TEST(Call, HelpOfTheProgramAndOfEachCommandHasAnExample) {
-    for (const std::string command : {"", "run ", "check ", "study ", "validate ", "effects ", "convert "}) {
-        const Call help = call(command + "--help");
+    for (const std::string& command : commands) {
+        const Call help = call(command + " --help");
         EXPECT_EQ(help.exit_code, 0) << command;
         EXPECT_EQ(help.err, "");
         EXPECT_NE(help.out.find("Example"), std::string::npos) << command;
         EXPECT_NE(help.out.find("  tiretherm " + command), std::string::npos) << command;
+    }
+    const Call program = call("--help");
+    EXPECT_EQ(program.exit_code, 0);
+    EXPECT_EQ(program.err, "");
+    const std::size_t examples = program.out.find("\nExamples:\n");
+    ASSERT_NE(examples, std::string::npos) << program.out;
+    for (const std::string& command : commands) {
+        EXPECT_NE(program.out.find("\n  tiretherm " + command, examples), std::string::npos) << program.out;
     }
 }
 
@@ -74,10 +90,8 @@ TEST(Call, MissingCaseAndMissingCommandAreErrors) {
     EXPECT_EQ(call("run").exit_code, 1);
     EXPECT_EQ(call("run").err, "tiretherm: CASE is required; see tiretherm run --help\n");
     EXPECT_EQ(call("").exit_code, 1);
-    EXPECT_EQ(
-        call("").err,
-        "tiretherm: no command; the commands are run, check, compare, identify, diagnose, study, validate, effects, "
-        "keys and convert; see tiretherm --help\n");
+    EXPECT_EQ(call("").err, fmt::format("tiretherm: no command; the commands are {}; see tiretherm --help\n",
+                                        input::listed(commands)));
 }
 
 TEST(Check, SoundCaseIsToldInAFewLines) {

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The command line of `tiretherm new`: a first case from a tire's size or from a data logger's file.
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.hpp"
+#include "app/messages.hpp"
+#include "input/new_case/new_case.hpp"
+#include "input/text/suggestions.hpp"
+#include "post/report/file.hpp"
+#include "post/report/table.hpp"
+
+namespace tiretherm::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view assumed_size = "225/50 R17";
+
+struct Options {
+    std::string subject;
+    std::string file;
+    std::string size;
+    std::string mesh = std::string(input::mesh_template_names().front());
+    std::string pressure;
+    bool force = false;
+    bool json = false;
+};
+
+/// Whether the user names a file: one that is there, or a name that ends as a log's does.
+bool is_log(const std::string& subject) {
+    constexpr std::array<std::string_view, 7> endings{".csv", ".txt", ".tsv", ".dat", ".log", ".h5", ".hdf5"};
+    std::string ending = fs::path(subject).extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::error_code error;
+    return std::ranges::find(endings, ending) != endings.end() || fs::exists(subject, error);
+}
+
+/// "225_50_R17.toml" of a size, "drive.toml" of drive.csv.
+fs::path standard_file(const Options& options, const input::NewCaseRequest& request) {
+    std::string name = request.log ? request.log->stem().string() : std::string(input::trim(options.subject));
+    std::ranges::replace_if(
+        name, [](char c) { return c == '/' || c == ' '; }, '_');
+    return name + ".toml";
+}
+
+/// What the call asks for; nothing after an error, which has been reported.
+std::optional<input::NewCaseRequest> read_request(const Options& options) {
+    input::NewCaseRequest request;
+    const bool log = is_log(options.subject);
+    if (log) {
+        request.log = options.subject;
+    }
+    request.size_is_assumed = log && options.size.empty();
+    const std::string size = !log                      ? options.subject
+                             : request.size_is_assumed ? std::string(assumed_size)
+                                                       : options.size;
+    const auto read = input::read_tire_size(size);
+    if (const auto* error = std::get_if<input::ErrorText>(&read)) {
+        report_error(log ? error->what : fmt::format("\"{}\" is neither the size of a tire nor a file", size),
+                     log ? error->remedy : error->remedy + ", or name a log: drive.csv", options.json);
+        return std::nullopt;
+    }
+    if (!log && !options.size.empty()) {
+        report_error("two sizes are given", "leave --size to a log: tiretherm new drive.csv --size \"225/50 R17\"",
+                     options.json);
+        return std::nullopt;
+    }
+    request.size = std::get<input::TireSize>(read);
+    if (!options.pressure.empty()) {
+        const input::ParsedQuantity pressure =
+            input::quantity(options.pressure, {.unit = "Pa", .low = 1e4, .high = 2e6}, "the inflation pressure");
+        if (pressure.error) {
+            report_error(pressure.error->what, pressure.error->remedy, options.json);
+            return std::nullopt;
+        }
+        request.inflation_pressure = pressure.value;
+    }
+    request.mesh = options.mesh;
+    request.target = options.file.empty() ? standard_file(options, request) : fs::path(options.file);
+    return request;
+}
+
+std::string use_of(const input::LogColumn& column) {
+    if (!column.is_used()) {
+        const bool guess = !column.suggestion.empty() && column.suggestion != column.heading.name;
+        return guess ? fmt::format("not used; is it {}?", column.suggestion)
+                     : fmt::format("not used: {}", column.reason);
+    }
+    const std::string unit = column.unit.empty() ? "" : fmt::format(", read in {}", column.unit);
+    const std::string kind = column.is_sensor ? "measured by the sensor " : column.is_input ? "input " : "";
+    return kind + column.name + unit;
+}
+
+void print_json(const input::NewCase& made, const input::NewCaseRequest& request) {
+    Json json{{"case", request.target.generic_string()},
+              {"size", request.size.text},
+              {"mesh", request.mesh},
+              {"log", nullptr},
+              {"columns", Json::array()},
+              {"assumed", Json::array()},
+              {"missing", Json::array()},
+              {"warnings", made.warnings},
+              {"mistakes", Json::array()}};
+    if (made.log) {
+        json["log"] = {{"file", made.log->path},
+                       {"from", made.log->time.front()},
+                       {"to", made.log->time.back()},
+                       {"samples", made.log->time.size()},
+                       {"compares", made.log->use == input::LogUse::run}};
+        for (const input::LogColumn& column : made.log->columns) {
+            const char* use = !column.is_used()  ? "not used"
+                              : column.is_sensor ? "sensor"
+                              : column.is_input  ? "input"
+                                                 : "time";
+            json["columns"].push_back({{"column", column.heading.name},
+                                       {"unit", column.heading.unit ? Json(*column.heading.unit) : Json()},
+                                       {"use", use},
+                                       {"name", column.name},
+                                       {"read_in", column.unit},
+                                       {"suggestion", column.suggestion},
+                                       {"suggested_unit", column.suggested_unit},
+                                       {"reason", column.reason}});
+        }
+    }
+    for (const input::AssumedValue& value : made.assumed) {
+        json["assumed"].push_back({{"key", value.key}, {"value", value.value}, {"reason", value.reason}});
+    }
+    for (const input::MissingPart& part : made.missing) {
+        json["missing"].push_back({{"what", part.what}, {"remedy", part.remedy}});
+    }
+    fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+void print_text(const input::NewCase& made, const input::NewCaseRequest& request) {
+    const std::string file = request.target.generic_string();
+    fmt::print("{}: a {} on {}\n", file, request.size.text, made.mesh);
+    if (made.log) {
+        const std::vector<double>& time = made.log->time;
+        fmt::print("\nFrom {}, {} samples from {:g} to {:g} s\n", made.log->path,
+                   post::grouped(static_cast<double>(time.size())), time.front(), time.back());
+        post::Table table({true, true});
+        for (const input::LogColumn& column : made.log->columns) {
+            table.add({column.title(), use_of(column)});
+        }
+        fmt::print("{}", table.text(2));
+    }
+    if (!made.assumed.empty()) {
+        post::Table table({true, true, true});
+        for (const input::AssumedValue& value : made.assumed) {
+            table.add({value.key, value.value, value.reason});
+        }
+        fmt::print("\nAssumed; change it in the case\n{}", table.text(2));
+    }
+    if (!made.missing.empty()) {
+        fmt::print("\nStill missing\n");
+        for (const input::MissingPart& part : made.missing) {
+            fmt::print("{}", post::wrap(fmt::format("{}; {}", part.what, part.remedy), 2));
+        }
+    }
+    for (const std::string& warning : made.warnings) {
+        fmt::print("\nwarning: {}", warning);
+    }
+    fmt::print("{}\nIt runs with: tiretherm run {}\n", made.warnings.empty() ? "" : "\n", file);
+    if (made.log && made.log->use == input::LogUse::run) {
+        fmt::print("Compared with what was measured: tiretherm compare {}\n", file);
+    }
+}
+
+int make_case(const Options& options) {
+    const std::optional<input::NewCaseRequest> request = read_request(options);
+    if (!request) {
+        return Exit::input_error;
+    }
+    const std::string file = request->target.generic_string();
+    std::error_code error;
+    if (fs::is_directory(request->target, error)) {
+        report_error(fmt::format("{} is a directory", file), "name a file with --out", options.json);
+        return Exit::input_error;
+    }
+    if (fs::exists(fs::symlink_status(request->target, error)) && !options.force) {
+        report_error(fmt::format("{} exists and is left as it is", file),
+                     "replace it with --force, or write elsewhere with --out FILE", options.json);
+        return Exit::input_error;
+    }
+    const input::NewCase made = input::make_new_case(*request);
+    if (!made.errors.empty()) {
+        report_errors({.problem = std::nullopt, .errors = made.errors, .warnings = made.warnings},
+                      "no case was written", options.json);
+        return Exit::input_error;
+    }
+    try {
+        const fs::path folder = request->target.parent_path();
+        if (!folder.empty() && !fs::create_directories(folder, error) && error) {
+            throw post::FileError("create", folder, error.message());
+        }
+        post::replace_file(request->target, made.text);
+    } catch (const post::FileError& failure) {
+        report_error(failure.what(), "no case was written; choose another file with --out", options.json);
+        return Exit::input_error;
+    }
+    options.json ? print_json(made, *request) : print_text(made, *request);
+    return Exit::done;
+}
+
+}  // namespace
+
+void add_new_command(CLI::App& program, int& exit_code) {
+    CLI::App* command =
+        program.add_subcommand("new", "Write a commented case from a tire's size or a logger's file; it runs as it is");
+    const auto options = std::make_shared<Options>();
+    const auto names = input::mesh_template_names();
+    command
+        ->add_option("SIZE|LOG", options->subject,
+                     "Size of a tire, \"225/50 R17\"; or a data logger's CSV or HDF5 file")
+        ->required()
+        ->option_text(" ");
+    command->add_option("--out", options->file, "The case. Default: the size or the log's name, here")
+        ->option_text("FILE");
+    command->add_option("--size", options->size, "The tire of a log. Default: 225/50 R17, that of the thesis")
+        ->option_text("SIZE");
+    command->add_option("--mesh", options->mesh, "section (default), layers or two_node")
+        ->option_text("KIND")
+        ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())));
+    command
+        ->add_option("--pressure", options->pressure,
+                     "Inflation, \"2.4 bar\": scales stiffness and contact. Default: 220 kPa, with C or LT 450 kPa")
+        ->option_text("PRESSURE");
+    command->add_flag("--force", options->force, "Replace a case that is there already");
+    command->add_flag("--json", options->json, "One JSON object: columns, assumptions, what is missing");
+    command->footer(
+        "Every line of the case says what it means and where its value comes from. Of a log, columns with standard "
+        "names\n"
+        "and units (time [s], speed [km/h], vertical_load [N], air_temperature [degC], road_temperature [degC],\n"
+        "surface_temperature [degC], bulk_temperature [degC] ...; cases/README.md has all) become inputs and measured\n"
+        "sensors; of others the case has suggestions, to be confirmed by taking a # away. Inputs that the log lacks "
+        "get\n"
+        "constants. Paths in the case are relative: move case and log together.\n\n"
+        "Exit code: 0 the case was written, 1 an error in the call or the log.\n\n"
+        "Examples:\n"
+        "  tiretherm new \"225/50 R17\" --out mine.toml\n"
+        "  tiretherm run mine.toml\n"
+        "  tiretherm new drive.csv --size \"235/45 R17\" --out drive.toml\n"
+        "  tiretherm compare drive.toml");
+    command->callback([options, &exit_code] { exit_code = make_case(*options); });
+}
+
+}  // namespace tiretherm::app

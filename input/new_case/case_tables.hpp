@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The tables of a new case, a function for each.
+#pragma once
+
+#include "input/new_case/case_writer.hpp"
+#include "input/new_case/new_case.hpp"
+
+namespace tiretherm::input {
+
+/// What every table of the case is written from, and what is noted on the way.
+struct CaseDraft {
+    const NewCaseRequest& request;
+    MeshTemplate mesh;
+    double tread_thickness = 0.0;     ///< m
+    double sidewall_thickness = 0.0;  ///< m
+    double inflation_pressure = 0.0;  ///< Pa above the atmosphere
+    NewCase& result;                  ///< its log, and what is assumed and missing
+    CaseWriter writer{};
+
+    [[nodiscard]] const Log* log() const { return result.log ? &*result.log : nullptr; }
+    /// The column that the case takes for an input or a sensor; null: none.
+    [[nodiscard]] const LogColumn* column(std::string_view name) const {
+        return log() != nullptr && log()->use != LogUse::nothing ? log()->find(name) : nullptr;
+    }
+    void assume(std::string key, std::string value, std::string reason) const {
+        result.assumed.push_back({std::move(key), std::move(value), std::move(reason)});
+    }
+};
+
+/// [tire]: dimensions and laws of the load, scaled from the thesis's tire.
+void write_tire(CaseDraft& draft);
+/// [mesh], [[mesh.layer]] and [[material]] of the library's case, tread and sidewall as thick as the tire's.
+void write_mesh(CaseDraft& draft);
+/// [effects.NAME]: the numbers that users adjust, at the values of the catalogue.
+void write_effects(CaseDraft& draft);
+/// [drive], [initial] and [time]: constants, or what the log says.
+void write_drive(CaseDraft& draft);
+void write_initial(CaseDraft& draft);
+void write_time(CaseDraft& draft);
+/// The list [[sensor]].
+void write_sensors(CaseDraft& draft);
+/// [[run]] or [[drive.file]] with the log's columns, and what a fit may move.
+void write_log(CaseDraft& draft);
+
+/// "23.4 degC" of a temperature in K, to a hundredth.
+[[nodiscard]] std::string shown_celsius(double kelvin);
+/// A number of seconds as a case writes it: "2400 s".
+[[nodiscard]] std::string shown_seconds(double seconds);
+
+}  // namespace tiretherm::input

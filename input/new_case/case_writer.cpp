@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The text of a case as it is written.
+#include "input/new_case/case_writer.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "input/text/suggestions.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+constexpr std::size_t comment_column = 36;
+constexpr std::size_t width = 124;
+
+/// The words of a text in lines of at most `room` characters, one at least.
+std::vector<std::string> wrapped(const std::string& text, std::size_t room) {
+    std::vector<std::string> lines(1);
+    std::size_t used = 0;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find(' ', at), text.size());
+        const std::string word = text.substr(at, end - at);
+        const std::size_t size = split_characters(word).size();
+        if (used > 0 && used + 1 + size > room) {
+            lines.emplace_back();
+            used = 0;
+        }
+        lines.back() += (used > 0 ? " " : "") + word;
+        used += size + (used > 0 ? 1 : 0);
+        at = end + 1;
+    }
+    return lines;
+}
+
+/// An entry or a heading with its comment, without the last line's end.
+std::string commented(const std::string& line, std::string_view comment) {
+    if (comment.empty()) {
+        return line;
+    }
+    const std::size_t size = split_characters(line).size();
+    const std::size_t column = std::max(comment_column, size + 2);
+    const std::size_t room = std::max<std::size_t>(width - std::min(width, column + 2), 40);
+    std::string text = line + std::string(column - size, ' ');
+    bool first = true;
+    for (const std::string& part : wrapped(printable(comment), room)) {
+        text += first ? "# " + part : "\n" + std::string(column, ' ') + "# " + part;
+        first = false;
+    }
+    return text;
+}
+
+/// How many bytes the UTF-8 character at the start of a text has; 0 where there is none.
+std::size_t character_size(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const std::size_t size = byte(0) < 0x80U ? 1 : byte(0) < 0xC2U ? 0 : byte(0) < 0xE0U ? 2 : byte(0) < 0xF0U ? 3 : 4;
+    if (size == 0 || byte(0) > 0xF4U || size > text.size()) {
+        return 0;
+    }
+    for (std::size_t i = 1; i < size; ++i) {
+        if ((byte(i) & 0xC0U) != 0x80U) {
+            return 0;
+        }
+    }
+    // Overlong forms, surrogates and what lies beyond the last plane.
+    const bool wrong = size > 2 && ((byte(0) == 0xE0U && byte(1) < 0xA0U) || (byte(0) == 0xEDU && byte(1) > 0x9FU) ||
+                                    (byte(0) == 0xF0U && byte(1) < 0x90U) || (byte(0) == 0xF4U && byte(1) > 0x8FU));
+    return wrong ? 0 : size;
+}
+
+bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20U || static_cast<unsigned char>(c) == 0x7FU; }
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t size = character_size(text);
+        if (size == 0) {
+            result += '?';
+        } else {
+            result += is_control(text.front()) ? std::string(" ") : std::string(text.substr(0, size));
+        }
+        text.remove_prefix(std::max<std::size_t>(size, 1));
+    }
+    return result;
+}
+
+bool is_printable(std::string_view text) { return printable(text) == text; }
+
+std::string CaseWriter::entry_line(std::string_view key, std::string_view value, std::string_view comment) {
+    return commented(fmt::format("{} = {}", key, value), comment);
+}
+
+void CaseWriter::heading(std::string_view heading, std::string_view comment) {
+    blank();
+    text_ += commented(std::string(heading), comment) + "\n";
+}
+
+void CaseWriter::entry(std::string_view key, std::string_view value, std::string_view comment) {
+    text_ += entry_line(key, value, comment) + "\n";
+}
+
+void CaseWriter::suggestion(std::string_view key, std::string_view value, std::string_view comment) {
+    text_ += entry_line("# " + printable(key), printable(value), comment) + "\n";
+}
+
+void CaseWriter::remark(std::string_view text) {
+    for (const std::string& line : wrapped(printable(text), width - 2)) {
+        text_ += "# " + line + "\n";
+    }
+}
+
+void CaseWriter::blank() {
+    if (!text_.empty() && !text_.ends_with("\n\n")) {
+        text_ += "\n";
+    }
+}
+
+void CaseWriter::lines(const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) {
+        text_ += line + "\n";
+    }
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Guesses what a column of a log may be from the words of its heading, and what a unit may mean that nobody knows.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "input/tables/columns.hpp"
+
+namespace tiretherm::input {
+
+/// Something that a column may be: the time, an input or what a sensor reads.
+struct ColumnMeaning {
+    std::string name;
+    QuantitySpec spec;
+    bool is_input = false;
+    bool is_sensor = false;
+};
+
+/// A name without capitals, blanks and signs: "Vertical Load" and "vertical_load" are the same.
+[[nodiscard]] std::string bare_name(std::string_view name);
+
+/// The unit that was probably meant by one that cannot be taken as it is: "C" of a temperature is degC. Empty: no guess.
+[[nodiscard]] std::string guess_unit(std::string_view written, const QuantitySpec& spec);
+/// The unit that messages would write for a quantity: km/h, N, degC.
+[[nodiscard]] std::string usual_unit(const QuantitySpec& spec);
+
+/// What a column may be, by the words of its heading among those of a unit that suits; null: no guess.
+[[nodiscard]] const ColumnMeaning* guess_meaning(const Heading& heading, const std::vector<ColumnMeaning>& meanings);
+
+}  // namespace tiretherm::input

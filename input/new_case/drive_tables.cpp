@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// [drive], [initial] and [time] of a new case: the library's constants, or what the log says.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "input/new_case/case_tables.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+/// An input that the effects of a tire need, and what the library's constant is.
+struct NeededInput {
+    std::string_view name;
+    std::string_view meaning;
+    std::string_view ground;
+};
+constexpr std::array needed{
+    NeededInput{"vertical_load", "on the tire", "that of the thesis's first warm-up"},
+    NeededInput{"speed", "of the road under the tire", "that of the thesis's first warm-up"},
+    NeededInput{"air_temperature", "of the air around the tire", "a room; the thesis names none"},
+    NeededInput{"road_temperature", "of the road or the drum", "that of the air; a road in the sun is hotter"}};
+
+std::string without_quotes(const std::string& value) {
+    return value.size() > 1 && value.front() == '"' ? value.substr(1, value.size() - 2) : value;
+}
+
+double mean(const std::vector<double>& values) {
+    double sum = 0.0;
+    double count = 0.0;
+    for (const double value : values) {
+        sum += std::isnan(value) ? 0.0 : value;
+        count += std::isnan(value) ? 0.0 : 1.0;
+    }
+    return sum / count;
+}
+
+/// The constant in place of an input that no log gives.
+std::string constant(const CaseDraft& draft, std::string_view name) {
+    const LogColumn* air = draft.column("air_temperature");
+    return name == "road_temperature" && air != nullptr ? shown_celsius(mean(air->value))
+                                                        : without_quotes(draft.mesh.setting("drive", name));
+}
+
+/// Inputs that may be given, as comments.
+void suggest_inputs(CaseDraft& draft) {
+    CaseWriter& writer = draft.writer;
+    if (draft.column("slip_angle") == nullptr && draft.column("lateral_force") == nullptr) {
+        writer.suggestion("slip_angle", "\"2 deg\"", "with lateral_force: heat of sliding in the contact");
+        writer.suggestion("lateral_force", "\"2500 N\"", "either sign");
+    }
+    if (draft.mesh.name == "section" && draft.column("camber") == nullptr) {
+        writer.suggestion("camber", "\"-2 deg\"",
+                          "negative: the top leans inboard, the inside shoulder is loaded more");
+    }
+}
+
+void suggest_schedule(CaseWriter& writer) {
+    writer.blank();
+    writer.remark("Straight lines between rows may take the place of a constant, two rows at one time are a jump:");
+    writer.remark("[[drive.schedule]]");
+    writer.suggestion("columns", "[\"time [min]\", \"speed [km/h]\"]", "remove speed from [drive] then");
+    writer.suggestion("rows", "[[0, 80], [20, 80], [20, 120], [60, 120]]");
+}
+
+/// The mean of the first values of the sensors whose names end so; nothing where there is none.
+std::optional<double> first_of(const CaseDraft& draft, std::string_view ending) {
+    std::vector<double> found;
+    for (const TemplateSensor& sensor : draft.mesh.sensors) {
+        const LogColumn* column = draft.column(sensor.name);
+        if (column != nullptr && sensor.name.ends_with(ending) && column->first_value()) {
+            found.push_back(*column->first_value());
+        }
+    }
+    return found.empty() ? std::nullopt : std::optional(mean(found));
+}
+
+}  // namespace
+
+std::string shown_celsius(double kelvin) {
+    return fmt::format("{:g} degC", std::round((kelvin - 273.15) * 100.0) / 100.0);
+}
+
+std::string shown_seconds(double seconds) { return fmt::format("{} s", seconds); }
+
+void write_drive(CaseDraft& draft) {
+    CaseWriter& writer = draft.writer;
+    writer.heading("[drive]", draft.column("time") != nullptr
+                                  ? "what the log does not give"
+                                  : "how the tire is driven, in any unit: \"62 mph\" will do");
+    for (const NeededInput& input : needed) {
+        const std::string key = fmt::format("drive.{}", input.name);
+        if (const LogColumn* column = draft.column(input.name)) {
+            writer.remark(fmt::format("{}: the log's column {}", input.name, column->title()));
+            continue;
+        }
+        const std::string value = constant(draft, input.name);
+        const bool of_air = input.name == "road_temperature" && draft.column("air_temperature") != nullptr;
+        const std::string ground =
+            of_air ? "the mean of the log's air_temperature; a road in the sun is hotter" : std::string(input.ground);
+        const std::string lacking = draft.log() != nullptr ? "the log does not give it; " : "";
+        writer.entry(input.name, fmt::format("\"{}\"", value),
+                     fmt::format("{}; {}assumed: {}", input.meaning, lacking, ground));
+        draft.assume(key, value, lacking + ground);
+    }
+    suggest_inputs(draft);
+    if (draft.column("time") == nullptr) {
+        suggest_schedule(writer);
+    }
+}
+
+void write_initial(CaseDraft& draft) {
+    CaseWriter& writer = draft.writer;
+    const std::optional<double> surface = first_of(draft, "surface_temperature");
+    const std::optional<double> bulk = first_of(draft, "bulk_temperature");
+    const std::optional<double> liner = first_of(draft, "inner_liner_temperature");
+    const std::optional<double> gas = first_of(draft, "gas_temperature");
+    const std::optional<double> inside = bulk ? bulk : liner ? liner : surface ? surface : gas;
+    writer.heading("[initial]");
+    if (!inside) {
+        const bool logged = draft.column("air_temperature") != nullptr;
+        const std::string value = logged ? "\"air_temperature\"" : draft.mesh.setting("initial", "temperature");
+        writer.entry("temperature", value,
+                     logged ? "everywhere at the start; assumed: the log's first air_temperature"
+                            : "everywhere at the start; or \"air_temperature\", that of the air");
+        draft.assume("initial.temperature", without_quotes(value),
+                     logged ? "a tire that has stood in the air of the log's first sample" : "that of air and road");
+        return;
+    }
+    writer.entry("temperature", fmt::format("\"{}\"", shown_celsius(*inside)),
+                 fmt::format("everywhere but in what follows: the log's first {} temperature", bulk      ? "bulk"
+                                                                                               : liner   ? "inner liner"
+                                                                                               : surface ? "surface"
+                                                                                                         : "gas"));
+    const bool thick = draft.mesh.name == "section";  // its tread is a single layer of 8 mm
+    if (surface && inside != surface) {
+        const double tread = thick ? 0.5 * (*surface + *inside) : *surface;
+        writer.entry(thick ? "tread" : "surface", fmt::format("\"{}\"", shown_celsius(tread)),
+                     thick ? "the mean of the log's first surface and inner temperatures"
+                           : "the log's first surface temperature");
+    }
+    if (thick && liner && inside != liner) {
+        writer.entry("liner", fmt::format("\"{}\"", shown_celsius(*liner)), "the log's first inner liner temperature");
+    }
+    if (thick && gas) {
+        writer.entry("gas", fmt::format("\"{}\"", shown_celsius(*gas)), "the log's first gas temperature");
+    }
+}
+
+void write_time(CaseDraft& draft) {
+    CaseWriter& writer = draft.writer;
+    const std::string output = draft.mesh.setting("time", "output");
+    writer.heading("[time]");
+    if (const Log* log = draft.log(); log == nullptr) {
+        writer.entry("end", draft.mesh.setting("time", "end"),
+                     "of the run, in any unit: \"1 h\"; until the tire is warm");
+    } else if (log->use == LogUse::nothing) {
+        writer.entry("start", fmt::format("\"{}\"", shown_seconds(log->time.front())), "the log's first time");
+        writer.entry("end", fmt::format("\"{}\"", shown_seconds(log->time.back())), "the log's last time");
+    } else {
+        writer.remark(fmt::format("The run lasts as long as the log, from {} to {}.", shown_seconds(log->time.front()),
+                                  shown_seconds(log->time.back())));
+    }
+    writer.entry("output", output, "between the rows of channels.csv; \"0 s\" for every step of the solver");
+    writer.suggestion("fields", "\"60 s\"", "between stored temperature fields; without it the first and the last");
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the columns of a data logger's file are to a new case: its time, inputs, what its sensors read, or nothing yet.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "input/new_case/column_words.hpp"
+#include "input/new_case/mesh_template.hpp"
+#include "input/tables/data_file.hpp"
+
+namespace tiretherm::input {
+
+/// A column of the log and what the case makes of it.
+struct LogColumn {
+    int column = 0;
+    Heading heading;   ///< as the file has it
+    std::string name;  ///< what it is taken for; empty: not used
+    bool is_input = false;
+    bool is_sensor = false;
+    std::string unit{};            ///< taken in place of the heading's; empty: the heading's
+    std::string suggestion{};      ///< a name that it may have, of one that is not used
+    std::string suggested_unit{};  ///< a unit that the case must say then; empty: the heading's will do
+    std::string reason{};          ///< why it is not used
+    bool must_ignore = false;      ///< not used, although the reader would know its name
+    std::vector<double> value{};   ///< [n_samples] SI, NaN where missing; of a used column
+
+    [[nodiscard]] bool is_used() const { return !name.empty(); }
+    /// "speed [km/h]", for comments and messages.
+    [[nodiscard]] std::string title() const;
+    /// The first value that is not missing; nothing where there is none.
+    [[nodiscard]] std::optional<double> first_value() const;
+};
+
+/// How a case can use a log.
+enum class LogUse : std::uint8_t {
+    run,      ///< a measured run: a sensor of the case reads one of its columns
+    drive,    ///< inputs alone: [[drive.file]]
+    nothing,  ///< it gives its span of time alone
+};
+
+/// A log that has been read.
+struct Log {
+    std::string path;            ///< as the user would type it
+    bool is_text = true;         ///< CSV, not HDF5
+    std::vector<double> time{};  ///< [n_samples] s
+    std::vector<LogColumn> columns{};
+    LogUse use = LogUse::nothing;
+
+    [[nodiscard]] const LogColumn* find(std::string_view name) const;  ///< that is used under this name; null: none
+};
+
+/// Reads the log's headings and the columns that have standard names; what is wrong with them goes to `errors`, with the
+/// line. A name is recognised without regard to capitals, blanks and underscores. A column of time goes by its unit
+/// where none goes by its name.
+/// @param mesh that the case is to have: its sensors are what may have been measured
+/// @returns nothing after an error
+[[nodiscard]] std::optional<Log> read_log(const std::filesystem::path& path, const MeshTemplate& mesh,
+                                          InputErrors& errors);
+
+}  // namespace tiretherm::input

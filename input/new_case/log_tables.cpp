@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The log in a new case: [[run]] or [[drive.file]] with its columns, and what a fit may move.
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "input/new_case/case_tables.hpp"
+#include "input/text/suggestions.hpp"
+#include "input/text/toml_text.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+/// "drive.csv" from the folder in which the case will be.
+std::string log_path(const CaseDraft& draft) {
+    const std::filesystem::path folder = draft.request.target.parent_path();
+    return toml_text::path(*draft.request.log, folder.empty() ? "." : folder);
+}
+
+bool is_renamed(const LogColumn& column) { return column.is_used() && column.heading.name != column.name; }
+
+/// Writes a table of the log's columns: heads and lines as they are, or all of it behind a #.
+class ColumnTable {
+public:
+    ColumnTable(CaseWriter& writer, std::string heading, std::string comment, bool commented)
+        : writer_(writer), heading_(std::move(heading)), comment_(std::move(comment)), commented_(commented) {}
+
+    void entry(const LogColumn& column, const std::string& value, const std::string& comment) {
+        open();
+        const std::string key = toml_text::key(column.heading.name);
+        commented_ ? writer_.suggestion(key, value, comment) : writer_.entry(key, value, comment);
+    }
+    void suggestion(const LogColumn& column, const std::string& value, const std::string& comment) {
+        open();
+        writer_.suggestion(toml_text::key(column.heading.name), value, comment);
+    }
+
+private:
+    void open() {
+        if (!std::exchange(is_open_, true)) {
+            commented_ ? writer_.remark(heading_) : writer_.heading(heading_, comment_);
+        }
+    }
+    CaseWriter& writer_;
+    std::string heading_;
+    std::string comment_;
+    bool commented_;
+    bool is_open_ = false;
+};
+
+/// [run.columns] and [run.units]: what holds, and behind a # what may hold.
+/// @param commented all of it behind a #
+void write_columns(CaseWriter& writer, const Log& log, bool commented) {
+    ColumnTable columns(writer, "[run.columns]", "the log's column = what it is: time, an input or a sensor",
+                        commented);
+    for (const LogColumn& column : log.columns) {
+        if (is_renamed(column)) {
+            columns.entry(column, toml_text::in_quotes(column.name), column.title());
+        } else if (!column.is_used() && !column.suggestion.empty() && column.suggestion != column.heading.name) {
+            columns.suggestion(column, toml_text::in_quotes(column.suggestion),
+                               fmt::format("{}: is it? Then take the # away", column.title()));
+        }
+    }
+    ColumnTable units(writer, "[run.units]", "of columns whose heading has no unit, or one that cannot be read",
+                      commented);
+    for (const LogColumn& column : log.columns) {
+        if (column.is_used() && !column.unit.empty()) {
+            units.entry(column, toml_text::in_quotes(column.unit), "assumed");
+        } else if (!column.is_used() && !column.suggested_unit.empty()) {
+            units.suggestion(column, toml_text::in_quotes(column.suggested_unit), "or what its unit is");
+        }
+    }
+}
+
+std::vector<std::string> ignored(const Log& log) {
+    std::vector<std::string> names;
+    for (const LogColumn& column : log.columns) {
+        if (!column.is_used() && column.must_ignore) {
+            names.push_back(toml_text::in_quotes(column.heading.name));
+        }
+    }
+    return names;
+}
+
+/// Columns that are left alone, in a sentence.
+void write_unused(CaseWriter& writer, const Log& log) {
+    for (const LogColumn& column : log.columns) {
+        if (!column.is_used() && column.must_ignore) {
+            writer.remark(fmt::format("{}: {}", column.title(), column.reason));
+        }
+    }
+    std::vector<std::string> unknown;
+    for (const LogColumn& column : log.columns) {
+        if (!column.is_used() && !column.must_ignore && column.suggestion.empty() && !column.heading.name.empty()) {
+            unknown.push_back(column.heading.name);
+        }
+    }
+    if (!unknown.empty()) {
+        writer.remark(fmt::format("No input and no sensor of this case: {}.", listed(unknown)));
+    }
+}
+
+void write_ignored(CaseWriter& writer, const Log& log) {
+    const std::vector<std::string> names = ignored(log);
+    if (!names.empty()) {
+        writer.entry("ignore", fmt::format("[{}]", fmt::join(names, ", ")), "columns that are not used, see above");
+    }
+}
+
+/// What `tiretherm identify` may move: start, cooling and heating, with how well they are known.
+void write_parameters(CaseWriter& writer) {
+    writer.blank();
+    writer.remark(
+        "What `tiretherm identify` fits and `tiretherm diagnose` fits anew beside each cause: cooling by the air, "
+        "heating by deformation and the start, each with the standard deviation of what is known beforehand. "
+        "`tiretherm run` and `compare` take the values as they stand.");
+    writer.lines({"[[parameter]]"});
+    writer.entry("effect", "\"air_convection\"");
+    writer.entry("key", "\"lambda_h\"");
+    writer.entry("standard_deviation", "0.1", "assumed: films are known to 10 %");
+    writer.heading("[[parameter]]");
+    writer.entry("effect", "\"strain_energy_loss\"");
+    writer.entry("key", "\"tan_delta_a\"", "scales the loss tangent (49), and so the loss, everywhere alike");
+    writer.entry("standard_deviation", "0.2e15", "assumed: about 10 %");
+    writer.heading("[[parameter]]");
+    writer.entry("initial", "\"temperature\"", "a shift of the whole tire at the start");
+    writer.entry("standard_deviation", "\"3 K\"", "assumed");
+}
+
+void write_run(CaseDraft& draft, const Log& log) {
+    CaseWriter& writer = draft.writer;
+    writer.blank();
+    writer.remark("The log as a measured run: its inputs win over [drive], what its sensors read is compared.");
+    write_unused(writer, log);
+    writer.lines({"[[run]]"});
+    writer.entry("file", log_path(draft), "from this file's folder");
+    writer.suggestion("from", fmt::format("\"{}\"", shown_seconds(log.time.front())), "a part of the log");
+    writer.suggestion("to", fmt::format("\"{}\"", shown_seconds(log.time.back())));
+    write_ignored(writer, log);
+    write_columns(writer, log, false);
+    write_parameters(writer);
+}
+
+void write_drive_file(CaseDraft& draft, const Log& log) {
+    CaseWriter& writer = draft.writer;
+    writer.blank();
+    writer.remark("The log drives the tire.");
+    writer.lines({"[[drive.file]]"});
+    writer.entry("path", log_path(draft), "from this file's folder");
+    write_ignored(writer, log);
+    ColumnTable columns(writer, "[drive.file.columns]", "the log's column = what it is", false);
+    for (const LogColumn& column : log.columns) {
+        if (is_renamed(column)) {
+            columns.entry(column, toml_text::in_quotes(column.name), column.title());
+        }
+    }
+}
+
+/// How to compare once a column is known to be a sensor's.
+void suggest_run(CaseDraft& draft, const Log& log) {
+    CaseWriter& writer = draft.writer;
+    writer.blank();
+    writer.remark(
+        "No column of the log is known to be a sensor of this case, so there is nothing to compare with. Say below "
+        "which one is, and take the # away from here on.");
+    write_unused(writer, log);
+    writer.remark("[[run]]");
+    writer.suggestion("file", log_path(draft), "from this file's folder");
+    write_columns(writer, log, true);
+}
+
+}  // namespace
+
+void write_log(CaseDraft& draft) {
+    if (draft.log() == nullptr) {
+        return;
+    }
+    const Log& log = *draft.log();
+    if (log.use == LogUse::run) {
+        write_run(draft, log);
+        return;
+    }
+    if (log.use == LogUse::drive) {
+        write_drive_file(draft, log);
+    }
+    suggest_run(draft, log);
+}
+
+}  // namespace tiretherm::input

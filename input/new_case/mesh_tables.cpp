@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// [mesh], [[mesh.layer]], [[material]] and the effects of a new case.
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "input/new_case/case_tables.hpp"
+#include "input/text/toml_text.hpp"
+#include "physics/effect.hpp"
+#include "physics/tire.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+/// Makes a layer of the library's case thicker by `more`, with cells of the same size.
+void thicken(CasePart& layer, double more_mm) {
+    double thickness = 0.0;
+    int cells = 0;
+    const std::string written = layer.text("thickness");
+    const std::string count = layer.value("cells");
+    const auto read = std::from_chars(written.data(), written.data() + written.size(), thickness);
+    std::from_chars(count.data(), count.data() + count.size(), cells);
+    const double thicker = thickness + more_mm;
+    layer.replace("thickness", fmt::format("\"{:g}{}\"", thicker, read.ptr),
+                  fmt::format("assumed: {:g} mm more than a passenger tire's", more_mm));
+    layer.replace("cells", fmt::format("{}", std::lround(cells * thicker / thickness)), "through the thickness");
+}
+
+/// The numbers of the effects that a user adjusts; others are listed by `tiretherm effects NAME`.
+struct Adjusted {
+    std::string_view effect;
+    std::array<std::string_view, 3> keys;
+};
+constexpr std::array adjusted{Adjusted{"strain_energy_loss", {"lambda_srf", "lambda_blk"}},
+                              Adjusted{"sliding_friction", {"partition", "lambda_x", "lambda_y"}},
+                              Adjusted{"air_convection", {"lambda_h", "floor"}},
+                              Adjusted{"road_contact", {"Hc"}},
+                              Adjusted{"sidewall_convection", {"conductance"}},
+                              Adjusted{"rim_conduction", {"bead", "capacity", "cooling"}},
+                              Adjusted{"inner_gas", {"liner", "rim", "capacity"}},
+                              Adjusted{"camber_asymmetry", {"c"}}};
+
+void write_effect(CaseWriter& writer, std::string_view id) {
+    const physics::Effect* effect = physics::find_effect(id);
+    const auto found = std::ranges::find(adjusted, id, &Adjusted::effect);
+    if (effect == nullptr) {
+        return;
+    }
+    const std::string_view meaning = effect->meaning.substr(0, effect->meaning.find_first_of(".;:"));
+    writer.heading(fmt::format("[effects.{}]", id), meaning);
+    for (const physics::ParameterSpec& parameter : effect->parameters) {
+        if (found != adjusted.end() && std::ranges::find(found->keys, parameter.key) != found->keys.end()) {
+            writer.entry(parameter.key, toml_text::quantity(parameter.standard, parameter.unit), parameter.meaning);
+        }
+    }
+}
+
+}  // namespace
+
+void write_mesh(CaseDraft& draft) {
+    const physics::Tire thesis;
+    for (CasePart part : draft.mesh.mesh) {
+        const std::string name = part.text("name");
+        const double more = name == "tread"      ? draft.tread_thickness - thesis.tread_thickness
+                            : name == "sidewall" ? draft.sidewall_thickness - thesis.sidewall_thickness
+                                                 : 0.0;
+        if (part.table == "mesh.layer" && more > 1e-9) {
+            thicken(part, std::round(more * 1e6) * 1e-3);
+        }
+        draft.writer.blank();
+        draft.writer.lines(part.lines);
+    }
+}
+
+void write_effects(CaseDraft& draft) {
+    CaseWriter& writer = draft.writer;
+    writer.blank();
+    writer.remark(
+        "What heats and cools the tire. Values are the program's own: a line that is removed changes nothing. "
+        "`tiretherm effects` lists all effects, `tiretherm effects air_convection` one with all its numbers and "
+        "where they come from. [effects.NAME] switches one on, on = false below it one off.");
+    for (const Adjusted& effect : adjusted) {
+        const physics::Effect* known = physics::find_effect(effect.effect);
+        const bool named = std::ranges::find(draft.mesh.effects, effect.effect) != draft.mesh.effects.end();
+        if (known != nullptr && (known->on || named)) {
+            write_effect(writer, effect.effect);
+        }
+    }
+    for (const std::string& id : draft.mesh.effects) {
+        if (std::ranges::find(adjusted, id, &Adjusted::effect) == adjusted.end()) {
+            write_effect(writer, id);
+        }
+    }
+}
+
+void write_sensors(CaseDraft& draft) {
+    draft.writer.blank();
+    draft.writer.remark("What is recorded, one channel each. A sensor's standard_deviation is that of one reading.");
+    for (const TemplateSensor& sensor : draft.mesh.sensors) {
+        const LogColumn* column = draft.column(sensor.name);
+        if (!sensor.shipped && column == nullptr) {
+            continue;
+        }
+        draft.writer.blank();
+        draft.writer.lines(sensor.lines);
+        if (column != nullptr) {
+            const std::string_view example = sensor.spec.unit == "K" ? "\"0.5 K\"" : "\"...\"";
+            draft.writer.suggestion("standard_deviation", example,
+                                    fmt::format("of one reading of {}, by its data sheet", column->title()));
+        }
+    }
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a new case takes from the library's cases of the thesis's tire.
+#include "input/new_case/mesh_template.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "input/new_case/shipped_cases.hpp"
+#include "input/text/quantity_specs.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+/// A mesh's cases in the library: the first tells sources and assumptions.
+struct Library {
+    std::string_view what;
+    std::array<std::string_view, 2> files;
+};
+constexpr std::array<std::string_view, 3> names{"section", "layers", "two_node"};
+constexpr std::array<Library, 3> libraries{
+    Library{"a cross-section", {"section/common.toml", "section/4000N_100kmh.toml"}},
+    Library{"layers through the crown", {"layers/common.toml", "layers/two_conductivities.toml"}},
+    Library{"two nodes, surface and bulk", {"two_node/common.toml", "two_node/4000N_100kmh.toml"}}};
+
+constexpr QuantitySpec force{.unit = "N"};
+constexpr QuantitySpec moment{.unit = "N m"};
+constexpr QuantitySpec radius{.unit = "m"};
+
+TemplateSensor extra(const std::string& name, const QuantitySpec& spec, const std::string& kind,
+                     std::vector<std::string> more = {}) {
+    TemplateSensor sensor{.name = name, .spec = spec, .shipped = false, .lines = {"[[sensor]]"}};
+    sensor.lines.push_back(fmt::format("name = \"{}\"", name));
+    sensor.lines.push_back(fmt::format("kind = \"{}\"", kind));
+    sensor.lines.insert(sensor.lines.end(), more.begin(), more.end());
+    return sensor;
+}
+
+/// Sensors that the library's case does not have, under the names that logs of one may have.
+void add_extra_sensors(MeshTemplate& made, double tread_thickness_mm) {
+    if (made.name == "section") {
+        for (const std::string zone : {"outside_shoulder", "crown", "inside_shoulder"}) {
+            const std::string zones = fmt::format("zones = [\"{}\"]", zone);
+            made.sensors.push_back(extra(zone + "_surface_temperature", quantity_specs::temperature, "point",
+                                         {zones, "depth = \"0 mm\""}));
+            made.sensors.push_back(extra(zone + "_inner_liner_temperature", quantity_specs::temperature, "point",
+                                         {zones, fmt::format("depth = \"{:g} mm\"", tread_thickness_mm)}));
+        }
+    }
+    made.sensors.push_back(extra("drag_force", force, "drag_force"));
+    made.sensors.push_back(extra("rolling_moment", moment, "rolling_moment"));
+    made.sensors.push_back(extra("loaded_radius", radius, "loaded_radius"));
+}
+
+/// The lines above the first heading: what is said of sources and assumptions, and the key `sources`.
+void take_head(const CasePart& head, MeshTemplate& into) {
+    into.sources = head.value("sources");
+    bool told = false;
+    for (const std::string& line : head.lines) {
+        told = told || line.starts_with("# Source:");
+        if (told && line.starts_with('#')) {
+            into.origin.push_back(line);
+        }
+    }
+}
+
+void take(CasePart part, MeshTemplate& into) {
+    constexpr std::string_view effects = "effects.";
+    if (part.table == "mesh" || part.table == "mesh.layer" || part.table == "material") {
+        into.mesh.push_back(std::move(part));
+    } else if (part.table.starts_with(effects)) {
+        into.effects.push_back(part.table.substr(effects.size()));
+    } else if (part.table == "drive" || part.table == "initial" || part.table == "time") {
+        into.settings.push_back(std::move(part));
+    } else if (part.table == "sensor") {
+        into.sensors.push_back(
+            {.name = part.text("name"), .spec = quantity_specs::temperature, .lines = std::move(part.lines)});
+    }
+}
+
+}  // namespace
+
+std::string MeshTemplate::setting(std::string_view table, std::string_view key) const {
+    for (const CasePart& part : settings) {
+        if (part.table == table && !part.value(key).empty()) {
+            return part.value(key);
+        }
+    }
+    return {};
+}
+
+const TemplateSensor* MeshTemplate::find_sensor(std::string_view wanted) const {
+    const auto found = std::ranges::find(sensors, wanted, &TemplateSensor::name);
+    return found == sensors.end() ? nullptr : &*found;
+}
+
+std::span<const std::string_view> mesh_template_names() { return names; }
+
+MeshTemplate mesh_template(std::string_view name, double tread_thickness_mm) {
+    const auto index = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+    const Library& library = libraries.at(index);
+    MeshTemplate made{.name = std::string(name), .what = std::string(library.what)};
+    for (const std::string_view file : library.files) {
+        std::vector<CasePart> parts = cut_case(shipped_case(file));
+        if (file == library.files.front()) {
+            take_head(parts.front(), made);
+        }
+        for (std::size_t i = 1; i < parts.size(); ++i) {
+            take(std::move(parts[i]), made);
+        }
+    }
+    add_extra_sensors(made, tread_thickness_mm);
+    return made;
+}
+
+}  // namespace tiretherm::input

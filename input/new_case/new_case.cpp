@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Puts a new case together, reads it as `tiretherm run` would, and lists what it lacks.
+#include "input/new_case/new_case.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "input/measurements/runs.hpp"
+#include "input/new_case/case_tables.hpp"
+#include "input/text/suggestions.hpp"
+#include "input/text/toml_text.hpp"
+#include "physics/tire.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+// Of the library's light truck tire, beside the thesis's passenger tire: cases/tires/drum_265_65_R16C.toml says why.
+constexpr double passenger_pressure = 220e3;  // Pa above the atmosphere
+constexpr double light_truck_pressure = 450e3;
+constexpr double light_truck_tread = 3e-3;     // m more
+constexpr double light_truck_sidewall = 2e-3;  // m more
+
+CaseDraft begin(const NewCaseRequest& request, NewCase& result) {
+    const physics::Tire thesis;
+    const bool heavy = request.size.light_truck;
+    CaseDraft draft{.request = request, .mesh = {}, .result = result};
+    draft.tread_thickness = thesis.tread_thickness + (heavy ? light_truck_tread : 0.0);
+    draft.sidewall_thickness = thesis.sidewall_thickness + (heavy ? light_truck_sidewall : 0.0);
+    draft.inflation_pressure = request.inflation_pressure.value_or(heavy ? light_truck_pressure : passenger_pressure);
+    draft.mesh = mesh_template(request.mesh, draft.tread_thickness * 1e3);
+    result.mesh = draft.mesh.what;
+    return draft;
+}
+
+void write_head(CaseDraft& draft) {
+    CaseWriter& writer = draft.writer;
+    const NewCaseRequest& request = draft.request;
+    const std::string target = request.target.filename().string();
+    const std::string of = request.log
+                               ? fmt::format("{} and the size {}", request.log->filename().string(), request.size.text)
+                               : fmt::format("the size {}", request.size.text);
+    writer.remark(fmt::format("A tire on {}, made by `tiretherm new` from {}. It runs as it is:", draft.mesh.what, of));
+    const bool measured = draft.log() != nullptr && draft.log()->use == LogUse::run;
+    for (const std::string_view command : {"run", "compare", "check"}) {
+        if (command != "compare" || measured) {
+            writer.lines({printable(fmt::format("#     tiretherm {} {}", command, target))});
+        }
+    }
+    writer.remark(
+        "`check` lists everything that is wrong after a change, with line and remedy. Quantities are texts with a "
+        "unit, any unit of the right kind. Every value has its default behind the #, or where it comes from: the "
+        "thesis, measured on one 225/50 R17, or an assumption. What is assumed is the first to be replaced.");
+    writer.remark("About the values of mesh and materials, those of the library's case of the thesis's tire:");
+    writer.lines(draft.mesh.origin);
+    writer.blank();
+    const std::string title = request.log ? fmt::format("{}, {}", request.size.text, request.log->stem().string())
+                                          : fmt::format("{}, {}", request.size.text, draft.mesh.what);
+    writer.entry("title", toml_text::in_quotes(printable(title)));
+    writer.entry("sources", draft.mesh.sources);
+}
+
+/// Says what the user will look for in vain.
+void list_missing(const CaseDraft& draft) {
+    const Log* log = draft.log();
+    std::vector<MissingPart>& missing = draft.result.missing;
+    if (log == nullptr) {
+        return;
+    }
+    for (const LogColumn& column : log->columns) {
+        if (!column.is_used() && (column.must_ignore || column.suggestion == column.heading.name)) {
+            missing.push_back({fmt::format("{} is not used: {}", column.title(), column.reason),
+                               column.suggested_unit.empty()
+                                   ? fmt::format("complete the column {}", column.heading.name)
+                                   : fmt::format("write \"{} [{}]\" into the log, or say the unit in [run.units]",
+                                                 column.heading.name, column.suggested_unit)});
+        }
+    }
+    if (log->use == LogUse::run) {
+        return;
+    }
+    std::vector<std::string> names;
+    for (const TemplateSensor& sensor : draft.mesh.sensors) {
+        if (sensor.shipped) {
+            names.push_back(sensor.name);
+        }
+    }
+    const bool guessed = std::ranges::any_of(log->columns, [&](const LogColumn& column) {
+        return !column.is_used() && draft.mesh.find_sensor(column.suggestion) != nullptr;
+    });
+    missing.push_back({"nothing to compare with: no column is known to be a sensor's",
+                       guessed ? "look at [run.columns] at the end of the case, and take the # away where it is right"
+                               : fmt::format("call a column by one of the sensors' names: {}", listed(names))});
+}
+
+/// Reads the case as if it stood where it will be.
+void check(const NewCaseRequest& request, const std::string& text, NewCase& result) {
+    InputErrors errors;
+    const TextFile file{.number = errors.add_file(request.target.generic_string(), text), .text = text};
+    std::vector<std::string> suspicious;
+    if (const std::optional<TomlValue> document = parse_toml(file, errors)) {
+        suspicious = read_runs(*document, case_name(request.target), {}, ReadMode::measured, errors).data_warnings;
+    }
+    result.errors = errors.in_order();
+    result.warnings = unique(errors.warnings());
+    result.warnings.insert(result.warnings.end(), suspicious.begin(), suspicious.end());
+}
+
+}  // namespace
+
+NewCase make_new_case(const NewCaseRequest& request) {
+    NewCase result;
+    CaseDraft draft = begin(request, result);
+    if (request.log) {
+        InputErrors errors;
+        result.log = read_log(*request.log, draft.mesh, errors);
+        result.errors = errors.in_order();
+        if (!result.errors.empty()) {
+            return result;
+        }
+    }
+    if (request.size_is_assumed) {
+        draft.assume("tire.size", request.size.text,
+                     "the tire of the thesis: the log does not name its tire; --size does");
+    }
+    write_head(draft);
+    write_tire(draft);
+    write_mesh(draft);
+    write_effects(draft);
+    write_drive(draft);
+    write_initial(draft);
+    write_time(draft);
+    write_sensors(draft);
+    write_log(draft);
+    list_missing(draft);
+    check(request, draft.writer.text(), result);
+    if (result.errors.empty()) {
+        result.text = draft.writer.text();
+    }
+    return result;
+}
+
+}  // namespace tiretherm::input
