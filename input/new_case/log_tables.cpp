@@ -16,7 +16,7 @@ namespace {
 /// "drive.csv" from the folder in which the case will be.
 std::string log_path(const CaseDraft& draft) {
     const std::filesystem::path folder = draft.request.target.parent_path();
-    return toml_text::path(*draft.request.log, folder.empty() ? "." : folder);
+    return toml_text::value(toml_text::path_value(*draft.request.log, folder.empty() ? "." : folder));
 }
 
 bool is_renamed(const LogColumn& column) { return column.is_used() && column.heading.name != column.name; }

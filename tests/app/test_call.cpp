@@ -54,14 +54,14 @@ TEST(Call, VersionIsOneLine) {
 }
 
 TEST(Call, CommandsAreListedOneALineForScripts) {
-    const Call commands = call("--commands");
-    EXPECT_EQ(commands.exit_code, 0);
-    EXPECT_EQ(commands.err, "");
-    EXPECT_TRUE(commands.out.starts_with("run\ncheck\ncompare\n")) << commands.out;
+    const Call answer = call("--commands");
+    EXPECT_EQ(answer.exit_code, 0);
+    EXPECT_EQ(answer.err, "");
+    EXPECT_TRUE(answer.out.starts_with("run\ncheck\ncompare\n")) << answer.out;
     // As many as the program itself lists where one is missing: "the commands are run, check, ... and convert".
     const std::string listed = call("").err;
     const auto separators = std::count(listed.begin(), listed.end(), ',') + 1;
-    EXPECT_EQ(std::count(commands.out.begin(), commands.out.end(), '\n'), separators + 1) << commands.out << listed;
+    EXPECT_EQ(std::count(answer.out.begin(), answer.out.end(), '\n'), separators + 1) << answer.out << listed;
     EXPECT_EQ(call("--help").out.find("--commands"), std::string::npos);
 }
 

@@ -82,7 +82,7 @@ TEST(CaseKeys, SayWhatTheReadersTake) {
     EXPECT_EQ(cells.uses.front().low, 1);
     const CaseKey& kind = key(tables, "mesh", "kind");
     EXPECT_TRUE(kind.variants.empty());
-    EXPECT_EQ(kind.uses.front().options.size(), 5U);
+    EXPECT_EQ(kind.uses.front().options.size(), 6U);
     EXPECT_EQ(key(tables, "identify", "noise").uses.front().options, (std::vector<std::string>{"correlated", "white"}));
     const CaseKey& end = key(tables, "time", "end");
     EXPECT_FALSE(end.required);
