@@ -105,7 +105,7 @@ def hot_spot_study(entry, sources, run):
 def benchmarks(entry, sources, run):
     """Seconds and counters of each benchmark, in the median of its repetitions."""
     found = {"machine": machine()}
-    for name in ("section_hour", "sensitivities", "layers_step", "slab"):
+    for name in ("section_hour", "sensitivities", "slab"):
         report = sources.scratch / f"{name}.json"
         run([str(sources.benchmarks / f"bench_{name}"), f"--benchmark_out={report}", "--benchmark_out_format=json"], ROOT)
         found[name] = {}
@@ -120,7 +120,11 @@ def benchmarks(entry, sources, run):
             for part in ("assembly", "factor", "solve", "output"):
                 if f"{part}_s" in row:
                     one[part] = row[f"{part}_s"] / seconds
-            found[name][row["run_name"]] = one
+            found[name][row["run_name"].split("/")[0]] = one
+    alone = found["sensitivities"]
+    ratios = [alone[f"{inputs}_with_16"]["seconds"] / alone[f"{inputs}_alone"]["seconds"] for inputs in ("constant", "logged")]
+    found["sensitivities_low"], found["sensitivities_high"] = min(ratios), max(ratios)
+    found["slab_ratio"] = found["slab"]["slab_by_cvode"]["seconds"] / found["slab"]["slab_by_tiretherm"]["seconds"]
     return found
 
 
