@@ -129,7 +129,7 @@ TEST(NewCase, EveryValueOfDriveTireAndEffectsIsExplained) {
 TEST(NewCase, CaseOfASizeNeedsNoOtherFile) {
     const Written written;
     const std::string text = make(written, "225/50 R17").text;
-    EXPECT_EQ(text.find("include"), std::string::npos);
+    EXPECT_EQ(text.find("\ninclude"), std::string::npos);
     EXPECT_EQ(text.find(".toml\""), std::string::npos);
     EXPECT_EQ(text.find(TIRETHERM_SOURCE_DIR), std::string::npos);
     EXPECT_EQ(text.find(written.folder().generic_string()), std::string::npos);
