@@ -40,7 +40,7 @@ public:
         for (std::size_t i = 0; i < heads.size(); ++i) {
             columns_.push_back({.column = static_cast<int>(i), .heading = heads[i].heading, .name = {}});
         }
-        refuse_twins();
+        refuse_duplicates();
         for (const bool exact : {true, false}) {
             for (LogColumn& column : columns_) {
                 take_by_name(column, exact);
@@ -55,7 +55,7 @@ public:
 
 private:
     /// Two columns of one name of the program would be one thing.
-    void refuse_twins() {
+    void refuse_duplicates() {
         std::set<std::string> seen;
         for (const LogColumn& column : columns_) {
             const bool known =

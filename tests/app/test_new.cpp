@@ -46,6 +46,7 @@ TEST(New, SectionIsTheStandardMeshAndTheSizeTheStandardName) {
 
 TEST(New, LogGivesACaseThatIsCompared) {
     const sample::Scratch scratch;
+    std::filesystem::create_directory(scratch / "logs");
     post::replace_file(scratch / "logs/drive.csv", standard_log);
     const Call made =
         call("new logs/drive.csv --size '205/55 R16' --mesh two_node --out cases/mine.toml", scratch.path());
@@ -116,7 +117,7 @@ TEST(New, WrongCallsSayWhatToWrite) {
     EXPECT_EQ(refused("'225/50 R17' --size '225/50 R17'"),
               "tiretherm: two sizes are given; leave --size to a log: tiretherm new drive.csv --size \"225/50 R17\"\n");
     EXPECT_NE(refused("drive.csv").find("cannot be read"), std::string::npos);
-    EXPECT_NE(refused("'225/50 R17' --pressure 2.4").find("has no unit"), std::string::npos);
+    EXPECT_NE(refused("'225/50 R17' --pressure 2.4").find("without a unit"), std::string::npos);
     EXPECT_NE(refused("'225/50 R17' --mesh block").find("two_node"), std::string::npos);
     EXPECT_NE(refused("").find("SIZE|LOG is required"), std::string::npos);
     EXPECT_TRUE(std::filesystem::is_empty(scratch.path()));

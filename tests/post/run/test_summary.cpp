@@ -128,7 +128,7 @@ TEST(Summary, SteadyStateHasNoSumsOverTime) {
 TEST(Summary, EarlyEndIsToldFirst) {
     MadeUpRun made_up;
     made_up.report.status = {.outcome = solver::Outcome::not_converged, .message = "cell 3 did not settle"};
-    EXPECT_TRUE(made_up.text().starts_with("A warm spot (sample/spot)\n  ended early: cell 3 did not settle\n"))
+    EXPECT_TRUE(made_up.text().starts_with("A warm spot (sample/spot)\nended early: cell 3 did not settle\n"))
         << made_up.text();
     EXPECT_EQ(made_up.json()["error"], "cell 3 did not settle");
 }
