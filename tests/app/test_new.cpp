@@ -52,7 +52,7 @@ TEST(New, LogGivesACaseThatIsCompared) {
         call("new logs/drive.csv --size '205/55 R16' --mesh two_node --out cases/mine.toml", scratch.path());
     ASSERT_EQ(made.exit_code, 0) << made.err;
     EXPECT_NE(made.out.find("\nFrom logs/drive.csv, 4 samples from 0 to 180 s\n"), std::string::npos) << made.out;
-    EXPECT_NE(made.out.find("\n  speed [km/h]                 input speed\n"), std::string::npos) << made.out;
+    EXPECT_NE(made.out.find("\n  speed [km/h]                input speed\n"), std::string::npos) << made.out;
     EXPECT_NE(made.out.find("measured by the sensor bulk_temperature\n"), std::string::npos) << made.out;
     EXPECT_NE(made.out.find("\n  drive.road_temperature  20 degC"), std::string::npos) << made.out;
     std::filesystem::rename(scratch / "cases", scratch / "elsewhere");

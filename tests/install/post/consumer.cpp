@@ -17,7 +17,8 @@ int main(int, char** argv) {
         std::puts("the case was not read");
         return 1;
     }
-    post::RunFiles files(argv[2], *reading.problem, {.version = "0", .case_file = argv[1], .case_text = ""}, {});
+    const post::Provenance provenance{.version = "0", .case_file = argv[1], .case_text = ""};
+    post::RunFiles files(argv[2], *reading.problem, provenance, {});
     const solver::Report report = solver::run(*reading.problem, [&](const solver::Snapshot& snapshot) {
         files.take(snapshot);
         return true;
@@ -27,7 +28,7 @@ int main(int, char** argv) {
         std::puts(report.status.message.c_str());
         return 1;
     }
-    for (const char* name : {"results.h5", "channels.csv", "picture.png", "field.pvd"}) {
+    for (const char* name : {"results.h5", "channels.csv", "channels.png", "field.pvd"}) {
         if (!std::filesystem::exists(std::filesystem::path(argv[2]) / name)) {
             std::printf("%s was not written\n", name);
             return 1;
