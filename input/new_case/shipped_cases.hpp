@@ -7,7 +7,7 @@
 
 namespace tiretherm::input {
 
-/// The text of cases/<path>, such as "section/common.toml".
+/// The text of cases/PATH, such as "section/common.toml".
 /// @errors std::logic_error for a file that the program does not carry along
 [[nodiscard]] std::string_view shipped_case(std::string_view path);
 
