@@ -33,7 +33,15 @@ struct ToJson {
 
 }  // namespace
 
-Value::Value(std::initializer_list<Member> members) : held_(Object{members}) {}
+Value::Object::Object() = default;
+Value::Object::Object(std::vector<Member> all) : members(std::move(all)) {}
+Value::Object::Object(const Object& other) = default;
+Value::Object::Object(Object&& other) noexcept = default;
+Value::Object& Value::Object::operator=(const Object& other) = default;
+Value::Object& Value::Object::operator=(Object&& other) noexcept = default;
+Value::Object::~Object() = default;
+
+Value::Value(std::initializer_list<Member> members) : held_(Object{std::vector<Member>(members)}) {}
 
 void Value::set(std::string key, Value value) {
     if (std::holds_alternative<std::monostate>(held_)) {

@@ -20,7 +20,16 @@ class Value {
 public:
     struct Member;
     using List = std::vector<Value>;
+    /// What makes and ends it is in value.cpp, where Member is complete: the C++ standard asks for that.
     struct Object {
+        Object();
+        explicit Object(std::vector<Member> all);
+        Object(const Object& other);
+        Object(Object&& other) noexcept;
+        Object& operator=(const Object& other);
+        Object& operator=(Object&& other) noexcept;
+        ~Object();
+
         std::vector<Member> members;
     };
     using Held = std::variant<std::monostate, bool, std::int64_t, double, std::string, List, Object>;

@@ -82,6 +82,7 @@ inline std::string practice_text() {
 inline input::Experiment practice_bench(const std::vector<Log>& logs) {
     const input::Written written;
     std::vector<std::filesystem::path> data;
+    data.reserve(logs.size());
     for (const Log& log : logs) {
         data.push_back(written.add(fmt::format("run{}.csv", data.size() + 1), log.text()));
     }
