@@ -236,6 +236,11 @@ include = ["strip.toml"]
 kind = "cylinder"
 inner_radius = "0.3 m"
 length = "0.2 m"
+[[mesh.layer]]
+name = "tread"
+thickness = "8 mm"
+cells = 4
+material = "rubber"
 [[sensor]]
 name = "flux"
 kind = "heat_flux"
@@ -308,6 +313,11 @@ include = ["block.toml"]
 [mesh]
 kind = "axisymmetric"
 radius = [{ to = "30 mm", cells = 4 }]
+[[mesh.layer]]
+name = "tread"
+thickness = "8 mm"
+cells = 4
+material = "rubber"
 )";
 
 constexpr std::string_view study = R"(
