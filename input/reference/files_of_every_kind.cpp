@@ -230,6 +230,34 @@ heat_capacity = { at = "20 degC", value = "1800 J/kgK", slope = "1 J/kgK/K" }
 conductivity = "0.3 W/mK"
 )";
 
+constexpr std::string_view cylinder = R"(
+include = ["strip.toml"]
+[mesh]
+kind = "cylinder"
+inner_radius = "0.3 m"
+length = "0.2 m"
+[[mesh.layer]]
+name = "tread"
+thickness = "8 mm"
+cells = 4
+material = "rubber"
+[[sensor]]
+name = "flux"
+kind = "heat_flux"
+patch = "outside"
+)";
+
+constexpr std::string_view cylinder_of_a_tire = R"(
+include = ["layers.toml"]
+[mesh]
+kind = "cylinder"
+[[mesh.layer]]
+name = "tread"
+thickness = "12 mm"
+cells = 4
+material = "rubber"
+)";
+
 constexpr std::string_view block = R"(
 [mesh]
 kind = "block"
@@ -285,6 +313,11 @@ include = ["block.toml"]
 [mesh]
 kind = "axisymmetric"
 radius = [{ to = "30 mm", cells = 4 }]
+[[mesh.layer]]
+name = "tread"
+thickness = "8 mm"
+cells = 4
+material = "rubber"
 )";
 
 constexpr std::string_view study = R"(
@@ -344,15 +377,11 @@ over = { at = "0 s", minus = { at = "1 s" } }
 }  // namespace
 
 const std::vector<MadeUpFile>& files_of_every_kind() {
-    static const std::vector<MadeUpFile> files{{"two_node.toml", two_node},
-                                               {"section.toml", section},
-                                               {"layers.toml", layers},
-                                               {"strip.toml", strip},
-                                               {"coastdown.toml", coastdown},
-                                               {"block.toml", block},
-                                               {"axisymmetric.toml", axisymmetric},
-                                               {"study.toml", study},
-                                               {"table.toml", table}};
+    static const std::vector<MadeUpFile> files{
+        {"two_node.toml", two_node},   {"section.toml", section},   {"layers.toml", layers},
+        {"strip.toml", strip},         {"cylinder.toml", cylinder}, {"cylinder_of_a_tire.toml", cylinder_of_a_tire},
+        {"coastdown.toml", coastdown}, {"block.toml", block},       {"axisymmetric.toml", axisymmetric},
+        {"study.toml", study},         {"table.toml", table}};
     return files;
 }
 
