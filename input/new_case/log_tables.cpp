@@ -105,7 +105,7 @@ void write_unused(CaseWriter& writer, const Log& log) {
 void write_ignored(CaseWriter& writer, const Log& log) {
     const std::vector<std::string> names = ignored(log);
     if (!names.empty()) {
-        writer.entry("ignore", fmt::format("[{}]", fmt::join(names, ", ")), "columns that are not used, see above");
+        writer.entry("ignore", fmt::format("[{}]", fmt::join(names, ", ")), "columns that are not used");
     }
 }
 

@@ -49,14 +49,14 @@ void write_head(CaseDraft& draft) {
         }
     }
     writer.remark(
-        "`check` lists everything that is wrong after a change, with line and remedy. Quantities are texts with a "
-        "unit, any unit of the right kind. Every value has its default behind the #, or where it comes from: the "
-        "thesis, measured on one 225/50 R17, or an assumption. What is assumed is the first to be replaced.");
+        "`check` lists everything that is wrong after a change, with line and remedy. A quantity is a text with its "
+        "unit; any unit of the right kind will do. Behind the # stands what a value means and where it comes from: "
+        "from the thesis, which measured one 225/50 R17, or assumed. Replace first what is assumed.");
     writer.remark("About the values of mesh and materials, those of the library's case of the thesis's tire:");
     writer.lines(draft.mesh.origin);
     writer.blank();
     const std::string title = request.log ? fmt::format("{}, {}", request.size.text, request.log->stem().string())
-                                          : fmt::format("{}, {}", request.size.text, draft.mesh.what);
+                                          : fmt::format("{} on {}", request.size.text, draft.mesh.what);
     writer.entry("title", toml_text::in_quotes(printable(title)));
     writer.entry("sources", draft.mesh.sources);
 }
