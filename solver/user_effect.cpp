@@ -15,8 +15,16 @@ namespace tiretherm::solver {
 
 namespace {
 
-/// How long a jump of a signal takes, since a table has one value at a time. s
+/// How long a jump of a signal takes, since a table has one value at a time: at most this, s, and this share of the
+/// time to the next point.
 constexpr double jump_width = 1e-3;
+constexpr double jump_share = 1e-3;
+
+double width_of_jump(const SignalHistory& history, std::size_t point) {
+    const double t = history.time[point];
+    const auto next = std::upper_bound(history.time.begin(), history.time.end(), t);
+    return next == history.time.end() ? jump_width : std::min(jump_width, jump_share * (*next - t));
+}
 
 /// The points that count, a jump as a short ramp whose two ends are in `stops`.
 SignalHistory tidy(const SignalHistory& history, std::vector<double>& stops) {
@@ -31,7 +39,7 @@ SignalHistory tidy(const SignalHistory& history, std::vector<double>& stops) {
                 continue;
             }
             stops.push_back(kept.time.back());
-            t = kept.time.back() + jump_width;
+            t = kept.time.back() + width_of_jump(history, i);
             stops.push_back(t);
         }
         kept.time.push_back(t);

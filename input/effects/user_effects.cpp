@@ -117,7 +117,20 @@ std::optional<solver::SignalHistory> read_signal_history(TomlTable& table, std::
     if (builder.run) {
         columns.insert(columns.begin(), builder.run->columns.begin(), builder.run->columns.end());
     }
-    return signal_history_of(*formula, builder.problem.input_signals, columns, builder.problem.settings);
+    const solver::Settings& settings = builder.problem.settings;
+    FormulaSamples samples = signal_history_of(*formula, builder.problem.input_signals, columns, settings);
+    if (std::optional<ErrorText> error = formula_error(samples, settings)) {
+        error->what = fmt::format("{} {}", key, error->what);
+        table.errors().add(table.place(key), std::move(*error));
+        return std::nullopt;
+    }
+    if (samples.undefined > 0.0) {
+        table.errors().warn(table.place(key),
+                            fmt::format("{} is not a finite number for {:.6g} s, for at most {:.6g} s from {:.6g} s "
+                                        "on: it is taken as straight between its neighbours",
+                                        key, samples.undefined, samples.longest_gap, samples.gap_from));
+    }
+    return std::move(samples.history);
 }
 
 /// The temperature of the surroundings: an input, a column or a constant. @returns false after an error

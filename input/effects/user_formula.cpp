@@ -4,6 +4,8 @@
 #include "input/effects/user_formula.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <muParser.h>
@@ -14,7 +16,8 @@ namespace tiretherm::input {
 
 struct Formula::Parser {
     mu::Parser parser;
-    std::vector<double> values;  ///< where its variables stand
+    mu::Parser recording;        ///< the same formula; its comparisons and kinks write to `record`
+    std::vector<double> values;  ///< where the variables of both stand
 };
 
 namespace {
@@ -31,6 +34,96 @@ std::size_t find_assignment(const std::string& text) {
         }
     }
     return std::string::npos;
+}
+
+/// Where the recording functions write. The library hands them no argument of their own.
+thread_local FormulaDecisions* record = nullptr;
+
+double decided(double result, double margin) {
+    if (record != nullptr) {
+        record->taken.push_back(result);
+        record->margins.push_back(margin);
+    }
+    return result;
+}
+
+double less(double a, double b) { return decided(a < b ? 1.0 : 0.0, a - b); }
+double less_or_equal(double a, double b) { return decided(a <= b ? 1.0 : 0.0, a - b); }
+double greater(double a, double b) { return decided(a > b ? 1.0 : 0.0, a - b); }
+double greater_or_equal(double a, double b) { return decided(a >= b ? 1.0 : 0.0, a - b); }
+double equal(double a, double b) { return decided(a == b ? 1.0 : 0.0, a - b); }
+double unequal(double a, double b) { return decided(a != b ? 1.0 : 0.0, a - b); }
+double both(double a, double b) { return decided(a != 0.0 && b != 0.0 ? 1.0 : 0.0, 0.0); }
+double either(double a, double b) { return decided(a != 0.0 || b != 0.0 ? 1.0 : 0.0, 0.0); }
+
+double sign_of(double a) {
+    const double positive = a > 0.0 ? 1.0 : 0.0;
+    return decided(a < 0.0 ? -1.0 : positive, a);
+}
+double magnitude(double a) {
+    sign_of(a);
+    return std::abs(a);
+}
+double nearest_integer(double a) { return decided(std::rint(a), a - std::floor(a) - 0.5); }
+
+double smallest(const double* a, int count) {
+    const double* found = std::min_element(a, a + count);
+    decided(static_cast<double>(found - a), count == 2 ? a[0] - a[1] : 0.0);
+    return *found;
+}
+double largest(const double* a, int count) {
+    const double* found = std::max_element(a, a + count);
+    decided(static_cast<double>(found - a), count == 2 ? a[0] - a[1] : 0.0);
+    return *found;
+}
+
+struct RecordedOperator {
+    std::string_view written;
+    const char* name;  ///< in the recording parser, which keeps the library's own operators for arithmetic
+    double (*function)(double, double);
+    int precedence;
+};
+
+// The longer ones first, as they are looked for.
+constexpr std::array<RecordedOperator, 8> recorded_operators{{
+    {"<=", "$le$", less_or_equal, mu::prCMP},
+    {">=", "$ge$", greater_or_equal, mu::prCMP},
+    {"==", "$eq$", equal, mu::prCMP},
+    {"!=", "$ne$", unequal, mu::prCMP},
+    {"&&", "$and$", both, mu::prLAND},
+    {"||", "$or$", either, mu::prLOR},
+    {"<", "$lt$", less, mu::prCMP},
+    {">", "$gt$", greater, mu::prCMP},
+}};
+
+std::string with_recorded_operators(std::string_view text) {
+    std::string written;
+    while (!text.empty()) {
+        const auto* const found = std::ranges::find_if(
+            recorded_operators, [&](const RecordedOperator& entry) { return text.starts_with(entry.written); });
+        if (found == recorded_operators.end()) {
+            written += text.front();
+            text.remove_prefix(1);
+        } else {
+            written += fmt::format(" {} ", found->name);
+            text.remove_prefix(found->written.size());
+        }
+    }
+    return written;
+}
+
+void prepare_recording(mu::Parser& parser, const std::string& text) {
+    parser.DefineOprtChars("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ+-*^/?<>=#!$%&|~'_");
+    for (const RecordedOperator& entry : recorded_operators) {
+        parser.DefineOprt(entry.name, entry.function, static_cast<unsigned>(entry.precedence));
+    }
+    parser.DefineFun("abs", magnitude);
+    parser.DefineFun("sign", sign_of);
+    parser.DefineFun("rint", nearest_integer);
+    parser.DefineFun("min", smallest);
+    parser.DefineFun("max", largest);
+    parser.EnableOptimizer(false);  // which would evaluate what is constant once, and record it then
+    parser.SetExpr(with_recorded_operators(text));
 }
 
 /// The library's sentence without its place, which is shown.
@@ -72,6 +165,7 @@ std::optional<Formula> Formula::read(const std::string& text, std::string_view n
         formula.parser_->values.assign(formula.signals_.size(), 1.0);
         for (std::size_t i = 0; i < formula.signals_.size(); ++i) {
             parser.DefineVar(formula.signals_[i], &formula.parser_->values[i]);
+            formula.parser_->recording.DefineVar(formula.signals_[i], &formula.parser_->values[i]);
         }
         int results = 0;
         parser.Eval(results);
@@ -80,6 +174,8 @@ std::optional<Formula> Formula::read(const std::string& text, std::string_view n
                                "write one formula; a decimal point is a point"}};
             return std::nullopt;
         }
+        prepare_recording(formula.parser_->recording, text);
+        formula.parser_->recording.Eval();
     } catch (const mu::ParserError& error) {
         wrong = {.error = {fmt::format("{} is no formula: {}", name, sentence(error.GetMsg())), std::string(example)},
                  .from = std::min(static_cast<std::size_t>(std::max(error.GetPos(), 0)), text.size()),
@@ -96,12 +192,25 @@ Formula Formula::of_signal(const std::string& name) {
     formula.parser_->values = {1.0};
     formula.parser_->parser.DefineVar("signal", formula.parser_->values.data());
     formula.parser_->parser.SetExpr("signal");
+    formula.parser_->recording = formula.parser_->parser;
     return formula;
 }
 
 double Formula::operator()(std::span<const double> values) const {
     std::ranges::copy(values, parser_->values.begin());
     return parser_->parser.Eval();
+}
+
+double Formula::evaluate(std::span<const double> values, FormulaDecisions& decisions) const {
+    decisions.taken.clear();
+    decisions.margins.clear();
+    std::ranges::copy(values, parser_->values.begin());
+    record = &decisions;
+    const double value = parser_->recording.Eval();
+    record = nullptr;
+    decisions.taken.push_back(std::isfinite(value) ? 1.0 : 0.0);
+    decisions.margins.push_back(0.0);
+    return value;
 }
 
 }  // namespace tiretherm::input

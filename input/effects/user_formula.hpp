@@ -13,6 +13,15 @@
 
 namespace tiretherm::input {
 
+/// What an evaluation of a formula decided, in the order of its terms: the results of comparisons, && and ||, the
+/// signs in abs and sign, the index of the smallest in min and of the largest in max, what rint made. Between two
+/// evaluations that decided the same, the formula is smooth unless a term went there and back.
+struct FormulaDecisions {
+    std::vector<double> taken;
+    /// How far each was from another result: a - b of a comparison, the argument of abs and sign. 0 for && and ||.
+    std::vector<double> margins;
+};
+
 /// A formula of named signals: "speed * abs(lateral_force)", "max(0, brake - 0.1)". Its words are those of the library
 /// muParser: + - * / ^, comparisons, && ||, a > b ? c : d; abs, min, max, sqrt, exp, ln, log10, sin, cos, tan and more;
 /// the constants _pi and _e.
@@ -34,6 +43,8 @@ public:
     [[nodiscard]] const std::vector<std::string>& signals() const { return signals_; }
     /// @param values [signals]
     [[nodiscard]] double operator()(std::span<const double> values) const;
+    /// The same value, and what was decided on the way. @param decisions out
+    double evaluate(std::span<const double> values, FormulaDecisions& decisions) const;
 
 private:
     struct Parser;

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Evaluates a formula at the samples of its signals; where these are schedules, halves the intervals until straight
-// lines are accurate.
+// Evaluates a formula of the signals of a run, and judges whether the points that come of it can be used.
 
 #include "input/effects/user_signals.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "input/measurements/run_inputs.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/units.hpp"
 
@@ -20,9 +21,8 @@ namespace {
 using solver::JumpSide;
 using solver::SignalHistory;
 
-/// Straight lines deviate from a formula by less than this share of its largest value.
-constexpr double close = 1e-4;
-constexpr int most_halvings = 12;
+/// A jump between two samples of a log, as a share of their distance.
+constexpr double logged_jump = 1e-3;
 
 /// Straight between its points and held beyond them.
 double value_at(const SignalHistory& history, double t) {
@@ -49,15 +49,17 @@ public:
         }
     }
 
-    double operator()(double t, JumpSide side) {
+    double operator()(double t, JumpSide side, FormulaDecisions& decisions) {
         const physics::Inputs inputs = input_signals_->at(t, side);
         for (std::size_t i = 0; i < values_.size(); ++i) {
             values_[i] = columns_[i] != nullptr   ? value_at(columns_[i]->signal, t)
                          : signals_[i] != nullptr ? inputs.*(signals_[i]->member)
                                                   : inputs.time;
         }
-        return (*formula_)(values_);
+        return formula_->evaluate(values_, decisions);
     }
+
+    [[nodiscard]] bool has_time() const { return std::ranges::count(formula_->signals(), "time") > 0; }
 
     /// Points of the signals within the run, its ends among them. @param logged out, whether any of them is a log
     std::vector<double> points(const solver::Settings& settings, bool& logged) const {
@@ -91,43 +93,6 @@ private:
     std::vector<const UserColumn*> columns_;       ///< [signals] null for an input and for the time
     std::vector<double> values_;
 };
-
-/// Points between two others where the formula bends.
-void refine(Follower& follower, double t0, double v0, double t1, double v1, double tolerance, int halvings,
-            SignalHistory& into) {
-    const double width = t1 - t0;
-    double worst = 0.0;
-    for (const double share : {0.25, 0.5, 0.75}) {
-        worst = std::max(worst, std::abs(follower(t0 + share * width, JumpSide::before) - v0 - share * (v1 - v0)));
-    }
-    if (worst > tolerance && halvings < most_halvings) {
-        const double middle = 0.5 * (t0 + t1);
-        const double v = follower(middle, JumpSide::before);
-        refine(follower, t0, v0, middle, v, tolerance, halvings + 1, into);
-        into.time.push_back(middle);
-        into.value.push_back(v);
-        refine(follower, middle, v, t1, v1, tolerance, halvings + 1, into);
-    }
-}
-
-SignalHistory refined(Follower& follower, const SignalHistory& coarse) {
-    double largest = 0.0;
-    for (std::size_t i = 0; i < coarse.time.size(); ++i) {
-        largest = std::max(largest, std::abs(coarse.value[i]));
-        const double middle = i > 0 ? 0.5 * (coarse.time[i - 1] + coarse.time[i]) : coarse.time[i];
-        largest = std::max(largest, std::abs(follower(middle, JumpSide::before)));
-    }
-    SignalHistory fine;
-    for (std::size_t i = 0; i < coarse.time.size(); ++i) {
-        if (i > 0 && coarse.time[i] > coarse.time[i - 1]) {
-            refine(follower, coarse.time[i - 1], coarse.value[i - 1], coarse.time[i], coarse.value[i], close * largest,
-                   0, fine);
-        }
-        fine.time.push_back(coarse.time[i]);
-        fine.value.push_back(coarse.value[i]);
-    }
-    return fine;
-}
 
 UserColumn column_of(const MeasuredRun& run, const std::string& name, std::string unit, const Conversion& si,
                      const std::vector<double>& value) {
@@ -166,24 +131,32 @@ std::string base_unit(const std::optional<std::string>& unit) {
     return base.empty() ? "1" : base;
 }
 
-SignalHistory signal_history_of(const Formula& formula, const solver::InputSignals& input_signals,
-                                const std::vector<UserColumn>& columns, const solver::Settings& settings) {
+FormulaSamples signal_history_of(const Formula& formula, const solver::InputSignals& input_signals,
+                                 const std::vector<UserColumn>& columns, const solver::Settings& settings) {
     Follower follower(formula, input_signals, columns);
     bool logged = false;
-    SignalHistory history;
-    for (const double t : follower.points(settings, logged)) {
-        const double before = follower(t, JumpSide::before);
-        const double after = follower(t, JumpSide::after);
-        if (t > settings.start) {
-            history.time.push_back(t);
-            history.value.push_back(before);
-        }
-        if (t == settings.start || (after != before && t < settings.end)) {
-            history.time.push_back(t);
-            history.value.push_back(after);
-        }
+    const std::vector<double> points = follower.points(settings, logged);
+    const FormulaDetail between = logged ? FormulaDetail::jumps : FormulaDetail::schedule;
+    return sample_formula(std::ref(follower), points, follower.has_time() ? FormulaDetail::time : between,
+                          logged ? logged_jump : 0.0);
+}
+
+std::optional<ErrorText> formula_error(const FormulaSamples& samples, const solver::Settings& settings) {
+    const double length = settings.end - settings.start;
+    if (samples.history.time.empty()) {
+        return ErrorText{"is not a finite number at any time", "write a formula that has a value"};
     }
-    return logged ? history : refined(follower, history);
+    if (samples.too_fast) {
+        return ErrorText{fmt::format("changes too fast: {} points in {:.6g} s do not follow it to {:g} of its integral",
+                                     most_formula_points, length, formula_accuracy),
+                         "write its mean over a period, or shorten the run"};
+    }
+    if (too_long_a_gap(samples.longest_gap, length) || samples.undefined > most_missing_share * length) {
+        return ErrorText{fmt::format("is not a finite number for {:.6g} s of {:.6g} s, from {:.6g} s on",
+                                     samples.undefined, length, samples.gap_from),
+                         "write what it is then, such as time > 1800 ? sqrt(time - 1800) : 0"};
+    }
+    return std::nullopt;
 }
 
 SignalHistory signal_history_of(std::string_view follows, const MeasuredRun& run) {
@@ -205,7 +178,11 @@ SignalHistory signal_history_of(std::string_view follows, const MeasuredRun& run
             throw std::invalid_argument(fmt::format("the run {} has no signal {}", run.name, name));
         }
     }
-    return signal_history_of(*formula, run.problem.input_signals, columns, run.problem.settings);
+    FormulaSamples samples = signal_history_of(*formula, run.problem.input_signals, columns, run.problem.settings);
+    if (const std::optional<ErrorText> error = formula_error(samples, run.problem.settings)) {
+        throw std::invalid_argument(fmt::format("{} {}", follows, error->what));
+    }
+    return std::move(samples.history);
 }
 
 }  // namespace tiretherm::input

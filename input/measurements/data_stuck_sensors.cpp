@@ -88,7 +88,26 @@ bool is_soak(const Recording& recording, const RecordedColumn& column, const Str
     return true;
 }
 
+/// Whether anything else in the recording moves: the tire rolls, or another sensor changes.
+bool anything_happens(const Recording& recording, const RecordedColumn& but) {
+    return std::ranges::any_of(recording.columns, [&](const RecordedColumn& other) {
+        const bool changes = std::ranges::adjacent_find(other.value, std::ranges::not_equal_to{}) != other.value.end();
+        return other.name != but.name && !other.value.empty() &&
+               (changes || (other.name == "speed" && std::abs(other.value.front()) > 0.1));
+    });
+}
+
 }  // namespace
+
+std::string find_frozen(const Recording& recording, const RecordedColumn& column) {
+    const bool constant = std::ranges::adjacent_find(column.value, std::ranges::not_equal_to{}) == column.value.end();
+    if (column.is_input || !constant || column.value.size() < stuck_samples || !anything_happens(recording, column)) {
+        return {};
+    }
+    return fmt::format(
+        "is {} in all {} samples, while the tire rolls or other sensors change: is the sensor connected?",
+        column.show(column.value.front()), column.value.size());
+}
 
 std::string find_stuck(const Recording& recording, const RecordedColumn& column) {
     const std::vector<Stretch> all = stretches(column.value);

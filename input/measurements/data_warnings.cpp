@@ -19,7 +19,8 @@ struct Rule {
     std::string (*look)(const Recording& recording, const RecordedColumn& column);
     bool ends = false;  ///< the rules after it are skipped when it has found something
 };
-constexpr std::array rules{Rule{find_stuck}, Rule{find_outliers}, Rule{find_unit_slip, true}, Rule{find_unusual}};
+constexpr std::array rules{Rule{find_frozen, true},    Rule{find_stuck},   Rule{find_outliers},
+                           Rule{find_unit_slip, true}, Rule{find_unusual}, Rule{find_switched}};
 
 double quantile(std::vector<double> values, double share) {
     const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);

@@ -51,6 +51,8 @@ struct Recording {
 /// Parts of it. Each sentence lacks the file's and the column's name; empty: nothing to say.
 [[nodiscard]] std::string find_time_jumps(const Recording& recording);
 [[nodiscard]] std::string find_stuck(const Recording& recording, const RecordedColumn& column);
+[[nodiscard]] std::string find_frozen(const Recording& recording, const RecordedColumn& column);
+[[nodiscard]] std::string find_switched(const Recording& recording, const RecordedColumn& column);
 [[nodiscard]] std::string find_outliers(const Recording& recording, const RecordedColumn& column);
 [[nodiscard]] std::string find_unit_slip(const Recording& recording, const RecordedColumn& column);
 [[nodiscard]] std::string find_unusual(const Recording& recording, const RecordedColumn& column);

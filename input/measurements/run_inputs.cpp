@@ -14,9 +14,7 @@ namespace tiretherm::input {
 
 namespace {
 
-// Beyond these an input is no longer known: a share of the samples; a gap both longer than a tire's surface takes to
-// forget (s) and a share of the run.
-constexpr double most_missing = 0.1;
+// Beyond both an input is no longer known: longer than a tire's surface takes to forget (s), and a share of the run.
 constexpr double longest_gap = 60.0;
 constexpr double longest_share = 0.05;
 
@@ -61,18 +59,6 @@ bool judge_gaps(const std::string& name, const std::vector<double>& time, const 
     return true;
 }
 
-/// The samples of a run that have a value.
-solver::SignalHistory known_samples(const std::vector<double>& time, const std::vector<double>& value) {
-    solver::SignalHistory known;
-    for (std::size_t k = 0; k < time.size(); ++k) {
-        if (!std::isnan(value[k])) {
-            known.time.push_back(time[k]);
-            known.value.push_back(value[k]);
-        }
-    }
-    return known;
-}
-
 bool find_samples(const RunTable& run, RunFile& file, InputErrors& errors) {
     const std::vector<double>& time = file.time;
     const auto first = run.from ? std::lower_bound(time.begin(), time.end(), *run.from) : time.begin();
@@ -93,6 +79,32 @@ bool find_samples(const RunTable& run, RunFile& file, InputErrors& errors) {
 
 }  // namespace
 
+solver::SignalHistory known_samples(const std::vector<double>& time, const std::vector<double>& value) {
+    solver::SignalHistory known;
+    for (std::size_t k = 0; k < time.size(); ++k) {
+        if (!std::isnan(value[k])) {
+            known.time.push_back(time[k]);
+            known.value.push_back(value[k]);
+        }
+    }
+    return known;
+}
+
+solver::SignalHistory held(const solver::SignalHistory& samples) {
+    solver::SignalHistory steps;
+    for (std::size_t i = 0; i < samples.time.size(); ++i) {
+        if (i > 0 && samples.value[i] != samples.value[i - 1] && samples.time[i] > samples.time[i - 1]) {
+            steps.time.push_back(samples.time[i]);
+            steps.value.push_back(samples.value[i - 1]);
+        }
+        steps.time.push_back(samples.time[i]);
+        steps.value.push_back(samples.value[i]);
+    }
+    return steps;
+}
+
+bool too_long_a_gap(double gap, double length) { return gap > longest_gap && gap > longest_share * length; }
+
 std::optional<ErrorText> gap_error(const std::string& name, const std::vector<double>& time,
                                    const std::vector<double>& value, const std::string& elsewhere) {
     const Missing missing = find_missing(time, value);
@@ -100,14 +112,14 @@ std::optional<ErrorText> gap_error(const std::string& name, const std::vector<do
     if (missing.samples == time.size()) {
         return ErrorText{fmt::format("{} has no value in the run", name), elsewhere};
     }
-    if (missing.longest > longest_gap && missing.longest > longest_share * length) {
+    if (too_long_a_gap(missing.longest, length)) {
         return ErrorText{
             fmt::format("{} is missing for {:.6g} s from {:.6g} s on, {:.0f} % of the run", name, missing.longest,
                         missing.from, 100.0 * missing.longest / length),
             fmt::format("split the run there: a [[run]] up to the gap and one from its end, with from and to; or {}",
                         elsewhere)};
     }
-    if (static_cast<double>(missing.samples) > most_missing * static_cast<double>(time.size())) {
+    if (static_cast<double>(missing.samples) > most_missing_share * static_cast<double>(time.size())) {
         return ErrorText{fmt::format("{} is missing in {} of {} samples", name, missing.samples, time.size()),
                          fmt::format("leave out the part where it is missing, with from and to; or {}", elsewhere)};
     }
@@ -147,7 +159,7 @@ std::optional<RunFile> open_run_file(const RunTable& run, const std::vector<std:
 namespace {
 
 /// The columns that user effects follow, in base units whatever their unit is.
-void read_followed(const RunFile& file, RunInputs& into, InputErrors& errors) {
+void read_followed(const RunFile& file, ColumnKeys& keys, RunInputs& into, InputErrors& errors) {
     const std::vector<FollowedColumn>& followed = file.columns.followed;
     std::vector<ColumnRequest> requests;
     std::vector<std::string> remedies;
@@ -172,7 +184,8 @@ void read_followed(const RunFile& file, RunInputs& into, InputErrors& errors) {
         const std::vector<double> value(read[i].begin() + first, read[i].begin() + last);
         const SourceLocation& place = file.file.heads()[static_cast<std::size_t>(followed[i].column)].place;
         if (judge_gaps(followed[i].name, time, value, place, "let the effect follow another signal", errors)) {
-            into.columns[i].signal = known_samples(time, value);
+            const solver::SignalHistory known = known_samples(time, value);
+            into.columns[i].signal = keys.holds(followed[i].name) ? held(known) : known;
         }
     }
 }
@@ -193,7 +206,7 @@ RunInputs read_run_inputs(const RunTable& run, const RunFile* file, InputErrors&
     for (const ColumnHead& head : file->file.heads()) {
         into.headings.push_back(head.heading.name);
     }
-    read_followed(*file, into, errors);
+    read_followed(*file, *run.keys, into, errors);
     std::vector<ColumnRequest> requests;
     std::vector<std::string> remedies;
     remedies.reserve(file->columns.used.size());
@@ -226,6 +239,9 @@ RunInputs read_run_inputs(const RunTable& run, const RunFile* file, InputErrors&
             continue;
         }
         solver::SignalHistory known = known_samples(time, value);
+        if (run.keys->holds(requests[i].name)) {
+            known = held(known);
+        }
         input.time = std::move(known.time);
         input.value = std::move(known.value);
     }

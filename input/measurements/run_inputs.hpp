@@ -23,6 +23,18 @@ struct RunFile {
 [[nodiscard]] std::optional<RunFile> open_run_file(const RunTable& run, const std::vector<std::string>& sensors,
                                                    const std::vector<std::string>& followed, InputErrors& errors);
 
+/// An input may be missing in this share of its samples, or of a run's time.
+constexpr double most_missing_share = 0.1;
+
+/// Whether an input is no longer known in a gap of a run: it lasts longer than 60 s and than 5 % of the run. @param gap s
+[[nodiscard]] bool too_long_a_gap(double gap, double length);
+
+/// The samples that have a value. @param time [n] s  @param value [n], NaN where it is missing
+[[nodiscard]] solver::SignalHistory known_samples(const std::vector<double>& time, const std::vector<double>& value);
+
+/// A signal of which each value counts until the next sample: a jump there, as two points at one time.
+[[nodiscard]] solver::SignalHistory held(const solver::SignalHistory& samples);
+
 /// Why a signal with these gaps is not known well enough to drive a run; nothing where it is.
 /// @param time [n] s  @param value [n], NaN where it is missing
 /// @param elsewhere what to do about a signal that cannot be had from the column

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -21,22 +22,28 @@ int find_channel(const solver::Problem& problem, std::string_view name) {
     return found == problem.channels.end() ? -1 : static_cast<int>(found - problem.channels.begin());
 }
 
-/// Samples of the file that lie within the run.
-struct Samples {
-    std::size_t first = 0;
-    std::size_t last = 0;
+/// Samples of the file that lie within the run, of two lines at one time the first.
+class Samples {
+public:
+    Samples(const RunFile& file, const solver::Settings& settings) {
+        for (std::size_t i = file.first; i < file.last; ++i) {
+            const double t = file.time[i];
+            if (t >= settings.start && t <= settings.end && (i == file.first || t != file.time[i - 1])) {
+                rows_.push_back(i);
+            }
+        }
+    }
 
     [[nodiscard]] std::vector<double> of(const std::vector<double>& all) const {
-        return {all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(last)};
+        std::vector<double> chosen;
+        chosen.reserve(rows_.size());
+        std::ranges::transform(rows_, std::back_inserter(chosen), [&](std::size_t row) { return all[row]; });
+        return chosen;
     }
-};
 
-Samples samples_within(const RunFile& file, const solver::Settings& settings) {
-    const auto begin = file.time.begin() + static_cast<std::ptrdiff_t>(file.first);
-    const auto end = file.time.begin() + static_cast<std::ptrdiff_t>(file.last);
-    return {.first = static_cast<std::size_t>(std::lower_bound(begin, end, settings.start) - file.time.begin()),
-            .last = static_cast<std::size_t>(std::upper_bound(begin, end, settings.end) - file.time.begin())};
-}
+private:
+    std::vector<std::size_t> rows_;
+};
 
 }  // namespace
 
@@ -64,7 +71,7 @@ void read_series(const RunFile& file, const ProblemBuilder& builder, InputErrors
     if (file.time.empty()) {
         return;
     }
-    const Samples samples = samples_within(file, builder.problem.settings);
+    const Samples samples(file, builder.problem.settings);
     run.time = samples.of(file.time);
     for (std::size_t i = 0; i < read.size(); ++i) {
         MeasuredSeries series{.channel = channels[i], .value = samples.of(read[i])};
@@ -90,7 +97,7 @@ void read_unused(const RunFile& file, const solver::Settings& settings, InputErr
     if (file.time.empty()) {
         return;
     }
-    const Samples samples = samples_within(file, settings);
+    const Samples samples(file, settings);
     for (std::size_t i = 0; i < read.size(); ++i) {
         std::vector<double> value = samples.of(read[i]);
         if (std::any_of(value.begin(), value.end(), [](double v) { return std::isfinite(v); })) {

@@ -50,13 +50,14 @@ void read_frame_files(TomlTable& table, RunTable& run) {
 RunTable read_run(TomlTable& table) {
     RunTable run{.table = &table.content(), .place = table.place(), .name = {}};
     const std::optional<std::string> file = table.text("file");
-    table.declare_keys({"name", "drive", "initial", "time", "measured", "columns", "units", "ignore", "from", "to"});
+    table.declare_keys(
+        {"name", "drive", "initial", "time", "measured", "columns", "units", "ignore", "hold", "from", "to"});
     if (file) {
         run.place = table.place("file");
         const fs::path beside = fs::path(table.errors().file(run.place.file)).parent_path();
         run.file = (beside / *file).lexically_normal();
     } else {
-        for (const std::string_view key : {"columns", "units", "ignore", "from", "to"}) {
+        for (const std::string_view key : {"columns", "units", "ignore", "hold", "from", "to"}) {
             if (table.has(key)) {
                 table.add_error(key, fmt::format("{} speaks of a file, and the run has none", key),
                                 "add file = \"....csv\"");
@@ -120,6 +121,9 @@ void ColumnKeys::read(TomlTable& table) {
     for (LocatedString& word : table.texts("ignore")) {
         ignored_.push_back({.column = std::move(word), .value = {}});
     }
+    for (LocatedString& word : table.texts("hold")) {
+        held_.push_back({.column = std::move(word), .value = {}});
+    }
 }
 
 LocatedString ColumnKeys::name_of(const std::string& heading, const SourceLocation& place) {
@@ -153,6 +157,16 @@ bool ColumnKeys::ignores(const std::string& heading) {
     return ignored;
 }
 
+bool ColumnKeys::holds(const std::string& name) {
+    bool held = false;
+    for (Key& key : held_) {
+        if (key.column.text == name) {
+            key.found = held = true;
+        }
+    }
+    return held;
+}
+
 void ColumnKeys::report_unknown_columns(InputErrors& errors) const {
     if (unknown_keys_allowed_) {
         return;
@@ -164,6 +178,13 @@ void ColumnKeys::report_unknown_columns(InputErrors& errors) const {
                 errors.add(key.column.place, fmt::format("the file has no column \"{}\"", key.column.text),
                            suggest(key.column.text, known, "columns"));
             }
+        }
+    }
+    for (const Key& key : held_) {
+        if (!key.found) {
+            errors.add(key.column.place,
+                       fmt::format("hold: no column of the file is the input \"{}\"", key.column.text),
+                       "name an input as the model calls it, hold = [\"laser_power\"]");
         }
     }
 }

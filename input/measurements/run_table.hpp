@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tables [[run]] and [data]: file, time window, camera frames, and the keys `columns`, `units` and `ignore` for column
-// names.
+// Tables [[run]] and [data]: file, time window, camera frames, and the keys `columns`, `units`, `ignore` and `hold` for
+// columns.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@
 
 namespace tiretherm::input {
 
-/// What a case says about the columns of a file: the keys `columns`, `units` and `ignore`.
+/// What a case says about the columns of a file: the keys `columns`, `units`, `ignore` and `hold`.
 class ColumnKeys {
 public:
     void read(TomlTable& table);
@@ -24,6 +24,8 @@ public:
     [[nodiscard]] LocatedString name_of(const std::string& heading, const SourceLocation& place);
     [[nodiscard]] const LocatedString* unit_of(const std::string& heading);  ///< null when `units` has none
     [[nodiscard]] bool ignores(const std::string& heading);
+    /// Whether a signal, by the name that the model knows, keeps each value until the next sample.
+    [[nodiscard]] bool holds(const std::string& name);
     /// When a file could not be opened, it is not known which keys are wrong.
     void allow_unknown_keys() { unknown_keys_allowed_ = true; }
     /// Every key must be a column of some file.
@@ -40,6 +42,7 @@ private:
     std::vector<Key> names_;
     std::vector<Key> units_;
     std::vector<Key> ignored_;
+    std::vector<Key> held_;
     std::set<std::string> headings_;  ///< of all files
     bool unknown_keys_allowed_ = false;
 };

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "input/measurements/run_inputs.hpp"
 #include "input/model/problem_builder.hpp"
 #include "input/tables/csv.hpp"
 #include "input/text/quantity_specs.hpp"
@@ -105,7 +106,7 @@ std::vector<ColumnRequest> requests(TomlTable& table, const Csv& csv, ProblemBui
 void read_logged(TomlTable& table, ProblemBuilder& builder) {
     InputErrors& errors = table.errors();
     const std::optional<std::string> path = table.text("path", Need::required);
-    table.declare_keys({"columns", "ignore"});
+    table.declare_keys({"columns", "ignore", "hold"});
     if (!path) {
         return;
     }
@@ -133,23 +134,29 @@ void read_logged(TomlTable& table, ProblemBuilder& builder) {
     if (values.empty()) {
         return;
     }
+    const std::vector<LocatedString> hold = table.texts("hold");
+    for (const LocatedString& word : hold) {
+        if (std::ranges::find(requested_columns, word.text, &ColumnRequest::name) == requested_columns.end()) {
+            errors.add(word.place, fmt::format("hold: no column of the file is the input \"{}\"", word.text),
+                       "name an input as the model calls it");
+        }
+    }
     const std::vector<double> time = std::move(values.front());
     builder.logged_from = std::min(builder.logged_from.value_or(time.front()), time.front());
     builder.logged_to = std::max(builder.logged_to.value_or(time.back()), time.back());
     for (std::size_t i = 1; i < values.size(); ++i) {
+        const std::string& name = requested_columns[i].name;
+        solver::SignalHistory known = known_samples(time, values[i]);
+        if (std::ranges::find(hold, name, &LocatedString::text) != hold.end()) {
+            known = held(known);
+        }
         if (requested_columns[i].purpose == Purpose::measured) {
-            const auto column = std::ranges::find(builder.columns, requested_columns[i].name, &UserColumn::name);
-            for (std::size_t k = 0; k < time.size(); ++k) {
-                if (!std::isnan(values[i][k])) {
-                    column->signal.time.push_back(time[k]);
-                    column->signal.value.push_back(values[i][k]);
-                }
-            }
+            std::ranges::find(builder.columns, name, &UserColumn::name)->signal = std::move(known);
             continue;
         }
-        builder.problem.input_signals.add(solver::Series{.signal = physics::find_signal(requested_columns[i].name),
-                                                         .time = time,
-                                                         .value = std::move(values[i]),
+        builder.problem.input_signals.add(solver::Series{.signal = physics::find_signal(name),
+                                                         .time = std::move(known.time),
+                                                         .value = std::move(known.value),
                                                          .logged = true});
     }
 }

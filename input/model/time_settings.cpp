@@ -2,6 +2,7 @@
 // Reads [time]: start, end or steady state, step or tolerance, output intervals, time-integration method and linear
 // solver.
 
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -16,6 +17,32 @@ namespace {
 constexpr std::array<std::string_view, 2> methods{"tr_bdf2", "backward_euler"};
 constexpr std::array<std::string_view, 3> linear_solvers{"automatic", "cholesky", "conjugate_gradient"};
 constexpr double many_steps = 1e7;
+
+std::string in_minutes(double seconds) {
+    return seconds < 600.0 ? fmt::format("{:.4g} s", seconds) : fmt::format("{:.4g} min", seconds / 60.0);
+}
+
+/// A log goes on beyond the run, which somebody who included the run's end from another file does not see.
+void warn_of_cut_log(const TomlTable& time, const ProblemBuilder& builder) {
+    const solver::Settings& settings = builder.problem.settings;
+    if (!builder.logged_from || !builder.logged_to || settings.steady || (builder.run && builder.run->last)) {
+        return;
+    }
+    const double length = *builder.logged_to - *builder.logged_from;
+    const double before = settings.start - *builder.logged_from;
+    const double after = *builder.logged_to - settings.end;
+    const auto warn = [&](std::string_view key, double cut, std::string_view which) {
+        if (time.has(key) && cut > 1e-6 * length) {
+            time.errors().warn(time.place(key),
+                               fmt::format("[time] {} cuts {} of {} off the {} of the log; {} = \"{:.10g} s\" in the "
+                                           "case would use all of it",
+                                           key, in_minutes(std::min(cut, length)), in_minutes(length), which, key,
+                                           key == "start" ? *builder.logged_from : *builder.logged_to));
+        }
+    };
+    warn("start", before, "beginning");
+    warn("end", after, "end");
+}
 
 }  // namespace
 
@@ -51,6 +78,7 @@ void read_time_settings(TomlTable& root, ProblemBuilder& builder) {
                        "let end be later than start");
         return;
     }
+    warn_of_cut_log(time, builder);
     for (const auto& [key, interval] :
          {std::pair("step", into.fixed_step.value_or(0.0)), std::pair("output", into.output_interval),
           std::pair("fields", into.field_interval)}) {

@@ -46,12 +46,18 @@ bool ColumnReader::accept(std::string_view field, const std::optional<Number>& n
             break;
     }
     const bool inside = value >= request_->spec.low && value <= request_->spec.high && std::isfinite(value);
-    const bool late = (request_->purpose != Purpose::clock || value > last_) &&
-                      (request_->purpose != Purpose::frame || value >= last_);
+    const bool orders = request_->purpose == Purpose::clock || request_->purpose == Purpose::frame;
+    const bool third = request_->purpose == Purpose::clock && value == before_last_;
+    const bool late = !orders || (value >= last_ && !third);
     return whole && (!has_unit_ || (inside && late));
 }
 
-void ColumnReader::remember() { last_ = std::isfinite(values.back()) ? values.back() : last_; }
+void ColumnReader::remember() {
+    if (std::isfinite(values.back())) {
+        before_last_ = last_;
+        last_ = values.back();
+    }
+}
 
 ErrorText ColumnReader::error_text(std::string_view field, const std::optional<Number>& number) const {
     const std::string& name = request_->name;
@@ -84,7 +90,8 @@ ErrorText ColumnReader::error_text(std::string_view field, const std::optional<N
         return *parsed.error;
     }
     return conversion_.to_si(number->value) == last_ && clock
-               ? ErrorText{fmt::format("two lines have the same {}, {}", name, shown), "remove one of the lines"}
+               ? ErrorText{fmt::format("a third line has the same {}, {}", name, shown),
+                           "a jump has two lines, before and after"}
                : ErrorText{fmt::format("{} goes backwards to {}", name, shown),
                            request_->purpose == Purpose::frame
                                ? "write the frames in ascending order, each with all its points"

@@ -22,7 +22,7 @@ struct ColumnHead {
 
 /// What a column of a file is read for.
 enum class Purpose : std::uint8_t {
-    clock,     ///< ascending
+    clock,     ///< ascending; two lines at one time are a jump
     frame,     ///< not descending: alike for all points of a frame
     point,     ///< every point counts, with a value of its own
     input,     ///< every sample counts
@@ -80,6 +80,7 @@ private:
     Conversion conversion_;
     bool has_unit_ = false;
     double last_ = -std::numeric_limits<double>::infinity();
+    double before_last_ = -std::numeric_limits<double>::infinity();
 };
 
 }  // namespace tiretherm::input

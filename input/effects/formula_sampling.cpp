@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bisects to the times at which a formula decides otherwise (a comparison, a sign, finite or not), halves the pieces
+// between them until straight lines follow, and looks at places of its own whether something was missed.
+
+#include "input/effects/formula_sampling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace tiretherm::input {
+
+namespace {
+
+using solver::JumpSide;
+using solver::SignalHistory;
+
+constexpr int quiet_pieces = 8;     // between two knots where only schedules are followed
+constexpr int first_pieces = 4096;  // over the run where the time itself is followed
+constexpr int denser = 8;           // by so much where that missed something
+constexpr int attempts = 3;
+constexpr int most_rounds = 6;  // of a tighter tolerance, until the integral is right
+constexpr int probes = 2039;    // a prime; places at which the result is looked at
+constexpr int dip_steps = 30;   // of the golden section that looks for a margin's zero
+constexpr double golden = 0.618033988749894848;
+
+struct Sample {
+    double t = 0.0;
+    double value = 0.0;
+    FormulaDecisions decisions;
+
+    [[nodiscard]] bool finite() const { return std::isfinite(value); }
+    [[nodiscard]] bool decides_as(const Sample& other) const { return decisions.taken == other.decisions.taken; }
+};
+
+/// Straight between its points and held beyond them; before a jump at the jump.
+double value_at(const SignalHistory& history, double t) {
+    const auto next = std::ranges::lower_bound(history.time, t);
+    const auto i = static_cast<std::size_t>(next - history.time.begin());
+    if (i == 0 || i == history.time.size()) {
+        return i == 0 ? history.value.front() : history.value.back();
+    }
+    const double share = (t - history.time[i - 1]) / (history.time[i] - history.time[i - 1]);
+    return history.value[i - 1] + share * (history.value[i] - history.value[i - 1]);
+}
+
+/// One attempt with one density and one tolerance.
+class Sampling {
+public:
+    Sampling(const FormulaAtTime& formula, FormulaDetail detail, double jump_share, double tolerance)
+        : formula_(&formula), detail_(detail), jump_share_(jump_share), tolerance_(tolerance) {}
+
+    /// @param places between the knots, ascending
+    void follow(double from, double to, const std::vector<double>& places) {
+        width_ = to - from;
+        Sample left = at(from, JumpSide::after);
+        add_knot(left);
+        for (const double place : places) {
+            Sample right = at(place, JumpSide::before);
+            piece(left, right);
+            add(right.t, right.value);
+            left = std::move(right);
+        }
+        const Sample right = at(to, JumpSide::before);
+        piece(left, right);
+        add_knot(right);
+    }
+
+    /// What is left open at the end of the run.
+    void finish(double end) { close_gap(end); }
+
+    [[nodiscard]] FormulaSamples& samples() { return samples_; }
+    [[nodiscard]] double largest() const { return largest_; }
+    [[nodiscard]] bool integral_is_right() const { return deviation_ <= formula_accuracy * integral_; }
+
+private:
+    Sample at(double t, JumpSide side = JumpSide::before) {
+        Sample sample{.t = t, .value = 0.0, .decisions = {}};
+        sample.value = (*formula_)(t, side, sample.decisions);
+        if (sample.finite()) {
+            largest_ = std::max(largest_, std::abs(sample.value));
+        }
+        return sample;
+    }
+
+    void add(double t, double value) {
+        if (!std::isfinite(value) || samples_.too_fast) {
+            return;
+        }
+        SignalHistory& history = samples_.history;
+        samples_.too_fast = history.time.size() >= most_formula_points;
+        history.time.push_back(history.time.empty() ? t : std::max(t, history.time.back()));
+        history.value.push_back(value);
+    }
+
+    void add_knot(const Sample& sample) {
+        SignalHistory& history = samples_.history;
+        if (history.time.empty() || history.time.back() != sample.t || history.value.back() != sample.value) {
+            add(sample.t, sample.value);
+        }
+        if (sample.finite()) {
+            close_gap(sample.t);
+        } else {
+            open_gap(sample.t);
+        }
+    }
+
+    void open_gap(double t) { gap_since_ = std::min(gap_since_, t); }
+
+    void close_gap(double t) {
+        if (gap_since_ < t) {
+            const double gap = t - gap_since_;
+            samples_.undefined += gap;
+            if (gap > samples_.longest_gap) {
+                samples_.longest_gap = gap;
+                samples_.gap_from = gap_since_;
+            }
+        }
+        gap_since_ = std::numeric_limits<double>::infinity();
+    }
+
+    void add_jump(const Sample& before, const Sample& after) {
+        if (before.finite() && !after.finite()) {
+            add(after.t, before.value);
+            open_gap(after.t);
+        } else if (!before.finite() && after.finite()) {
+            close_gap(after.t);
+            add(after.t, after.value);
+        } else if (std::abs(after.value - before.value) <= 1e-9 * largest_) {
+            add(after.t, after.value);
+        } else {
+            const double half = 0.5 * jump_share_ * width_;
+            add(after.t - half, before.value);
+            add(after.t + half, after.value);
+        }
+    }
+
+    /// Points inside of (left, right), whatever happens there.
+    void piece(Sample left, const Sample& right) {
+        while (!left.decides_as(right) && !samples_.too_fast) {
+            Sample before = left;
+            Sample after = right;
+            const double resolution =
+                4.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(left.t), std::abs(right.t));
+            while (after.t - before.t > resolution) {
+                Sample middle = at(0.5 * (before.t + after.t));
+                (middle.decides_as(before) ? before : after) = std::move(middle);
+            }
+            smooth(left, before);
+            add_jump(before, after);
+            left = std::move(after);
+        }
+        smooth(left, right);
+    }
+
+    /// A place between two samples that decide the same at which a comparison comes out otherwise, if a margin's course
+    /// over three samples suggests that it goes there and back.
+    std::optional<Sample> hidden_switch(const Sample& left, const Sample& middle, const Sample& right) {
+        for (std::size_t i = 0; i < left.decisions.margins.size(); ++i) {
+            const double a = left.decisions.margins[i];
+            const double b = middle.decisions.margins[i];
+            const double c = right.decisions.margins[i];
+            const double curvature = a + c - 2.0 * b;
+            const double place = 0.5 + 0.25 * (a - c) / curvature;
+            if (!(place > 0.0 && place < 1.0) || a * b <= 0.0 || curvature * a <= 0.0) {
+                continue;
+            }
+            const double slope = 4.0 * b - 3.0 * a - c;
+            const double lowest = a + place * (slope + 2.0 * place * curvature);
+            if (std::abs(lowest) > 0.5 * std::min(std::abs(a), std::abs(c)) && lowest * a > 0.0) {
+                continue;
+            }
+            if (std::optional<Sample> found = search(left, right, i)) {
+                return found;
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// Golden section for the smallest distance of one decision from another result.
+    std::optional<Sample> search(const Sample& left, const Sample& right, std::size_t margin) {
+        double from = left.t;
+        double to = right.t;
+        Sample low = at(to - golden * (to - from));
+        Sample high = at(from + golden * (to - from));
+        for (int i = 0; i < dip_steps; ++i) {
+            for (Sample* sample : {&low, &high}) {
+                if (!sample->decides_as(left)) {
+                    return std::move(*sample);
+                }
+            }
+            const bool left_is_closer =
+                std::abs(low.decisions.margins[margin]) < std::abs(high.decisions.margins[margin]);
+            (left_is_closer ? to : from) = left_is_closer ? high.t : low.t;
+            (left_is_closer ? high : low) = std::move(left_is_closer ? low : high);
+            (left_is_closer ? low : high) =
+                at(left_is_closer ? to - golden * (to - from) : from + golden * (to - from));
+        }
+        return std::nullopt;
+    }
+
+    /// Points inside of (left, right), whose ends decide the same.
+    void smooth(const Sample& left, const Sample& right) {
+        const double width = right.t - left.t;
+        if (samples_.too_fast || width <= 1e-12 * std::max(std::abs(left.t), std::abs(right.t))) {
+            return;
+        }
+        const Sample middle = at(0.5 * (left.t + right.t));
+        if (!middle.decides_as(left)) {
+            split(left, middle, right);
+            return;
+        }
+        if (const std::optional<Sample> hidden = hidden_switch(left, middle, right)) {
+            split(left, *hidden, right);
+            return;
+        }
+        if (detail_ == FormulaDetail::jumps || !left.finite()) {
+            return;
+        }
+        const double first = at(left.t + 0.25 * width).value;
+        const double third = at(left.t + 0.75 * width).value;
+        const double rise = right.value - left.value;
+        const double worst =
+            std::max({std::abs(first - left.value - 0.25 * rise), std::abs(middle.value - left.value - 0.5 * rise),
+                      std::abs(third - left.value - 0.75 * rise)});
+        if (!(worst <= tolerance_)) {
+            smooth(left, middle);
+            add(middle.t, middle.value);
+            smooth(middle, right);
+            return;
+        }
+        // Boole's rule against the straight line.
+        const double straight = 0.5 * (left.value + right.value);
+        const double curved =
+            (7.0 * left.value + 32.0 * first + 12.0 * middle.value + 32.0 * third + 7.0 * right.value) / 90.0;
+        deviation_ += width * std::abs(curved - straight);
+        integral_ += width * 0.5 * (std::abs(left.value) + std::abs(right.value));
+    }
+
+    void split(const Sample& left, const Sample& middle, const Sample& right) {
+        piece(left, middle);
+        add(middle.t, middle.value);
+        piece(middle, right);
+    }
+
+    const FormulaAtTime* formula_;
+    FormulaDetail detail_;
+    double jump_share_;
+    double tolerance_;
+    double width_ = 0.0;
+    double largest_ = 0.0;
+    double deviation_ = 0.0;
+    double integral_ = 0.0;
+    double gap_since_ = std::numeric_limits<double>::infinity();
+    FormulaSamples samples_;
+};
+
+/// Places between two knots, at distances that no period of the formula fits.
+std::vector<double> places_between(double from, double to, int pieces) {
+    std::vector<double> places;
+    for (int i = 1; i < pieces; ++i) {
+        const double shift = std::fmod(golden * i, 1.0) - 0.5;
+        places.push_back(from + (to - from) * (i + 0.6 * shift) / pieces);
+    }
+    return places;
+}
+
+class Attempt {
+public:
+    Attempt(const FormulaAtTime& formula, const std::vector<double>& knots, FormulaDetail detail, double jump_share)
+        : formula_(&formula), knots_(&knots), detail_(detail), jump_share_(jump_share) {}
+
+    /// The tolerance is that of the values first, then what the integral takes.
+    FormulaSamples with_pieces(int pieces_over_run) const {
+        double tolerance = formula_accuracy * run(std::numeric_limits<double>::infinity(), pieces_over_run).largest();
+        for (int round = 0;; ++round) {
+            Sampling sampling = run(tolerance, pieces_over_run);
+            sampling.samples().too_fast =
+                sampling.samples().too_fast || (round + 1 == most_rounds && !sampling.integral_is_right());
+            if (sampling.integral_is_right() || sampling.samples().too_fast) {
+                return std::move(sampling.samples());
+            }
+            tolerance *= 0.1;
+        }
+    }
+
+    /// Whether points are where the formula is, at places that have nothing to do with those of the points.
+    [[nodiscard]] bool holds(const SignalHistory& history) const {
+        const double start = knots_->front();
+        const double length = knots_->back() - start;
+        FormulaDecisions ignored;
+        double deviation = 0.0;
+        double size = 0.0;
+        for (int i = 0; i < probes; ++i) {
+            const double t = start + length * std::fmod(0.5 + golden * i, 1.0);
+            const double value = (*formula_)(t, JumpSide::before, ignored);
+            if (std::isfinite(value) && !history.time.empty()) {
+                deviation += std::abs(value - value_at(history, t));
+                size += std::abs(value);
+            }
+        }
+        return deviation <= 10.0 * formula_accuracy * size;
+    }
+
+private:
+    [[nodiscard]] Sampling run(double tolerance, int pieces_over_run) const {
+        Sampling sampling(*formula_, detail_, jump_share_, tolerance);
+        const double length = knots_->back() - knots_->front();
+        for (std::size_t i = 1; i < knots_->size(); ++i) {
+            const double from = (*knots_)[i - 1];
+            const double to = (*knots_)[i];
+            const double share = length > 0.0 ? (to - from) / length : 1.0;
+            int pieces = detail_ == FormulaDetail::jumps ? 1 : quiet_pieces;
+            if (detail_ == FormulaDetail::time) {
+                pieces = std::max(pieces, static_cast<int>(std::ceil(share * pieces_over_run)));
+            }
+            sampling.follow(from, to, places_between(from, to, pieces));
+        }
+        sampling.finish(knots_->back());
+        return sampling;
+    }
+
+    const FormulaAtTime* formula_;
+    const std::vector<double>* knots_;
+    FormulaDetail detail_;
+    double jump_share_;
+};
+
+}  // namespace
+
+FormulaSamples sample_formula(const FormulaAtTime& formula, const std::vector<double>& knots, FormulaDetail detail,
+                              double jump_share) {
+    if (knots.size() < 2) {
+        FormulaDecisions ignored;
+        return {.history = {knots, {formula(knots.front(), JumpSide::after, ignored)}}};
+    }
+    const Attempt attempt(formula, knots, detail, jump_share);
+    int pieces = first_pieces;
+    for (int i = 0;; ++i, pieces *= denser) {
+        FormulaSamples samples = attempt.with_pieces(pieces);
+        if (detail == FormulaDetail::jumps || samples.too_fast || attempt.holds(samples.history)) {
+            return samples;
+        }
+        if (i + 1 == attempts || detail == FormulaDetail::schedule) {
+            samples.too_fast = true;
+            return samples;
+        }
+    }
+}
+
+}  // namespace tiretherm::input
