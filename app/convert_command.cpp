@@ -119,9 +119,7 @@ int convert(const Options& options) {
         return Exit::input_error;
     }
     try {
-        if (!fs::create_directories(options.directory, error) && error) {
-            throw post::FileError("create", options.directory, error.message());
-        }
+        post::create_folder(options.directory);
         post::replace_file(target, made.text);
     } catch (const post::FileError& failure) {
         report_error(failure.what(), "no case was written; choose another directory with --out", options.json);

@@ -11,9 +11,14 @@
 
 namespace tiretherm::app {
 
-bool on_terminal(std::FILE* stream) { return isatty(fileno(stream)) == 1; }
+namespace {
 
+/// On a terminal, unless NO_COLOR is set.
 bool may_be_bold() { return on_terminal(stdout) && std::getenv("NO_COLOR") == nullptr; }
+
+}  // namespace
+
+bool on_terminal(std::FILE* stream) { return isatty(fileno(stream)) == 1; }
 
 void print_report(const post::Report& report, bool json) {
     fmt::print("{}", json ? post::json_text(report.data) : post::page_text(report, may_be_bold()));

@@ -12,9 +12,6 @@ namespace tiretherm::app {
 /// Whether a person sees what is written there.
 [[nodiscard]] bool on_terminal(std::FILE* stream);
 
-/// Whether text on stdout may be set in bold: on a terminal, unless NO_COLOR is set.
-[[nodiscard]] bool may_be_bold();
-
 /// A result on stdout: its page, or with `json` its data.
 void print_report(const post::Report& report, bool json);
 

@@ -202,9 +202,8 @@ int make_case(const Options& options) {
         return Exit::input_error;
     }
     try {
-        const fs::path folder = request->target.parent_path();
-        if (!folder.empty() && !fs::create_directories(folder, error) && error) {
-            throw post::FileError("create", folder, error.message());
+        if (const fs::path folder = request->target.parent_path(); !folder.empty()) {
+            post::create_folder(folder);
         }
         post::replace_file(request->target, made.text);
     } catch (const post::FileError& failure) {

@@ -22,7 +22,7 @@
 #include "post/report/file.hpp"
 #include "post/study/study_files.hpp"
 #include "post/study/study_journal.hpp"
-#include "post/study/study_summary.hpp"
+#include "post/study/study_report.hpp"
 #include "solver/stop_signal.hpp"
 
 namespace tiretherm::app {
@@ -132,10 +132,8 @@ int study(const Options& options) {
         report_error(error.what(), kept, options.json);
         return Exit::input_error;
     }
-    if (options.json) {
-        fmt::print("{}", post::study_json(record, call));
-    } else if (!options.quiet) {
-        fmt::print("{}", post::study_text(record, call, may_be_bold()));
+    if (options.json || !options.quiet) {
+        print_report(post::study_report(record, call), options.json);
     }
     if (const std::vector<std::size_t> failed = record.failed(); !failed.empty()) {
         if (!options.json) {

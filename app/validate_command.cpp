@@ -18,7 +18,7 @@
 #include "diagnosis/validation/validation_runs.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/validation/validation.hpp"
-#include "post/validation/validation_table.hpp"
+#include "post/validation/validation_report.hpp"
 #include "solver/stop_signal.hpp"
 
 namespace tiretherm::app {
@@ -93,9 +93,11 @@ int validate(const Options& options) {
                                              .seconds = std::chrono::duration<double>(Clock::now() - begin).count(),
                                              .energy_closure = results.energy_closure,
                                              .warnings = warnings};
-    fmt::print("{}", options.json       ? post::validation_json(record)
-                     : options.markdown ? post::validation_markdown(record)
-                                        : post::validation_text(record, may_be_bold()));
+    if (options.markdown) {
+        fmt::print("{}", post::validation_markdown(record));
+    } else {
+        print_report(post::validation_report(record), options.json);
+    }
     const bool failed = std::any_of(results.failures.begin(), results.failures.end(),
                                     [](const std::string& failure) { return !failure.empty(); });
     return failed ? Exit::numerical_failure : Exit::done;

@@ -11,39 +11,22 @@
 #include <system_error>
 
 #include <fmt/format.h>
-#include <hdf5.h>
 
+#include "input/tables/hdf5_handle.hpp"
 #include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
 namespace {
 
-/// Closes a handle of HDF5 at the end of a scope; the kind is known to the library.
-class Handle {
-public:
-    explicit Handle(hid_t handle) : handle_(handle) {}
-    ~Handle() {
-        if (handle_ >= 0) {
-            H5Idec_ref(handle_);
-        }
-    }
-    Handle(const Handle&) = delete;
-    Handle& operator=(const Handle&) = delete;
-    operator hid_t() const { return handle_; }
-
-private:
-    hid_t handle_;
-};
-
 /// A text attribute, of fixed or of variable length; nothing where there is none.
 std::optional<std::string> attribute(hid_t object, const char* name) {
     if (H5Aexists(object, name) <= 0) {
         return std::nullopt;
     }
-    const Handle opened(H5Aopen(object, name, H5P_DEFAULT));
-    const Handle type(H5Aget_type(opened));
-    const Handle space(H5Aget_space(opened));
+    const Hdf5Handle opened(H5Aopen(object, name, H5P_DEFAULT));
+    const Hdf5Handle type(H5Aget_type(opened));
+    const Hdf5Handle space(H5Aget_space(opened));
     if (H5Tget_class(type) != H5T_STRING || H5Sget_simple_extent_npoints(space) != 1) {
         return std::nullopt;
     }
@@ -69,9 +52,9 @@ std::vector<double> numeric_attribute(hid_t object, const char* name) {
     if (H5Aexists(object, name) <= 0) {
         return {};
     }
-    const Handle opened(H5Aopen(object, name, H5P_DEFAULT));
-    const Handle type(H5Aget_type(opened));
-    const Handle space(H5Aget_space(opened));
+    const Hdf5Handle opened(H5Aopen(object, name, H5P_DEFAULT));
+    const Hdf5Handle type(H5Aget_type(opened));
+    const Hdf5Handle space(H5Aget_space(opened));
     const H5T_class_t kind = H5Tget_class(type);
     if (kind != H5T_INTEGER && kind != H5T_FLOAT) {
         return {};
@@ -90,7 +73,7 @@ std::vector<std::string> members(hid_t group, H5O_type_t kind) {
     } found{kind, {}};
     const auto take = [](hid_t in, const char* name, const H5L_info_t*, void* into) -> herr_t {
         auto* all = static_cast<Found*>(into);
-        const Handle object(H5Oopen(in, name, H5P_DEFAULT));
+        const Hdf5Handle object(H5Oopen(in, name, H5P_DEFAULT));
         H5O_info_t about{};
         if (object >= 0 && H5Oget_info2(object, &about, H5O_INFO_BASIC) >= 0 && about.type == all->kind) {
             all->names.emplace_back(name);
@@ -103,8 +86,8 @@ std::vector<std::string> members(hid_t group, H5O_type_t kind) {
 
 /// The numbers of a dataset of one dimension; nothing for any other.
 std::optional<std::vector<double>> numbers(hid_t dataset) {
-    const Handle type(H5Dget_type(dataset));
-    const Handle space(H5Dget_space(dataset));
+    const Hdf5Handle type(H5Dget_type(dataset));
+    const Hdf5Handle space(H5Dget_space(dataset));
     const H5T_class_t kind = H5Tget_class(type);
     if ((kind != H5T_INTEGER && kind != H5T_FLOAT) || H5Sget_simple_extent_ndims(space) != 1) {
         return std::nullopt;
@@ -119,7 +102,7 @@ std::optional<std::vector<double>> numbers(hid_t dataset) {
 std::vector<Dataset> datasets(hid_t group) {
     std::vector<Dataset> found;
     for (const std::string& name : members(group, H5O_TYPE_DATASET)) {
-        const Handle dataset(H5Dopen2(group, name.c_str(), H5P_DEFAULT));
+        const Hdf5Handle dataset(H5Dopen2(group, name.c_str(), H5P_DEFAULT));
         if (auto values = dataset >= 0 ? numbers(dataset) : std::nullopt) {
             std::optional<std::string> unit = attribute(dataset, "units");
             found.push_back({.heading = {name, unit.value_or("").empty() ? std::nullopt : std::move(unit)},
@@ -132,7 +115,7 @@ std::vector<Dataset> datasets(hid_t group) {
 }  // namespace
 
 ErrorText hdf5_defect(const std::filesystem::path& path) {
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // reasons go into errors, not to stderr
+    silence_hdf5();
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file) {
         return {fmt::format("cannot be read: {}", std::system_category().message(errno)), ""};
@@ -140,7 +123,7 @@ ErrorText hdf5_defect(const std::filesystem::path& path) {
     if (H5Fis_hdf5(path.c_str()) <= 0) {
         return {"is not an HDF5 file", "export it as HDF5; a text file ends in .csv"};
     }
-    if (Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)) < 0) {
+    if (Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)) < 0) {
         return {"is HDF5, but cannot be opened: it is cut off, damaged or still being written",
                 "copy or export it again"};
     }
@@ -148,11 +131,11 @@ ErrorText hdf5_defect(const std::filesystem::path& path) {
 }
 
 Datasets read_datasets(const std::filesystem::path& path) {
-    const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
+    const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
     const bool ours = attribute(file, "format").value_or("").starts_with("tiretherm results");
     Datasets all{.found = ours ? std::vector<Dataset>{} : datasets(file), .groups = {}};
     for (const std::string& name : all.found.empty() ? members(file, H5O_TYPE_GROUP) : std::vector<std::string>{}) {
-        const Handle group(H5Gopen2(file, name.c_str(), H5P_DEFAULT));
+        const Hdf5Handle group(H5Gopen2(file, name.c_str(), H5P_DEFAULT));
         std::vector<Dataset> in_group = ours && name != "channels" ? std::vector<Dataset>{} : datasets(group);
         if (!in_group.empty()) {
             all.groups.push_back(name);
@@ -163,16 +146,16 @@ Datasets read_datasets(const std::filesystem::path& path) {
 }
 
 std::optional<Hdf5Stack> Hdf5Stack::open(const std::filesystem::path& path, const std::string& name) {
-    const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
+    const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
     const std::vector<std::string> known = members(file, H5O_TYPE_DATASET);
     if (std::find(known.begin(), known.end(), name) == known.end()) {
         return std::nullopt;
     }
     Hdf5Stack stack;
-    stack.dataset_ = std::make_shared<Handle>(H5Dopen2(file, name.c_str(), H5P_DEFAULT));
-    const hid_t dataset = *static_cast<const Handle*>(stack.dataset_.get());
-    const Handle type(H5Dget_type(dataset));
-    const Handle space(H5Dget_space(dataset));
+    stack.dataset_ = std::make_shared<Hdf5Handle>(H5Dopen2(file, name.c_str(), H5P_DEFAULT));
+    const hid_t dataset = *static_cast<const Hdf5Handle*>(stack.dataset_.get());
+    const Hdf5Handle type(H5Dget_type(dataset));
+    const Hdf5Handle space(H5Dget_space(dataset));
     const H5T_class_t kind = H5Tget_class(type);
     if (kind != H5T_INTEGER && kind != H5T_FLOAT) {
         return std::nullopt;
@@ -193,16 +176,16 @@ std::optional<Hdf5Stack> Hdf5Stack::open(const std::filesystem::path& path, cons
 }
 
 std::string Hdf5Stack::text(const std::string& attribute) const {
-    return input::attribute(*static_cast<const Handle*>(dataset_.get()), attribute.c_str()).value_or("");
+    return input::attribute(*static_cast<const Hdf5Handle*>(dataset_.get()), attribute.c_str()).value_or("");
 }
 
 std::vector<double> Hdf5Stack::numbers(const std::string& attribute) const {
-    return numeric_attribute(*static_cast<const Handle*>(dataset_.get()), attribute.c_str());
+    return numeric_attribute(*static_cast<const Hdf5Handle*>(dataset_.get()), attribute.c_str());
 }
 
 bool Hdf5Stack::read(std::size_t index, std::vector<double>& values) const {
-    const hid_t dataset = *static_cast<const Handle*>(dataset_.get());
-    const Handle space(H5Dget_space(dataset));
+    const hid_t dataset = *static_cast<const Hdf5Handle*>(dataset_.get());
+    const Hdf5Handle space(H5Dget_space(dataset));
     std::vector<hsize_t> start(shape_.size(), 0);
     std::vector<hsize_t> count(shape_.begin(), shape_.end());
     start.front() = index;
@@ -213,7 +196,7 @@ bool Hdf5Stack::read(std::size_t index, std::vector<double>& values) const {
     }
     values.resize(size);
     const auto length = static_cast<hsize_t>(size);
-    const Handle memory(H5Screate_simple(1, &length, nullptr));
+    const Hdf5Handle memory(H5Screate_simple(1, &length, nullptr));
     H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);
     if (H5Dread(dataset, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values.data()) < 0) {
         return false;

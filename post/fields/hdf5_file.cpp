@@ -6,7 +6,7 @@
 #include <array>
 #include <type_traits>
 
-#include "post/fields/hdf5_handle.hpp"
+#include "post/fields/hdf5_creation.hpp"
 #include "post/report/file.hpp"
 
 namespace tiretherm::post {
@@ -44,7 +44,7 @@ hid_t string_type() {
 }  // namespace
 
 Hdf5File::Hdf5File(const std::filesystem::path& path) : path_(path) {
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // reasons go into exceptions, not to stderr
+    input::silence_hdf5();
     const Scoped access(H5Pcreate(H5P_FILE_ACCESS));
     // A lock would keep others from looking at a run that is under way.
     H5Pset_file_locking(access, false, true);

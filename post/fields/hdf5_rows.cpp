@@ -3,8 +3,8 @@
 
 #include <array>
 
+#include "post/fields/hdf5_creation.hpp"
 #include "post/fields/hdf5_file.hpp"
-#include "post/fields/hdf5_handle.hpp"
 
 namespace tiretherm::post {
 

@@ -14,11 +14,12 @@ namespace tiretherm::post {
 
 namespace {
 
-std::string table_text(const DataTable& table, std::size_t indent) {
+struct Columns {
     std::vector<bool> left;
     std::vector<std::string> headings;
-    // Rows may differ in length: a column is as the first row says that has it.
-    for (const DataTable::Row& row : table.rows()) {
+
+    /// Rows may differ in length: a column is as the first row says that has it.
+    void take(const DataTable::Row& row) {
         std::size_t column = 0;
         for (const Field& field : row) {
             if (field.on_page && column++ == left.size()) {
@@ -27,18 +28,35 @@ std::string table_text(const DataTable& table, std::size_t indent) {
             }
         }
     }
-    Table lines(std::move(left));
-    if (std::ranges::any_of(headings, [](const std::string& heading) { return !heading.empty(); })) {
-        lines.add(std::move(headings));
+};
+
+Columns columns_of(const DataTable& table) {
+    Columns columns;
+    columns.take(table.columns());
+    for (const DataTable::Row& row : table.rows()) {
+        columns.take(row);
+    }
+    return columns;
+}
+
+std::vector<std::string> cells_of(const DataTable::Row& row) {
+    std::vector<std::string> cells;
+    for (const Field& field : row) {
+        if (field.on_page) {
+            cells.push_back(field.cell.text);
+        }
+    }
+    return cells;
+}
+
+std::string table_text(const DataTable& table, std::size_t indent) {
+    Columns columns = columns_of(table);
+    Table lines(std::move(columns.left));
+    if (std::ranges::any_of(columns.headings, [](const std::string& heading) { return !heading.empty(); })) {
+        lines.add(std::move(columns.headings));
     }
     for (const DataTable::Row& row : table.rows()) {
-        std::vector<std::string> cells;
-        for (const Field& field : row) {
-            if (field.on_page) {
-                cells.push_back(field.cell.text);
-            }
-        }
-        lines.add(std::move(cells));
+        lines.add(cells_of(row));
     }
     return lines.text(indent);
 }
@@ -177,9 +195,25 @@ std::string page_text(const Report& report, bool bold) {
         text += line + "\n";
     }
     for (const Section& section : report.sections) {
-        if (!section.blocks().empty()) {
-            text += "\n" + strong(section.heading()) + blocks_text(section.blocks(), 2);
+        if (section.blocks().empty()) {
+            continue;
         }
+        const bool after_title = section.heading().empty() && &section == &report.sections.front();
+        text += after_title ? "" : "\n";
+        text += section.heading().empty() ? "" : strong(section.heading());
+        text += blocks_text(section.blocks(), 2);
+    }
+    return text;
+}
+
+std::string markdown_text(const DataTable& table) {
+    const auto line = [](const std::vector<std::string>& cells) {
+        return fmt::format("| {} |\n", fmt::join(cells, " | "));
+    };
+    const std::vector<std::string> headings = columns_of(table).headings;
+    std::string text = line(headings) + line(std::vector<std::string>(headings.size(), "---"));
+    for (const DataTable::Row& row : table.rows()) {
+        text += line(cells_of(row));
     }
     return text;
 }

@@ -51,16 +51,22 @@ class DataTable {
 public:
     using Row = std::vector<Field>;
 
+    DataTable() = default;
+    /// @param columns a row that gives the columns of a table which is shown even without rows
+    explicit DataTable(Row columns) : columns_(std::move(columns)) {}
+
     void add(Row row) { rows_.push_back(std::move(row)); }
     /// A row of the page that is no data.
     void add_to_page(Row row);
 
-    [[nodiscard]] bool empty() const { return rows_.empty(); }
+    [[nodiscard]] bool empty() const { return columns_.empty() && rows_.empty(); }
+    [[nodiscard]] const Row& columns() const { return columns_; }
     [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
     /// An object for each row that has keys.
     [[nodiscard]] Value data() const;
 
 private:
+    Row columns_;
     std::vector<Row> rows_;
 };
 
@@ -80,7 +86,7 @@ struct PageItem {
     std::vector<PageItem> blocks;  ///< of a part
 };
 
-/// A heading and what stands below it.
+/// A heading and what stands below it. Without a heading it is set apart by an empty line, or follows the title at once.
 class Section {
 public:
     explicit Section(std::string heading) : heading_(std::move(heading)) {}
@@ -130,5 +136,8 @@ struct Report {
 /// The page as text of at most 100 columns, tables but for.
 /// @param bold headings in bold, for a terminal   @returns lines, each ended by a newline
 [[nodiscard]] std::string page_text(const Report& report, bool bold);
+
+/// The columns of the page as a table of Markdown.  @returns lines, each ended by a newline
+[[nodiscard]] std::string markdown_text(const DataTable& table);
 
 }  // namespace tiretherm::post

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The runs of a study as a CSV table, one row for each run.
 
-#include <iterator>
-
 #include <fmt/format.h>
 
+#include "post/report/csv.hpp"
 #include "post/study/study_tables.hpp"
 #include "solver/celsius.hpp"
 #include "solver/channel_unit.hpp"
@@ -15,57 +14,62 @@ using namespace diagnosis;  // whose results are rendered here
 
 namespace {
 
-/// A cell as it may stand between commas.
-std::string cell(const std::string& text) {
-    if (text.find_first_of(",\"\n") == std::string::npos) {
-        return text;
-    }
-    std::string quoted = "\"";
-    for (const char c : text) {
-        quoted += c == '"' ? "\"\"" : c == '\n' ? " " : std::string(1, c);
-    }
-    return quoted + "\"";
-}
-
-std::string headings(const StudyRecord& study) {
-    std::string row = "run";
+std::vector<std::string> headings(const StudyRecord& study) {
+    std::vector<std::string> names{"run"};
     for (const StudyColumn& column : study.columns) {
-        row += "," + cell(column.heading());
+        names.push_back(column.heading());
     }
-    row += ",outcome,hottest [degC],hottest_time [s],hottest_layer,hottest_zone";
+    names.insert(names.end(), {"outcome", "hottest [degC]", "hottest_time [s]", "hottest_layer", "hottest_zone"});
     for (const solver::Channel& channel : study.channels) {
         for (const char* what : {"final", "min", "max"}) {
-            row += "," + cell(fmt::format("{}_{} [{}]", channel.name, what, solver::shown_unit(channel.quantity).name));
+            names.push_back(fmt::format("{}_{} [{}]", channel.name, what, solver::shown_unit(channel.quantity).name));
         }
     }
-    return row + ",energy_closure [-],steps [-]\n";
+    names.insert(names.end(), {"energy_closure [-]", "steps [-]"});
+    return names;
+}
+
+void add_outcome(Csv& csv, const StudyRecord& study, const StudyOutcome& run) {
+    csv.add("ok");
+    csv.add(Decimals{solver::celsius(run.hottest), 4});
+    csv.add(Digits{run.hottest_time, 6});
+    csv.add(run.hottest_layer);
+    csv.add(run.hottest_zone);
+    for (std::size_t c = 0; c < study.channels.size(); ++c) {
+        const solver::ShownUnit unit = solver::shown_unit(study.channels[c].quantity);
+        for (const double value : {run.channel_final[c], run.channel_min[c], run.channel_max[c]}) {
+            csv.add(Decimals{unit.value(value), 4});
+        }
+    }
+    csv.add(fmt::format("{:.2e}", run.energy_closure));
+    csv.add(run.steps);
 }
 
 }  // namespace
 
 std::string study_csv(const StudyRecord& study) {
-    std::string text = headings(study);
+    Csv csv(headings(study));
     for (std::size_t r = 0; r < study.outcomes.size(); ++r) {
         const StudyOutcome& run = study.outcomes[r];
-        text += fmt::format("{}", r + 1);
+        csv.add(r + 1);
         for (const StudyColumn& column : study.columns) {
-            text += "," + (column.is_number ? fmt::format("{:.10g}", column.numbers[r]) : cell(column.texts[r]));
-        }
-        if (!run.ok()) {
-            text += "," + cell(run.failure) + std::string(6 + 3 * study.channels.size(), ',') + "\n";
-            continue;
-        }
-        fmt::format_to(std::back_inserter(text), ",ok,{:.4f},{:.6g},{},{}", solver::celsius(run.hottest),
-                       run.hottest_time, cell(run.hottest_layer), cell(run.hottest_zone));
-        for (std::size_t c = 0; c < study.channels.size(); ++c) {
-            const solver::ShownUnit unit = solver::shown_unit(study.channels[c].quantity);
-            for (const double value : {run.channel_final[c], run.channel_min[c], run.channel_max[c]}) {
-                fmt::format_to(std::back_inserter(text), ",{:.4f}", unit.value(value));
+            if (column.is_number) {
+                csv.add(Digits{column.numbers[r], 10});
+            } else {
+                csv.add(column.texts[r]);
             }
         }
-        fmt::format_to(std::back_inserter(text), ",{:.2e},{}\n", run.energy_closure, run.steps);
+        if (run.ok()) {
+            add_outcome(csv, study, run);
+        } else {
+            csv.add(run.failure);
+            for (std::size_t empty = 0; empty < 6 + 3 * study.channels.size(); ++empty) {
+                csv.add("");
+            }
+        }
+        csv.end_row();
     }
-    return text;
+    return csv.text();
 }
 
 }  // namespace tiretherm::post

@@ -16,13 +16,8 @@ namespace tiretherm::post {
 
 namespace fs = std::filesystem;
 
-StudyFiles::StudyFiles(fs::path directory, bool pictures) : directory_(std::move(directory)), pictures_(pictures) {
-    std::error_code error;
-    fs::create_directories(directory_, error);
-    if (error) {
-        throw FileError("create the directory", directory_, error.message());
-    }
-}
+StudyFiles::StudyFiles(fs::path directory, bool pictures)
+    : directory_(create_folder(std::move(directory))), pictures_(pictures) {}
 
 void StudyFiles::remove_old() const {
     for (const char* name : {"study.csv", "study.h5", "study.png"}) {

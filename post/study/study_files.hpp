@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "diagnosis/study/study_record.hpp"
 #include "input/studies/study.hpp"
-#include "post/study/study_summary.hpp"
 
 namespace tiretherm::post {
 

@@ -6,8 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "post/study/study_drivers_text.hpp"
-#include "post/study/study_summary.hpp"
+#include "post/study/study_report.hpp"
 
 namespace tiretherm::diagnosis {
 namespace {
@@ -82,7 +81,7 @@ TEST(StudyDrivers, ShareTheVarianceOfAnExactPlane) {
     EXPECT_NEAR(line.drivers[0].share, 0.64, 1e-9);
     EXPECT_NEAR(line.standard_deviation, 5.0, 1e-9);
     EXPECT_NEAR(line.r_squared, 1.0, 1e-12);
-    const std::string text = post::study_text(study, {}, false);
+    const std::string text = post::page_text(post::study_report(study, {}), false);
     EXPECT_NE(text.find("What drives it"), std::string::npos) << text;
     EXPECT_NE(text.find("explains 100.0 % of the variance"), std::string::npos) << text;
     // A run that failed does not count.
@@ -94,8 +93,11 @@ TEST(StudyDrivers, ShareTheVarianceOfAnExactPlane) {
 // Two numbers, the plane's own value and a coefficient each take five samples: fewer say nothing.
 TEST(StudyDrivers, NeedFiveSamplesForEachNumber) {
     const std::vector<double> nine{1, 2, 3, 4, 5, 6, 7, 8, 9};
-    EXPECT_FALSE(regression(sampled({drawn("film", nine)}, nine), 0).exists());
-    EXPECT_EQ(post::regression_text({}), "");
+    const StudyRecord study = sampled({drawn("film", nine)}, nine);
+    EXPECT_FALSE(regression(study, 0).exists());
+    const post::Report report = post::study_report(study, {});
+    EXPECT_TRUE(post::section(report, "What drives it").blocks().empty());
+    EXPECT_NE(post::json_text(report.data).find("\"drivers\": null"), std::string::npos);
 }
 
 }  // namespace tiretherm::diagnosis

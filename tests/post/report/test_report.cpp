@@ -67,6 +67,24 @@ TEST(Report, HeadingsStandWhereThereIsSomethingBelowThem) {
     EXPECT_EQ(json_text(report.data), "{\n  \"warnings\": []\n}\n");
 }
 
+TEST(Report, ASectionWithoutHeadingFollowsTheTitleOrAnEmptyLine) {
+    Report report{.title = "A page"};
+    report.add(Section("", {"at once"}));
+    report.add(Section("", {"apart"}));
+    EXPECT_EQ(page_text(report, false), "A page\n  at once\n\n  apart\n");
+}
+
+TEST(Report, ATableWithColumnsStandsWithoutRows) {
+    Report report{.title = "A page"};
+    report.add(Section("Layers", DataTable({page_only("layer", ""), page_only("cells", count(0))})));
+    EXPECT_EQ(page_text(report, false), "A page\n\nLayers\n  layer  cells\n");
+}
+
+TEST(Report, ATableInMarkdownHasTheColumnsOfThePage) {
+    EXPECT_EQ(markdown_text(two_layers()),
+              "| layer | hottest degC | cells |\n| --- | --- | --- |\n| K1 | 81.2 | 4 800 |\n| belt | - |\n");
+}
+
 TEST(Report, PartsAndItemsAreIndented) {
     Section part("surface");
     part.item("too hot");

@@ -13,7 +13,7 @@
 #include "post/charts/study_picture.hpp"
 #include "post/charts/study_plane.hpp"
 #include "post/report/file.hpp"
-#include "post/study/study_summary.hpp"
+#include "post/study/study_report.hpp"
 #include "post/study/study_tables.hpp"
 #include "tests/post/scratch.hpp"
 
@@ -176,7 +176,7 @@ TEST(StudyHdf5, EqualStudiesAreEqualFiles) {
 }
 
 TEST(StudyText, ShowsTheGridAndWhatFailed) {
-    const std::string text = study_text(grid(), made, false);
+    const std::string text = page_text(study_report(grid(), made), false);
     EXPECT_NE(text.find("  50  51.0  52.0    53.0\n  60  61.0  62.0  failed\n"), std::string::npos) << text;
     EXPECT_NE(text.find("0 of 5 runs pass 62 degC"), std::string::npos) << text;
     EXPECT_NE(text.find("run 6 (drive.speed = 60 km/h, drive.vertical_load = 3 kN): t = 3 s: it burns"),
@@ -187,9 +187,9 @@ TEST(StudyText, ShowsTheGridAndWhatFailed) {
 
 // 2 of 20: (0.1 + 1.9207/20 -+ 1.95996 sqrt(0.09/20 + 0.96036/400)) / (1 + 3.8415/20) = 0.0279 and 0.3010.
 TEST(StudyText, GivesTheChanceOfPassingWithItsInterval) {
-    const std::string text = study_text(samples(), made, false);
+    const std::string text = page_text(study_report(samples(), made), false);
     EXPECT_NE(text.find("10.0 %, 95 % interval 2.8 to 30.1 % (2 of 20)"), std::string::npos) << text;
-    const auto json = nlohmann::json::parse(study_json(samples(), made));
+    const auto json = nlohmann::json::parse(json_text(study_report(samples(), made).data));
     EXPECT_NEAR(json["points"][0]["passes_critical"]["low"].get<double>(), 0.0279, 5e-5);
     EXPECT_NEAR(json["points"][0]["passes_critical"]["high"].get<double>(), 0.3010, 5e-5);
     EXPECT_EQ(json["points"][0]["hottest"]["median"], 50.5);

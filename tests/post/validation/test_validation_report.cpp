@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Verdicts, cells and figures of a validation table against hand calculation, as text, Markdown and JSON.
 
-#include "post/validation/validation_table.hpp"
+#include "post/validation/validation_report.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-
-#include "post/validation/validation_cells.hpp"
 
 namespace tiretherm::post {
 
@@ -34,6 +35,25 @@ ValidationRow row(const char* unit, double low, double high, double u, std::vect
 
 /// A temperature of 50 degC, u = 2 K, that one model gives.
 std::string judged(double simulated) { return verdict(row("degC", 50.0, 50.0, 2.0, {value(simulated)}), 0); }
+
+/// A table of one number.
+ValidationRecord only(const ValidationRow& row) {
+    ValidationRecord record;
+    for (std::size_t m = 0; m < row.models.size(); ++m) {
+        record.models.push_back({fmt::format("m{}", m), fmt::format("model {}", m)});
+    }
+    record.rows = {row};
+    return record;
+}
+
+/// A cell of that number's line on the page.
+std::string cell(const ValidationRow& row, const char* heading) {
+    const Report report = validation_report(only(row));
+    const DataTable::Row line = report.sections.at(0).blocks().at(0).table.rows().at(0);
+    const auto found =
+        std::ranges::find_if(line, [&](const Field& field) { return field.on_page && field.heading == heading; });
+    return found == line.end() ? "no such column" : found->cell.text;
+}
 
 /// Three temperatures, of which the first model lacks the last; an order; a failed run.
 ValidationRecord record() {
@@ -89,18 +109,20 @@ TEST(Verdict, IsNotGivenWhereNothingWasMeasuredOrAsked) {
     ValidationRow shown = row("N", 0.0, 0.0, 0.0, {value(48.0), {}});
     shown.is_measured = false;
     EXPECT_EQ(verdict(shown, 0), "");
-    EXPECT_EQ(measured_text(shown, "+-"), "-");
-    EXPECT_EQ(value_text(shown, 0), "48.0");
-    EXPECT_EQ(value_text(shown, 1), "");
+    EXPECT_EQ(cell(shown, "measured"), "-");
+    EXPECT_EQ(cell(shown, "model 0"), "48.0");
+    EXPECT_EQ(cell(shown, "model 1"), "");
 }
 
 TEST(Cells, HaveTheDecimalsOfTheirUnit) {
-    EXPECT_EQ(measured_text(row("degC", 47.0, 48.0, 4.123, {value(1.0)}), "+-"), "47.0 to 48.0 +- 4.1");
-    EXPECT_EQ(measured_text(row("1", 1.1, 1.1, 0.03, {value(1.0)}), "±"), "1.100 ± 0.030");
-    EXPECT_EQ(measured_text(row("s", 600.0, 600.0, 60.0, {value(1.0)}), "+-"), "600 +- 60");
-    EXPECT_EQ(measured_text(row("K", 0.0, infinity, 0.0, {value(1.0)}), "+-"), "> 0.0");
-    EXPECT_EQ(value_text(row("K", 0.0, 0.0, 1.0, {value(-0.04)}), 0), "0.0");
-    EXPECT_EQ(difference_text(row("K", 1.0, 1.0, 1.0, {value(3.0)}), 0), "+2.0");
+    EXPECT_EQ(cell(row("degC", 47.0, 48.0, 4.123, {value(1.0)}), "measured"), "47.0 to 48.0 +- 4.1");
+    const ValidationRow ratio = row("1", 1.1, 1.1, 0.03, {value(1.0)});
+    EXPECT_EQ(cell(ratio, "measured"), "1.100 +- 0.030");
+    EXPECT_NE(validation_markdown(only(ratio)).find("| 1.100 ± 0.030  |"), std::string::npos);
+    EXPECT_EQ(cell(row("s", 600.0, 600.0, 60.0, {value(1.0)}), "measured"), "600 +- 60");
+    EXPECT_EQ(cell(row("K", 0.0, infinity, 0.0, {value(1.0)}), "measured"), "> 0.0");
+    EXPECT_EQ(cell(row("K", 0.0, 0.0, 1.0, {value(-0.04)}), "model 0"), "0.0");
+    EXPECT_EQ(cell(row("K", 1.0, 1.0, 1.0, {value(3.0)}), "off"), "+2.0");
 }
 
 // Common to both: off 8 and 4 (two nodes), 1 and 0 (section). Bias 6, rms sqrt((64 + 16) / 2) = 6.325; variance 40 - 36
@@ -129,7 +151,7 @@ TEST(Figures, BiasAndScatterAreThoseOfTheModelWithoutTheSensors) {
 }
 
 TEST(ValidationText, HasALineForEachNumberAndTellsWhatFailedOnce) {
-    const std::string text = validation_text(record(), false);
+    const std::string text = page_text(validation_report(record()), false);
     EXPECT_TRUE(text.starts_with("Two models\n  id  what      unit             measured  two nodes  verdict")) << text;
     EXPECT_NE(text.find("  M1  a number  degC          50.0 +- 2.0       58.0  4.0 u too hot      51.0   +1.0  within"),
               std::string::npos)
@@ -138,7 +160,16 @@ TEST(ValidationText, HasALineForEachNumberAndTellsWhatFailedOnce) {
     EXPECT_NE(text.find("\nWarnings\n  case y: it was warm\n"), std::string::npos) << text;
     EXPECT_NE(text.find("\nRuns that failed\n  case x: it broke\n"), std::string::npos) << text;
     EXPECT_NE(text.find("  7 runs in 1.2 s; energy closes to 2.0e-13 at worst\n"), std::string::npos) << text;
-    EXPECT_NE(validation_text(record(), true).find("\033[1mTwo models\033[0m\n"), std::string::npos);
+    EXPECT_NE(page_text(validation_report(record()), true).find("\033[1mTwo models\033[0m\n"), std::string::npos);
+}
+
+// A time is neither a temperature nor an order: no model has figures.
+TEST(ValidationText, HasTheHeadingsOfFiguresThatNoModelHas) {
+    const std::string text = page_text(validation_report(only(row("s", 9.0, 9.0, 1.0, {value(9.0)}))), false);
+    const std::string headings =
+        "\nModel against experiment\n  model  temperatures  bias K  rms K  scatter K  "
+        "within 2 u  orders that hold\n\n  Off: ";
+    EXPECT_NE(text.find(headings), std::string::npos) << text;
 }
 
 TEST(ValidationMarkdown, HasAsManyCellsInEachLine) {
@@ -152,7 +183,7 @@ TEST(ValidationMarkdown, HasAsManyCellsInEachLine) {
 }
 
 TEST(ValidationJson, HasNullWhereANumberIsMissing) {
-    const nlohmann::json json = nlohmann::json::parse(validation_json(record()));
+    const nlohmann::json json = nlohmann::json::parse(json_text(validation_report(record()).data));
     ASSERT_EQ(json["numbers"].size(), 5U);
     EXPECT_EQ(json["numbers"][0]["models"]["two_node"]["in_uncertainties"], 4.0);
     EXPECT_EQ(json["numbers"][0]["measured"]["uncertainty_parts"]["sensor"], 2.0);

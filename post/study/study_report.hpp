@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The summary of a study, as text for people and as JSON for programs.
+// A study that has been run as a report.
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include "diagnosis/study/study_record.hpp"
+#include "post/report/report.hpp"
 
 namespace tiretherm::post {
 
@@ -20,11 +20,9 @@ struct StudyCall {
     std::vector<std::filesystem::path> files;
 };
 
-/// The summary of a study on a terminal: hottest temperatures over the grid, the chance of passing the critical one, runs
-/// that failed.   @param bold headings
-[[nodiscard]] std::string study_text(const diagnosis::StudyRecord& study, const StudyCall& call, bool bold);
-
-/// The same as one JSON object.
-[[nodiscard]] std::string study_json(const diagnosis::StudyRecord& study, const StudyCall& call);
+/// A study's page: hottest temperatures over the grid, the chance of passing the critical one, what drives it, extremes,
+/// runs that failed, cost, files. Its data: temperatures in degC. Keys: title, case, version, runs, kept, made, seconds,
+/// threads, critical, failed, hottest and coldest run, points (of samples), warnings, outputs.
+[[nodiscard]] Report study_report(const diagnosis::StudyRecord& study, const StudyCall& call);
 
 }  // namespace tiretherm::post
