@@ -20,9 +20,11 @@ constexpr int quiet_pieces = 8;     // between two knots where only schedules ar
 constexpr int first_pieces = 4096;  // over the run where the time itself is followed
 constexpr int denser = 8;           // by so much where that missed something
 constexpr int attempts = 3;
-constexpr int most_rounds = 6;  // of a tighter tolerance, until the integral is right
-constexpr int probes = 2039;    // a prime; places at which the result is looked at
-constexpr int dip_steps = 30;   // of the golden section that looks for a margin's zero
+constexpr int most_rounds = 6;           // of a tighter tolerance, until the integral is right
+constexpr int probes = 2039;             // a prime; places at which the result is looked at
+constexpr int dip_steps = 30;            // of the golden section that looks for a margin's zero
+constexpr double margin_of_place = 0.5;  // beyond the ends, as a parabola's vertex is not quite that of the margin
+constexpr double value_accuracy = 1e-3;  // of the largest value
 constexpr double golden = 0.618033988749894848;
 
 struct Sample {
@@ -163,12 +165,12 @@ private:
             const double c = right.decisions.margins[i];
             const double curvature = a + c - 2.0 * b;
             const double place = 0.5 + 0.25 * (a - c) / curvature;
-            if (!(place > 0.0 && place < 1.0) || a * b <= 0.0 || curvature * a <= 0.0) {
+            if (!(place > -margin_of_place && place < 1.0 + margin_of_place) || a * b <= 0.0 || curvature * a <= 0.0) {
                 continue;
             }
             const double slope = 4.0 * b - 3.0 * a - c;
             const double lowest = a + place * (slope + 2.0 * place * curvature);
-            if (std::abs(lowest) > 0.5 * std::min(std::abs(a), std::abs(c)) && lowest * a > 0.0) {
+            if (lowest * a > 0.3 * std::max(std::abs(a), std::abs(c)) * std::abs(a)) {
                 continue;
             }
             if (std::optional<Sample> found = search(left, right, i)) {
@@ -203,7 +205,11 @@ private:
     /// Points inside of (left, right), whose ends decide the same.
     void smooth(const Sample& left, const Sample& right) {
         const double width = right.t - left.t;
-        if (samples_.too_fast || width <= 1e-12 * std::max(std::abs(left.t), std::abs(right.t))) {
+        if (samples_.too_fast) {
+            return;
+        }
+        if (width <= 1e-12 * std::max(std::abs(left.t), std::abs(right.t))) {
+            deviation_ += detail_ == FormulaDetail::jumps ? 0.0 : width * std::abs(right.value - left.value);
             return;
         }
         const Sample middle = at(0.5 * (left.t + right.t));
@@ -220,22 +226,27 @@ private:
         }
         const double first = at(left.t + 0.25 * width).value;
         const double third = at(left.t + 0.75 * width).value;
-        const double rise = right.value - left.value;
-        const double worst =
-            std::max({std::abs(first - left.value - 0.25 * rise), std::abs(middle.value - left.value - 0.5 * rise),
-                      std::abs(third - left.value - 0.75 * rise)});
-        if (!(worst <= tolerance_)) {
+        const double bend = std::max({std::abs(first - 0.75 * left.value - 0.25 * right.value),
+                                      std::abs(middle.value - 0.5 * left.value - 0.5 * right.value),
+                                      std::abs(third - 0.25 * left.value - 0.75 * right.value)});
+        const double error = std::max(std::abs(first - 0.5 * left.value - 0.5 * middle.value),
+                                      std::abs(third - 0.5 * middle.value - 0.5 * right.value));
+        if (!(error <= tolerance_)) {
             smooth(left, middle);
             add(middle.t, middle.value);
             smooth(middle, right);
             return;
         }
-        // Boole's rule against the straight line.
-        const double straight = 0.5 * (left.value + right.value);
-        const double curved =
-            (7.0 * left.value + 32.0 * first + 12.0 * middle.value + 32.0 * third + 7.0 * right.value) / 90.0;
-        deviation_ += width * std::abs(curved - straight);
-        integral_ += width * 0.5 * (std::abs(left.value) + std::abs(right.value));
+        // Boole's rule tells the mean; the point in the middle is placed so that the two straight lines have it, too.
+        const double two_lines = 0.25 * left.value + 0.5 * middle.value + 0.25 * right.value;
+        const double simpson = left.value / 6.0 + middle.value * 2.0 / 3.0 + right.value / 6.0;
+        const double boole =
+            (left.value + right.value) * (7.0 / 90.0) + (first + third) * (32.0 / 90.0) + middle.value * (12.0 / 90.0);
+        if (bend > 1e-12 * largest_) {
+            add(middle.t, middle.value + 2.0 * (boole - two_lines));
+        }
+        deviation_ += width * std::abs(boole - simpson);
+        integral_ += 0.5 * width * std::abs(left.value) + 0.5 * width * std::abs(right.value);
     }
 
     void split(const Sample& left, const Sample& middle, const Sample& right) {
@@ -273,7 +284,7 @@ public:
 
     /// The tolerance is that of the values first, then what the integral takes.
     FormulaSamples with_pieces(int pieces_over_run) const {
-        double tolerance = formula_accuracy * run(std::numeric_limits<double>::infinity(), pieces_over_run).largest();
+        double tolerance = value_accuracy * run(std::numeric_limits<double>::infinity(), pieces_over_run).largest();
         for (int round = 0;; ++round) {
             Sampling sampling = run(tolerance, pieces_over_run);
             sampling.samples().too_fast =

@@ -146,15 +146,15 @@ std::optional<ErrorText> formula_error(const FormulaSamples& samples, const solv
     if (samples.history.time.empty()) {
         return ErrorText{"is not a finite number at any time", "write a formula that has a value"};
     }
-    if (samples.too_fast) {
-        return ErrorText{fmt::format("changes too fast: {} points in {:.6g} s do not follow it to {:g} of its integral",
-                                     most_formula_points, length, formula_accuracy),
-                         "write its mean over a period, or shorten the run"};
-    }
     if (too_long_a_gap(samples.longest_gap, length) || samples.undefined > most_missing_share * length) {
         return ErrorText{fmt::format("is not a finite number for {:.6g} s of {:.6g} s, from {:.6g} s on",
                                      samples.undefined, length, samples.gap_from),
                          "write what it is then, such as time > 1800 ? sqrt(time - 1800) : 0"};
+    }
+    if (samples.too_fast) {
+        return ErrorText{fmt::format("changes too fast: {} points in {:.6g} s do not follow it to {:g} of its integral",
+                                     most_formula_points, length, formula_accuracy),
+                         "write its mean over a period, or shorten the run"};
     }
     return std::nullopt;
 }

@@ -12,10 +12,11 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr std::size_t least_changes = 3;
-constexpr double least_share = 0.01;  ///< of the samples: fewer changes make no difference
-constexpr double most_share = 0.5;    ///< more are a signal that moves
-constexpr double least_change = 0.3;  ///< of the range, for the typical change
+constexpr std::size_t least_changes = 6;  ///< three pulses
+constexpr double least_share = 0.01;      ///< of the samples: fewer changes make no difference
+constexpr double most_share = 0.5;        ///< more are a signal that moves
+constexpr double least_change = 0.3;      ///< of the range, for the typical change
+constexpr double least_range = 0.2;       ///< of the largest value: less is a coarse logger
 
 }  // namespace
 
@@ -40,7 +41,7 @@ std::string find_switched(const Recording& /*recording*/, const RecordedColumn& 
     }
     const auto middle = changes.begin() + static_cast<std::ptrdiff_t>(changes.size() / 2);
     std::nth_element(changes.begin(), middle, changes.end());
-    if (*middle < least_change * (high - low)) {
+    if (*middle < least_change * (high - low) || high - low < least_range * std::max(std::abs(high), std::abs(low))) {
         return {};
     }
     return fmt::format(
