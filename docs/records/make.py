@@ -47,7 +47,7 @@ def exam(entry, sources, run):
     head = re.search(r"(\d{4}-\d\d-\d\d) \d\d:\d\d, (\w+), seeds (\d+) to (\d+), (\d+)", text)
     shares = {}
     for line in text.splitlines():
-        row = re.match(r"^(.{30}) (.{40}) +(\d+) of (\d+) ", line)
+        row = re.match(r"^(.{30}) (\S.*?) +(\d+) of (\d+) ", line)
         if row is None:
             continue
         for key, pattern in QUESTIONS.items():
