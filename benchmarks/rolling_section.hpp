@@ -11,7 +11,6 @@
 #include "mesh/builders.hpp"
 #include "solver/problem.hpp"
 
-/// A tire's section of 24 x 64 cells with the thesis's effects, sidewalls, rim and gas, and two ways to drive it.
 namespace tiretherm::benchmarks {
 
 inline constexpr double deg = std::numbers::pi / 180.0;

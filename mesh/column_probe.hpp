@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Temperatures at points and over strips of a cross-section or ring, whose cells stand in columns through the
-// thickness.
+// thickness; mesh/probe.hpp asks here for meshes that have columns.
 #pragma once
 
 #include <cstddef>
 
 #include "mesh/mesh.hpp"
 
-/// Places in the columns of a section; mesh/probe.hpp asks here for meshes that have columns.
 namespace tiretherm::mesh {
 
 /// Index of the column at a place of the meridian, -1 outside. @param s m

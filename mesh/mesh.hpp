@@ -13,7 +13,6 @@
 
 #include "mesh/grid.hpp"
 
-/// Where the heat is: a graph of nodes and faces. Knows no physics, no unit but the metre.
 namespace tiretherm::mesh {
 
 /// A measured place: sum of weight * temperature over a few nodes. The weights sum to 1 for an average or an interpolation.

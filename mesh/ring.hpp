@@ -8,8 +8,6 @@
 
 #include "mesh/mesh.hpp"
 
-/// A tire that is resolved around its circumference as well: a section, so many times. All in the rubber's frame, which
-/// turns with the wheel.
 namespace tiretherm::mesh {
 
 /// A ring of equal sectors, the first with its middle at angle 0 and the others in the order of growing angle. A sector

@@ -9,7 +9,6 @@
 #include "mesh/mesh.hpp"
 #include "physics/effect.hpp"
 
-/// What the pixels of a camera average over a flat specimen.
 namespace tiretherm::physics {
 
 /// Where the image lies on the surface, in the mesh's own coordinates.

@@ -7,7 +7,6 @@
 
 #include "physics/effect.hpp"
 
-/// How a total is shared out over a mesh: the weights that every distributed effect starts from.
 namespace tiretherm::physics {
 
 /// How the contact is loaded across the tread: the table of every effect that acts in it.

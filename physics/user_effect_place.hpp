@@ -9,7 +9,6 @@
 
 #include "physics/effect.hpp"
 
-/// Where a user effect acts.
 namespace tiretherm::physics {
 
 /// Whether an effect of the catalogue is the pattern of user effects.

@@ -7,7 +7,6 @@
 
 #include "solver/system.hpp"
 
-// What Newton's method makes of the terms: its matrices, and the surfaces that have no capacity.
 namespace tiretherm::solver {
 
 namespace {

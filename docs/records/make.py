@@ -47,7 +47,7 @@ def exam(entry, sources, run):
     head = re.search(r"(\d{4}-\d\d-\d\d) \d\d:\d\d, (\w+), seeds (\d+) to (\d+), (\d+)", text)
     shares = {}
     for line in text.splitlines():
-        row = re.match(r"^(.{30}) (.{40}) +(\d+) of (\d+) ", line)
+        row = re.match(r"^(.{30}) (\S.*?) +(\d+) of (\d+) ", line)
         if row is None:
             continue
         for key, pattern in QUESTIONS.items():
@@ -79,11 +79,55 @@ def coverage(entry, sources, run):
 
 
 def imaging(entry, sources, run):
-    """K1 at 90 degC from a camera's frames."""
+    """Parameters from a camera's frames, with what the correction for the grid moved them by."""
     result = json.loads(run([str(sources.program), "identify", "cases/laser/imaging/imaging.toml", "--json", "--out",
                              str(sources.scratch / "imaging")], ROOT))
-    one = next(p for p in result["parameters"] if p["name"] == "K1.conductivity at 90 degC")
-    return {"K1_90": {key: one[key] for key in ("value", "low", "high")}}
+    names = [one["name"] for one in result["parameters"]]
+    return {"parameters": {one["name"]: {key: one[key] for key in ("value", "low", "high", "moved_by_grid_correction")}
+                           for one in result["parameters"]},
+            "absorptivity_and_emissivity": result["correlation"][names.index("laser.absorptivity")][
+                names.index("camera.emissivity")]}
+
+
+def laser_plans(entry, sources, run):
+    """Standard deviations that a plan foresees for cases/laser/identify.toml with one thing changed."""
+    folder = ROOT / "cases" / "laser"
+    case = (folder / "identify.toml").read_text().replace('file = "', f'file = "{folder}/')
+
+    def changed(old, new, where=""):
+        begin = case.index(where)
+        if old not in case[begin:]:
+            raise ValueError(f"cases/laser/identify.toml has no {old!r}")
+        return case[:begin] + case[begin:].replace(old, new)
+
+    def without(name):
+        """The case without the table of a list that has this name."""
+        tables = re.split(r"(?m)^(?=\[)", case)
+        kept = [table for table in tables if f'name = "{name}"' not in table]
+        if len(kept) + 1 != len(tables):
+            raise ValueError(f"cases/laser/identify.toml has no single {name!r}")
+        return "".join(kept)
+
+    beside = '[[sensor]]\nname = "beside_the_spot"\nkind = "point"\nradius = "12 mm"\ndepth = "0 mm"\nstandard_deviation = "0.5 K"\n\n'
+    cases = {"as_it_is": case,
+             "absorptivity": changed("standard_deviation = 0.03", "standard_deviation = 0.005"),
+             "second_place": case.replace("[[parameter]]", beside + "[[parameter]]", 1),
+             "films": changed('standard_deviation = "3 W/m2K"', 'standard_deviation = "0.5 W/m2K"'),
+             "radius": changed('standard_deviation = "0.1 mm"', 'standard_deviation = "0.01 mm"'),
+             "without_one_and_a_half_watts": without("one_and_a_half_watts"),
+             "without_three_watts": without("three_watts"),
+             "without_probe": without("inner_liner_temperature")}
+    asked = {"K1_90": "K1.conductivity at 90 degC", "K2_90": "K2.conductivity at 90 degC",
+             "K2_140": "K2.conductivity at 140 degC", "absorptivity": "laser.absorptivity"}
+    found = {}
+    for name, text in cases.items():
+        path = sources.scratch / f"{name}.toml"
+        path.write_text(text)
+        plan = json.loads(run([str(sources.program), "identify", str(path), "--plan", "--json", "--out",
+                               str(sources.scratch / name)], ROOT))
+        deviations = {one["name"]: one["standard_deviation"] for one in plan["parameters"]}
+        found[name] = {key: deviations[parameter] for key, parameter in asked.items()}
+    return found
 
 
 def hot_spot_study(entry, sources, run):

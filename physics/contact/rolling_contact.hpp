@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Parameters and effusivities e = sqrt(k rho c) of tread and road, shared by the effects that resolve the contact.
+// A tread that rolls on a road: parameters and effusivities e = sqrt(k rho c) of both, shared by the effects that
+// resolve the contact.
 #pragma once
 
 #include <array>
@@ -8,7 +9,6 @@
 #include "physics/effect.hpp"
 #include "physics/tire_laws/contact.hpp"
 
-/// The numbers of a tread that rolls on a road, common to the effects that resolve the contact.
 namespace tiretherm::physics::rolling_contact {
 
 enum : std::size_t { scale, interface_h, tire_conductivity, tire_capacity, road_conductivity, road_capacity };

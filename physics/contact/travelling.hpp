@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Position of the contact on a turning tire at a moment, as angles in the rubber's frame, and the share of each sector
-// that is in contact.
+// Position of a contact that goes round the tire at a moment, as angles in the rubber's frame, and the share of each
+// sector that is in contact.
 #pragma once
 
 #include "mesh/mesh.hpp"
 #include "physics/effect.hpp"
 #include "physics/tire.hpp"
 
-/// A contact that goes round the tire, seen from the rubber.
 namespace tiretherm::physics {
 
 /// The choice of an effect whose heat may be spread around the circumference or follow the contact.

@@ -11,7 +11,6 @@
 #include "solver/problem.hpp"
 #include "solver/time_integration/march.hpp"
 
-/// The hot spot of a tire in time: where some part of it is hottest, and when it passes what the part can bear.
 namespace tiretherm::solver {
 
 /// A temperature that some part of the tire should not pass.

@@ -12,7 +12,6 @@
 #include "solver/sensitivity/free_parameter.hpp"
 #include "solver/status.hpp"
 
-/// What drives a hot spot: how its highest temperature follows parameters that are uncertain, at first order.
 namespace tiretherm::solver {
 
 /// The hottest place of a run and its time. At the peak the temperature does not change with either of them, so that the
