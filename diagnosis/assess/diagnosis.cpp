@@ -6,9 +6,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
 
 #include "diagnosis/assess/diagnosis_state.hpp"
 #include "diagnosis/detect/discretisation_error.hpp"
+#include "diagnosis/fit/fit.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -22,6 +26,53 @@ constexpr double step_error = 1e-3;
 constexpr double noticed = 0.3;
 constexpr double left_over = 0.25;
 constexpr double too_coarse = 3.0;
+
+/// What stands against a diagnosis before anything is simulated; empty: nothing.
+std::string too_little(const input::Experiment& experiment, const Observations& observations) {
+    std::vector<std::string> frozen;
+    for (const input::MeasuredRun& run : experiment.runs) {
+        for (const input::MeasuredSeries& series : run.series) {
+            if (series.frozen) {
+                frozen.push_back(fmt::format("{} of {}", run.problem.channels[series.channel].name, run.name));
+            }
+        }
+    }
+    const auto values = static_cast<long>(observations.rows.size());
+    if (values == 0) {
+        return fmt::format("no sensor changes ({}).", fmt::join(frozen, ", "));
+    }
+    // A stated number may stand against what was known of a parameter before. Where the noise is estimated from what is
+    // left, there must be more values than free numbers, and each channel's noise takes one more.
+    const auto without_prior = std::ranges::count_if(experiment.parameters, [](const solver::FreeParameter& parameter) {
+        return std::isinf(parameter.standard_deviation);
+    });
+    const bool stated = observations.channels.empty();
+    const auto free = stated ? static_cast<long>(without_prior) : static_cast<long>(experiment.parameters.size());
+    const auto numbers = free + static_cast<long>(observations.channels.size());
+    if (values <= numbers && !(stated && free == 0)) {
+        return fmt::format(
+            "{} values for {} free numbers and {} noises leave nothing to judge the model by. Longer runs, more "
+            "sensors or "
+            "fewer free numbers would help.",
+            values, free, observations.channels.size());
+    }
+    return "";
+}
+
+/// The model at the values of its case, beside data that say no more.
+Diagnosis cannot_tell(Diagnosis result, const input::Experiment& experiment, const Observations& observations) {
+    Fit fit(experiment, observations);
+    fit.take_stated_noise();
+    result.values = fit.simulator().start();
+    if (!fit.move_to(result.values)) {
+        result.status = fit.now().status;
+    }
+    result.base = result.extended = fit.now().simulated;
+    result.noise = fit.covariance().channels;
+    result.verdict = Verdict::cannot_tell;
+    result.simulations = fit.simulator().simulations();
+    return result;
+}
 
 }  // namespace
 
@@ -49,6 +100,10 @@ Diagnosis diagnose(const input::Experiment& experiment, const Observations& obse
         run.problem.settings.tolerance = std::min(run.problem.settings.tolerance, step_error);
     }
     Diagnosis result;
+    result.reason = too_little(experiment, observations);
+    if (!result.reason.empty()) {
+        return cannot_tell(std::move(result), experiment, observations);
+    }
     DiagnosisState state;
     state.score_data = prepare_score_tests(fine, observations, candidates_of(fine, fine.candidates), choice.progress);
     result.status = state.score_data.status;

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "input/parameters/parameter_path.hpp"
 
 namespace tiretherm::diagnosis {
@@ -172,6 +174,22 @@ void find_limits(const DiagnosisState& found, Diagnosis& into) {
     }
 }
 
+/// The likeliest hypothesis that may not be in a verdict, where it is likelier than all that may.
+const FittedHypothesis* implausible(const DiagnosisState& found) {
+    const FittedHypothesis* best = nullptr;
+    double admitted = 0.0;
+    for (const auto* list : {&found.singles, &found.pairs}) {
+        for (const FittedHypothesis& one : *list) {
+            if (one.admissible) {
+                admitted = std::max(admitted, one.gain);
+            } else if (one.sound && (best == nullptr || one.gain > best->gain)) {
+                best = &one;
+            }
+        }
+    }
+    return best != nullptr && best->gain > admitted + alike ? best : nullptr;
+}
+
 }  // namespace
 
 void report(const DiagnosisState& found, Diagnosis& into) {
@@ -182,6 +200,16 @@ void report(const DiagnosisState& found, Diagnosis& into) {
     }
     if (found.verdict == Verdict::consistent) {
         find_limits(found, into);
+    }
+    if (const FittedHypothesis* better = implausible(found)) {
+        std::vector<std::string> names;
+        for (const std::size_t k : better->candidates) {
+            names.emplace_back(found.score_data.candidates[k].effect->id);
+        }
+        into.remarks.push_back(fmt::format(
+            "{} would fit better, but only at the bound of what is allowed for it, or with a part that hardly "
+            "counts: it is in no verdict",
+            fmt::join(names, " and ")));
     }
     if (found.something_left) {
         into.remarks.emplace_back("something significant is left beside it: there is more than one thing missing");

@@ -133,6 +133,21 @@ void fit_model(ScoreTestData& score_data, const Eigen::VectorXd& from, FittedHyp
     one.rest_is_insignificant = one.sound && is_rest_insignificant(one, score_data);
 }
 
+/// Whether each cause has a size within its bounds that differs from none by more than chance would make it. Of a cause
+/// alone the gain says the latter.
+bool are_all_needed(const FittedHypothesis& one, const std::vector<Candidate>& on) {
+    constexpr double least_sigma = 2.0;
+    const Eigen::VectorXd deviation = one.fit.deviations();
+    for (std::size_t i = 0; i < on.size(); ++i) {
+        const Eigen::Index j = one.number_of(i);
+        if (one.fit.at_bound[static_cast<std::size_t>(j)] ||
+            (on.size() > 1 && std::abs(one.fit.values[j] - on[i].absent) < least_sigma * deviation[j])) {
+            return false;
+        }
+    }
+    return true;
+}
+
 }  // namespace
 
 Eigen::Index FittedHypothesis::number_of(std::size_t i) const {
@@ -164,7 +179,8 @@ FittedHypothesis fit_hypothesis(ScoreTestData& score_data, const std::vector<std
     for (std::size_t i = 0; one.sound && i < on.size(); ++i) {
         one.sound = one.fit.values[one.number_of(i)] != on[i].absent;
     }
-    one.rest_is_insignificant = one.rest_is_insignificant && one.sound;
+    one.admissible = one.sound && are_all_needed(one, on);
+    one.rest_is_insignificant = one.rest_is_insignificant && one.admissible;
     return one;
 }
 
@@ -208,6 +224,7 @@ FittedHypothesis fit_unknown_source(ScoreTestData& score_data, std::size_t term,
                                     .low = -1e6 / largest,
                                     .high = 1e6 / largest});
     fit_model(score_data, Eigen::VectorXd::Constant(1, watts / largest), one);
+    one.admissible = one.sound;
     return one;
 }
 

@@ -20,6 +20,8 @@ struct FittedHypothesis {
     double largest_unknown_score = 0.0;  ///< and among the unknown sources
     bool rest_is_insignificant = false;  ///< neither of the two is significant
     bool sound = false;                  ///< the fit ended, with every number on the side that physics allows
+    /// Sound, no cause at the bound of what is plausible, and none that would hardly be missed: it may be in a verdict.
+    bool admissible = false;
 
     Eigen::Index n_held = 0;  ///< numbers that causes hold on trial, free after all others
 

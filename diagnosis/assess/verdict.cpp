@@ -84,7 +84,7 @@ double largest_score_beside(const Scores& scores, std::size_t term) {
 const FittedHypothesis* likeliest(const std::vector<FittedHypothesis>& from, bool insignificant_rest_only) {
     const FittedHypothesis* best = nullptr;
     for (const FittedHypothesis& one : from) {
-        if (one.sound && (one.rest_is_insignificant || !insignificant_rest_only) &&
+        if (one.admissible && (one.rest_is_insignificant || !insignificant_rest_only) &&
             (best == nullptr || one.gain > best->gain)) {
             best = &one;
         }

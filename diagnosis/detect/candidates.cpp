@@ -115,7 +115,9 @@ std::vector<int> measured_channels(const input::Experiment& experiment) {
     std::vector<int> channels;
     for (const input::MeasuredRun& run : experiment.runs) {
         for (const input::MeasuredSeries& series : run.series) {
-            channels.push_back(static_cast<int>(series.channel));
+            if (!series.frozen) {
+                channels.push_back(static_cast<int>(series.channel));
+            }
         }
         for (const input::MeasuredNumber& number : run.numbers) {
             channels.push_back(static_cast<int>(number.channel));

@@ -90,6 +90,9 @@ Observations observe(const input::Experiment& experiment) {
         const input::MeasuredRun& run = experiment.runs[r];
         all.times.push_back(times_of(run));
         for (const input::MeasuredSeries& series : run.series) {
+            if (series.frozen) {
+                continue;
+            }
             const auto known = std::ranges::find(all.channels, series.channel);
             const auto noise = static_cast<int>(known - all.channels.begin());
             if (known == all.channels.end()) {

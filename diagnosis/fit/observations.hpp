@@ -36,6 +36,7 @@ struct Observations {
     std::vector<double> stated;              ///< [n_noises] standard deviation as the data sheet says, or 0
     std::vector<ImageRows> images;
 };
+/// What was measured, row by row. Sensors that never change though they should are left out.
 [[nodiscard]] Observations observe(const input::Experiment& experiment);
 
 /// What the model says of the observations at some values of its numbers.

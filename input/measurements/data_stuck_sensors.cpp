@@ -101,11 +101,13 @@ bool anything_happens(const Recording& recording, const RecordedColumn& but) {
 
 std::string find_frozen(const Recording& recording, const RecordedColumn& column) {
     const bool constant = std::ranges::adjacent_find(column.value, std::ranges::not_equal_to{}) == column.value.end();
-    if (column.is_input || !constant || column.value.size() < stuck_samples || !anything_happens(recording, column)) {
+    if (column.value.empty() || column.is_input || !constant || column.value.size() < stuck_samples ||
+        !anything_happens(recording, column)) {
         return {};
     }
     return fmt::format(
-        "is {} in all {} samples, while the tire rolls or other sensors change: is the sensor connected?",
+        "is {} in all {} samples, while the tire rolls or other sensors change: is the sensor connected? "
+        "Fits and diagnoses leave it out",
         column.show(column.value.front()), column.value.size());
 }
 

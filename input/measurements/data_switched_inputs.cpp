@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -18,37 +19,59 @@ constexpr double most_share = 0.5;        ///< more are a signal that moves
 constexpr double least_change = 0.3;      ///< of the range, for the typical change
 constexpr double least_range = 0.2;       ///< of the largest value: less is a coarse logger
 
-}  // namespace
+/// How often a column jumps between two samples, and over what time at most; nothing where it moves like a measured one.
+struct Switching {
+    std::size_t times = 0;
+    double width = 0.0;  ///< s
+};
 
-std::string find_switched(const Recording& /*recording*/, const RecordedColumn& column) {
+Switching switching_of(const RecordedColumn& column) {
     std::vector<double> changes;
-    double width = 0.0;
+    Switching found;
     for (std::size_t i = 1; i < column.value.size(); ++i) {
         if (column.time[i] == column.time[i - 1]) {
             return {};  // it has true jumps: nothing is smeared
         }
         if (column.value[i] != column.value[i - 1]) {
             changes.push_back(std::abs(column.value[i] - column.value[i - 1]));
-            width = std::max(width, column.time[i] - column.time[i - 1]);
+            found.width = std::max(found.width, column.time[i] - column.time[i - 1]);
         }
     }
     const auto samples = static_cast<double>(column.value.size());
-    const auto [low, high] = std::ranges::minmax(column.value);
+    found.times = changes.size();
     if (!column.is_input || changes.size() < least_changes ||
         static_cast<double>(changes.size()) < least_share * samples ||
         static_cast<double>(changes.size()) > most_share * samples) {
         return {};
     }
+    const auto [low, high] = std::ranges::minmax(column.value);
     const auto middle = changes.begin() + static_cast<std::ptrdiff_t>(changes.size() / 2);
     std::nth_element(changes.begin(), middle, changes.end());
-    if (*middle < least_change * (high - low) || high - low < least_range * std::max(std::abs(high), std::abs(low))) {
+    const bool coarse = high - low < least_range * std::max(std::abs(high), std::abs(low));
+    return coarse || *middle < least_change * (high - low) ? Switching{} : found;
+}
+
+}  // namespace
+
+std::string find_switched(const Recording& recording) {
+    std::vector<std::string> names;
+    Switching most;
+    for (const RecordedColumn& column : recording.columns) {
+        if (const Switching found = switching_of(column); found.times > 0) {
+            names.push_back(column.name);
+            most.times = std::max(most.times, found.times);
+            most.width = std::max(most.width, found.width);
+        }
+    }
+    if (names.empty()) {
         return {};
     }
     return fmt::format(
-        "jumps between samples, {} times, and is read as straight in between, over {:.3g} s. If it is switched, let "
-        "each "
-        "value hold until the next sample: hold = [\"{}\"]",
-        changes.size(), width, column.name);
+        "{} {} between samples, up to {} times, and {} read as straight in between, over {:.3g} s. What is switched "
+        "can "
+        "hold each value until the next sample: hold = [\"{}\"]",
+        fmt::join(names, ", "), names.size() == 1 ? "jumps" : "jump", most.times, names.size() == 1 ? "is" : "are",
+        most.width, names.front());
 }
 
 }  // namespace tiretherm::input

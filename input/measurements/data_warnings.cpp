@@ -19,8 +19,8 @@ struct Rule {
     std::string (*look)(const Recording& recording, const RecordedColumn& column);
     bool ends = false;  ///< the rules after it are skipped when it has found something
 };
-constexpr std::array rules{Rule{find_frozen, true},    Rule{find_stuck},   Rule{find_outliers},
-                           Rule{find_unit_slip, true}, Rule{find_unusual}, Rule{find_switched}};
+constexpr std::array rules{Rule{find_frozen, true}, Rule{find_stuck}, Rule{find_outliers}, Rule{find_unit_slip, true},
+                           Rule{find_unusual}};
 
 double quantile(std::vector<double> values, double share) {
     const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
@@ -92,6 +92,9 @@ std::vector<std::string> find_suspicious(const Recording& recording) {
                 }
             }
         }
+    }
+    if (const std::string switched = find_switched(recording); !switched.empty()) {
+        sentences.push_back(fmt::format("{}: {}", recording.file, switched));
     }
     return sentences;
 }

@@ -20,6 +20,7 @@ struct RecordedColumn {
     std::string_view si;       ///< the unit of `value`
     Conversion conversion;     ///< from `unit` to `si`
     bool is_input = false;     ///< otherwise what a sensor read
+    std::size_t series = 0;    ///< of a sensor: index into MeasuredRun::series
     std::vector<double> time;  ///< s
     std::vector<double> value;
 
@@ -50,9 +51,10 @@ struct Recording {
 
 /// Parts of it. Each sentence lacks the file's and the column's name; empty: nothing to say.
 [[nodiscard]] std::string find_time_jumps(const Recording& recording);
+/// Inputs that jump between samples; the whole sentence but for the file's name.
+[[nodiscard]] std::string find_switched(const Recording& recording);
 [[nodiscard]] std::string find_stuck(const Recording& recording, const RecordedColumn& column);
 [[nodiscard]] std::string find_frozen(const Recording& recording, const RecordedColumn& column);
-[[nodiscard]] std::string find_switched(const Recording& recording, const RecordedColumn& column);
 [[nodiscard]] std::string find_outliers(const Recording& recording, const RecordedColumn& column);
 [[nodiscard]] std::string find_unit_slip(const Recording& recording, const RecordedColumn& column);
 [[nodiscard]] std::string find_unusual(const Recording& recording, const RecordedColumn& column);

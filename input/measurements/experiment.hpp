@@ -18,6 +18,7 @@ namespace tiretherm::input {
 struct MeasuredSeries {
     std::size_t channel = 0;    ///< index into Problem::channels
     std::vector<double> value;  ///< [n_times] SI; NaN where it is missing
+    bool frozen = false;        ///< it never changes though it should: nothing can be learnt from it
 };
 
 /// One number of a source, with its standard uncertainty.

@@ -47,12 +47,14 @@ Recording recording_of(const RunFile& file, const ProblemBuilder& builder, const
             recording.columns.push_back(std::move(recorded));
             continue;
         }
-        for (const MeasuredSeries& series : run.series) {
+        for (std::size_t s = 0; s < run.series.size(); ++s) {
+            const MeasuredSeries& series = run.series[s];
             const solver::Channel& channel = builder.problem.channels[series.channel];
             if (channel.name != column.name) {
                 continue;
             }
             RecordedColumn recorded = recorded_column(file, column, solver::unit_of(channel.quantity));
+            recorded.series = s;
             for (std::size_t i = 0; i < run.time.size(); ++i) {
                 if (!std::isnan(series.value[i])) {
                     recorded.time.push_back(run.time[i]);

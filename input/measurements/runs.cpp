@@ -91,8 +91,13 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
         if (file) {
             read_series(*file, builder, errors, run);
             read_unused(*file, builder.problem.settings, errors, run);
-            std::ranges::move(find_suspicious(recording_of(*file, builder, run)),
-                              std::back_inserter(into.data_warnings));
+            const Recording recording = recording_of(*file, builder, run);
+            std::ranges::move(find_suspicious(recording), std::back_inserter(into.data_warnings));
+            for (const RecordedColumn& column : recording.columns) {
+                if (!column.is_input && !find_frozen(recording, column).empty()) {
+                    run.series[column.series].frozen = true;
+                }
+            }
         }
         read_numbers(builder, merged, table, errors, run);
         read_frames(table, builder, errors, run, into.data_warnings);

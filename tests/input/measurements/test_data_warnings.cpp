@@ -222,6 +222,35 @@ TEST(DataWarnings, WhatAnInputExplainsIsNoOutlier) {
     EXPECT_EQ(session.warnings(), Sentences{});
 }
 
+// A laser that is on for two samples of ten and off for eight: five pulses a minute, each with ramps of a sample.
+TEST(DataWarnings, AnInputThatIsSwitched) {
+    Session session;
+    std::vector<double>& speed = session.column("speed").numbers;
+    for (std::size_t i = 0; i < speed.size(); ++i) {
+        speed[i] = i % 10 < 2 ? 80.0 : 0.0;
+    }
+    const Sentences found = session.warnings();
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(
+        found.front(),
+        "run1.csv: speed jumps between samples, up to 79 times, and is read as straight in between, over 6 s. What "
+        "is switched can hold each value until the next sample: hold = [\"speed\"]");
+}
+
+// The bulk's probe is not connected: 25 degC all the time. When nothing happens at all, nothing is said.
+TEST(DataWarnings, ASensorThatIsDead) {
+    Session session;
+    std::ranges::fill(session.column("bulk_temperature").numbers, 25.0);
+    EXPECT_EQ(
+        session.warnings(),
+        Sentences{"run1.csv: bulk_temperature is 25 degC in all 400 samples, while the tire rolls or other sensors "
+                  "change: is the sensor connected? Fits and diagnoses leave it out"});
+    for (Numbers& column : session.columns) {
+        std::ranges::fill(column.numbers, column.name == "speed" ? 0.0 : column.numbers.back());
+    }
+    EXPECT_EQ(session.warnings(), Sentences{});
+}
+
 // 120 km/h are 33.3 m/s.
 TEST(DataWarnings, ASpeedInMetresPerSecond) {
     Session session;

@@ -115,4 +115,55 @@ TEST(Experiment, ColumnsAreMappedGivenUnitsAndIgnored) {
                 "mapped");
 }
 
+// A speed that is switched at the samples, and the way that follows from it.
+TEST(Experiment, ASwitchedInputHoldsItsValues) {
+    const std::string log =
+        "time [s],speed [km/h],bulk_temperature [degC]\n0,0,20\n2,72,20\n5,0,21\n6,72,21\n10,0,22\n";
+    const auto distance = [&](std::string_view keys) {
+        const ExperimentReading reading = read_bench(
+            "[[run]]\nfile = \"run1.csv\"\n" + std::string(keys) +
+                "drive = { vertical_load = \"4 kN\", air_temperature = \"20 degC\", road_temperature = \"20 degC\" }\n",
+            log);
+        EXPECT_TRUE(reading.experiment.has_value()) << error_report(reading);
+        if (!reading.experiment) {
+            return 0.0;
+        }
+        const MeasuredRun& run = reading.experiment->runs.front();
+        double sum = 0.0;
+        for (int i = 0; i < 10000; ++i) {
+            sum += 1e-3 * run.problem.input_signals.at(1e-3 * (i + 0.5), solver::JumpSide::after).speed;
+        }
+        return sum;
+    };
+    // 20 m/s. Straight: the areas of triangles and trapezoids, 20 + 30 + 10 + 40 m.
+    EXPECT_NEAR(distance(""), 100.0, 1e-6);
+    // Held: 3 s and 4 s of 20 m/s.
+    EXPECT_NEAR(distance("hold = [\"speed\"]\n"), 140.0, 1e-6);
+    // Jumps of a held input are break times of the steps.
+    const ExperimentReading held = read_bench(
+        "[[run]]\nfile = \"run1.csv\"\nhold = [\"speed\"]\ndrive = { vertical_load = \"4 kN\", air_temperature = \"20 "
+        "degC\", road_temperature = \"20 degC\" }\n",
+        log);
+    ASSERT_TRUE(held.experiment.has_value());
+    EXPECT_EQ(held.experiment->runs.front().problem.input_signals.stops(), (std::vector<double>{2, 5, 6, 10}));
+    const ExperimentReading wrong = read_bench("[[run]]\nfile = \"run1.csv\"\nhold = [\"sped\"]\n", log);
+    ASSERT_FALSE(wrong.experiment.has_value());
+    EXPECT_NE(error_report(wrong).find("hold: no column of the file is the input \"sped\""), std::string::npos);
+}
+
+// Two lines at one time are a jump of the inputs; of the sensors the first counts.
+TEST(Experiment, TwoLinesAtOneTimeAreAJump) {
+    const ExperimentReading reading = read_bench(
+        "[[run]]\nfile = \"run1.csv\"\ndrive = { vertical_load = \"4 kN\", air_temperature = \"20 degC\", "
+        "road_temperature = \"20 degC\" }\n",
+        "time [s],speed [km/h],bulk_temperature [degC]\n0,36,20\n4,36,21\n4,72,99\n10,72,22\n");
+    ASSERT_TRUE(reading.experiment.has_value()) << error_report(reading);
+    const MeasuredRun& run = reading.experiment->runs.front();
+    EXPECT_EQ(run.time, (std::vector<double>{0, 4, 10}));
+    EXPECT_NEAR(run.series.front().value[1], 294.15, 1e-9);
+    EXPECT_NEAR(run.problem.input_signals.at(4.0, solver::JumpSide::before).speed, 10.0, 1e-12);
+    EXPECT_NEAR(run.problem.input_signals.at(4.0, solver::JumpSide::after).speed, 20.0, 1e-12);
+    EXPECT_EQ(run.problem.input_signals.stops(), std::vector<double>{4});
+}
+
 }  // namespace tiretherm::input
