@@ -136,14 +136,9 @@ public:
         return sum([&](const Column& c) { return volume(c, true); }) /
                sum([&](const Column& c) { return volume(c, false); });
     }
-    /// 10 mm deep, between carcass and belt, in the middle of both shoulders, or of the crown that is alone. K
-    [[nodiscard]] double probe() const {
-        const auto in_column = [&](const Column& c) {
-            return (k(c, 4) * c.T[4] + k(c, 5) * c.T[5]) / (k(c, 4) + k(c, 5));
-        };
-        return columns_.size() == 1 ? in_column(columns_[0])
-                                    : 0.5 * (in_column(columns_[14]) + in_column(columns_[41]));
-    }
+    /// 10 mm deep, between carcass and belt, in the middle of a shoulder, or of the crown that is alone. K
+    [[nodiscard]] double outside_probe() const { return probe(columns_.size() == 1 ? 0 : 14); }
+    [[nodiscard]] double inside_probe() const { return probe(columns_.size() == 1 ? 0 : 41); }
 
     static constexpr double seconds = 0.1;
     double gas;  ///< K
@@ -203,6 +198,10 @@ private:
         c.T.assign(c.thick.size(), start);
         c.surface = c.liner = start;
         columns_.push_back(c);
+    }
+    [[nodiscard]] double probe(std::size_t column) const {
+        const Column& c = columns_[column];
+        return (k(c, 4) * c.T[4] + k(c, 5) * c.T[5]) / (k(c, 4) + k(c, 5));
     }
     [[nodiscard]] double outermost() const { return kind_ == Kind::section ? 0.008 : 0.0018; }
     /// 1 at the middle of the outside shoulder and beyond, -1 inside.
