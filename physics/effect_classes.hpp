@@ -124,6 +124,7 @@ struct HeatEffect {
 /// ActiveEffect::channels.
 struct SensorModel {
     ChannelsOf applies_to = ChannelsOf::anything;
+    bool sees_surfaces_only = false;  ///< a camera: no candidate for what reads the inside
     bool before_lag = false;  ///< a model of what the sensor sees, not of what it gives
 
     /// The sensor's output from the value before.

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "diagnosis/detect/trial_values.hpp"
 #include "input/parameters/parameter_path.hpp"
 
 namespace tiretherm::diagnosis {
@@ -19,35 +20,6 @@ namespace {
 
 using physics::Effect;
 using physics::ParameterSpec;
-
-/// What the catalogue's plain numbers do not say of an effect as a candidate.
-struct Shape {
-    std::string_view effect;
-    std::string_view number;
-    std::string_view other{};        ///< a number that moves along, or that is held
-    double factor = 0.0;             ///< of what moves along
-    std::array<double, 11> held{};   ///< values of `other` on trial, ascending, two or more, and zeros
-    std::array<double, 4> trials{};  ///< values at which the signature is taken, as many as are not 0
-    bool left_out = false;           ///< says nothing that another number of the effect does not say
-};
-
-// A little gas conductance is slow, much of it is quick: four signatures. A wave's signature begins at its speed.
-constexpr std::array shapes{
-    Shape{
-        .effect = "inner_gas", .number = "liner", .other = "rim", .factor = 4.0 / 9.0, .trials = {0.3, 1.0, 3.0, 9.0}},
-    Shape{.effect = "inner_gas", .number = "rim", .left_out = true},
-    Shape{.effect = "sidewall_convection", .number = "h", .left_out = true},
-    Shape{.effect = "standing_wave",
-          .number = "gain",
-          .other = "critical_speed",
-          .held = {80.0, 95.0, 110.0, 125.0, 140.0, 155.0, 170.0, 190.0, 215.0, 245.0}},
-};
-
-const Shape* shape_of(const Effect& effect, const ParameterSpec& parameter) {
-    const auto found = std::ranges::find_if(
-        shapes, [&](const Shape& shape) { return shape.effect == effect.id && shape.number == parameter.key; });
-    return found == shapes.end() ? nullptr : &*found;
-}
 
 bool is_on(const solver::Problem& problem, const Effect& effect) {
     return std::ranges::any_of(problem.effects, [&](const physics::ActiveEffect& a) { return a.effect == &effect; });
@@ -107,7 +79,7 @@ bool can_read(const Effect& effect, const solver::Problem& problem, const solver
             }
             break;
     }
-    return effect.id != "camera_emissivity" || is_seen(problem.mesh, channel);
+    return !effect.sensor_model()->sees_surfaces_only || is_seen(problem.mesh, channel);
 }
 
 /// Channels of which anything was measured.
@@ -128,32 +100,32 @@ std::vector<int> measured_channels(const input::Experiment& experiment) {
     return channels;
 }
 
-/// One number of an effect at one place, in all its shapes.
+/// One number of an effect at one place, at all its trial values.
 void add(std::vector<Candidate>& all, const Candidate& plain) {
-    const Shape* shape = shape_of(*plain.effect, plain.number());
+    const TrialValues* special = trial_values_of(*plain.effect, plain.number());
     Candidate one = plain;
     one.cause = all.empty() ? 0 : all.back().cause + 1;
     one.trial = one.absent;
-    if (shape == nullptr) {
+    if (special == nullptr) {
         all.push_back(one);
         return;
     }
-    if (shape->left_out) {
+    if (special->left_out) {
         return;
     }
-    const auto other = static_cast<std::size_t>(physics::find_parameter(*plain.effect, shape->other));
-    if (shape->factor != 0.0) {
-        one.companions = {{.parameter = other, .factor = shape->factor}};
+    const auto other = static_cast<std::size_t>(physics::find_parameter(*plain.effect, special->other));
+    if (special->factor != 0.0) {
+        one.companions = {{.parameter = other, .factor = special->factor}};
     }
-    const auto n_held = static_cast<std::size_t>(std::ranges::find(shape->held, 0.0) - shape->held.begin());
+    const auto n_held = static_cast<std::size_t>(std::ranges::find(special->held, 0.0) - special->held.begin());
     for (std::size_t i = 0; i < n_held; ++i) {
-        const double value = shape->held[i];
-        const double below = i > 0 ? value - shape->held[i - 1] : shape->held[i + 1] - value;
-        const double above = i + 1 < n_held ? shape->held[i + 1] - value : below;
+        const double value = special->held[i];
+        const double below = i > 0 ? value - special->held[i - 1] : special->held[i + 1] - value;
+        const double above = i + 1 < n_held ? special->held[i + 1] - value : below;
         one.held = {{.parameter = other, .value = value, .low = value - below, .high = value + above}};
         all.push_back(one);
     }
-    for (const double value : shape->trials) {
+    for (const double value : special->trials) {
         if (value != 0.0) {
             one.trial = value;
             all.push_back(one);
@@ -260,8 +232,8 @@ std::string name_of(const Candidate& candidate, const input::Experiment& experim
     const solver::Problem& problem = experiment.runs.front().problem;
     std::string name(candidate.effect->id);
     const auto numbers = std::ranges::count_if(candidate.effect->parameters, [&](const ParameterSpec& parameter) {
-        const Shape* shape = shape_of(*candidate.effect, parameter);
-        return !std::isnan(parameter.absent) && !(shape != nullptr && shape->left_out);
+        const TrialValues* special = trial_values_of(*candidate.effect, parameter);
+        return !std::isnan(parameter.absent) && !(special != nullptr && special->left_out);
     });
     if (numbers > 1 || candidate.on >= 0) {
         name += fmt::format(".{}", candidate.number().key);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Keeps the merged document of the case and reads it again with changed values for the uncertainty of hot spots.
+// Keeps the merged document of the case and the texts of its files, and makes problems of it with changed values for the
+// uncertainty of hot spots.
 
 #include "input/parameters/hot_spots.hpp"
 
@@ -29,6 +30,7 @@ std::optional<HotSpotCase> HotSpotCase::read(const std::filesystem::path& file) 
     root.allow_unknown_keys();
     found.critical = read_critical(root, runs.problem, true);
     found.uncertain = read_uncertain(root);
+    found.errors_ = std::move(errors);  // with the texts of all files, so that no variant opens them again
     return found;
 }
 

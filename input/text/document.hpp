@@ -44,7 +44,7 @@ struct Entry {
 /// The value as messages show it: `"abc"`, `8`, `a table`.
 [[nodiscard]] std::string shown(const TomlValue& node);
 
-/// The text of a file.
+/// The text of a file, which is read once for the same `errors` and their copies.
 /// @param mentioned where the path was written; its file is -1 for the one that the user named
 /// @returns the file's number in `errors` and its text, or nothing after an error
 struct TextFile {

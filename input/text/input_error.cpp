@@ -66,8 +66,14 @@ std::string render(const InputError& error) {
 }
 
 int InputErrors::add_file(std::string shown, std::string text) {
-    files_.push_back({std::move(shown), std::move(text)});
+    files_.push_back({std::move(shown), std::make_shared<const std::string>(std::move(text))});
     return static_cast<int>(files_.size()) - 1;
+}
+
+int InputErrors::find_file(std::string_view shown) const {
+    const auto found =
+        std::ranges::find_if(files_, [&](const File& file) { return file.shown == shown && !file.text->empty(); });
+    return found == files_.end() ? -1 : static_cast<int>(found - files_.begin());
 }
 
 void InputErrors::add(const SourceLocation& place, std::string what, std::string remedy) {
@@ -83,7 +89,7 @@ std::string InputErrors::spell(const SourceLocation& place) const {
 }
 
 std::string InputErrors::line_of(const SourceLocation& place) const {
-    const std::string& text = files_[static_cast<std::size_t>(place.file)].text;
+    const std::string& text = *files_[static_cast<std::size_t>(place.file)].text;
     std::size_t start = 0;
     for (int line = 1; line < place.line; ++line) {
         start = text.find('\n', start);

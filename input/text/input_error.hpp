@@ -2,7 +2,9 @@
 // Errors and warnings in user input, with file, line, column and remedy, collected so that all are shown at once.
 #pragma once
 
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tiretherm::input {
@@ -41,6 +43,9 @@ class InputErrors {
 public:
     /// @param shown path as the user would type it  @returns the file's number
     int add_file(std::string shown, std::string text);
+    /// The number of a file that has been read with its text, -1 when it has not: it need not be read a second time.
+    [[nodiscard]] int find_file(std::string_view shown) const;
+    [[nodiscard]] const std::string& text(int number) const { return *files_[static_cast<std::size_t>(number)].text; }
     void add(const SourceLocation& place, std::string what, std::string remedy = {});
     void add(const SourceLocation& place, ErrorText error) {
         add(place, std::move(error.what), std::move(error.remedy));
@@ -59,7 +64,7 @@ public:
 private:
     struct File {
         std::string shown;
-        std::string text;
+        std::shared_ptr<const std::string> text;  ///< copies of the errors share it
     };
     struct Found {
         SourceLocation place;

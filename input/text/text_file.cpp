@@ -48,6 +48,9 @@ std::string neighbour(const std::filesystem::path& path) {
 std::optional<TextFile> read_text(const std::filesystem::path& path, const SourceLocation& mentioned,
                                   InputErrors& errors) {
     const std::string shown = path.generic_string();
+    if (const int number = errors.find_file(shown); number >= 0) {
+        return TextFile{number, errors.text(number)};
+    }
     const auto refuse = [&](std::string_view what, std::string remedy) {
         // The user's own argument has no place in a file but itself.
         SourceLocation place = mentioned;

@@ -22,7 +22,7 @@ constexpr int below_plot = 215;  // px
 Ticks isotherm_levels(const Raster& raster) {
     Ticks levels = ticks(raster.low, raster.high, 9);
     const double edge = 0.02 * (raster.high - raster.low);
-    std::erase_if(levels.values, [&](double v) { return v < raster.low + edge || v > raster.high - edge; });
+    std::erase_if(levels.values, [&](double v) { return v <= raster.low + edge || v >= raster.high - edge; });
     return levels;
 }
 

@@ -21,14 +21,11 @@ namespace {
 using Json = nlohmann::json;
 
 TEST(Run, EndsWithASummaryAndSilenceOnStderr) {
-    // 38.3 and 64.0 degC are what an independent integration of the thesis's equations gives.
     const sample::Scratch scratch;
     const Call run = call("run " + two_node + " --out " + scratch.path().string());
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_EQ(run.err, "");  // no progress, no colours where nobody looks
     EXPECT_EQ(run.out.find('\033'), std::string::npos);
-    EXPECT_NE(run.out.find("surface_temperature  degC  38.32"), std::string::npos) << run.out;
-    EXPECT_NE(run.out.find("bulk_temperature     degC  63.97"), std::string::npos) << run.out;
 }
 
 TEST(Run, LeavesTheFilesThatItNames) {
@@ -52,7 +49,9 @@ TEST(Run, JsonIsOneObjectWithTheAgreedKeys) {
     EXPECT_EQ(json["simulated_seconds"], 3600.0);
     EXPECT_LT(json["energy_closure"], 1e-10);
     EXPECT_EQ(json["channels"][1]["name"], "bulk_temperature");
-    EXPECT_NEAR(json["channels"][1]["final"], 64.0, 0.1);
+    // What an independent integration of the thesis's equations gives, to 0.1 K.
+    EXPECT_NEAR(json["channels"][0]["final"], 38.3, 0.06);
+    EXPECT_NEAR(json["channels"][1]["final"], 64.0, 0.06);
     EXPECT_EQ(json["hottest"]["layer"], "bulk");
     for (const char* key : {"steps", "factorisations", "seconds", "budget", "outputs"}) {
         EXPECT_TRUE(json.contains(key)) << key;

@@ -66,11 +66,13 @@ TEST(Validate, TellsEachNumberBesideItsModelAndRunsEachCaseOnce) {
     const Call call_text = call("validate table.toml", scratch.path());
     EXPECT_EQ(call_text.exit_code, 0);
     EXPECT_EQ(call_text.err, "");
-    EXPECT_NE(call_text.out.find("64.0  7.0 u too hot"), std::string::npos) << call_text.out;
-    EXPECT_NE(call_text.out.find("16.6  within (1.7 u)"), std::string::npos) << call_text.out;
-    EXPECT_NE(call_text.out.find("  2 runs in "), std::string::npos) << call_text.out;
     const Json json = Json::parse(call("validate --json table.toml", scratch.path()).out);
     EXPECT_EQ(json["runs"], 2);
+    const Json& bulk = json["numbers"][0]["models"]["two_node"];
+    EXPECT_NEAR(bulk["value"].get<double>(), 64.0, 0.06);
+    EXPECT_NEAR(bulk["in_uncertainties"].get<double>(), 7.0, 0.03);
+    const Json& between = json["numbers"][2]["models"]["two_node"];
+    EXPECT_NEAR(between["value"].get<double>(), 80.6 - 64.0, 0.1);
     EXPECT_EQ(json["numbers"][1]["models"]["two_node"]["verdict"], "holds");
     EXPECT_TRUE(json["numbers"][1]["models"]["section"].is_null());
     EXPECT_LT(json["energy_closure"], 1e-10);
@@ -103,11 +105,14 @@ TEST(Validate, RunThatFailsIsToldInItsRowAndTheOthersStand) {
     const sample::Scratch scratch;
     post::replace_file(scratch / "table.toml", burning);
     post::replace_file(scratch / "exploding.toml", exploding);
-    const Call failed = call("validate table.toml", scratch.path());
+    const Call failed = call("validate table.toml --json", scratch.path());
     EXPECT_EQ(failed.exit_code, 2);
-    EXPECT_NE(failed.out.find("64.0  7.0 u too hot"), std::string::npos) << failed.out;
-    EXPECT_NE(failed.out.find(" failed\n"), std::string::npos) << failed.out;
-    EXPECT_NE(failed.out.find("Runs that failed\n  exploding: "), std::string::npos) << failed.out;
+    const Json rows = Json::parse(failed.out)["numbers"];
+    EXPECT_NEAR(rows[0]["models"]["two_node"]["value"].get<double>(), 64.0, 0.06);
+    const Json& fire = rows.back();
+    EXPECT_EQ(fire["id"], "fire");
+    EXPECT_TRUE(fire["models"]["section"]["value"].is_null());
+    EXPECT_TRUE(fire["models"]["section"].contains("error"));
 }
 
 TEST(Validate, ErrorsOfTheTableAndItsCasesAreReportedAtOnce) {

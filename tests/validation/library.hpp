@@ -36,6 +36,7 @@ public:
         EXPECT_TRUE(report_.status.ok()) << name << ": " << report_.status.message;
     }
     [[nodiscard]] const solver::Report& report() const { return report_; }
+    [[nodiscard]] const solver::Problem& problem() const { return problem_; }
 
     /// A channel at a time. @param t s
     [[nodiscard]] double at(std::string_view channel, double t) const {

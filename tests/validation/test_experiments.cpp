@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every experiment of the library closes its energy balance, and the section cases end at their recorded temperatures.
+// Every experiment of the library closes its energy balance and ends where an independent integration of its inputs ends.
 
 #include <vector>
 
+#include "support/section_thesis.hpp"
 #include "validation/library.hpp"
 #include "validation/section_ends.hpp"
 
-// Each experiment of the library as a user runs it: the heat stored is that of the effects, to round-off; on
-// the section it ends where it did, so that a change of its numbers must be meant (those of the two-node cases stand in
-// their headers and in test_two_node_cases.cpp).
+// Each experiment of the library as a user runs it. The heat stored is that of the effects, to round-off. On the thesis's
+// tire it ends where the model written a second time ends, two nodes or the section, with nothing of the program but the
+// case's inputs against time. On other tires and with another contact it ends where it did.
 namespace tiretherm::validation {
 
 namespace {
@@ -38,23 +39,86 @@ std::string test_name(const testing::TestParamInfo<std::string>& info) {
     return name;
 }
 
+/// The thesis's model with the inputs of a case, in the middle of a step.
+support::TwoNodeThesis inputs_of(const solver::Problem& problem, double from, double to) {
+    const physics::Inputs in = problem.input_signals.at(0.5 * (from + to), solver::JumpSide::after);
+    support::TwoNodeThesis thesis;
+    thesis.V = in.speed;
+    thesis.Fz = in.vertical_load;
+    thesis.alpha = in.slip_angle;
+    thesis.kappa = in.slip_ratio;
+    thesis.Fx = in.longitudinal_force;
+    thesis.Fy = in.lateral_force;
+    thesis.T_air = in.air_temperature;
+    thesis.T_track = in.road_temperature;
+    return thesis;
+}
+
+constexpr double step = support::SectionThesis::seconds;
+
+/// Equations (31) from the case's first temperatures to its end. @returns surface and bulk, K
+std::pair<double, double> two_nodes_after(const solver::Problem& problem) {
+    double surface = problem.initial.at(0);
+    double bulk = problem.initial.at(1);
+    for (double t = problem.settings.start; t < problem.settings.end - 0.5 * step; t += step) {
+        const support::TwoNodeThesis::Flow flow = inputs_of(problem, t, t + step).flow(surface, bulk);
+        surface += step * flow.surface / support::TwoNodeThesis::capacity_surface();
+        bulk += step * flow.bulk / support::TwoNodeThesis::capacity_bulk();
+    }
+    return {surface, bulk};
+}
+
+/// The section from the case's first temperature to its end; gas and rim begin at that of the air.
+support::SectionThesis section_after(const solver::Problem& problem) {
+    support::SectionThesis thesis(support::SectionThesis::Kind::section, problem.initial.at(0));
+    thesis.gas = thesis.rim = inputs_of(problem, problem.settings.start, problem.settings.start + step).T_air;
+    for (double t = problem.settings.start; t < problem.settings.end - 0.5 * step; t += step) {
+        const double camber = problem.input_signals.at(t + 0.5 * step, solver::JumpSide::after).camber;
+        thesis.step(inputs_of(problem, t, t + step), camber);
+    }
+    return thesis;
+}
+
 class ShippedExperiment : public testing::TestWithParam<std::string> {};
 
 }  // namespace
 
-TEST_P(ShippedExperiment, ClosesItsEnergyAndEndsWhereItDid) {
+TEST_P(ShippedExperiment, ClosesItsEnergy) {
     const Experiment run(GetParam());
     EXPECT_LE(run.report().energy_closure, 1e-10);
     EXPECT_GT(run.report().steps, 0);
-    if (GetParam().ends_with("_two_node")) {
-        return;
-    }
+}
+
+// Explicit steps of 0.1 s on cells of 0.4 mm, 22 or 30 of them in 56 columns: refined to half they change by less than
+// 0.05 K. The program's grid is as fine as that and its stepper good to 0.01 K a step.
+TEST_P(ShippedExperiment, EndsWhereAnIndependentModelDoes) {
+    const Experiment run(GetParam());
     const auto end = std::find_if(section_ends.begin(), section_ends.end(),
                                   [](const SectionEnd& one) { return one.name == GetParam(); });
-    ASSERT_NE(end, section_ends.end()) << "add its numbers to section_ends.hpp";
-    constexpr double rounding = 0.06;  // of 0.1 K, and the stepper's tolerance
-    EXPECT_NEAR(run.at("bulk_temperature", 1e9) - 273.15, end->final_bulk, rounding);
-    EXPECT_NEAR(run.at("inner_liner_temperature", 1e9) - 273.15, end->final_liner, rounding);
+    if (end != section_ends.end()) {
+        constexpr double rounding = 0.06;  // of 0.1 K, and the stepper's tolerance
+        EXPECT_NEAR(run.at("bulk_temperature", 1e9) - 273.15, end->final_bulk, rounding);
+        EXPECT_NEAR(run.at("inner_liner_temperature", 1e9) - 273.15, end->final_liner, rounding);
+        return;
+    }
+    if (GetParam().starts_with("drum/")) {
+        ASSERT_TRUE(GetParam().ends_with("_two_node")) << "add its numbers to section_ends.hpp";
+        return;  // in test_two_node_cases.cpp
+    }
+    constexpr double tolerance = 0.1;
+    if (GetParam().ends_with("_two_node")) {
+        const auto [surface, bulk] = two_nodes_after(run.problem());
+        EXPECT_NEAR(run.at("surface_temperature", 1e9), surface, tolerance);
+        EXPECT_NEAR(run.at("bulk_temperature", 1e9), bulk, tolerance);
+        return;
+    }
+    const support::SectionThesis thesis = section_after(run.problem());
+    EXPECT_NEAR(run.at("surface_temperature", 1e9), thesis.surface(), tolerance);
+    EXPECT_NEAR(run.at("outside_shoulder_bulk_temperature", 1e9), thesis.outside_probe(), tolerance);
+    EXPECT_NEAR(run.at("inside_shoulder_bulk_temperature", 1e9), thesis.inside_probe(), tolerance);
+    EXPECT_NEAR(run.at("bulk_temperature", 1e9), 0.5 * (thesis.outside_probe() + thesis.inside_probe()), tolerance);
+    EXPECT_NEAR(run.at("inner_liner_temperature", 1e9), thesis.liner(), tolerance);
+    EXPECT_NEAR(run.at("gas_temperature", 1e9), thesis.gas, tolerance);
 }
 INSTANTIATE_TEST_SUITE_P(All, ShippedExperiment, testing::ValuesIn(experiments()), test_name);
 

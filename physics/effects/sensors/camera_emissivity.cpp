@@ -54,6 +54,7 @@ const Effect camera_emissivity{
     .model =
         SensorModel{
             .applies_to = ChannelsOf::temperature,
+            .sees_surfaces_only = true,
             .before_lag = true,
             .read = read,
         },

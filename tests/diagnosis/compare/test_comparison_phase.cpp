@@ -2,6 +2,9 @@
 // Driving phases from constructed speed and slip histories whose phase at each time is known.
 
 #include <numbers>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -53,11 +56,53 @@ TEST(Phase, SlipComesBeforeSlowing) {
     EXPECT_EQ(phase_at(problem, 50.0), Phase::slipping);
 }
 
-TEST(Phase, EachHasANameAndAMeaning) {
-    for (const Phase phase : phases) {
-        EXPECT_FALSE(name_of(phase).empty());
-        EXPECT_FALSE(meaning_of(phase).empty());
+/// The phase at 50 s of a run of 100 s that has been rolling straight at this speed, or slows down at this rate.
+Phase phase_of(double speed, double slip_degrees, double slip_ratio, double deceleration = 0.0) {
+    solver::Problem problem;
+    problem.settings.end = 100.0;
+    problem.input_signals.add({.signal = find_signal("speed"),
+                               .time = {0.0, 100.0},
+                               .value = {speed + 50.0 * deceleration, speed - 50.0 * deceleration}});
+    problem.input_signals.add(*find_signal("slip_angle"), slip_degrees * std::numbers::pi / 180.0);
+    problem.input_signals.add(*find_signal("slip_ratio"), slip_ratio);
+    return phase_at(problem, 50.0);
+}
+
+/// The number in a text before this unit.
+double number_before(std::string_view text, std::string_view unit) {
+    const std::size_t end = text.find(unit);
+    const std::size_t begin = end == std::string_view::npos ? end : text.rfind(' ', end - 2) + 1;
+    if (begin == std::string_view::npos) {
+        ADD_FAILURE() << unit << " is not in: " << text;
+        return 0.0;
     }
+    return std::stod(std::string(text.substr(begin, end - begin)));
+}
+
+// Whoever reads the meaning of a phase in a report can rely on its numbers: a thousandth to either side of them the phase
+// is another one.
+TEST(Phase, ChangesAtTheNumbersOfItsMeaning) {
+    const double speed = number_before(meaning_of(Phase::standing), " m/s");
+    EXPECT_EQ(phase_of(0.999 * speed, 0.0, 0.0), Phase::standing);
+    EXPECT_EQ(phase_of(1.001 * speed, 0.0, 0.0), Phase::free_rolling);
+    const double degrees = number_before(meaning_of(Phase::slipping), " deg");
+    EXPECT_EQ(phase_of(20.0, 0.999 * degrees, 0.0), Phase::free_rolling);
+    EXPECT_EQ(phase_of(20.0, -1.001 * degrees, 0.0), Phase::slipping);
+    const double ratio = 0.01 * number_before(meaning_of(Phase::slipping), " %");
+    EXPECT_EQ(phase_of(20.0, 0.0, 0.999 * ratio), Phase::free_rolling);
+    EXPECT_EQ(phase_of(20.0, 0.0, 1.001 * ratio), Phase::slipping);
+    const double fall = 9.81 * number_before(meaning_of(Phase::slowing), " g");
+    EXPECT_EQ(phase_of(20.0, 0.0, 0.0, 0.999 * fall), Phase::free_rolling);
+    EXPECT_EQ(phase_of(20.0, 0.0, 0.0, 1.001 * fall), Phase::slowing);
+}
+
+// The words of the column `phase` in the files of compare.
+TEST(Phase, NamesAreThoseOfTheFiles) {
+    std::vector<std::string_view> names;
+    for (const Phase phase : phases) {
+        names.push_back(name_of(phase));
+    }
+    EXPECT_EQ(names, (std::vector<std::string_view>{"standing", "slipping", "slowing", "free rolling"}));
 }
 
 }  // namespace

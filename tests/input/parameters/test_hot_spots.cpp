@@ -120,6 +120,29 @@ standard_deviation = "0.05 g/cm3"
     EXPECT_FALSE(found.moved(found.uncertain[1], -30.0).has_value());
 }
 
+// A value that moves does not make the log be read again: it may be gone. 20 m/s hold from 0 to 600 s, 30 m/s at the end.
+TEST(Uncertain, FilesOfTheCaseAreReadOnce) {
+    const Written written;
+    const std::filesystem::path log = written.add("log.csv", "time [s],speed [m/s]\n0,20\n600,20\n1200,30\n");
+    const HotSpotCase found = read(written, driven(R"(
+[drive]
+air_temperature = "20 degC"
+[[drive.file]]
+path = "log.csv"
+[time]
+end = "20 min"
+[[uncertain]]
+key = "drive.air_temperature"
+standard_deviation = "2 K"
+)"));
+    std::filesystem::remove(log);
+    const auto warm = found.moved(found.uncertain.at(0), 1.0);
+    ASSERT_TRUE(warm.has_value());
+    EXPECT_NEAR(warm->input_signals.at(900.0, solver::JumpSide::after).air_temperature, 273.15 + 22.0, 1e-9);
+    EXPECT_NEAR(warm->input_signals.at(900.0, solver::JumpSide::after).speed, 25.0, 1e-12);
+    EXPECT_FALSE(HotSpotCase::read(written.folder() / "case.toml")->moved(found.uncertain[0], 1.0).has_value());
+}
+
 // 75 degC lies above 2 * 24 + 20 = 68 degC, where the last step settles; the closed form goes on by 2 m/s every 10 min and
 // passes at 32 m/s, which settles at 84 degC: 9 mK/s. A source's formula is right to 1e-4 of its largest value, here of
 // the 164 K at 82 m/s: 16 mK or 1.8 s.

@@ -2,8 +2,11 @@
 // Every effect of the catalogue goes through the same identities, alone and beside the thesis's effects.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
+#include <regex>
 #include <set>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -13,9 +16,23 @@ namespace tiretherm::physics {
 
 TEST_P(EveryEffect, SaysWhatItIs) {
     const Effect& effect = *GetParam();
-    EXPECT_FALSE(effect.equation.empty());
-    EXPECT_FALSE(effect.source.empty());
-    EXPECT_GT(effect.meaning.size(), 30U);
+    // What a diagnosis may find is in the equation under its own name, so that a reader of a result finds its place there,
+    // or by a usual symbol.
+    static const std::map<std::string_view, std::string_view> symbols{
+        {"radiation", "eps"}, {"camera_emissivity", "e"}, {"wet_road", "d"}};
+    for (const ParameterSpec& parameter : effect.parameters) {
+        if (!std::isnan(parameter.absent)) {
+            const auto usual = symbols.find(effect.id);
+            const std::string symbol(usual == symbols.end() ? parameter.key : usual->second);
+            EXPECT_TRUE(std::regex_search(std::string(effect.equation), std::regex("\\b" + symbol + "\\b")))
+                << symbol << " is not in: " << effect.equation;
+        }
+    }
+    // The thesis's model says which of its equations (31) to (49) it is.
+    if (effect.on) {
+        EXPECT_TRUE(std::regex_search(std::string(effect.source), std::regex("thesis \\((3[1-9]|4[0-9])\\)")))
+            << effect.source;
+    }
     std::set<std::string_view> keys;
     for (const ParameterSpec& parameter : effect.parameters) {
         EXPECT_TRUE(keys.insert(parameter.key).second) << parameter.key << " is there twice";

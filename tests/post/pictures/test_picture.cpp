@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Interfaces, symmetry, isotherms and colours of pictures against hand calculation, and sizes of the PNG files.
+// Interfaces, symmetry, isotherms and colours of pictures against hand calculation, and pixels of the PNG files.
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include "post/pictures/picture.hpp"
 #include "post/report/file.hpp"
 #include "solver/celsius.hpp"
+#include "tests/post/png_pixels.hpp"
 #include "tests/post/sample.hpp"
 
 namespace tiretherm::post {
@@ -144,22 +146,60 @@ TEST(Colours, GetBrighterAllTheWayFromColdToHot) {
     EXPECT_EQ(heat_colour(2.0).blue, heat_colour(1.0).blue);
 }
 
+// Ends and quarters of "inferno" as published (R package viridis, inferno(5)); each is met to 2/255.
+TEST(Colours, AreThoseOfInferno) {
+    const double published[5][3] = {
+        {0, 0, 4}, {0x56, 0x10, 0x6e}, {0xbb, 0x37, 0x54}, {0xf9, 0x8c, 0x0a}, {0xfc, 0xff, 0xa4}};
+    for (int i = 0; i < 5; ++i) {
+        const Colour colour = heat_colour(0.25 * i);
+        EXPECT_NEAR(255.0 * colour.red, published[i][0], 2.0) << i;
+        EXPECT_NEAR(255.0 * colour.green, published[i][1], 2.0) << i;
+        EXPECT_NEAR(255.0 * colour.blue, published[i][2], 2.0) << i;
+    }
+}
+
+/// Sum of red, green and blue, by which "inferno" rises from cold to hot.
+unsigned brightness(std::uint32_t rgb) { return (rgb >> 16U) + (rgb >> 8U & 0xFFU) + (rgb & 0xFFU); }
+
+// Both ends of "inferno".
+constexpr std::uint32_t coldest = 0x000004;
+constexpr std::uint32_t hottest = 0xfcffa4;
+
 TEST(Picture, OfTheFieldHasEqualScales) {
     // 40 mm by 12 mm on 1420 px: 426 px high, and 380 px for title, axis and colour bar.
     const sample::Scratch scratch;
     const solver::Problem problem = sample::problem();
-    draw_field(scratch / "picture.png", problem, 0.0,
-               field(problem, [](const mesh::Point& p) { return sample::warmth(p[2], 0.0); }));
-    const std::string bytes = read_text(scratch / "picture.png");
-    EXPECT_EQ(bytes.substr(1, 3), "PNG");
-    EXPECT_EQ(png_size(bytes), (std::pair{1600u, 806u}));
+    const std::vector<double> kelvin = field(problem, [](const mesh::Point& p) { return sample::warmth(p[2], 0.0); });
+    draw_field(scratch / "smooth.png", problem, 0.0, kelvin);
+    EXPECT_EQ(png_size(read_text(scratch / "smooth.png")), (std::pair{1600u, 806u}));
+
+    // Each of the six rows of cells is 2 mm or 71 px high and 1420 px wide, the coldest outside, the hottest inside. The
+    // frame covers up to 2 px of an edge.
+    draw_field(scratch / "cells.png", problem, 0.0, kelvin, {.shading = Shading::cells});
+    const sample::Pixels picture = sample::pixels(scratch / "cells.png");
+    const int column = 120 + 1300;  // right of the names of the layers
+    const int top = 165;            // below the title
+    EXPECT_NEAR(picture.in_column(column, coldest), 71, 2);
+    EXPECT_NEAR(picture.in_row(top + 35, coldest), 1420, 4);
+    EXPECT_NEAR(picture.in_row(top + 5 * 71 + 35, hottest), 1420, 4);
+    for (int row = 0; row < 6; ++row) {
+        // 2 K/mm between cells of 2 mm: 304 K, 308 K, ... are at 0, 1/5, ... of the scale.
+        const Colour expected = heat_colour(row / 5.0);
+        const std::uint32_t shown = picture.at(column, top + 71 * row + 35);
+        EXPECT_NEAR(255.0 * expected.red, shown >> 16U, 1.0) << row;
+        EXPECT_NEAR(255.0 * expected.green, shown >> 8U & 0xFFU, 1.0) << row;
+        EXPECT_NEAR(255.0 * expected.blue, shown & 0xFFU, 1.0) << row;
+    }
 }
 
-TEST(Picture, OfAnEvenFieldIsDrawnToo) {
+TEST(Picture, OfAnEvenFieldIsEven) {
+    // One temperature is the cold end of the scale, on all 426 px of a column but the frame and the line between layers.
     const sample::Scratch scratch;
     const solver::Problem problem = sample::problem();
     draw_field(scratch / "picture.png", problem, 0.0, field(problem, [](const mesh::Point&) { return 296.15; }));
-    EXPECT_EQ(read_text(scratch / "picture.png").substr(1, 3), "PNG");
+    const sample::Pixels picture = sample::pixels(scratch / "picture.png");
+    EXPECT_NEAR(picture.in_column(120 + 1300, coldest), 423, 3);
+    EXPECT_EQ(picture.in_column(120 + 1300, hottest), 0);
 }
 
 TEST(Picture, OfASectionIsFolded) {
@@ -173,7 +213,7 @@ TEST(Picture, OfASectionIsFolded) {
     const auto [width, height] = png_size(read_text(scratch / "folded.png"));
     EXPECT_EQ(width, 1600U);
     const double radius = 0.16 / 3.14159265358979;
-    EXPECT_NEAR(height, 150.0 + 1380.0 * radius / (0.12 + 2.0 * radius) + 215.0, 1.5);
+    EXPECT_NEAR(height, 150.0 + 1380.0 * radius / (0.12 + 2.0 * radius) + 215.0, 4.0);
 }
 
 TEST(Picture, OfARingIsItsTreadUnrolledAndItsMeanFolded) {
@@ -184,6 +224,28 @@ TEST(Picture, OfARingIsItsTreadUnrolledAndItsMeanFolded) {
     draw_tread(scratch / "tread.png", problem, 0.0, field(problem, around));
     const std::string tread = read_text(scratch / "tread.png");
     EXPECT_EQ(png_size(tread), (std::pair{1600U, 825U}));
+    // Each of the twelve sectors is a twelfth of the 1410 px between the ends, the first with a half at either end; the way
+    // around is 0 to 1.73 m at the middles of the sectors, where the cosine falls.
+    const sample::Pixels picture = sample::pixels(scratch / "tread.png");
+    int row = 0;
+    while (row < picture.height && picture.in_row(row, hottest) < 100) {
+        ++row;
+    }
+    ASSERT_LT(row + 20, picture.height);
+    row += 20;
+    const int left = 130;
+    int seen = left;
+    for (int sector = 0; sector <= 12; ++sector) {
+        const int end = static_cast<int>(std::lround(left + (sector + 0.5) * 1410.0 / 12.0));
+        const std::uint32_t middle = picture.at(std::min(end, left + 1410) - 30, row);
+        EXPECT_NEAR(picture.in_row(row, middle), 1410.0 / 12.0, 2.0) << sector;
+        if (sector > 0 && sector < 12) {
+            EXPECT_LT(brightness(middle), brightness(picture.at(seen - 30, row))) << sector;
+        }
+        seen = end;
+    }
+    EXPECT_EQ(picture.at(left + 10, row), hottest);
+    EXPECT_EQ(picture.at(left + 1400, row), hottest);
     // A field turned by some way looks different, one moved along the depth the same: only the surface shows.
     draw_tread(scratch / "turned.png", problem, 0.0,
                field(problem, [](const mesh::Point& p) { return 300.0 + 10.0 * std::cos(p[1] + 1.0); }));
@@ -197,14 +259,47 @@ TEST(Picture, OfARingIsItsTreadUnrolledAndItsMeanFolded) {
     problem.mesh = sample::section();
     draw_folded(scratch / "section.png", problem, 0.0,
                 field(problem, [](const mesh::Point& p) { return 300.0 + p[0]; }));
-    EXPECT_EQ(png_size(read_text(scratch / "ring.png")), png_size(read_text(scratch / "section.png")));
+    const sample::Pixels ring = sample::pixels(scratch / "ring.png");
+    const sample::Pixels section = sample::pixels(scratch / "section.png");
+    ASSERT_EQ(ring.rgb.size(), section.rgb.size());
+    const auto below_heading = static_cast<std::ptrdiff_t>(ring.width) * 150;
+    EXPECT_TRUE(std::equal(ring.rgb.begin() + below_heading, ring.rgb.end(), section.rgb.begin() + below_heading));
 }
 
-TEST(Picture, OfChannelsIsWritten) {
+TEST(Picture, OfChannelsDrawsTheirTemperaturesToOneScale) {
+    // The spot goes from 23 to 80 degC in the first 30 s and to 97.5 in the next, the liner from 23 to 30 and to 40. Heights
+    // of the lines at 6, 24, 36 and 54 s: the same pixels a kelvin everywhere, to 4 px or half a kelvin: a line's ends are
+    // read to 2 px, on a slope of 0.7.
     const sample::Scratch scratch;
-    const solver::Problem problem = sample::problem();
+    solver::Problem problem = sample::problem();
+    problem.measured.clear();
     draw_channels(scratch / "channels.png", problem, sample::history(problem));
-    EXPECT_EQ(png_size(read_text(scratch / "channels.png")), (std::pair{1600u, 820u}));
+    const sample::Pixels picture = sample::pixels(scratch / "channels.png");
+    EXPECT_EQ(std::pair(picture.width, picture.height), (std::pair{1600, 820}));
+    constexpr std::uint32_t spot = 0x0072b2;   // Okabe and Ito: blue
+    constexpr std::uint32_t liner = 0xd55e00;  // vermilion
+    int first = 0;
+    while (first < picture.width && picture.in_column(first, spot) == 0) {
+        ++first;
+    }
+    int last = first;
+    while (last < picture.width && picture.in_column(last, spot) > 0) {
+        ++last;
+    }
+    ASSERT_GT(last - first, 1000);  // the name follows after a gap
+    const auto height = [&](std::uint32_t line, double seconds) {
+        const int x = static_cast<int>(std::lround(first + seconds / 60.0 * (last - 1 - first)));
+        const std::optional<double> y = picture.middle_in_column(x, line);
+        EXPECT_TRUE(y.has_value()) << seconds << " s";
+        return -y.value_or(0.0);
+    };
+    const double per_kelvin = (height(spot, 54.0) - height(spot, 6.0)) / (94.0 - 34.4);
+    EXPECT_GT(per_kelvin, 5.0);
+    EXPECT_NEAR(height(spot, 24.0) - height(spot, 6.0), per_kelvin * (68.6 - 34.4), 4.0);
+    EXPECT_NEAR(height(spot, 54.0) - height(spot, 36.0), per_kelvin * (94.0 - 83.5), 4.0);
+    EXPECT_NEAR(height(liner, 24.0) - height(liner, 6.0), per_kelvin * (28.6 - 24.4), 4.0);
+    EXPECT_NEAR(height(liner, 54.0) - height(liner, 36.0), per_kelvin * (38.0 - 32.0), 4.0);
+    EXPECT_NEAR(height(spot, 54.0) - height(liner, 54.0), per_kelvin * (94.0 - 38.0), 4.0);
 }
 
 }  // namespace
