@@ -61,6 +61,7 @@ public:
         for (const double place : places) {
             Sample right = at(place, JumpSide::before);
             piece(left, right);
+            places_.push_back(samples_.history.time.size());
             add(right.t, right.value);
             left = std::move(right);
         }
@@ -70,7 +71,10 @@ public:
     }
 
     /// What is left open at the end of the run.
-    void finish(double end) { close_gap(end); }
+    void finish(double end) {
+        close_gap(end);
+        drop_idle_places();
+    }
 
     [[nodiscard]] FormulaSamples& samples() { return samples_; }
     [[nodiscard]] double largest() const { return largest_; }
@@ -88,7 +92,7 @@ private:
 
     void add(double t, double value) {
         if (!std::isfinite(value) || samples_.too_fast) {
-            return;
+            return;  // a place without a point is no harm: the next point stands for it
         }
         SignalHistory& history = samples_.history;
         samples_.too_fast = history.time.size() >= most_formula_points;
@@ -120,6 +124,29 @@ private:
             }
         }
         gap_since_ = std::numeric_limits<double>::infinity();
+    }
+
+    /// Takes away the points that were only looked at: those on the straight line between their neighbours.
+    void drop_idle_places() {
+        const SignalHistory& all = samples_.history;
+        SignalHistory kept;
+        auto place = places_.begin();
+        for (std::size_t i = 0; i < all.time.size(); ++i) {
+            const bool only_looked_at = place != places_.end() && *place == i;
+            place += only_looked_at ? 1 : 0;
+            if (only_looked_at && !kept.time.empty() && i + 1 < all.time.size()) {
+                const double t0 = kept.time.back();
+                const double t1 = all.time[i + 1];
+                const double share = t1 > t0 ? (all.time[i] - t0) / (t1 - t0) : 0.0;
+                const double line = (1.0 - share) * kept.value.back() + share * all.value[i + 1];
+                if (t1 > t0 && std::abs(all.value[i] - line) <= 1e-12 * largest_) {
+                    continue;
+                }
+            }
+            kept.time.push_back(all.time[i]);
+            kept.value.push_back(all.value[i]);
+        }
+        samples_.history = std::move(kept);
     }
 
     void add_jump(const Sample& before, const Sample& after) {
@@ -263,6 +290,7 @@ private:
     double largest_ = 0.0;
     double deviation_ = 0.0;
     double integral_ = 0.0;
+    std::vector<std::size_t> places_;  ///< points at places between the knots, indices into the history, ascending
     double gap_since_ = std::numeric_limits<double>::infinity();
     FormulaSamples samples_;
 };
@@ -302,7 +330,10 @@ public:
         const double length = knots_->back() - start;
         FormulaDecisions ignored;
         double deviation = 0.0;
-        double size = 0.0;
+        double size = 0.0;  // not 0: where every probe falls beside narrow pulses, round-off remains
+        for (const double value : history.value) {
+            size = std::max(size, 1e-6 * std::abs(value));
+        }
         for (int i = 0; i < probes; ++i) {
             const double t = start + length * std::fmod(0.5 + golden * i, 1.0);
             const double value = (*formula_)(t, JumpSide::before, ignored);

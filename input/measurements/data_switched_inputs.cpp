@@ -13,11 +13,12 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr std::size_t least_changes = 6;  ///< three pulses
-constexpr double least_share = 0.01;      ///< of the samples: fewer changes make no difference
-constexpr double most_share = 0.5;        ///< more are a signal that moves
-constexpr double least_change = 0.3;      ///< of the range, for the typical change
-constexpr double least_range = 0.2;       ///< of the largest value: less is a coarse logger
+constexpr std::size_t least_changes = 6;   ///< three pulses
+constexpr std::ptrdiff_t most_levels = 4;  ///< of a signal that is on, off, or on in a few steps
+constexpr double least_share = 0.05;       ///< of the samples, where there are more levels: fewer make no difference
+constexpr double most_share = 0.5;         ///< likewise: more are a signal that moves
+constexpr double least_change = 0.3;       ///< of the range, for the typical change
+constexpr double least_range = 0.2;        ///< of the largest value: less is a coarse logger
 
 /// How often a column jumps between two samples, and over what time at most; nothing where it moves like a measured one.
 struct Switching {
@@ -39,9 +40,11 @@ Switching switching_of(const RecordedColumn& column) {
     }
     const auto samples = static_cast<double>(column.value.size());
     found.times = changes.size();
-    if (!column.is_input || changes.size() < least_changes ||
-        static_cast<double>(changes.size()) < least_share * samples ||
-        static_cast<double>(changes.size()) > most_share * samples) {
+    std::vector<double> levels = column.value;
+    std::ranges::sort(levels);
+    const bool few = std::unique(levels.begin(), levels.end()) - levels.begin() <= most_levels;
+    const double share = static_cast<double>(changes.size()) / samples;
+    if (!column.is_input || changes.size() < least_changes || (!few && (share < least_share || share > most_share))) {
         return {};
     }
     const auto [low, high] = std::ranges::minmax(column.value);
