@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "input/new_case/log_columns.hpp"
-#include "input/text/tire_size.hpp"
+#include "input/tire_property_file/tire_size.hpp"
 
 namespace tiretherm::input {
 

@@ -2,7 +2,7 @@
 // What may stand on a sidewall, and what may not.
 #include <gtest/gtest.h>
 
-#include "input/text/tire_size.hpp"
+#include "input/tire_property_file/tire_size.hpp"
 
 namespace tiretherm::input {
 namespace {

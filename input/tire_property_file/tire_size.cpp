@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reads a tire's size, section height = aspect ratio * width, thesis (65).
-#include "input/text/tire_size.hpp"
+#include "input/tire_property_file/tire_size.hpp"
 
 #include <regex>
 
