@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One log in every CSV dialect gives the same inputs; columns, units and schedules; a long log is read in linear time.
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "support/written.hpp"
@@ -111,6 +113,40 @@ TEST(Csv, ALongLogIsReadInLinearTime) {
     const solver::Series* speed = find(reading, "speed");
     ASSERT_NE(speed, nullptr);
     EXPECT_EQ(speed->time.size(), 200'000U);
+}
+
+// A log of 80 min, and an end of 60 min that stands in an included file: a quarter of the log is never driven.
+TEST(Csv, ALogThatIsCutIsReported) {
+    const std::string log = "time [s],speed [km/h]\n0,0\n4800,80\n";
+    const Written written;
+    written.add("logs/run.csv", log);
+    std::string text(slab);
+    text.erase(text.find("[time]"), std::string_view("[time]\nend = \"60 s\"\n").size());
+    written.add("common.toml", text + "[time]\nend = \"3600 s\"\n");
+    const std::string own = "include = [\"common.toml\"]\n[[drive.file]]\npath = \"logs/run.csv\"\n";
+    const auto warning = [&](const std::string& file, const std::string& more) {
+        const Reading reading = read_case(written.add(file, own + more));
+        const auto found = std::ranges::find_if(
+            reading.warnings, [](const std::string& text) { return text.find("[time]") != std::string::npos; });
+        return found == reading.warnings.end() ? "" : *found;
+    };
+    const std::string cut = warning("case.toml", "");
+    EXPECT_NE(cut.find("common.toml"), std::string::npos) << cut;
+    EXPECT_NE(cut.find("[time] end cuts 20 min of 80 min off the end of the log"), std::string::npos) << cut;
+    EXPECT_EQ(warning("whole.toml", "[time]\nend = \"4800 s\"\n"), "");
+    const std::string late = warning("late.toml", "[time]\nstart = \"2400 s\"\nend = \"4800 s\"\n");
+    EXPECT_NE(late.find("[time] start cuts 40 min of 80 min off the beginning of the log"), std::string::npos) << late;
+}
+
+// Held, the speed of a sample counts until the next; the jumps are break times.
+TEST(Csv, AColumnCanHold) {
+    const Reading reading = read_log("time [s],speed [km/h]\n0,0\n2,36\n5,54\n", "hold = [\"speed\"]\n");
+    const solver::Series* speed = find(reading, "speed");
+    ASSERT_NE(speed, nullptr);
+    EXPECT_EQ(speed->time, (std::vector<double>{0, 2, 2, 5, 5}));
+    EXPECT_NEAR(speed->at(4.9, solver::JumpSide::before), 10.0, 1e-12);
+    EXPECT_EQ(reading.problem->input_signals.stops(), (std::vector<double>{2, 5}));
+    EXPECT_FALSE(read_log("time [s],speed [km/h]\n0,0\n2,36\n", "hold = [\"sped\"]\n").problem.has_value());
 }
 
 TEST(Schedule, JumpsAtARepeatedTime) {
