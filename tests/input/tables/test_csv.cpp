@@ -127,7 +127,7 @@ TEST(Csv, ALogThatIsCutIsReported) {
     const auto warning = [&](const std::string& file, const std::string& more) {
         const Reading reading = read_case(written.add(file, own + more));
         const auto found = std::ranges::find_if(
-            reading.warnings, [](const std::string& text) { return text.find("[time]") != std::string::npos; });
+            reading.warnings, [](const std::string& line) { return line.find("[time]") != std::string::npos; });
         return found == reading.warnings.end() ? "" : *found;
     };
     const std::string cut = warning("case.toml", "");
