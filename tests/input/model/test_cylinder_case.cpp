@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a case with a cylinder becomes: true radii, and those of the tire where it states none.
+#include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "mesh/mesh.hpp"
+#include "solver/time_integration/march.hpp"
 #include "support/written.hpp"
 
 namespace tiretherm::input {
@@ -73,6 +75,42 @@ TEST(CylinderCase, RefusesLayersThickerThanTheTiresRadius) {
     EXPECT_FALSE(reading.problem);
     EXPECT_NE(render(reading).find("the layers are 408 mm thick, and the tire's radius is 330.8 mm"), std::string::npos)
         << render(reading);
+}
+
+// The library's case against its closed form, T(r) = -q r^2 / (4 k) + A ln r + B: A and B follow from both films,
+//   k (A/r1 - q r1/(2 k)) = h1 (T(r1) - T_air),   -k (A/r2 - q r2/(2 k)) = h2 (T(r2) - T_air).
+// 200 cells of second order are good to 1e-4 K.
+TEST(CylinderCase, ReferenceIsItsClosedForm) {
+    constexpr double r1 = 0.03;
+    constexpr double r2 = 0.05;
+    constexpr double k = 0.25;
+    constexpr double q = 1e5;
+    constexpr double h1 = 10.0;
+    constexpr double h2 = 60.0;
+    const auto particular = [&](double r) { return -q * r * r / (4.0 * k); };
+    // Rows: (k/r1 - h1 ln r1) A - h1 B = q r1/2 + h1 (particular(r1) - T_air), and likewise outside.
+    const double a11 = k / r1 - h1 * std::log(r1);
+    const double a12 = -h1;
+    const double b1 = 0.5 * q * r1 + h1 * (particular(r1) - 23.0);
+    const double a21 = -k / r2 - h2 * std::log(r2);
+    const double a22 = -h2;
+    const double b2 = -0.5 * q * r2 + h2 * (particular(r2) - 23.0);
+    const double det = a11 * a22 - a12 * a21;
+    const double A = (b1 * a22 - b2 * a12) / det;
+    const double B = (a11 * b2 - a21 * b1) / det;
+    const auto T = [&](double r) { return particular(r) + A * std::log(r) + B; };
+
+    const Reading reading = read_case(source_folder() / "cases/reference/cylinder.toml");
+    ASSERT_TRUE(reading.problem) << render(reading);
+    const solver::Report report = solver::run(*reading.problem, [](const solver::Snapshot&) { return true; });
+    ASSERT_TRUE(report.status.ok()) << report.status.message;
+    const std::vector<double>& found = report.channel_final;
+    ASSERT_EQ(found.size(), 5U);
+    EXPECT_NEAR(found[0] - 273.15, T(r2), 1e-3);
+    EXPECT_NEAR(found[1] - 273.15, T(0.04), 1e-3);
+    EXPECT_NEAR(found[2] - 273.15, T(r1), 1e-3);
+    EXPECT_NEAR(found[3], h2 * (T(r2) - 23.0), 0.05);
+    EXPECT_NEAR(found[4], h1 * (T(r1) - 23.0), 0.05);
 }
 
 }  // namespace tiretherm::input
