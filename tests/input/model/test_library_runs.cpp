@@ -42,7 +42,7 @@ void expect_near(const std::vector<double>& found, const std::vector<double>& ex
 
 }  // namespace
 
-// The tire's crown alone, written a second time in explicit steps on cells of 0.4 mm: good to 0.05 K, and the program's
+// The tire's crown alone, written a second time in explicit steps on cells of 0.2 and 0.4 mm: good to 0.03 K, and the program's
 // grid of 40 cells with it. The headers print what both give to 0.1 K.
 TEST(LibraryRuns, LayersShowTheInnerFaceThatTwoNodesHide) {
     using support::SectionThesis;
