@@ -70,6 +70,16 @@ int InputErrors::add_file(std::string shown, std::string text) {
     return static_cast<int>(files_.size()) - 1;
 }
 
+std::vector<std::string> InputErrors::files() const {
+    std::vector<std::string> all;
+    for (const File& file : files_) {
+        if (std::ranges::find(all, file.shown) == all.end()) {
+            all.push_back(file.shown);
+        }
+    }
+    return all;
+}
+
 void InputErrors::add(const SourceLocation& place, std::string what, std::string remedy) {
     found_.push_back({place, {std::move(what), std::move(remedy)}});
 }
