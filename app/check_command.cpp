@@ -47,10 +47,10 @@ void print_text(const solver::Problem& problem, const std::vector<std::string>& 
     table.add({"time", duration(problem.settings)});
     fmt::print("{}: no errors\n", problem.name);
     for (const std::string& line : table.lines(2)) {
-        fmt::print("{}\n", line);
+        fmt::print("{}\n", terminal_text(line));
     }
     for (const std::string& warning : warnings) {
-        fmt::print("warning: {}\n", warning);
+        fmt::print("warning: {}\n", terminal_text(warning));
     }
 }
 

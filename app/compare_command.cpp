@@ -15,26 +15,34 @@
 #include "app/measured_call.hpp"
 #include "app/messages.hpp"
 #include "post/comparison/comparison_report.hpp"
+#include "solver/stop_signal.hpp"
 
 namespace tiretherm::app {
 
 namespace {
 
 int compare(const MeasuredCall& call) {
+    solver::install_stop_handlers();
     const std::optional<input::ExperimentReading> reading = read_measured(call, "nothing was compared");
     if (!reading) {
         return Exit::input_error;
     }
     const std::string name = reading->experiment->runs.front().problem.name;
+    const std::filesystem::path directory = folder_of(call, "out/" + name);
+    const std::vector<std::string> names = post::comparison_names(directory);
+    const auto folder = open_output(directory, reading->files, names, "nothing was compared", call.json);
+    if (!folder) {
+        return Exit::input_error;
+    }
     diagnosis::Comparison comparison = diagnosis::compare(*reading->experiment, name);
     if (!comparison.status.ok()) {
         report_error(comparison.status.message, "nothing was compared", call.json);
-        return Exit::numerical_failure;
+        return comparison.status.outcome == solver::Outcome::stopped ? Exit::interrupted : Exit::numerical_failure;
     }
     comparison.warnings = reading->warnings;
     comparison.findings = reading->data_warnings;
-    const auto files = write_measured(call, "out/" + name, [&](const std::filesystem::path& directory) {
-        return post::write_comparison(comparison, directory);
+    const auto files = write_measured(call, *folder, names, [&](const std::filesystem::path& stage) {
+        return post::write_comparison(comparison, stage);
     });
     if (!files) {
         return Exit::input_error;
@@ -54,7 +62,9 @@ void add_compare_command(CLI::App& program, int& exit_code) {
         "The case is simulated as it stands: nothing is fitted. Differences are simulated - measured.\n"
         "Files: compare.csv (a row for each sample), compare_statistics.csv (a row for each figure); of cameras\n"
         "compare_pixels.csv (a row for each pixel) and a picture of each run's worst frame.\n\n"
-        "Exit code: 0 done, however far apart; 1 an error in the call, the case or the data; 2 the solver failed.\n\n"
+        "The files appear together at the end.\n\n"
+        "Exit code: 0 done, however far apart; 1 an error in the call, the case or the data; 2 the solver failed;\n"
+        "130 interrupted.\n\n"
         "Example:\n"
         "  tiretherm compare cases/practice/two_node_bench.toml --data run1.csv --data run2.csv --out /tmp/bench");
     command->callback([call, &exit_code] { exit_code = compare(*call); });

@@ -12,9 +12,11 @@
 
 #include "app/commands.hpp"
 #include "app/messages.hpp"
+#include "app/output.hpp"
 #include "input/spreadsheet/sheet_case.hpp"
 #include "post/report/file.hpp"
 #include "post/report/table.hpp"
+#include "solver/stop_signal.hpp"
 
 namespace tiretherm::app {
 
@@ -71,7 +73,7 @@ void print_json(const input::SheetCase& made, const std::string& file) {
 void print_table(const char* title, const post::Table& table) {
     fmt::print("\n{}\n", title);
     for (const std::string& line : table.lines(2)) {
-        fmt::print("{}\n", line);
+        fmt::print("{}\n", terminal_text(line));
     }
 }
 
@@ -98,18 +100,25 @@ void print_text(const input::SheetCase& made, const std::string& file) {
         print_table("In the sheets, but without a place in a case", table);
     }
     for (const std::string& warning : made.warnings) {
-        fmt::print("\nwarning: {}", warning);
+        fmt::print("\nwarning: {}", terminal_text(warning));
     }
     fmt::print("{}\nIt runs with: tiretherm run {}\n", made.warnings.empty() ? "" : "\n", file);
 }
 
 int convert(const Options& options) {
+    solver::install_stop_handlers();
     const fs::path target = case_file(options);
     const std::string file = target.generic_string();
     const input::SheetCase made = input::convert_sheet(options.sheet);
     if (!made.errors.empty()) {
         report_errors({.problem = std::nullopt, .errors = made.errors, .warnings = made.warnings},
                       "no case was written", options.json);
+        return Exit::input_error;
+    }
+    if (was_stopped("no case was written", options.json)) {
+        return Exit::interrupted;
+    }
+    if (replaces_input(target, {options.sheet}, options.json)) {
         return Exit::input_error;
     }
     std::error_code error;
@@ -138,14 +147,13 @@ void add_convert_command(CLI::App& program, int& exit_code) {
     command->add_option("SHEET", options->sheet, "Workbook (.xls, .xlsx), or a folder with a CSV file for each sheet")
         ->required()
         ->option_text(" ");
-    command->add_option("--out", options->directory, "Where the case goes, called like the spreadsheet. Default: here")
-        ->option_text("DIR");
+    add_out_option(*command, options->directory, "Where the case goes, called like the spreadsheet. Default: here");
     command->add_flag("--force", options->force, "Replace a case that is there already");
     command->add_flag("--json", options->json, "One JSON object: what became of each parameter");
     command->footer(
         "The sheets and where each of their parameters goes are described in cases/convert/README.md. What a case\n"
         "needs and the sheets do not say is assumed and listed, here and at the top of the case.\n\n"
-        "Exit code: 0 the case was written, 1 an error in the call or the sheets.\n\n"
+        "Exit code: 0 the case was written, 1 an error in the call or the sheets, 130 interrupted.\n\n"
         "Example:\n"
         "  tiretherm convert cases/convert/thesis_225_50_R17.xlsx --out my_cases\n"
         "  tiretherm run my_cases/thesis_225_50_R17.toml");

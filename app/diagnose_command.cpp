@@ -18,16 +18,27 @@
 #include "app/messages.hpp"
 #include "diagnosis/compare/camera_rings.hpp"
 #include "post/diagnosis/diagnosis_report.hpp"
+#include "solver/sensitivity/kept_results.hpp"
+#include "solver/stop_signal.hpp"
 
 namespace tiretherm::app {
 
 namespace {
 
 int diagnose(const MeasuredCall& call) {
+    solver::install_stop_handlers();
     const std::optional<input::ExperimentReading> reading = read_measured(call, "nothing was diagnosed");
     if (!reading || !has_free_parameters(call, *reading->experiment)) {
         return Exit::input_error;
     }
+    const std::filesystem::path directory = folder_of(call, "out/" + reading->experiment->runs.front().problem.name);
+    const std::vector<std::string> names = post::diagnosis_names();
+    const auto folder = open_output(directory, reading->files, names, "nothing was diagnosed", call.json);
+    if (!folder) {
+        return Exit::input_error;
+    }
+    const auto journal = open_journal(call, *folder, "diagnose", reading->files);
+    const solver::UseOfKeptResults kept(*journal);
     std::vector<std::string> remarks;
     const input::Experiment experiment = diagnosis::in_rings(*reading->experiment, remarks);
     const diagnosis::Observations observations = diagnosis::observe(experiment);
@@ -45,8 +56,7 @@ int diagnose(const MeasuredCall& call) {
         diagnosis::diagnose(experiment, observations, {.finer = finer ? &*finer : nullptr, .progress = count.shown()});
     count.wipe();
     if (!result.status.ok()) {
-        report_error(result.status.message, "nothing was diagnosed", call.json);
-        return Exit::numerical_failure;
+        return report_failure(call, result.status, *folder, *journal, "nothing was diagnosed");
     }
     post::DiagnosisRecord record{.experiment = experiment,
                                  .observations = observations,
@@ -56,9 +66,9 @@ int diagnose(const MeasuredCall& call) {
                                  .warnings = remarks,
                                  .findings = reading->data_warnings};
     std::ranges::copy(reading->warnings, std::back_inserter(record.warnings));
-    const auto files = write_measured(
-        call, "out/" + experiment.runs.front().problem.name,
-        [&](const std::filesystem::path& directory) { return post::write_diagnosis(record, directory); });
+    const auto files = write_measured(call, *folder, names, [&](const std::filesystem::path& stage) {
+        return post::write_diagnosis(record, stage, folder->path());
+    });
     if (!files) {
         return Exit::input_error;
     }
@@ -74,6 +84,7 @@ void add_diagnose_command(CLI::App& program, int& exit_code) {
     const auto call = std::make_shared<MeasuredCall>();
     add_measured_options(*command, *call, "[[run]] and [[parameter]]",
                          "files of an earlier diagnosis there are replaced. Default: out/<case name>");
+    add_fresh_option(*command, call->fresh);
     command->footer(
         "The free numbers of the case are fitted; what is left is compared with every effect of the catalogue that is\n"
         "not in the model (or those of [diagnose] candidates), alone and in pairs, and with heat that no effect is.\n"
@@ -83,8 +94,11 @@ void add_diagnose_command(CLI::App& program, int& exit_code) {
         "Files: diagnosis.json, extended.toml (the case with the cause switched on, where there is one),\n"
         "residuals.csv (a row for each sample), residuals.png, missing_heat.csv and .png (heat that windows of the "
         "runs lack).\n\n"
-        "Exit code: 0 done, whatever the answer; 1 an error in the call, the case or the data; 2 the solver "
-        "failed.\n\n"
+        "The files appear together at the end. A diagnosis that was interrupted or killed goes on when the same call "
+        "is\n"
+        "made again: its simulations are kept in the hidden folder .tiretherm until then.\n\n"
+        "Exit code: 0 done, whatever the answer; 1 an error in the call, the case or the data; 2 the solver failed;\n"
+        "130 interrupted.\n\n"
         "Example:\n"
         "  tiretherm diagnose cases/practice/two_node_bench.toml --data run1.csv --data run2.csv --out /tmp/bench");
     command->callback([call, &exit_code] { exit_code = diagnose(*call); });

@@ -17,6 +17,8 @@
 #include "app/messages.hpp"
 #include "input/model/reader.hpp"
 #include "post/identification/identification_report.hpp"
+#include "solver/sensitivity/kept_results.hpp"
+#include "solver/stop_signal.hpp"
 
 namespace tiretherm::app {
 
@@ -33,6 +35,13 @@ constexpr double white_share = 0.3;
 
 /// What a fit would say.
 int plan(const Options& options, input::ExperimentReading& reading) {
+    std::unique_ptr<post::OutputFolder> folder;
+    if (!options.directory.empty()) {
+        folder = open_output(options.directory, reading.files, {"plan.json"}, "nothing was planned", options.json);
+        if (!folder) {
+            return Exit::input_error;
+        }
+    }
     const input::Experiment experiment = diagnosis::planned(std::move(*reading.experiment));
     const diagnosis::Observations observations = diagnosis::observe(experiment);
     if (observations.rows.empty()) {
@@ -45,7 +54,7 @@ int plan(const Options& options, input::ExperimentReading& reading) {
                         diagnosis::stated_noise(experiment, observations, options.correlation_time, white_share));
     if (!result.status.ok()) {
         report_error(result.status.message, "nothing was planned", options.json);
-        return Exit::numerical_failure;
+        return result.status.outcome == solver::Outcome::stopped ? Exit::interrupted : Exit::numerical_failure;
     }
     const post::IdentificationRecord record{.experiment = experiment,
                                             .observations = observations,
@@ -56,9 +65,9 @@ int plan(const Options& options, input::ExperimentReading& reading) {
                                             .findings = {},
                                             .planned = true};
     std::vector<std::filesystem::path> files;
-    if (!options.directory.empty()) {
-        const auto written = write_measured(options, {}, [&](const std::filesystem::path& directory) {
-            return post::write_identification(record, directory);
+    if (folder != nullptr) {
+        const auto written = write_measured(options, *folder, {}, [&](const std::filesystem::path& stage) {
+            return post::write_identification(record, stage, folder->path());
         });
         if (!written) {
             return Exit::input_error;
@@ -85,6 +94,7 @@ int identify(const Options& options) {
         report_error("a plan is of first order and has no profiles", "leave out --profile", options.json);
         return Exit::input_error;
     }
+    solver::install_stop_handlers();
     std::optional<input::ExperimentReading> reading = read_measured(
         options, "nothing was fitted", options.plan ? input::ReadMode::planned : input::ReadMode::measured);
     if (!reading || !has_free_parameters(options, *reading->experiment)) {
@@ -94,6 +104,13 @@ int identify(const Options& options) {
         return plan(options, *reading);
     }
     const input::Experiment& experiment = *reading->experiment;
+    const auto folder = open_output(folder_of(options, "out/" + experiment.runs.front().problem.name), reading->files,
+                                    post::identification_names(), "nothing was fitted", options.json);
+    if (!folder) {
+        return Exit::input_error;
+    }
+    const auto journal = open_journal(options, *folder, "identify", reading->files);
+    const solver::UseOfKeptResults kept(*journal);
     const diagnosis::Observations observations = diagnosis::observe(experiment);
     // Thousands of pixels see the discretisation error of the grid, which a finer one shows.
     std::optional<input::Experiment> finer;
@@ -107,8 +124,7 @@ int identify(const Options& options) {
         {.profile = options.profile, .finer = finer ? &*finer : nullptr, .progress = count.shown()});
     count.wipe();
     if (!result.status.ok()) {
-        report_error(result.status.message, "nothing was fitted", options.json);
-        return Exit::numerical_failure;
+        return report_failure(options, result.status, *folder, *journal, "nothing was fitted");
     }
     post::IdentificationRecord record{.experiment = experiment,
                                       .observations = observations,
@@ -117,9 +133,8 @@ int identify(const Options& options) {
                                       .data = options.data_files(),
                                       .warnings = reading->warnings,
                                       .findings = reading->data_warnings};
-    const std::string name = experiment.runs.front().problem.name;
-    const auto files = write_measured(options, "out/" + name, [&](const std::filesystem::path& directory) {
-        return post::write_identification(record, directory);
+    const auto files = write_measured(options, *folder, {}, [&](const std::filesystem::path& stage) {
+        return post::write_identification(record, stage, folder->path());
     });
     if (!files) {
         return Exit::input_error;
@@ -140,6 +155,7 @@ void add_identify_command(CLI::App& program, int& exit_code) {
     const auto options = std::make_shared<Options>();
     add_measured_options(*command, *options, "[[run]] and [[parameter]]",
                          "files of an earlier fit there are replaced. Default: out/<case name>; of a plan none");
+    add_fresh_option(*command, options->fresh);
     command->add_flag("--profile", options->profile,
                       "Intervals by profile likelihood, which need not be symmetric: some ten fits a number");
     command->add_flag("--plan", options->plan,
@@ -154,8 +170,11 @@ void add_identify_command(CLI::App& program, int& exit_code) {
         "A plan takes every sensor with a standard_deviation, at the times of the runs' files or of [time] output.\n"
         "Files: identified.toml (the case with the fitted values), identify.csv (a row for each sample);\n"
         "plan.json of a plan.\n\n"
+        "The files appear together at the end. A fit that was interrupted or killed goes on when the same call is "
+        "made\n"
+        "again: its simulations are kept in the hidden folder .tiretherm until then.\n\n"
         "Exit code: 0 done; 1 an error in the call, the case or the data; 2 the solver failed or the search did not\n"
-        "converge.\n\n"
+        "converge; 130 interrupted.\n\n"
         "Example:\n"
         "  tiretherm identify cases/practice/two_node_bench.toml --data run1.csv --data run2.csv --out /tmp/bench\n"
         "  tiretherm identify cases/laser/identify.toml --plan");

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "app/commands.hpp"
 #include "app/messages.hpp"
-#include "post/report/file.hpp"
 
 namespace tiretherm::app {
 
@@ -22,7 +22,7 @@ void add_measured_options(CLI::App& command, MeasuredCall& call, const char* cas
         .add_option("--data", call.data,
                     "A measured run (CSV or HDF5), once for each; they take the place of the case's own")
         ->option_text("FILE ...");
-    command.add_option("--out", call.directory, fmt::format("Where the files go; {}", out_is))->option_text("DIR");
+    add_out_option(command, call.directory, fmt::format("Where the files go; {}", out_is));
     command.add_flag("--json", call.json, "One JSON object instead of the page");
 }
 
@@ -63,14 +63,46 @@ void SimulationCount::wipe() {
 }
 
 std::optional<std::vector<std::filesystem::path>> write_measured(
-    const MeasuredCall& call, const std::filesystem::path& standard,
+    const MeasuredCall& call, post::OutputFolder& folder, const std::vector<std::string>& stale,
     const std::function<std::vector<std::filesystem::path>(const std::filesystem::path&)>& write) {
-    try {
-        return write(call.directory.empty() ? standard : std::filesystem::path(call.directory));
-    } catch (const post::FileError& error) {
-        report_error(error.what(), "choose another directory with --out", call.json);
+    std::vector<std::filesystem::path> files;
+    if (!write_output(folder, stale, call.json, [&] { files = folder.homes(write(folder.stage())); })) {
         return std::nullopt;
     }
+    return files;
+}
+
+std::unique_ptr<post::PredictionJournal> open_journal(const MeasuredCall& call, post::OutputFolder& folder,
+                                                      const std::string& command,
+                                                      const std::vector<std::string>& files) {
+    auto journal = std::make_unique<post::PredictionJournal>(
+        folder, command + ".simulations", call_identity(files, {command, call.case_file}), call.fresh);
+    if (const std::size_t n = journal->found(); n > 0) {
+        tell_of_continuation(fmt::format("{} {} kept", n, n == 1 ? "simulation is" : "simulations are"));
+    }
+    return journal;
+}
+
+int report_failure(const MeasuredCall& call, const solver::Status& status, post::OutputFolder& folder,
+                   const post::PredictionJournal& journal, const std::string& consequence) {
+    if (status.outcome != solver::Outcome::stopped) {
+        report_error(status.message, consequence, call.json);
+        return Exit::numerical_failure;
+    }
+    if (journal.size() == 0) {
+        report_error(status.message, consequence, call.json);
+        return Exit::interrupted;
+    }
+    folder.keep_journals();
+    report_error(status.message,
+                 fmt::format("{}; {} simulations are kept in {}, the same call goes on from there", consequence,
+                             journal.size(), folder.path().string()),
+                 call.json);
+    return Exit::interrupted;
+}
+
+std::filesystem::path folder_of(const MeasuredCall& call, const std::filesystem::path& standard) {
+    return call.directory.empty() ? standard : std::filesystem::path(call.directory);
 }
 
 }  // namespace tiretherm::app

@@ -4,11 +4,14 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/output.hpp"
 #include "input/measurements/experiment.hpp"
+#include "post/report/prediction_journal.hpp"
 
 namespace CLI {
 class App;
@@ -22,6 +25,7 @@ struct MeasuredCall {
     std::vector<std::string> data;
     std::string directory;
     bool json = false;
+    bool fresh = false;  ///< of identify and diagnose
 
     [[nodiscard]] std::vector<std::filesystem::path> data_files() const { return {data.begin(), data.end()}; }
 };
@@ -53,10 +57,25 @@ private:
     bool watched_;
 };
 
-/// Lets files be written where the call wants them, otherwise to `standard`; reports when that cannot be done.
+/// Simulations that an interrupted call of the same kind has kept; tells of them.
+/// @param command "identify"
+[[nodiscard]] std::unique_ptr<post::PredictionJournal> open_journal(const MeasuredCall& call,
+                                                                    post::OutputFolder& folder,
+                                                                    const std::string& command,
+                                                                    const std::vector<std::string>& files);
+/// Reports how a fit or a diagnosis failed or was stopped, and what of it is kept. @param consequence "nothing was fitted"
+/// @returns the exit code
+[[nodiscard]] int report_failure(const MeasuredCall& call, const solver::Status& status, post::OutputFolder& folder,
+                                 const post::PredictionJournal& journal, const std::string& consequence);
+
+/// Where the call's files go: where it says, otherwise to `standard`.
+[[nodiscard]] std::filesystem::path folder_of(const MeasuredCall& call, const std::filesystem::path& standard);
+
+/// Lets files be written and moved into place together; reports when that cannot be done.
+/// @param stale names of files of an earlier call that these do away with
 /// @param write files to a directory, to return their paths   @returns nothing when a file could not be written
 [[nodiscard]] std::optional<std::vector<std::filesystem::path>> write_measured(
-    const MeasuredCall& call, const std::filesystem::path& standard,
+    const MeasuredCall& call, post::OutputFolder& folder, const std::vector<std::string>& stale,
     const std::function<std::vector<std::filesystem::path>(const std::filesystem::path&)>& write);
 
 }  // namespace tiretherm::app

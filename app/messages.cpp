@@ -3,11 +3,14 @@
 
 #include "app/messages.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
 #include <fmt/format.h>
 #include <unistd.h>
+
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::app {
 
@@ -20,8 +23,30 @@ bool may_be_bold() { return on_terminal(stdout) && std::getenv("NO_COLOR") == nu
 
 bool on_terminal(std::FILE* stream) { return isatty(fileno(stream)) == 1; }
 
+std::string terminal_text(std::string_view text, bool bold) {
+    std::string shown;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find_first_of("\n\033"), text.size());
+        shown += input::printable(text.substr(0, end));
+        text.remove_prefix(end);
+        if (text.empty()) {
+            break;
+        }
+        const bool mark = bold && (text.starts_with("\033[1m") || text.starts_with("\033[0m"));
+        shown += mark ? text.substr(0, 4) : text.front() == '\n' ? "\n" : " ";
+        text.remove_prefix(mark ? 4 : 1);
+    }
+    return shown;
+}
+
+void print_text(std::string_view text) { fmt::print("{}", terminal_text(text, may_be_bold())); }
+
 void print_report(const post::Report& report, bool json) {
-    fmt::print("{}", json ? post::json_text(report.data) : post::page_text(report, may_be_bold()));
+    if (json) {
+        fmt::print("{}", post::json_text(report.data));
+    } else {
+        print_text(post::page_text(report, may_be_bold()));
+    }
 }
 
 void report_error(const std::string& sentence, const std::string& remedy, bool json) {
@@ -29,7 +54,7 @@ void report_error(const std::string& sentence, const std::string& remedy, bool j
     if (json) {
         fmt::print("{}", post::json_text({{"error", whole}, {"mistakes", post::Value::List{}}}));
     } else {
-        fmt::print(stderr, "tiretherm: {}\n", whole);
+        fmt::print(stderr, "tiretherm: {}\n", terminal_text(whole));
     }
 }
 
@@ -37,7 +62,7 @@ void report_errors(const input::Reading& reading, const std::string& consequence
     const std::size_t n = reading.errors.size();
     const std::string sentence = fmt::format("{} {}; {}", n, n == 1 ? "error" : "errors", consequence);
     if (!json) {
-        fmt::print(stderr, "{}{}\n", input::render(reading), sentence);
+        fmt::print(stderr, "{}{}\n", terminal_text(input::render(reading)), sentence);
         return;
     }
     post::Value::List errors;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "input/model/reader.hpp"
 #include "post/report/report.hpp"
@@ -11,6 +12,13 @@ namespace tiretherm::app {
 
 /// Whether a person sees what is written there.
 [[nodiscard]] bool on_terminal(std::FILE* stream);
+
+/// A text as it may go to a terminal: control characters, which a title or a cell of a sheet may hold, as blanks.
+/// @param bold leaves the program's own marks of bold text
+[[nodiscard]] std::string terminal_text(std::string_view text, bool bold = false);
+
+/// A text of the program's on stdout, with bold parts where it may have them.
+void print_text(std::string_view text);
 
 /// A result on stdout: its page, or with `json` its data.
 void print_report(const post::Report& report, bool json);

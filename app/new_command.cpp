@@ -15,10 +15,12 @@
 
 #include "app/commands.hpp"
 #include "app/messages.hpp"
+#include "app/output.hpp"
 #include "input/new_case/new_case.hpp"
 #include "input/text/suggestions.hpp"
 #include "post/report/file.hpp"
 #include "post/report/table.hpp"
+#include "solver/stop_signal.hpp"
 
 namespace tiretherm::app {
 
@@ -155,7 +157,7 @@ void print_text(const input::NewCase& made, const input::NewCaseRequest& request
         for (const input::LogColumn& column : made.log->columns) {
             table.add({column.title(), use_of(column)});
         }
-        fmt::print("{}", table.text(2));
+        app::print_text(table.text(2));
     }
     if (!made.assumed.empty()) {
         post::Table table({true, true, true});
@@ -167,11 +169,11 @@ void print_text(const input::NewCase& made, const input::NewCaseRequest& request
     if (!made.missing.empty()) {
         fmt::print("\nStill missing\n");
         for (const input::MissingPart& part : made.missing) {
-            fmt::print("{}", post::wrap(fmt::format("{}; {}", part.what, part.remedy), 2));
+            app::print_text(post::wrap(fmt::format("{}; {}", part.what, part.remedy), 2));
         }
     }
     for (const std::string& warning : made.warnings) {
-        fmt::print("\nwarning: {}", warning);
+        fmt::print("\nwarning: {}", terminal_text(warning));
     }
     fmt::print("{}\nIt runs with: tiretherm run {}\n", made.warnings.empty() ? "" : "\n", file);
     if (made.log && made.log->use == input::LogUse::run) {
@@ -180,6 +182,7 @@ void print_text(const input::NewCase& made, const input::NewCaseRequest& request
 }
 
 int make_case(const Options& options) {
+    solver::install_stop_handlers();
     const std::optional<input::NewCaseRequest> request = read_request(options);
     if (!request) {
         return Exit::input_error;
@@ -195,11 +198,17 @@ int make_case(const Options& options) {
                      "replace it with --force, or write elsewhere with --out FILE", options.json);
         return Exit::input_error;
     }
+    if (request->log && replaces_input(request->target, {request->log->string()}, options.json)) {
+        return Exit::input_error;
+    }
     const input::NewCase made = input::make_new_case(*request);
     if (!made.errors.empty()) {
         report_errors({.problem = std::nullopt, .errors = made.errors, .warnings = made.warnings},
                       "no case was written", options.json);
         return Exit::input_error;
+    }
+    if (was_stopped("no case was written", options.json)) {
+        return Exit::interrupted;
     }
     try {
         if (const fs::path folder = request->target.parent_path(); !folder.empty()) {
@@ -226,8 +235,7 @@ void add_new_command(CLI::App& program, int& exit_code) {
                      "Size of a tire, \"225/50 R17\"; or a data logger's CSV or HDF5 file")
         ->required()
         ->option_text(" ");
-    command->add_option("--out", options->file, "The case. Default: the size or the log's name, here")
-        ->option_text("FILE");
+    add_out_option(*command, options->file, "The case. Default: the size or the log's name, here", "FILE");
     command->add_option("--size", options->size, "The tire of a log. Default: 225/50 R17, that of the thesis")
         ->option_text("SIZE");
     command->add_option("--mesh", options->mesh, "section (default), layers or two_node")
@@ -247,7 +255,7 @@ void add_new_command(CLI::App& program, int& exit_code) {
         "sensors; of others the case has suggestions, to be confirmed by taking a # away. Inputs that the log lacks "
         "get\n"
         "constants. Paths in the case are relative: move case and log together.\n\n"
-        "Exit code: 0 the case was written, 1 an error in the call or the log.\n\n"
+        "Exit code: 0 the case was written, 1 an error in the call or the log, 130 interrupted.\n\n"
         "Examples:\n"
         "  tiretherm new \"225/50 R17\" --out mine.toml\n"
         "  tiretherm run mine.toml\n"

@@ -14,11 +14,13 @@
 
 #include "app/commands.hpp"
 #include "app/messages.hpp"
+#include "app/output.hpp"
 #include "diagnosis/hot_spot/hot_spot_watch.hpp"
 #include "input/model/reader.hpp"
 #include "post/report/file.hpp"
 #include "post/report/progress.hpp"
 #include "post/run/run_files.hpp"
+#include "post/run/run_journal.hpp"
 #include "post/run/run_report.hpp"
 #include "solver/stop_signal.hpp"
 #include "solver/time_integration/march.hpp"
@@ -33,28 +35,55 @@ struct Options {
     double field_interval = 0.0;  ///< s; 0: as the case says
     bool json = false;
     bool quiet = false;
+    bool fresh = false;
     std::set<std::string> switched;  ///< formats that are refused or wanted, by name
 };
 
 using Clock = std::chrono::steady_clock;
 
-/// Marches through the case; stops where the user asks for it, with the field of that moment.
+/// Marches through the case, from where an interrupted call had come to; stops where the user asks for it, with the
+/// field of that moment.
 solver::Report march(const solver::Problem& problem, post::RunFiles& files, diagnosis::HotSpotTracker& hot_spots,
-                     const Options& options) {
+                     post::RunJournal& journal, const Options& options) {
+    if (journal.checkpoint() != nullptr) {
+        tell_of_continuation(fmt::format("{:.6g} s of {:.6g} s are kept", journal.time() - problem.settings.start,
+                                         problem.settings.end - problem.settings.start));
+        journal.replay([&](const solver::Snapshot& row) { files.take(row); });
+        solver::Archive archive = solver::Archive::reading(journal.follower());
+        hot_spots.visit(archive);
+    }
+    const auto keep = [&](const solver::Checkpoint& checkpoint) {
+        std::vector<double> follower;
+        solver::Archive archive = solver::Archive::writing(follower);
+        hot_spots.visit(archive);
+        journal.keep(checkpoint, follower);
+    };
+    const solver::Continuation continuation{
+        .from = journal.checkpoint(), .every = 1, .keep = keep, .due = [&] { return journal.due(); }};
     const bool watched = on_terminal(stdout) && on_terminal(stderr) && !options.quiet && !problem.settings.steady;
     post::Progress progress(stderr, watched, problem.name, problem.settings.start, problem.settings.end);
-    return solver::run(problem, [&](const solver::Snapshot& snapshot) {
+    const auto watch = [&](const solver::Snapshot& snapshot) {
         const bool stop = solver::stop_requested();
         solver::Snapshot seen = snapshot;
         seen.field = seen.field || stop;
         files.take(seen);
         hot_spots.take(seen);
+        journal.take(seen);
         progress.update(seen.time, seen.temperature);
         return !stop;
-    });
+    };
+    return solver::run(problem, watch, continuation);
+}
+
+/// What the files of a run follow from.
+solver::Digest::Value identity_of(const Options& options, const std::vector<std::string>& files) {
+    std::vector<std::string> arguments{"run", options.case_file, fmt::format("{}", options.field_interval)};
+    arguments.insert(arguments.end(), options.switched.begin(), options.switched.end());
+    return call_identity(files, arguments);
 }
 
 int run(const Options& options) {
+    solver::install_stop_handlers();
     input::Reading reading = input::read_case(options.case_file);
     if (!reading.problem) {
         report_errors(reading, "nothing was run", options.json);
@@ -70,25 +99,37 @@ int run(const Options& options) {
         return Exit::input_error;
     }
 
+    if (was_stopped("nothing was run", options.json)) {
+        return Exit::interrupted;
+    }
     const std::string directory = options.directory.empty() ? "out/" + problem.name : options.directory;
     const post::Provenance provenance{
         .version = TIRETHERM_VERSION, .case_file = options.case_file, .case_text = post::read_text(options.case_file)};
-    std::optional<post::RunFiles> files;
-    try {
-        files.emplace(directory, problem, provenance, options.switched);
-    } catch (const post::FileError& error) {
-        report_error(error.what(), "nothing was run; choose another directory with --out", options.json);
+    const auto folder =
+        open_output(directory, reading.files, post::RunFiles::names_in(directory), "nothing was run", options.json);
+    if (!folder) {
         return Exit::input_error;
     }
-    solver::install_stop_handlers();
-    const Clock::time_point begin = Clock::now();
+    std::optional<post::RunFiles> files;
     diagnosis::HotSpotTracker tracker(options.case_file, problem);
-    const solver::Report report = march(problem, *files, tracker, options);
-    const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-    files->finish();
-    const std::optional<diagnosis::HotSpots> hot_spots = tracker.report();
-    if (hot_spots) {
-        files->write_hot_spots(*hot_spots);
+    solver::Report report;
+    double seconds = 0.0;
+    std::optional<diagnosis::HotSpots> hot_spots;
+    const bool written = write_output(*folder, post::RunFiles::names_in(directory), options.json, [&] {
+        files.emplace(folder->stage(), problem, provenance, options.switched);
+        post::RunJournal journal(*folder, identity_of(options, reading.files), problem, options.fresh);
+        const Clock::time_point begin = Clock::now();
+        seconds = journal.checkpoint() != nullptr ? journal.seconds() : 0.0;
+        report = march(problem, *files, tracker, journal, options);
+        seconds += std::chrono::duration<double>(Clock::now() - begin).count();
+        files->finish();
+        hot_spots = tracker.report();
+        if (hot_spots) {
+            files->write_hot_spots(*hot_spots);
+        }
+    });
+    if (!written) {
+        return Exit::input_error;
     }
 
     const post::RunRecord record{.problem = problem,
@@ -97,10 +138,15 @@ int run(const Options& options) {
                                  .provenance = provenance,
                                  .seconds = seconds,
                                  .warnings = reading.warnings,
-                                 .files = files->written(),
+                                 .files = folder->homes(files->written()),
                                  .hot_spots = hot_spots ? &*hot_spots : nullptr};
     if (options.json || !options.quiet) {
         print_report(post::run_report(record), options.json);
+    }
+    if (report.status.ok() && solver::stop_requested() && hot_spots) {
+        std::fflush(stdout);
+        report_error("stopped", "the run is whole, what would become of its hot spots is not", false);
+        return Exit::interrupted;
     }
     if (report.status.ok()) {
         return Exit::done;
@@ -118,10 +164,9 @@ void add_run_command(CLI::App& program, int& exit_code) {
     CLI::App* command = program.add_subcommand("run", "Simulate a case: progress, summary, files");
     const auto options = std::make_shared<Options>();
     command->add_option("CASE", options->case_file, "Case file (TOML)")->required()->option_text(" ");
-    command
-        ->add_option("--out", options->directory,
-                     "Where the files go; files of an earlier run there are replaced. Default: out/<case name>")
-        ->option_text("DIR");
+    add_out_option(
+        *command, options->directory,
+        "Where the files go; files of an earlier run there are replaced at the end. Default: out/<case name>");
     command->add_option("--fields", options->field_interval, "Store the field this often, whatever the case says")
         ->option_text("SECONDS")
         ->check(CLI::PositiveNumber);
@@ -133,6 +178,7 @@ void add_run_command(CLI::App& program, int& exit_code) {
                 [options, format] { options->switched.insert(format->name); }, format->help);
         }
     }
+    add_fresh_option(*command, options->fresh);
     command->add_flag("--quiet", options->quiet, "No summary and no progress");
     command->add_flag("--json", options->json, "One JSON object instead of the summary");
     command->footer(
@@ -141,7 +187,11 @@ void add_run_command(CLI::App& program, int& exit_code) {
         "A case with [[critical]] temperatures: where and when it passes them, what is left if it does not, in\n"
         "which further step it would, and what drives that; hot_spots.csv and .png have the hottest places against "
         "time.\n"
-        "Ctrl-C ends a run early and keeps what it has.\n\n"
+        "The files appear together when the run ends; those of an earlier run stay until then. Ctrl-C ends a run "
+        "early\n"
+        "and keeps what it has. A run that was killed goes on when the same call is made again; what it has come to is "
+        "in\n"
+        "the hidden folder .tiretherm meanwhile (a checkpoint every 2 s, or TIRETHERM_CHECKPOINT_SECONDS).\n\n"
         "Exit code: 0 done, 1 an error in the call or the case, 2 the solver failed, 130 interrupted.\n\n"
         "Example:\n"
         "  tiretherm run cases/laser/one_watt.toml --out /tmp/laser --fields 60");

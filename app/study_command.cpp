@@ -16,10 +16,10 @@
 #include "app/build_identity.hpp"
 #include "app/commands.hpp"
 #include "app/messages.hpp"
+#include "app/output.hpp"
 #include "diagnosis/study/study_runs.hpp"
 #include "input/measurements/runs.hpp"
 #include "input/studies/study.hpp"
-#include "post/report/file.hpp"
 #include "post/study/study_files.hpp"
 #include "post/study/study_journal.hpp"
 #include "post/study/study_report.hpp"
@@ -72,7 +72,11 @@ private:
 };
 
 int study(const Options& options) {
+    solver::install_stop_handlers();
     input::StudyReading reading = input::read_study(options.study_file);
+    if (was_stopped("nothing was run", options.json)) {
+        return Exit::interrupted;
+    }
     if (!reading.study) {
         report_errors({.problem = std::nullopt, .errors = reading.errors, .warnings = reading.warnings},
                       "nothing was run", options.json);
@@ -81,22 +85,20 @@ int study(const Options& options) {
     const input::Study& study = *reading.study;
     const std::filesystem::path directory =
         options.directory.empty() ? "out/" + input::case_name(study.file) : options.directory;
+    const auto folder =
+        open_output(directory, reading.files, post::StudyFiles::names(), "nothing was run", options.json);
+    if (!folder) {
+        return Exit::input_error;
+    }
     std::optional<post::StudyFiles> files;
     std::optional<post::StudyJournal> journal;
     try {
-        files.emplace(directory, !options.no_pictures);
+        files.emplace(*folder, !options.no_pictures);
         journal.emplace(files->journal(), build_identity(), options.fresh);
     } catch (const std::runtime_error& error) {
         report_error(error.what(), "nothing was run; choose another directory with --out", options.json);
         return Exit::input_error;
     }
-    for (std::size_t run = 0; run < study.runs.size(); ++run) {
-        if (journal->find(diagnosis::identity(study, run)) == nullptr) {
-            files->remove_old();
-            break;
-        }
-    }
-    solver::install_stop_handlers();
     const Clock::time_point begin = Clock::now();
     diagnosis::StudyResults results;
     {
@@ -128,8 +130,8 @@ int study(const Options& options) {
     }
     try {
         call.files = files->write(record);
-    } catch (const post::FileError& error) {
-        report_error(error.what(), kept, options.json);
+    } catch (const std::runtime_error& error) {
+        report_error(folder->in_place(error.what()), kept, options.json);
         return Exit::input_error;
     }
     if (options.json || !options.quiet) {
@@ -154,10 +156,8 @@ void add_study_command(CLI::App& program, int& exit_code) {
         program.add_subcommand("study", "Run a case many times with values on a grid or drawn at random");
     const auto options = std::make_shared<Options>();
     command->add_option("STUDY", options->study_file, "Study file (TOML)")->required()->option_text(" ");
-    command
-        ->add_option("--out", options->directory,
-                     "Where the files go; runs that an earlier call made there are kept. Default: out/<study name>")
-        ->option_text("DIR");
+    add_out_option(*command, options->directory,
+                   "Where the files go; runs that an earlier call made there are kept. Default: out/<study name>");
     command->add_option("--threads", options->threads, "Runs at a time. Default: as many as the machine can do")
         ->option_text("N")
         ->check(CLI::Range(1, 1024));

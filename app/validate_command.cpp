@@ -63,12 +63,12 @@ bool refuses(input::ValidationReading& reading, const Options& options) {
 }
 
 int validate(const Options& options) {
+    solver::install_stop_handlers();
     input::ValidationReading reading = input::read_validation(options.table);
     if (refuses(reading, options)) {
         return Exit::input_error;
     }
     const input::Validation& table = *reading.table;
-    solver::install_stop_handlers();
     const Clock::time_point begin = Clock::now();
     const bool watched = on_terminal(stderr) && on_terminal(stdout);
     const diagnosis::RunResults results = diagnosis::run_all(table.runs, options.threads, [&](std::size_t done) {

@@ -25,4 +25,10 @@ void install_stop_handlers() {
 
 bool stop_requested() { return requested != 0; }
 
+void leave_if_stopped() {
+    if (stop_requested()) {
+        throw Interrupted();
+    }
+}
+
 }  // namespace tiretherm::solver

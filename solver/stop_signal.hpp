@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Regular end of a run on Ctrl-C or SIGTERM.
+// Regular end of a command on Ctrl-C or SIGTERM.
 #pragma once
+
+#include <exception>
 
 namespace tiretherm::solver {
 
@@ -9,5 +11,14 @@ void install_stop_handlers();
 
 /// Whether the user has asked for an end.
 [[nodiscard]] bool stop_requested();
+
+/// The user has asked for an end: leaves a computation of many simulations, whose caller says what it was.
+class Interrupted : public std::exception {
+public:
+    [[nodiscard]] const char* what() const noexcept override { return "stopped"; }
+};
+
+/// @errors Interrupted when the user has asked for an end
+void leave_if_stopped();
 
 }  // namespace tiretherm::solver

@@ -13,6 +13,7 @@
 #include "diagnosis/assess/diagnosis_state.hpp"
 #include "diagnosis/detect/discretisation_error.hpp"
 #include "diagnosis/fit/fit.hpp"
+#include "solver/stop_signal.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -74,6 +75,53 @@ Diagnosis cannot_tell(Diagnosis result, const input::Experiment& experiment, con
     return result;
 }
 
+/// @param stage out: what is being done
+void diagnose(const input::Experiment& experiment, const Observations& observations, const DiagnosisOptions& choice,
+              Diagnosis& result, const char*& stage) {
+    input::Experiment fine = experiment;
+    for (input::MeasuredRun& run : fine.runs) {
+        run.problem.settings.tolerance = std::min(run.problem.settings.tolerance, step_error);
+    }
+    DiagnosisState state;
+    state.score_data = prepare_score_tests(fine, observations, candidates_of(fine, fine.candidates), choice.progress);
+    result.status = state.score_data.status;
+    Observations corrected = observations;
+    bool is_coarse = false;
+    if (result.status.ok() && !observations.channels.empty()) {
+        stage = "estimate of the grid's error";
+        const DiscretisationError error = estimate_discretisation_error(state.score_data, choice.finer);
+        result.numerical_error_sigma = error.sigma;
+        if (error.sigma > noticed) {
+            corrected.measured -= error.change;
+            state.score_data.take_observations(corrected);
+            result.status = state.score_data.status;
+            result.numerical_error_sigma = left_over * error.sigma;
+            is_coarse = result.numerical_error_sigma > too_coarse;
+        }
+    }
+    if (result.status.ok() && is_coarse) {
+        result.base = result.extended = state.score_data.base.simulated;
+        result.values = state.score_data.base.values;
+        result.noise = state.score_data.noise.channels;
+        result.simulations = state.score_data.simulations;
+        result.verdict = Verdict::cannot_tell;
+    } else if (result.status.ok()) {
+        stage = "search of causes";
+        search_hypotheses(state);
+        report(state, result);
+        stage = "search of missing heat";
+        estimate_missing_heat(state, result);
+        if (choice.measure_gain) {
+            stage = "test of the gain on data that were left out";
+            measure_gain(state, result);
+        }
+        if (choice.plan_next) {
+            stage = "plan of the next experiment";
+            plan_next(state, result);
+        }
+    }
+}
+
 }  // namespace
 
 std::string_view word_of(Verdict verdict) {
@@ -95,47 +143,16 @@ std::string_view word_of(Verdict verdict) {
 Diagnosis diagnose(const input::Experiment& experiment, const Observations& observations,
                    const DiagnosisOptions& choice) {
     const auto begin = std::chrono::steady_clock::now();
-    input::Experiment fine = experiment;
-    for (input::MeasuredRun& run : fine.runs) {
-        run.problem.settings.tolerance = std::min(run.problem.settings.tolerance, step_error);
-    }
     Diagnosis result;
     result.reason = too_little(experiment, observations);
     if (!result.reason.empty()) {
         return cannot_tell(std::move(result), experiment, observations);
     }
-    DiagnosisState state;
-    state.score_data = prepare_score_tests(fine, observations, candidates_of(fine, fine.candidates), choice.progress);
-    result.status = state.score_data.status;
-    Observations corrected = observations;
-    bool is_coarse = false;
-    if (result.status.ok() && !observations.channels.empty()) {
-        const DiscretisationError error = estimate_discretisation_error(state.score_data, choice.finer);
-        result.numerical_error_sigma = error.sigma;
-        if (error.sigma > noticed) {
-            corrected.measured -= error.change;
-            state.score_data.take_observations(corrected);
-            result.status = state.score_data.status;
-            result.numerical_error_sigma = left_over * error.sigma;
-            is_coarse = result.numerical_error_sigma > too_coarse;
-        }
-    }
-    if (result.status.ok() && is_coarse) {
-        result.base = result.extended = state.score_data.base.simulated;
-        result.values = state.score_data.base.values;
-        result.noise = state.score_data.noise.channels;
-        result.simulations = state.score_data.simulations;
-        result.verdict = Verdict::cannot_tell;
-    } else if (result.status.ok()) {
-        search_hypotheses(state);
-        report(state, result);
-        estimate_missing_heat(state, result);
-        if (choice.measure_gain) {
-            measure_gain(state, result);
-        }
-        if (choice.plan_next) {
-            plan_next(state, result);
-        }
+    const char* stage = "fit and the score tests of the candidates";
+    try {
+        diagnose(experiment, observations, choice, result, stage);
+    } catch (const solver::Interrupted&) {
+        result.status = {solver::Outcome::stopped, fmt::format("stopped during the {}", stage)};
     }
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return result;

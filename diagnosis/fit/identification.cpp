@@ -9,10 +9,13 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "diagnosis/fit/fit.hpp"
 #include "diagnosis/fit/fit_assessment.hpp"
 #include "diagnosis/fit/profile.hpp"
 #include "diagnosis/fit/refinement.hpp"
+#include "solver/stop_signal.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -111,12 +114,9 @@ bool settle_corrected(Fit& rough, const input::Experiment& finer, Identification
     return true;
 }
 
-}  // namespace
-
-Identification identify(const input::Experiment& experiment, const Observations& observations,
-                        const IdentificationOptions& choice) {
-    const auto begin = std::chrono::steady_clock::now();
-    Identification result;
+/// @param stage out: what is being done
+void identify(const input::Experiment& experiment, const Observations& observations,
+              const IdentificationOptions& choice, Identification& result, const char*& stage) {
     Fit fit(experiment, observations);
     fit.simulator().on_progress(choice.progress);
     fit.take_stated_noise();
@@ -124,19 +124,35 @@ Identification identify(const input::Experiment& experiment, const Observations&
     result.before = fit.now().simulated;
     if (!started || !settle(fit, result)) {
         result.status = fit.now().status;
-        return result;
+        return;
     }
     if (choice.finer != nullptr && !observations.images.empty()) {
+        stage = "fit that is corrected for the grid's error";
         if (!settle_corrected(fit, *choice.finer, result)) {
             result.status = {solver::Outcome::not_converged, "the fit that is corrected for the grid's error failed"};
-            return result;
+            return;
         }
     } else {
         assess(fit, result);
     }
     if (choice.profile) {
+        stage = "search of the intervals by profile likelihood";
         profile_intervals(fit.least_squares(), result);
         result.simulations = fit.simulator().simulations();
+    }
+}
+
+}  // namespace
+
+Identification identify(const input::Experiment& experiment, const Observations& observations,
+                        const IdentificationOptions& choice) {
+    const auto begin = std::chrono::steady_clock::now();
+    Identification result;
+    const char* stage = "fit";
+    try {
+        identify(experiment, observations, choice, result, stage);
+    } catch (const solver::Interrupted&) {
+        result.status = {solver::Outcome::stopped, fmt::format("stopped during the {}", stage)};
     }
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return result;

@@ -11,6 +11,7 @@
 
 #include "solver/in_parallel.hpp"
 #include "solver/sensitivity/prediction.hpp"
+#include "solver/stop_signal.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -163,6 +164,7 @@ solver::Problem Simulator::problem(std::size_t run, const Eigen::VectorXd& value
 }
 
 const ModelPrediction& Simulator::at(const Eigen::VectorXd& values) {
+    solver::leave_if_stopped();
     // Values that went through units and back may differ in their last digits; each is judged by its own size.
     const bool same = last_values_.size() == values.size() && values.size() > 0 &&
                       ((last_values_ - values).array().abs() <= 1e-14 * values.array().abs()).all();
@@ -228,6 +230,7 @@ ModelPrediction Simulator::predict(const Eigen::VectorXd& values) {
                                                  .step_ends = step_ends_[r],
                                                  .tolerance = 1e-4});
     });
+    solver::leave_if_stopped();
     simulations_ += static_cast<long>(n_runs);
     if (progress_) {
         progress_(simulations_);

@@ -54,7 +54,7 @@ public:
     /// @param experiment, observations live longer
     Simulator(const input::Experiment& experiment, const Observations& observations);
 
-    /// Asked again at the same values it remembers.
+    /// Asked again at the same values it remembers. @errors solver::Interrupted when the user has asked for an end
     /// @param values [n_parameters] in the units of the experiment's parameters
     [[nodiscard]] const ModelPrediction& at(const Eigen::VectorXd& values);
     /// The next prediction chooses its steps anew, by the error control of each run.

@@ -6,6 +6,7 @@
 
 #include "diagnosis/fit/fit.hpp"
 #include "diagnosis/fit/fit_assessment.hpp"
+#include "solver/stop_signal.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -48,8 +49,13 @@ Identification plan(const input::Experiment& experiment, const Observations& obs
     const auto begin = std::chrono::steady_clock::now();
     Identification result;
     Fit fit(experiment, observations);
-    if (!fit.move_to(fit.simulator().start())) {
-        result.status = fit.now().status;
+    try {
+        if (!fit.move_to(fit.simulator().start())) {
+            result.status = fit.now().status;
+            return result;
+        }
+    } catch (const solver::Interrupted& stopped) {
+        result.status = {solver::Outcome::stopped, stopped.what()};
         return result;
     }
     fit.take_noise(noise);

@@ -38,6 +38,12 @@ void HotSpotTracker::take(const solver::Snapshot& snapshot) {
     }
 }
 
+void HotSpotTracker::visit(solver::Archive& archive) {
+    for (solver::HotSpotHistory& history : histories_) {
+        history.visit(archive);
+    }
+}
+
 TestMoment HotSpotTracker::moment(const solver::Problem& problem, const std::vector<solver::ScheduleStep>& steps,
                                   const solver::HotSpotHistory& history, double t) const {
     const physics::Inputs inputs = problem.input_signals.at(t, solver::JumpSide::before);

@@ -20,6 +20,8 @@ public:
     HotSpotTracker(const std::filesystem::path& case_file, const solver::Problem& problem);
 
     void take(const solver::Snapshot& snapshot);
+    /// Everything that was taken, as numbers.
+    void visit(solver::Archive& archive);
     /// After the run. Runs the case again for what the run itself does not tell; the user may end that early.
     /// @returns nothing where the case asks for nothing, or the run has no row
     [[nodiscard]] std::optional<HotSpots> report() const;

@@ -11,6 +11,8 @@
 
 #include <Eigen/LU>
 
+#include "solver/stop_signal.hpp"
+
 namespace tiretherm::diagnosis {
 
 namespace {
@@ -53,6 +55,7 @@ struct Neighbourhood {
 
 /// Central differences about the point, or about the nearest one that has room for them.
 Neighbourhood around(const Search& search, const Point& x) {
+    solver::leave_if_stopped();
     const Point h = (0.25 * (search.high - search.low)).cwiseMin(difference_step);
     const Point centre = x.cwiseMax(search.low + h).cwiseMin(search.high - h);
     const auto at = [&](double i, double j) { return search.at(centre + Point(i * h[0], j * h[1])); };

@@ -45,6 +45,7 @@ ExperimentReading read_experiment(const std::filesystem::path& file, const std::
     }
     reading.errors = errors.in_order();
     reading.warnings = unique(errors.warnings());
+    reading.files = errors.files();
     reading.data_warnings = std::move(runs.data_warnings);
     if (reading.errors.empty()) {
         reading.experiment = std::move(runs.experiment);

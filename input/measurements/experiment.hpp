@@ -85,6 +85,7 @@ struct ExperimentReading {
     std::vector<InputError> errors;
     std::vector<std::string> warnings;
     std::vector<std::string> data_warnings;  ///< what is suspicious about the data, a sentence each
+    std::vector<std::string> files{};        ///< all that were read: the case, what it includes, logs, frames, tables
 };
 
 /// Whether measured values are required.

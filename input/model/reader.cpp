@@ -57,19 +57,30 @@ void read_tables(TomlTable& root, ProblemBuilder& builder) {
     check_laws(root, builder);
 }
 
-Reading read_case(const fs::path& file) {
+namespace {
+
+Reading read_case(const fs::path& file, const std::string* text) {
     InputErrors errors;
     std::optional<solver::Problem> problem;
-    if (const std::optional<TomlValue> document = read_document(file, errors)) {
+    if (const std::optional<TomlValue> document = read_document(file, errors, text)) {
         problem = read_runs(*document, case_name(file), {}, ReadMode::measured, errors).problem;
     }
-    Reading reading{.problem = std::nullopt, .errors = errors.in_order(), .warnings = unique(errors.warnings())};
+    Reading reading{.problem = std::nullopt,
+                    .errors = errors.in_order(),
+                    .warnings = unique(errors.warnings()),
+                    .files = errors.files()};
     if (reading.errors.empty()) {
         take_away_cameras(*problem);
         reading.problem = std::move(problem);
     }
     return reading;
 }
+
+}  // namespace
+
+Reading read_case(const fs::path& file) { return read_case(file, nullptr); }
+
+Reading read_case(const fs::path& file, const std::string& text) { return read_case(file, &text); }
 
 std::string render(const Reading& reading) {
     std::string text;

@@ -19,11 +19,14 @@ struct Reading {
     std::optional<solver::Problem> problem;
     std::vector<InputError> errors;     ///< all of the case and of its files, in the order of their places
     std::vector<std::string> warnings;  ///< unusual but possible: "case.toml:12: ..."
+    std::vector<std::string> files{};   ///< all that were read: the case, what it includes, logs, tables
 };
 
 /// Reads a case file with all that it includes and mentions. Never throws on account of what a user wrote.
 /// @errors std::runtime_error when the units' data base is not installed
 [[nodiscard]] Reading read_case(const std::filesystem::path& file);
+/// The same with a text in the place of the file's own, which need not be there yet.
+[[nodiscard]] Reading read_case(const std::filesystem::path& file, const std::string& text);
 
 /// All errors and warnings of a reading as a compiler shows them, empty when there is none.
 [[nodiscard]] std::string render(const Reading& reading);

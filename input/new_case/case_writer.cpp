@@ -51,43 +51,7 @@ std::string commented(const std::string& line, std::string_view comment) {
     return text;
 }
 
-/// How many bytes the UTF-8 character at the start of a text has; 0 where there is none.
-std::size_t character_size(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const std::size_t size = byte(0) < 0x80U ? 1 : byte(0) < 0xC2U ? 0 : byte(0) < 0xE0U ? 2 : byte(0) < 0xF0U ? 3 : 4;
-    if (size == 0 || byte(0) > 0xF4U || size > text.size()) {
-        return 0;
-    }
-    for (std::size_t i = 1; i < size; ++i) {
-        if ((byte(i) & 0xC0U) != 0x80U) {
-            return 0;
-        }
-    }
-    // Overlong forms, surrogates and what lies beyond the last plane.
-    const bool wrong = size > 2 && ((byte(0) == 0xE0U && byte(1) < 0xA0U) || (byte(0) == 0xEDU && byte(1) > 0x9FU) ||
-                                    (byte(0) == 0xF0U && byte(1) < 0x90U) || (byte(0) == 0xF4U && byte(1) > 0x8FU));
-    return wrong ? 0 : size;
-}
-
-bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20U || static_cast<unsigned char>(c) == 0x7FU; }
-
 }  // namespace
-
-std::string printable(std::string_view text) {
-    std::string result;
-    while (!text.empty()) {
-        const std::size_t size = character_size(text);
-        if (size == 0) {
-            result += '?';
-        } else {
-            result += is_control(text.front()) ? std::string(" ") : std::string(text.substr(0, size));
-        }
-        text.remove_prefix(std::max<std::size_t>(size, 1));
-    }
-    return result;
-}
-
-bool is_printable(std::string_view text) { return printable(text) == text; }
 
 std::string CaseWriter::entry_line(std::string_view key, std::string_view value, std::string_view comment) {
     return commented(fmt::format("{} = {}", key, value), comment);

@@ -31,9 +31,4 @@ private:
     std::string text_;
 };
 
-/// What of a text may stand in a comment: one line of UTF-8, other bytes as question marks.
-[[nodiscard]] std::string printable(std::string_view text);
-/// Whether a text is UTF-8 without control characters, so that it may be a key of a case.
-[[nodiscard]] bool is_printable(std::string_view text);
-
 }  // namespace tiretherm::input

@@ -170,13 +170,12 @@ std::string heading(const FittedCase& fitted) {
     for (const FittedRun& run : fitted.runs) {
         to.push_back(run.file.empty() ? run.name : run.file.filename().string());
     }
-    std::string text = fmt::format("# {}", fitted.before->title);
-    text += to.empty() ? ": fitted values\n" : fmt::format(": values fitted to {}\n", listed(to));
+    // A title, a file or a remark of several lines must not end the comment.
+    const std::string values = to.empty() ? "fitted values" : fmt::format("values fitted to {}", listed(to));
+    std::string text = fmt::format("# {}: {}\n", printable(fitted.before->title), printable(values));
     for (const std::string& remark : fitted.remarks) {
-        text += "# " + remark + "\n";
+        text += fmt::format("# {}\n", printable(remark));
     }
-    std::replace_if(
-        text.begin(), text.end() - 1, [](char c) { return c != '\n' && static_cast<unsigned char>(c) < ' '; }, ' ');
     return text;
 }
 

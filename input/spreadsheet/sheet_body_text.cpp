@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "input/spreadsheet/sheet_body.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
@@ -56,7 +57,7 @@ std::vector<SheetBody::Line> SheetBody::lines() const {
             open = true;
             for (std::size_t i = 0; i < entry.lines.size(); ++i) {
                 std::string text = i == 0 ? fmt::format("{} = {}", entry.key, entry.lines[i]) : entry.lines[i];
-                text += i == 0 && !entry.remark.empty() ? "  # " + entry.remark : "";
+                text += i == 0 && !entry.remark.empty() ? "  # " + printable(entry.remark) : "";
                 all.push_back({std::move(text), &entry, entry.places[i]});
             }
         }

@@ -128,11 +128,7 @@ void warn_of_borrowed_laws(const SheetContent& content, const SheetBook& book, S
     }
 }
 
-std::string comment(std::string text) {
-    std::replace_if(
-        text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
-    return "# " + text + "\n";
-}
+std::string comment(const std::string& text) { return fmt::format("# {}\n", printable(text)); }
 
 /// What a reader of the case must know: what was assumed and what was left out.
 std::string preamble(const SheetCase& result) {

@@ -15,6 +15,7 @@
 #include "input/parameters/parameter_path.hpp"
 #include "input/studies/study_fingerprint.hpp"
 #include "input/text/quantity_specs.hpp"
+#include "solver/stop_signal.hpp"
 
 namespace tiretherm::input {
 
@@ -72,6 +73,7 @@ public:
         }
         StudyReading reading{
             .study = std::nullopt, .errors = study_.errors_.in_order(), .warnings = study_.errors_.warnings()};
+        reading.files = study_.errors_.files();
         if (has_case && document) {
             read_runs_into(reading);
         }
@@ -142,7 +144,7 @@ private:
 
     void read_runs_into(StudyReading& reading) {
         Fingerprints fingerprints;
-        for (std::size_t r = 0; r < study_.runs.size(); ++r) {
+        for (std::size_t r = 0; r < study_.runs.size() && !solver::stop_requested(); ++r) {
             InputErrors errors = study_.errors_;
             const TomlValue document = study_.document_of(r, errors);
             const solver::Problem problem =
@@ -156,6 +158,9 @@ private:
             add_new(reading.errors, errors.in_order());
             reading.warnings.insert(reading.warnings.end(), errors.warnings().begin(), errors.warnings().end());
             reading.warnings = unique(reading.warnings);
+            const std::vector<std::string> files = errors.files();
+            reading.files.insert(reading.files.end(), files.begin(), files.end());
+            reading.files = unique(reading.files);
             study_.runs[r].fingerprint = fingerprints.of(document, errors);
         }
     }

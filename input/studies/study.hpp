@@ -67,9 +67,11 @@ struct StudyReading {
     std::optional<Study> study;
     std::vector<InputError> errors;  ///< of the study, of its case and of the runs, each once
     std::vector<std::string> warnings;
+    std::vector<std::string> files{};  ///< all that were read
 };
 
-/// Reads a study file, its case, and this case with the values of each run. Never throws on account of what a user wrote.
+/// Reads a study file, its case, and this case with the values of each run, until solver::stop_requested(). Never throws on
+/// account of what a user wrote.
 /// @errors std::runtime_error when the units' data base is not installed
 [[nodiscard]] StudyReading read_study(const std::filesystem::path& file);
 

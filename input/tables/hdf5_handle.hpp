@@ -23,7 +23,11 @@ private:
     hid_t handle_;
 };
 
-/// What HDF5 has to say goes into errors and exceptions, not to stderr.
-inline void silence_hdf5() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+/// What HDF5 has to say goes into errors and exceptions, not to stderr. And it does nothing at the program's end, where it
+/// would crash over a file that a full disk kept from being closed; that can be said before its first use alone.
+inline void silence_hdf5() {
+    H5dont_atexit();
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 }  // namespace tiretherm::input

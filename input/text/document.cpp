@@ -83,16 +83,18 @@ void merge(TomlValue& into, TomlValue&& over, int depth) {
     }
 }
 
-/// Reads a file under the files that are open above it.
+/// Reads a file under the files that are open above it. @param text in the place of the file's own, or null
 std::optional<TomlValue> read(const fs::path& path, const SourceLocation& mentioned, std::vector<fs::path>& open,
-                              InputErrors& errors) {
+                              InputErrors& errors, const std::string* text = nullptr) {
     std::error_code error;
     const fs::path real = fs::weakly_canonical(path, error);
     if (std::find(open.begin(), open.end(), real) != open.end()) {
         errors.add(mentioned, fmt::format("{} includes itself", path.generic_string()), "remove one of the includes");
         return std::nullopt;
     }
-    const std::optional<TextFile> file = read_text(path, mentioned, errors);
+    const std::optional<TextFile> file =
+        text != nullptr ? TextFile{.number = errors.add_file(path.generic_string(), *text), .text = *text}
+                        : read_text(path, mentioned, errors);
     std::optional<TomlValue> own = file ? parse_toml(*file, errors) : std::nullopt;
     if (!own) {
         return std::nullopt;
@@ -175,9 +177,10 @@ void override_tables(TomlValue& document, const TomlValue& over, std::span<const
     merge(document, std::move(tables), 0);
 }
 
-std::optional<TomlValue> read_document(const std::filesystem::path& path, InputErrors& errors) {
+std::optional<TomlValue> read_document(const std::filesystem::path& path, InputErrors& errors,
+                                       const std::string* text) {
     std::vector<fs::path> open;
-    return read(path, {}, open, errors);
+    return read(path, {}, open, errors, text);
 }
 
 }  // namespace tiretherm::input

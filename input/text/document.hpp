@@ -61,7 +61,9 @@ struct TextFile {
 /// file wins over an earlier one. Lists and tables in braces are values and replaced as a whole; only the lists at the
 /// top of a file whose tables have a `name` ([[material]], [[sensor]], [[run]]) are merged by it. A table that changes
 /// its `kind` is replaced as well. Nothing when a file could not be read.
-[[nodiscard]] std::optional<TomlValue> read_document(const std::filesystem::path& path, InputErrors& errors);
+/// @param text of the file at `path`, which is then not looked at; null: as it is there
+[[nodiscard]] std::optional<TomlValue> read_document(const std::filesystem::path& path, InputErrors& errors,
+                                                     const std::string* text = nullptr);
 
 /// The tables `names` of `over` laid over those of a document as an including file's are, also where they stand in
 /// braces.

@@ -76,6 +76,16 @@ int InputErrors::find_file(std::string_view shown) const {
     return found == files_.end() ? -1 : static_cast<int>(found - files_.begin());
 }
 
+std::vector<std::string> InputErrors::files() const {
+    std::vector<std::string> all;
+    for (const File& file : files_) {
+        if (std::ranges::find(all, file.shown) == all.end()) {
+            all.push_back(file.shown);
+        }
+    }
+    return all;
+}
+
 void InputErrors::add(const SourceLocation& place, std::string what, std::string remedy) {
     found_.push_back({place, {std::move(what), std::move(remedy)}});
 }

@@ -55,6 +55,8 @@ public:
 
     [[nodiscard]] std::size_t count() const { return found_.size(); }
     [[nodiscard]] const std::string& file(int number) const { return files_[static_cast<std::size_t>(number)].shown; }
+    /// All files that were read, in that order, each once.
+    [[nodiscard]] std::vector<std::string> files() const;
     /// "case.toml:12", for a sentence about another place.
     [[nodiscard]] std::string spell(const SourceLocation& place) const;
     /// All errors in the order of the files and of their places in them, none twice.

@@ -36,4 +36,10 @@ template <typename Items>
 
 [[nodiscard]] std::string_view trim(std::string_view text);
 
+/// What of a text may stand in a comment or on a terminal: one line of UTF-8, control characters as blanks, other bytes as
+/// question marks.
+[[nodiscard]] std::string printable(std::string_view text);
+/// Whether a text is UTF-8 without control characters, so that it may be a key of a case.
+[[nodiscard]] bool is_printable(std::string_view text);
+
 }  // namespace tiretherm::input

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The files of a diagnosis: the extended case, residuals and missing heat as tables, diagnosis.json.
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -95,14 +96,22 @@ std::string extended_toml(const DiagnosisRecord& record, const std::filesystem::
 
 }  // namespace
 
-std::vector<std::filesystem::path> write_diagnosis(DiagnosisRecord& record, const std::filesystem::path& directory) {
+std::vector<std::string> diagnosis_names() {
+    return {"diagnosis.json", "extended.toml",    "residuals.csv",
+            "residuals.png",  "missing_heat.csv", "missing_heat.png"};
+}
+
+std::vector<std::filesystem::path> write_diagnosis(DiagnosisRecord& record, const std::filesystem::path& directory,
+                                                   const std::filesystem::path& home) {
     create_folder(directory);
+    const std::filesystem::path& there = home.empty() ? directory : home;
     std::vector<std::filesystem::path> files{directory / "diagnosis.json"};
     const std::filesystem::path extended = directory / "extended.toml";
     if (record.result.extended_model) {
         files.push_back(extended);
-        replace_file(extended, extended_toml(record, directory));
-        if (const input::Reading reading = input::read_case(extended); !reading.problem) {
+        const std::string text = extended_toml(record, there);
+        replace_file(extended, text);
+        if (const input::Reading reading = input::read_case(there / "extended.toml", text); !reading.problem) {
             record.warnings.push_back("the extended case cannot be run as it is: " + reading.errors.front().what);
         }
     } else {
@@ -122,7 +131,10 @@ std::vector<std::filesystem::path> write_diagnosis(DiagnosisRecord& record, cons
         files.push_back(directory / "residuals.png");
         draw_residuals(files.back(), record);
     }
-    replace_file(files.front(), json_text(diagnosis_report(record, files).data));
+    std::vector<std::filesystem::path> named;
+    std::ranges::transform(files, std::back_inserter(named),
+                           [&](const std::filesystem::path& file) { return there / file.filename(); });
+    replace_file(files.front(), json_text(diagnosis_report(record, named).data));
     return files;
 }
 

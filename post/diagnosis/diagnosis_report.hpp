@@ -24,14 +24,18 @@ struct DiagnosisRecord {
 
 /// A page for a thermal engineer, and all figures. @param files that were written
 [[nodiscard]] Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::filesystem::path>& files);
+/// Names of the files that a diagnosis leaves in a folder.
+[[nodiscard]] std::vector<std::string> diagnosis_names();
 /// extended.toml, where there is something to add: the case with the cause switched on at its fitted value.
 /// residuals.csv: a row for each sample. residuals.png: the same as lines,
 /// where there are series. missing_heat.csv: the missing heat, a row for each window and place.
 /// diagnosis.json: all figures.
 /// A sentence is added to the record's warnings where the extended case cannot be run.
+/// @param home where they will stand, if elsewhere: paths in them lead from there
 /// @errors FileError  @returns their paths
 [[nodiscard]] std::vector<std::filesystem::path> write_diagnosis(DiagnosisRecord& record,
-                                                                 const std::filesystem::path& directory);
+                                                                 const std::filesystem::path& directory,
+                                                                 const std::filesystem::path& home = {});
 
 /// Simulated less measured along time, a panel for each channel and run, with the fitted base model and with the
 /// extended one.

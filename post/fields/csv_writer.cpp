@@ -30,12 +30,14 @@ void CsvWriter::take(const solver::Snapshot& snapshot) {
 namespace formats {
 
 extern const OutputFormat csv;
-const OutputFormat csv{.name = "csv",
-                       .use = OutputFormat::Use::always,
-                       .help = "channels.csv: the channels, a row for each output time",
-                       .open = [](const RunTarget& target) -> std::unique_ptr<RunOutput> {
-                           return std::make_unique<CsvWriter>(target.directory / "channels.csv", target.problem);
-                       }};
+const OutputFormat csv{
+    .name = "csv",
+    .use = OutputFormat::Use::always,
+    .help = "channels.csv: the channels, a row for each output time",
+    .open = [](const RunTarget& target) -> std::unique_ptr<RunOutput> {
+        return std::make_unique<CsvWriter>(target.directory / "channels.csv", target.problem);
+    },
+    .names_in = [](const std::filesystem::path&) -> std::vector<std::string> { return {"channels.csv"}; }};
 
 }  // namespace formats
 

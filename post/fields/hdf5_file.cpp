@@ -5,6 +5,7 @@
 
 #include <array>
 #include <type_traits>
+#include <utility>
 
 #include "post/fields/hdf5_creation.hpp"
 #include "post/report/file.hpp"
@@ -58,6 +59,13 @@ Hdf5File::~Hdf5File() {
     if (file_ >= 0) {
         H5Fclose(file_);
     }
+}
+
+void Hdf5File::close() {
+    for (const Growing& dataset : std::exchange(growing_, {})) {
+        check(H5Dclose(dataset.dataset), "write to");
+    }
+    check(H5Fclose(std::exchange(file_, -1)), "write to");
 }
 
 void Hdf5File::fail(const std::string& doing) const { throw FileError(doing, path_, last_reason()); }

@@ -52,6 +52,8 @@ public:
 
     /// Everything appended so far survives the process.
     void flush();
+    /// Closes the file, which tells whether all of it could be written. Nothing may be called after.
+    void close();
 
 private:
     using Handle = std::int64_t;  ///< hid_t

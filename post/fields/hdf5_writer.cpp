@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lays out case, mesh, channels, heat budget and fields in the file, holds rows back for at most half a second, and
+// Lays out case, mesh, channels, heat budget and fields in the file, holds back a few hundred rows at most, and
 // registers the format "hdf5".
 
 #include "post/fields/hdf5_writer.hpp"
@@ -12,7 +12,8 @@ namespace tiretherm::post {
 
 namespace {
 
-constexpr std::chrono::milliseconds flush_interval{500};
+/// Rows that are held back. Counted in rows, not in seconds, so that equal runs make equal files.
+constexpr std::size_t most_waiting = 256;
 
 std::vector<double> coordinates(const std::vector<mesh::Point>& points) {
     std::vector<double> flat;
@@ -28,8 +29,7 @@ Hdf5Writer::Hdf5Writer(const std::filesystem::path& path, const solver::Problem&
     : problem_(problem),
       source_(fmt::format("case {}, tiretherm {}", problem.name, provenance.version)),
       path_(path),
-      file_(path),
-      flushed_(std::chrono::steady_clock::now()) {
+      file_(path) {
     file_.add_attribute("/", "format", "tiretherm results 1");
     write_case(provenance);
     write_mesh();
@@ -144,7 +144,7 @@ void Hdf5Writer::take(const solver::Snapshot& snapshot) {
         field_[0].waiting.push_back(snapshot.time);
         field_[1].waiting.assign(snapshot.temperature.begin(), snapshot.temperature.end());
     }
-    if (snapshot.field || std::chrono::steady_clock::now() - flushed_ >= flush_interval) {
+    if (snapshot.field || channels_[0].waiting.size() >= most_waiting) {
         flush();
     }
 }
@@ -157,21 +157,24 @@ void Hdf5Writer::flush() {
         }
     }
     file_.flush();
-    flushed_ = std::chrono::steady_clock::now();
 }
 
-void Hdf5Writer::finish() { flush(); }
+void Hdf5Writer::finish() {
+    flush();
+    file_.close();
+}
 
 namespace formats {
 
 extern const OutputFormat hdf5;
-const OutputFormat hdf5{.name = "hdf5",
-                        .use = OutputFormat::Use::always,
-                        .help = "results.h5: everything, SI units",
-                        .open = [](const RunTarget& target) -> std::unique_ptr<RunOutput> {
-                            return std::make_unique<Hdf5Writer>(target.directory / "results.h5", target.problem,
-                                                                target.provenance);
-                        }};
+const OutputFormat hdf5{
+    .name = "hdf5",
+    .use = OutputFormat::Use::always,
+    .help = "results.h5: everything, SI units",
+    .open = [](const RunTarget& target) -> std::unique_ptr<RunOutput> {
+        return std::make_unique<Hdf5Writer>(target.directory / "results.h5", target.problem, target.provenance);
+    },
+    .names_in = [](const std::filesystem::path&) -> std::vector<std::string> { return {"results.h5"}; }};
 
 }  // namespace formats
 

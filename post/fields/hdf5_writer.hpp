@@ -2,7 +2,6 @@
 // Output format "hdf5": results.h5 with case, mesh, channels, heat budget and temperature fields in SI units.
 #pragma once
 
-#include <chrono>
 #include <filesystem>
 #include <vector>
 
@@ -52,7 +51,6 @@ private:
     std::vector<Column> channels_;  ///< time, then the channels
     std::vector<Column> ledger_;    ///< watts, joules, stored
     std::vector<Column> field_;     ///< time, temperature
-    std::chrono::steady_clock::time_point flushed_;
 };
 
 }  // namespace tiretherm::post

@@ -102,11 +102,7 @@ const OutputFormat mat{
     .use = OutputFormat::Use::on_request,
     .help = "Also channels.mat for MATLAB and Octave: the channels as vectors, the units of channels.csv",
     .open = [](const RunTarget& target) -> std::unique_ptr<RunOutput> { return std::make_unique<MatWriter>(target); },
-    .remove_old =
-        [](const std::filesystem::path& directory) {
-            std::error_code ignored;
-            std::filesystem::remove(directory / "channels.mat", ignored);
-        }};
+    .names_in = [](const std::filesystem::path&) -> std::vector<std::string> { return {"channels.mat"}; }};
 
 }  // namespace formats
 

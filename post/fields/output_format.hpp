@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "post/report/history.hpp"
@@ -41,8 +42,9 @@ struct OutputFormat {
     const char* help;  ///< the line of the option
     /// Creates the files, so that whatever is wrong with them shows before the run. @errors FileError
     std::unique_ptr<RunOutput> (*open)(const RunTarget& target);
-    /// Removes the files of an earlier run, which would belie this one; null where opening replaces them.
-    void (*remove_old)(const std::filesystem::path& directory) = nullptr;
+    /// Names of the files that a run in this format leaves in a folder, as many of a series as are there: those of an
+    /// earlier run would belie this one.
+    std::vector<std::string> (*names_in)(const std::filesystem::path& directory);
 };
 
 /// All of them, in the order of output_formats.list.

@@ -106,17 +106,22 @@ std::string file_text(vtkUnstructuredGrid* grid) {
 
 VtkWriter::VtkWriter(std::filesystem::path directory, const mesh::Mesh& mesh)
     : directory_(std::move(directory)), mesh_(mesh), drawn_(mesh) {
-    remove_series(directory_);
+    for (const std::string& name : names_in(directory_)) {
+        std::error_code error;
+        std::filesystem::remove(directory_ / name, error);
+        if (error) {
+            throw FileError("remove the earlier fields in", directory_, error.message());
+        }
+    }
 }
 
-void VtkWriter::remove_series(const std::filesystem::path& directory) {
+std::vector<std::string> VtkWriter::names_in(const std::filesystem::path& directory) {
+    std::vector<std::string> names{series_name};
     std::error_code error;
-    std::filesystem::remove(directory / series_name, error);
-    for (std::size_t index = 0; std::filesystem::remove(directory / field_name(index), error); ++index) {
+    for (std::size_t i = 0; std::filesystem::exists(symlink_status(directory / field_name(i), error)); ++i) {
+        names.push_back(field_name(i));
     }
-    if (error) {
-        throw FileError("remove the earlier fields in", directory, error.message());
-    }
+    return names;
 }
 
 void VtkWriter::write(double time, std::span<const double> temperature) {
@@ -175,7 +180,7 @@ const OutputFormat vtk{.name = "vtk",
                        .open = [](const RunTarget& target) -> std::unique_ptr<RunOutput> {
                            return std::make_unique<VtkWriter>(target.directory, target.problem.mesh);
                        },
-                       .remove_old = &VtkWriter::remove_series};
+                       .names_in = &VtkWriter::names_in};
 
 }  // namespace formats
 

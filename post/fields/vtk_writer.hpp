@@ -27,8 +27,8 @@ public:
     /// @param mesh must outlive the writer   @errors FileError
     VtkWriter(std::filesystem::path directory, const mesh::Mesh& mesh);
 
-    /// Removes field.pvd and all field_*.vtu of an earlier run. @errors FileError
-    static void remove_series(const std::filesystem::path& directory);
+    /// field.pvd and all field_*.vtu of an earlier run.
+    [[nodiscard]] static std::vector<std::string> names_in(const std::filesystem::path& directory);
 
     /// @param time s  @param temperature [n_nodes] K   @errors FileError
     void write(double time, std::span<const double> temperature);

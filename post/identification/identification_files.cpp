@@ -59,16 +59,20 @@ std::string toml(const IdentificationRecord& record, const std::filesystem::path
 
 }  // namespace
 
+std::vector<std::string> identification_names() { return {"identified.toml", "identify.csv"}; }
+
 std::vector<std::filesystem::path> write_identification(const IdentificationRecord& record,
-                                                        const std::filesystem::path& directory) {
+                                                        const std::filesystem::path& directory,
+                                                        const std::filesystem::path& home) {
     create_folder(directory);
+    const std::filesystem::path& there = home.empty() ? directory : home;
     if (record.planned) {
         const std::filesystem::path file = directory / "plan.json";
-        replace_file(file, json_text(identification_report(record, {file}).data));
+        replace_file(file, json_text(identification_report(record, {there / "plan.json"}).data));
         return {file};
     }
     const std::vector<std::filesystem::path> files{directory / "identified.toml", directory / "identify.csv"};
-    replace_file(files[0], toml(record, directory));
+    replace_file(files[0], toml(record, there));
     replace_file(files[1], samples_csv(record));
     return files;
 }

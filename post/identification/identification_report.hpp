@@ -27,10 +27,14 @@ struct IdentificationRecord {
 /// A page for a thermal engineer, and all figures. @param files that were written
 [[nodiscard]] Report identification_report(const IdentificationRecord& record,
                                            const std::vector<std::filesystem::path>& files);
+/// Names of the files that a fit leaves in a folder.
+[[nodiscard]] std::vector<std::string> identification_names();
 /// identified.toml: the case with the fitted values, which runs as it is. identify.csv: a row for each sample. Of a plan
-/// plan.json. @errors FileError  @returns their paths
+/// plan.json. @param home where they will stand, if elsewhere: paths in them lead from there
+/// @errors FileError  @returns their paths
 [[nodiscard]] std::vector<std::filesystem::path> write_identification(const IdentificationRecord& record,
-                                                                      const std::filesystem::path& directory);
+                                                                      const std::filesystem::path& directory,
+                                                                      const std::filesystem::path& home = {});
 
 /// A direction as a sentence: "laser.absorptivity +0.031 with K1.conductivity at 90 degC +0.02 W/(m K)", its largest
 /// parts.

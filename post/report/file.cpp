@@ -44,11 +44,17 @@ std::filesystem::path create_folder(std::filesystem::path folder) {
 void replace_file(const std::filesystem::path& path, std::string_view content) {
     std::filesystem::path draft = path;
     draft += ".part";
-    AppendFile(draft).append(content);
     std::error_code error;
-    std::filesystem::rename(draft, path, error);
-    if (error) {
-        throw FileError("rename", draft, error.message());
+    std::filesystem::remove(draft, error);  // a link of that name is not written through
+    try {
+        AppendFile(draft).append(content);
+        std::filesystem::rename(draft, path, error);
+        if (error) {
+            throw FileError("rename", draft, error.message());
+        }
+    } catch (const FileError&) {
+        std::filesystem::remove(draft, error);
+        throw;
     }
 }
 

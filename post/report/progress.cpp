@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 
+#include "input/text/suggestions.hpp"
 #include "post/report/table.hpp"
 #include "solver/celsius.hpp"
 
@@ -74,7 +75,7 @@ void Progress::update(double time, std::span<const double> temperature) {
                           .time = time,
                           .hottest = *std::max_element(temperature.begin(), temperature.end()),
                           .elapsed = std::chrono::duration<double>(now - begun_).count()};
-    fmt::print(stream_, "\r{}\033[K", cut_to_width(progress_line(name_, advance), stream_));
+    fmt::print(stream_, "\r{}\033[K", cut_to_width(progress_line(input::printable(name_), advance), stream_));
     std::fflush(stream_);
     written_ = now;
     line_stands_ = true;

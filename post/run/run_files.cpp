@@ -14,19 +14,25 @@ RunFiles::RunFiles(std::filesystem::path directory, const solver::Problem& probl
     : directory_(create_folder(std::move(directory))),
       problem_(problem),
       with_pictures_(!switched.contains("pictures")) {
+    for (const std::string& name : names_in(directory_)) {
+        std::error_code ignored;
+        std::filesystem::remove(directory_ / name, ignored);
+    }
     for (const OutputFormat* format : output_formats()) {
-        if (format->remove_old != nullptr) {
-            format->remove_old(directory_);
-        }
         if (format->use == OutputFormat::Use::always ||
             (format->use == OutputFormat::Use::on_request) == switched.contains(format->name)) {
             outputs_.push_back(format->open({directory_, problem, provenance, history_}));
         }
     }
-    for (const char* name : {"hot_spots.csv", "hot_spots.png"}) {
-        std::error_code ignored;
-        std::filesystem::remove(directory_ / name, ignored);
+}
+
+std::vector<std::string> RunFiles::names_in(const std::filesystem::path& directory) {
+    std::vector<std::string> names{"hot_spots.csv", "hot_spots.png"};
+    for (const OutputFormat* format : output_formats()) {
+        const std::vector<std::string> more = format->names_in(directory);
+        names.insert(names.end(), more.begin(), more.end());
     }
+    return names;
 }
 
 void RunFiles::take(const solver::Snapshot& snapshot) {

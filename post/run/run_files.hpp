@@ -22,6 +22,8 @@ public:
     /// @param switched names of formats that are refused although usual, or wanted although not   @errors FileError
     RunFiles(std::filesystem::path directory, const solver::Problem& problem, const Provenance& provenance,
              const std::set<std::string>& switched);
+    /// Names of all files that a run may leave in a folder, as many of a series as are there.
+    [[nodiscard]] static std::vector<std::string> names_in(const std::filesystem::path& directory);
     RunFiles(const RunFiles&) = delete;
     RunFiles& operator=(const RunFiles&) = delete;
 

@@ -59,13 +59,9 @@ const OutputFormat pictures{
     .use = OutputFormat::Use::unless_refused,
     .help = "No picture.png, channels.png and hot_spots.png",
     .open = [](const RunTarget& target) -> std::unique_ptr<RunOutput> { return std::make_unique<RunPictures>(target); },
-    .remove_old =
-        [](const std::filesystem::path& directory) {
-            for (const char* name : {"picture.png", "tread.png", "channels.png"}) {
-                std::error_code ignored;
-                std::filesystem::remove(directory / name, ignored);
-            }
-        }};
+    .names_in = [](const std::filesystem::path&) -> std::vector<std::string> {
+        return {"picture.png", "tread.png", "channels.png"};
+    }};
 
 }  // namespace formats
 

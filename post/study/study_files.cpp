@@ -16,33 +16,26 @@ namespace tiretherm::post {
 
 namespace fs = std::filesystem;
 
-StudyFiles::StudyFiles(fs::path directory, bool pictures)
-    : directory_(create_folder(std::move(directory))), pictures_(pictures) {}
-
-void StudyFiles::remove_old() const {
-    for (const char* name : {"study.csv", "study.h5", "study.png"}) {
-        std::error_code error;
-        fs::remove(directory_ / name, error);
+StudyFiles::StudyFiles(OutputFolder& folder, bool pictures) : folder_(folder), pictures_(pictures) {
+    // Runs are added to the journal in place: one of our own, not what a link leads to.
+    std::error_code error;
+    if (fs::is_symlink(journal(), error)) {
+        replace_file(journal(), fs::exists(journal(), error) ? read_text(journal()) : "");
     }
 }
 
+std::vector<std::string> StudyFiles::names() { return {"runs.jsonl", "study.csv", "study.h5", "study.png"}; }
+
 std::vector<fs::path> StudyFiles::write(const diagnosis::StudyRecord& study) const {
-    std::vector<fs::path> written{directory_ / "study.csv", directory_ / "study.h5"};
+    std::vector<fs::path> written{folder_.stage() / "study.csv", folder_.stage() / "study.h5"};
     replace_file(written[0], study_csv(study));
-    const fs::path draft = directory_ / "study.h5.part";
-    write_study_hdf5(draft, study);
-    std::error_code error;
-    fs::rename(draft, written[1], error);
-    if (error) {
-        throw FileError("rename", draft, error.message());
-    }
-    const fs::path picture = directory_ / "study.png";
+    write_study_hdf5(written[1], study);
     if (pictures_ && has_study_picture(study)) {
-        draw_study(picture, study);
-        written.push_back(picture);
-    } else {
-        fs::remove(picture, error);
+        written.push_back(folder_.stage() / "study.png");
+        draw_study(written.back(), study);
     }
+    folder_.commit({"study.png"});
+    written = folder_.homes(written);
     written.push_back(journal());
     return written;
 }

@@ -3,28 +3,30 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "diagnosis/study/study_record.hpp"
 #include "input/studies/study.hpp"
+#include "post/report/output_folder.hpp"
 
 namespace tiretherm::post {
 
 /// The folder of a study's results.
 class StudyFiles {
 public:
-    /// Creates the folder. @errors FileError
-    StudyFiles(std::filesystem::path directory, bool pictures);
+    /// @param folder must outlive this  @errors FileError
+    StudyFiles(OutputFolder& folder, bool pictures);
 
-    [[nodiscard]] std::filesystem::path journal() const { return directory_ / "runs.jsonl"; }
-    /// Takes away the tables and the picture of an earlier study, which the runs that follow would belie.
-    void remove_old() const;
-    /// Writes the tables and the picture; those of an earlier study are replaced.
+    /// Names of the files that a study leaves in a folder.
+    [[nodiscard]] static std::vector<std::string> names();
+    [[nodiscard]] std::filesystem::path journal() const { return folder_.path() / "runs.jsonl"; }
+    /// Writes the tables and the picture; those of an earlier study are replaced, all at once.
     /// @returns what was written   @errors FileError
     std::vector<std::filesystem::path> write(const diagnosis::StudyRecord& study) const;
 
 private:
-    std::filesystem::path directory_;
+    OutputFolder& folder_;
     bool pictures_;
 };
 

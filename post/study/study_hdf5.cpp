@@ -29,7 +29,7 @@ public:
         write_inputs();
         write_outcomes();
         write_channels();
-        file_.flush();
+        file_.close();
     }
 
 private:

@@ -259,6 +259,36 @@ void HotSpotHistory::take(const Snapshot& snapshot) {
     }
 }
 
+void HotSpotHistory::visit(Archive& archive) {
+    std::size_t n = rows();
+    archive.whole(n);
+    if (archive.is_reading()) {
+        n = std::min(n, archive.left());  // of a damaged archive, which will be refused
+    }
+    found_.resize(n);
+    for (std::vector<double>* values : {&time_, &temperature_, &surface_}) {
+        values->resize(n);
+        archive(*values);
+    }
+    for (HotSpotFinder::Found& found : found_) {
+        archive(found.temperature);
+        archive.whole(found.node);
+        for (double& coordinate : found.point) {
+            archive(coordinate);
+        }
+    }
+    archive.whole(hottest_row_);
+    std::size_t places = hottest_place_.nodes.size();
+    archive.whole(places);
+    places = archive.is_reading() ? std::min(places, archive.left()) : places;
+    hottest_place_.nodes.resize(places);
+    hottest_place_.weights.resize(places);
+    for (int& node : hottest_place_.nodes) {
+        archive.whole(node);
+    }
+    archive(hottest_place_.weights);
+}
+
 double passing_time(std::span<const double> time, std::span<const double> value, double level) {
     for (std::size_t i = 0; i < value.size(); ++i) {
         if (value[i] >= level) {

@@ -83,6 +83,8 @@ public:
     HotSpotHistory(const mesh::Mesh& mesh, Critical critical);
 
     void take(const Snapshot& snapshot);
+    /// Everything that was taken, as numbers.
+    void visit(Archive& archive);
 
     [[nodiscard]] const Critical& critical() const { return critical_; }
     [[nodiscard]] std::size_t rows() const { return time_.size(); }

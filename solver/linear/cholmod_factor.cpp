@@ -84,8 +84,16 @@ public:
         for (std::size_t e = 0; e < source_.size(); ++e) {
             value[e] = matrix.value[static_cast<std::size_t>(source_[e])];
         }
-        cholmod_factorize(matrix_, factor_, &common_);
-        return common_.status == CHOLMOD_OK ? std::string{} : status();
+        return factorise_values();
+    }
+
+    [[nodiscard]] std::span<const double> values() const override {
+        return {static_cast<const double*>(matrix_->x), source_.size()};
+    }
+
+    std::string factorise_again(std::span<const double> values) override {
+        std::ranges::copy(values, static_cast<double*>(matrix_->x));
+        return factorise_values();
     }
 
     void solve(std::span<const double> b, std::span<double> x) override { solve_with(one_, b, x, 1); }
@@ -119,6 +127,11 @@ public:
 
 private:
     CholeskyFactor() { cholmod_start(&common_); }
+
+    std::string factorise_values() {
+        cholmod_factorize(matrix_, factor_, &common_);
+        return common_.status == CHOLMOD_OK ? std::string{} : status();
+    }
 
     static constexpr std::size_t at_once = 8;
     /// What a solve works in, for one number of columns.

@@ -25,6 +25,10 @@ public:
 
     /// @returns an empty text, or a sentence saying what is wrong with the matrix
     [[nodiscard]] virtual std::string factorise(const Matrix& matrix) = 0;
+    /// The lower triangle that was last factorised, from which `factorise_again` makes the same factor to the last digit.
+    [[nodiscard]] virtual std::span<const double> values() const = 0;
+    /// @param values [values().size()]  @returns as `factorise`
+    [[nodiscard]] virtual std::string factorise_again(std::span<const double> values) = 0;
     /// x = M^-1 b, with M the matrix last factorised. b and x do not overlap.
     virtual void solve(std::span<const double> b, std::span<double> x) = 0;
     /// The same for several right-hand sides, one after the other in memory. @param B, X [n_columns][n]

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Incomplete Cholesky preconditioner by Eigen (limited memory, Lin and More 1999) in the natural order of the nodes.
 
+#include <algorithm>
+
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 
@@ -34,10 +36,14 @@ public:
         for (std::size_t e = 0; e < source_.size(); ++e) {
             value[e] = matrix.value[static_cast<std::size_t>(source_[e])];
         }
-        factor_.factorize(lower_);
-        return factor_.info() == Eigen::Success
-                   ? std::string{}
-                   : "the incomplete Cholesky factor broke down: the matrix is not positive definite";
+        return factorise_values();
+    }
+
+    [[nodiscard]] std::span<const double> values() const override { return {lower_.valuePtr(), source_.size()}; }
+
+    std::string factorise_again(std::span<const double> values) override {
+        std::copy(values.begin(), values.end(), lower_.valuePtr());
+        return factorise_values();
     }
 
     void solve(std::span<const double> b, std::span<double> x) override {
@@ -57,6 +63,13 @@ public:
     }
 
 private:
+    std::string factorise_values() {
+        factor_.factorize(lower_);
+        return factor_.info() == Eigen::Success
+                   ? std::string{}
+                   : "the incomplete Cholesky factor broke down: the matrix is not positive definite";
+    }
+
     const Pattern* pattern_;
     Sparse lower_;
     std::vector<int> source_;

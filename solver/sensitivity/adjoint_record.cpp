@@ -2,6 +2,7 @@
 // Repeats a run with given steps and keeps its stages, effect coefficients and the linear form of every sampled output.
 
 #include "solver/sensitivity/adjoint_record.hpp"
+#include "solver/stop_signal.hpp"
 
 namespace tiretherm::solver {
 
@@ -38,6 +39,7 @@ AdjointRecord::AdjointRecord(const Problem& problem, std::span<const double> tim
         ++next;  // the initial state follows no heat
     }
     for (const double end : step_ends) {
+        leave_if_stopped();
         Stepper::Attempt attempt = stepper_.attempt(end);
         if (!attempt.status.ok()) {
             status_ = std::move(attempt.status);

@@ -18,6 +18,7 @@ namespace tiretherm::solver {
 /// A run kept step by step, that can be gone through forwards, with small heat added to it, and backwards, from weights
 /// on its outputs to the heat that would answer them: the tangent and the adjoint of the discrete equations, for several
 /// sweeps at once. For heat h and weights w, (forward(h), w) = (h, backward(w)) to the tolerance.
+/// All that takes time throws Interrupted when the user has asked for an end.
 class AdjointRecord {
 public:
     /// @param times s, ascending: when the channels are read

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "solver/sensitivity/adjoint_record.hpp"
+#include "solver/stop_signal.hpp"
 
 namespace tiretherm::solver {
 
@@ -137,6 +138,7 @@ std::vector<double> AdjointRecord::forward(std::size_t n_heats, const Heats& hea
         return value;
     };
     for (std::size_t k = 0; k < steps_.size() && status_.ok(); ++k) {
+        leave_if_stopped();
         const Step& step = steps_[k];
         linearise(step);
         heats(k, heat);
@@ -333,6 +335,7 @@ void AdjointRecord::backward(std::size_t n_sums, std::span<const double> weights
                              double tolerance) {
     BackwardSweep sweep(*this, n_sums, tolerance);
     for (std::size_t k = steps_.size(); k-- > 0 && status_.ok();) {
+        leave_if_stopped();
         slopes(k, sweep.step_back(k, weights));
     }
 }

@@ -5,11 +5,16 @@
 #include "solver/sensitivity/prediction.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "solver/sensitivity/kept_results.hpp"
 #include "solver/sensitivity/tangent.hpp"
+#include "solver/stop_signal.hpp"
 #include "solver/time_integration/march.hpp"
 
 namespace tiretherm::solver {
@@ -32,7 +37,7 @@ std::vector<double> steps_of(Problem problem, Status& status) {
         if (now.time > problem.settings.start) {
             ends.push_back(now.time);
         }
-        return true;
+        return !stop_requested();
     });
     status = report.status;
     return ends;
@@ -82,6 +87,10 @@ public:
             answer(start, request_.times[next_]);
         }
         for (const double end : ends) {
+            if (stop_requested()) {
+                return {Outcome::stopped,
+                        fmt::format("stopped at t = {:.6g} s of {:.6g} s", stepper_.time(), problem_.settings.end)};
+            }
             if (Status status = step_to(end, 0); !status.ok()) {
                 return status;
             }
@@ -154,9 +163,7 @@ private:
     std::size_t next_ = 0;
 };
 
-}  // namespace
-
-Prediction predict(const Problem& problem, const PredictionRequest& request) {
+Prediction simulate(const Problem& problem, const PredictionRequest& request) {
     Prediction prediction;
     prediction.n_times = request.times.size();
     prediction.n_channels = problem.channels.size();
@@ -172,6 +179,28 @@ Prediction predict(const Problem& problem, const PredictionRequest& request) {
     Prophet prophet(problem, request, prediction);
     prediction.status = problem.settings.steady ? prophet.steady() : prophet.march(prediction.step_ends);
     prophet.name_kinks();
+    return prediction;
+}
+
+}  // namespace
+
+Prediction predict(const Problem& problem, const PredictionRequest& request) {
+    KeptResults* kept = kept_results();
+    if (kept == nullptr || !kept->is_active()) {
+        return simulate(problem, request);
+    }
+    const Digest::Value key = key_of(problem, request);
+    if (const std::optional<std::vector<double>> numbers = kept->find(key)) {
+        if (std::optional<Prediction> prediction = prediction_of(*numbers, problem, request)) {
+            return std::move(*prediction);
+        }
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    Prediction prediction = simulate(problem, request);
+    if (prediction.status.ok()) {
+        kept->add(key, numbers_of(prediction, request),
+                  std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    }
     return prediction;
 }
 

@@ -17,12 +17,13 @@ struct Checkpoint {
 };
 
 /// Checkpoints of a run: where it starts from, how often it leaves one, and who keeps them.
+///
+/// Leaving a checkpoint changes nothing in a run: it ends with the same digits whether, when and how often it left one.
 struct Continuation {
     const Checkpoint* from = nullptr;  ///< null: from the beginning
-    /// Accepted steps between checkpoints; counted in steps, not in seconds, so that an uninterrupted run and a resumed
-    /// one do the same arithmetic. 0: none.
-    long every = 0;
+    long every = 0;                    ///< accepted steps between checkpoints; 0: none
     std::function<void(const Checkpoint&)> keep;
+    std::function<bool()> due{};  ///< asked before one is left; empty: always
 };
 
 /// Walks through the members of a state in one order, writing them to numbers or reading them back.
@@ -53,6 +54,9 @@ public:
         }
     }
 
+    [[nodiscard]] bool is_reading() const { return out_ == nullptr; }
+    /// Numbers that are left to be read.
+    [[nodiscard]] std::size_t left() const { return in_.size() - next_; }
     /// Whether exactly all numbers were read.
     [[nodiscard]] bool complete() const { return !short_ && next_ == in_.size(); }
 

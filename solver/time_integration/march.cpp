@@ -106,7 +106,8 @@ private:
     }
 
     void leave_checkpoint() {
-        if (continuation_.every <= 0 || report_.steps % continuation_.every != 0 || !continuation_.keep) {
+        const bool wanted = continuation_.every > 0 && report_.steps % continuation_.every == 0 && continuation_.keep;
+        if (!wanted || (continuation_.due && !continuation_.due())) {
             return;
         }
         checkpoint_.numbers.clear();

@@ -268,6 +268,32 @@ Status Newton::solve(const Stage& stage, std::span<double> T) {
                                stage.coefficients);
 }
 
+void Newton::visit(Archive& archive) {
+    for (double* number : {&weight_, &last_shift_, &last_joules_, &reach_, &factored_s_, &excess_solves_,
+                           &counters_.assembly_seconds, &counters_.factor_seconds, &counters_.solve_seconds}) {
+        archive(*number);
+    }
+    for (long* count : {&counters_.newton_iterations, &counters_.linear_iterations, &counters_.factorisations}) {
+        archive.whole(*count);
+    }
+    archive.whole(worst_node_);
+    archive.whole(fresh_solves_);
+    if (!factor_->is_exact()) {  // the filter looks at the matrix last assembled
+        bool assembled = !A_.value.empty();
+        archive.whole(assembled);
+        A_.value.resize(assembled ? system_->pattern().nonzeros() : 0);
+        A_.pattern = &system_->pattern();
+        archive(A_.value);
+    }
+    if (factored_s_ > 0.0) {
+        std::vector<double> values(factor_->values().begin(), factor_->values().end());
+        archive(values);
+        if (archive.is_reading() && !factor_->factorise_again(values).empty()) {
+            factored_s_ = 0.0;
+        }
+    }
+}
+
 void Newton::filter(std::span<const double> b, std::span<double> x) {
     const Stopwatch watch(counters_.solve_seconds);
     // An error estimate is wanted to one digit only: an exact factor of a step nearby is enough.

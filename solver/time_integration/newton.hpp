@@ -11,6 +11,7 @@
 #include "solver/linear/factor.hpp"
 #include "solver/linear/krylov.hpp"
 #include "solver/system.hpp"
+#include "solver/time_integration/checkpoint.hpp"
 
 namespace tiretherm::solver {
 
@@ -53,8 +54,8 @@ public:
         return factored_s_ > 0.0 && reach_ * s > factored_s_ && s < reach_ * factored_s_;
     }
 
-    /// The next solve makes a new factor.
-    void forget_factor() { factored_s_ = 0.0; }
+    /// The state between two steps: what the next ones depend on, the factor included.
+    void visit(Archive& archive);
 
     /// Lets the factor serve others: sensitivities and adjoints of the same steps.
     [[nodiscard]] Factor& factor() { return *factor_; }

@@ -281,10 +281,15 @@ Status Stepper::solve_steady(double t) {
 }
 
 void Stepper::visit(Archive& archive) {
-    for (double* number : {&time_, &step_begin_, &stored_, &turnover_}) {
+    for (double* number : {&time_, &step_begin_, &tried_, &stored_, &turnover_}) {
         archive(*number);
     }
     archive.whole(has_history_);
+    archive.whole(worst_node_);
+    archive.whole(end_is_known_);
+    for (std::vector<double>* values : {&end_q_, &end_watts_, &end_coefficients_}) {
+        archive(*values);
+    }
     archive(T_[0]);
     for (std::vector<double>& stage : last_) {
         archive(stage);
@@ -292,8 +297,7 @@ void Stepper::visit(Archive& archive) {
     for (std::vector<double>* ledger : {&watts_, &joules_}) {
         archive(*ledger);
     }
-    newton_.forget_factor();
-    end_is_known_ = false;
+    newton_.visit(archive);
 }
 
 double Stepper::effective_two_node_conductance() {

@@ -165,8 +165,8 @@ TEST(Run, CtrlCEndsItAfterTheStepWithWholeFiles) {
     // The third row shows that the march is under way.
     const auto rows = [&] {
         std::error_code error;
-        const std::string text = std::filesystem::exists(directory + "/channels.csv", error)
-                                     ? post::read_text(directory + "/channels.csv")
+        const std::string text = std::filesystem::exists(directory + "/.tiretherm/new/channels.csv", error)
+                                     ? post::read_text(directory + "/.tiretherm/new/channels.csv")
                                      : "";
         return std::count(text.begin(), text.end(), '\n');
     };

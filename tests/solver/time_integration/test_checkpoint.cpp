@@ -3,6 +3,8 @@
 
 #include "solver/time_integration/checkpoint.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "solver/bench.hpp"
@@ -70,6 +72,54 @@ TEST(Checkpoint, AResumedRunEndsWithTheSameDigits) {
         const std::vector<Row> expected(whole.begin() + static_cast<std::ptrdiff_t>(rows_then[i]), whole.end());
         EXPECT_EQ(rest, expected) << "checkpoint " << i;  // bit for bit
     }
+}
+
+// A checkpoint holds the factor that the next steps iterate on and whatever else they depend on: a run leaves them when the
+// clock says so, and nobody can see it in its results. Exact and incomplete factors, laws, a log, a lagging sensor.
+TEST(Checkpoint, LeavingOrTakingOneChangesNoDigit) {
+    for (const LinearSolver solver : {LinearSolver::cholesky, LinearSolver::conjugate_gradient}) {
+        for (const long every : {1L, 7L, 50L}) {
+            Problem problem = eventful();
+            problem.settings.linear_solver = solver;
+            std::vector<Row> plain;
+            const Report report = run(problem, keep_rows(plain));
+            ASSERT_TRUE(report.status.ok());
+            std::vector<Row> whole;
+            std::vector<Checkpoint> kept;
+            std::vector<std::size_t> rows_then;
+            const auto keep = [&](const Checkpoint& checkpoint) {
+                kept.push_back(checkpoint);
+                rows_then.push_back(whole.size());
+            };
+            (void)run(problem, keep_rows(whole), {.from = nullptr, .every = every, .keep = keep});
+            EXPECT_EQ(whole, plain);  // bit for bit
+            ASSERT_FALSE(kept.empty());
+            for (std::size_t i = 0; i < kept.size(); i += std::max<std::size_t>(1, kept.size() / 20)) {
+                std::vector<Row> rest;
+                const Report resumed = run(problem, keep_rows(rest), {.from = &kept[i], .every = 0, .keep = {}});
+                ASSERT_TRUE(resumed.status.ok()) << resumed.status.message;
+                const std::vector<Row> expected(plain.begin() + static_cast<std::ptrdiff_t>(rows_then[i]), plain.end());
+                EXPECT_EQ(rest, expected) << "checkpoint " << i;
+                EXPECT_EQ(resumed.steps, report.steps);
+                EXPECT_EQ(resumed.newton_iterations, report.newton_iterations);
+                EXPECT_EQ(resumed.linear_iterations, report.linear_iterations);
+                EXPECT_EQ(resumed.factorisations, report.factorisations);
+                EXPECT_EQ(resumed.energy_closure, report.energy_closure);
+            }
+        }
+    }
+}
+
+TEST(Checkpoint, IsLeftWhenItIsDue) {
+    int asked = 0;
+    int left = 0;
+    const Report report = run(eventful(), nullptr,
+                              {.from = nullptr,
+                               .every = 1,
+                               .keep = [&](const Checkpoint&) { ++left; },
+                               .due = [&] { return ++asked % 10 == 0; }});
+    EXPECT_EQ(asked, report.steps);
+    EXPECT_EQ(left, report.steps / 10);
 }
 
 TEST(Checkpoint, OfAnotherProblemIsRefused) {

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The simulations that a fit or a diagnosis has made, kept for the call that goes on after it was killed.
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <mutex>
+
+#include "post/report/output_folder.hpp"
+#include "post/report/record_file.hpp"
+#include "solver/sensitivity/kept_results.hpp"
+
+namespace tiretherm::post {
+
+/// Results of simulations in a file of the output folder. The first `checkpoint_interval()` keeps none, so that a short call
+/// costs nothing; results that are large beside the time they took are not kept, nor more than a gigabyte in all. Where
+/// the file cannot be written, the call goes on without it.
+class PredictionJournal final : public solver::KeptResults {
+public:
+    /// @param identity of the call  @param fresh forget what an interrupted call has left
+    /// @param name of the file: each command has its own
+    PredictionJournal(OutputFolder& folder, const std::string& name, const solver::Digest::Value& identity, bool fresh);
+
+    [[nodiscard]] bool is_active() override;
+    [[nodiscard]] std::optional<std::vector<double>> find(const solver::Digest::Value& key) override;
+    void add(const solver::Digest::Value& key, std::span<const double> result, double seconds) noexcept override;
+
+    /// Results of an interrupted call.
+    [[nodiscard]] std::size_t found() const { return found_; }
+    /// Results that the next call would find.
+    [[nodiscard]] std::size_t size() const { return places_.size(); }
+
+private:
+    [[nodiscard]] bool is_late() const;
+
+    std::mutex talk_;
+    std::unique_ptr<RecordFile> file_;
+    std::map<solver::Digest::Value, std::size_t> places_;  ///< records
+    std::size_t found_ = 0;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace tiretherm::post

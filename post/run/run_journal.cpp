@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rows as records of a growing file; the checkpoint as a file of one record that is replaced as a whole.
+
+#include "post/run/run_journal.hpp"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "post/report/file.hpp"
+
+namespace tiretherm::post {
+
+namespace {
+
+constexpr const char* rows_name = "run.rows";
+constexpr const char* state_name = "run.state";
+constexpr const char* draft_name = "run.state.part";
+constexpr std::size_t row_head = 3;  ///< numbers of a row before its columns: time, stored heat, whether it has a field
+constexpr std::size_t state_head = 4;  ///< of the state: rows, time, seconds, numbers of the solver
+/// The share of the time that checkpoints may take.
+constexpr double share = 0.02;
+
+double seconds_between(std::chrono::steady_clock::time_point from, std::chrono::steady_clock::time_point to) {
+    return std::chrono::duration<double>(to - from).count();
+}
+
+}  // namespace
+
+RunJournal::RunJournal(OutputFolder& folder, const solver::Digest::Value& identity, const solver::Problem& problem,
+                       bool fresh)
+    : rows_path_(folder.journal(rows_name)),
+      state_path_(folder.journal(state_name)),
+      draft_path_(folder.journal(draft_name)),
+      identity_(identity),
+      problem_(&problem),
+      begin_(Clock::now()),
+      last_(begin_) {
+    std::error_code ignored;
+    if (fresh || !std::filesystem::exists(state_path_, ignored)) {
+        std::filesystem::remove(state_path_, ignored);
+        std::filesystem::remove(rows_path_, ignored);
+        return;
+    }
+    try {
+        read();
+    } catch (const FileError&) {
+        kept_.reset();
+    }
+    if (!kept_) {
+        rows_.reset();
+        std::filesystem::remove(state_path_, ignored);
+        std::filesystem::remove(rows_path_, ignored);
+    }
+}
+
+void RunJournal::read() {
+    const RecordFile state(state_path_, identity_);
+    if (state.size() != 1) {
+        return;
+    }
+    const std::vector<double> numbers = state.read(0);
+    if (numbers.size() < state_head) {
+        return;
+    }
+    Kept kept{.rows = static_cast<std::size_t>(numbers[0]),
+              .time = numbers[1],
+              .seconds = numbers[2],
+              .solver = {},
+              .follower = {}};
+    const auto of_solver = static_cast<std::ptrdiff_t>(numbers[3]);
+    const auto first = numbers.begin() + static_cast<std::ptrdiff_t>(state_head);
+    if (of_solver > numbers.end() - first) {
+        return;
+    }
+    kept.solver.numbers.assign(first, first + of_solver);
+    kept.follower.assign(first + of_solver, numbers.end());
+    rows_ = std::make_unique<RecordFile>(rows_path_, identity_);
+    if (rows_->size() < kept.rows) {
+        return;
+    }
+    rows_->truncate(kept.rows);  // rows after the checkpoint come again
+    seconds_before_ = kept.seconds;
+    kept_ = std::move(kept);
+}
+
+void RunJournal::replay(const std::function<void(const solver::Snapshot&)>& take) {
+    const std::size_t channels = problem_->channels.size();
+    const std::size_t effects = problem_->effects.size();
+    for (std::size_t r = 0; r < rows_->size(); ++r) {
+        const std::vector<double> row = rows_->read(r);
+        const bool field = row[2] != 0.0;
+        const std::span<const double> all = std::span(row).subspan(row_head);
+        take({.time = row[0],
+              .temperature = field ? all.subspan(channels + 2 * effects) : std::span<const double>(),
+              .channels = all.first(channels),
+              .watts = all.subspan(channels, effects),
+              .joules = all.subspan(channels + effects, effects),
+              .stored = row[1],
+              .field = field});
+    }
+}
+
+void RunJournal::take(const solver::Snapshot& snapshot) {
+    last_time_ = snapshot.time;
+    if (!works_) {
+        return;
+    }
+    const std::size_t before = waiting_.size();
+    waiting_.insert(waiting_.end(), {snapshot.time, snapshot.stored, snapshot.field ? 1.0 : 0.0});
+    for (const std::span<const double> part : {snapshot.channels, snapshot.watts, snapshot.joules}) {
+        waiting_.insert(waiting_.end(), part.begin(), part.end());
+    }
+    if (snapshot.field) {
+        waiting_.insert(waiting_.end(), snapshot.temperature.begin(), snapshot.temperature.end());
+    }
+    lengths_.push_back(waiting_.size() - before);
+}
+
+bool RunJournal::due() const {
+    return works_ && seconds_between(last_, Clock::now()) >= std::max(checkpoint_interval(), cost_ / share);
+}
+
+void RunJournal::keep(const solver::Checkpoint& checkpoint, const std::vector<double>& follower) noexcept {
+    const Clock::time_point begin = Clock::now();
+    try {
+        if (!rows_) {
+            rows_ = std::make_unique<RecordFile>(rows_path_, identity_);
+            rows_->truncate(0);
+        }
+        std::span<const double> rest = waiting_;
+        for (const std::size_t length : lengths_) {
+            rows_->append(rest.first(length));
+            rest = rest.subspan(length);
+        }
+        const std::vector<double> head{static_cast<double>(rows_->size()), last_time_,
+                                       seconds_before_ + seconds_between(begin_, begin),
+                                       static_cast<double>(checkpoint.numbers.size())};
+        std::error_code error;
+        std::filesystem::remove(draft_path_, error);
+        RecordFile(draft_path_, identity_).append({head, checkpoint.numbers, follower});
+        std::filesystem::rename(draft_path_, state_path_);
+        waiting_.clear();
+        lengths_.clear();
+    } catch (const std::exception&) {
+        give_up();
+    }
+    last_ = Clock::now();
+    cost_ = seconds_between(begin, last_);
+}
+
+/// A full disk is the results' before it is the journal's.
+void RunJournal::give_up() noexcept {
+    works_ = false;
+    rows_.reset();
+    waiting_ = {};
+    lengths_ = {};
+    std::error_code ignored;
+    for (const std::filesystem::path* path : {&rows_path_, &state_path_, &draft_path_}) {
+        std::filesystem::remove(*path, ignored);
+    }
+}
+
+}  // namespace tiretherm::post
