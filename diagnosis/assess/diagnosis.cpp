@@ -53,8 +53,7 @@ std::string too_little(const input::Experiment& experiment, const Observations& 
     if (values <= numbers && !(stated && free == 0)) {
         return fmt::format(
             "{} values for {} free numbers and {} noises leave nothing to judge the model by. Longer runs, more "
-            "sensors or "
-            "fewer free numbers would help.",
+            "sensors or fewer free numbers would help.",
             values, free, observations.channels.size());
     }
     return "";
@@ -78,6 +77,11 @@ Diagnosis cannot_tell(Diagnosis result, const input::Experiment& experiment, con
 /// @param stage out: what is being done
 void diagnose(const input::Experiment& experiment, const Observations& observations, const DiagnosisOptions& choice,
               Diagnosis& result, const char*& stage) {
+    result.reason = too_little(experiment, observations);
+    if (!result.reason.empty()) {
+        result = cannot_tell(std::move(result), experiment, observations);
+        return;
+    }
     input::Experiment fine = experiment;
     for (input::MeasuredRun& run : fine.runs) {
         run.problem.settings.tolerance = std::min(run.problem.settings.tolerance, step_error);
@@ -144,10 +148,6 @@ Diagnosis diagnose(const input::Experiment& experiment, const Observations& obse
                    const DiagnosisOptions& choice) {
     const auto begin = std::chrono::steady_clock::now();
     Diagnosis result;
-    result.reason = too_little(experiment, observations);
-    if (!result.reason.empty()) {
-        return cannot_tell(std::move(result), experiment, observations);
-    }
     const char* stage = "fit and the score tests of the candidates";
     try {
         diagnose(experiment, observations, choice, result, stage);
