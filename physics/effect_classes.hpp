@@ -125,7 +125,7 @@ struct HeatEffect {
 struct SensorModel {
     ChannelsOf applies_to = ChannelsOf::anything;
     bool sees_surfaces_only = false;  ///< a camera: no candidate for what reads the inside
-    bool before_lag = false;  ///< a model of what the sensor sees, not of what it gives
+    bool before_lag = false;          ///< a model of what the sensor sees, not of what it gives
 
     /// The sensor's output from the value before.
     double (*read)(const ActiveEffect& active, std::size_t position, double value, const Inputs& logged) = nullptr;

@@ -11,8 +11,8 @@
 #include "input/model/problem_builder.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
-#include "input/tire_property_file/tire_size.hpp"
 #include "input/tire_property_file/tir_file.hpp"
+#include "input/tire_property_file/tire_size.hpp"
 
 namespace tiretherm::input {
 

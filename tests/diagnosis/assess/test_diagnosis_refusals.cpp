@@ -24,7 +24,8 @@ sample::Log with_dead(sample::Log log, std::string_view sensor) {
 }
 
 Diagnosis diagnosis_of(const input::Experiment& experiment) {
-    Diagnosis result = diagnose(experiment, observe(experiment), {.measure_gain = false, .finer = nullptr, .plan_next = false});
+    Diagnosis result =
+        diagnose(experiment, observe(experiment), {.measure_gain = false, .finer = nullptr, .plan_next = false});
     EXPECT_TRUE(result.status.ok()) << result.status.message;
     return result;
 }
