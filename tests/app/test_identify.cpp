@@ -222,7 +222,7 @@ TEST(Identify, AFileIsNoPlaceForFiles) {
     const Call fit = call("identify " + library + "two_node/identify_saturation.toml --out " + file);
     EXPECT_EQ(fit.exit_code, 1);
     EXPECT_EQ(fit.err, "tiretherm: cannot create the directory " + file +
-                           ": Not a directory; choose another directory with --out\n");
+                           ": Not a directory; nothing was fitted; choose another directory with --out\n");
     EXPECT_EQ(post::read_text(file), "a file\n");
 }
 
