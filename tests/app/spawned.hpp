@@ -32,6 +32,7 @@ public:
             words.push_back(word);
         }
         std::vector<char*> pointers;
+        pointers.reserve(words.size() + 1);
         for (std::string& word : words) {
             pointers.push_back(word.data());
         }
