@@ -36,7 +36,7 @@ PlaceSlopes place_slopes(const Problem& problem, std::span<const HotPlace> place
         times.push_back(place.time);
     }
     std::ranges::sort(times);
-    times.erase(std::ranges::unique(times).begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
     std::vector<double> values;
     for (const FreeParameter& parameter : parameters) {
         values.push_back(value_of(read, parameter));
