@@ -64,7 +64,8 @@ double magnitude(double a) {
     sign_of(a);
     return std::abs(a);
 }
-double nearest_integer(double a) { return decided(std::rint(a), a - std::floor(a) - 0.5); }
+/// Upwards from the half, as the library does it; std::rint goes to the even number.
+double nearest_integer(double a) { return decided(std::floor(a + 0.5), a - std::floor(a) - 0.5); }
 
 double smallest(const double* a, int count) {
     const double* found = std::min_element(a, a + count);

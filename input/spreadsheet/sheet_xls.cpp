@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads Excel 97 to 2003 workbooks (BIFF) with FreeXL. The only file that includes it.
+// Reads Excel 97 to 2003 workbooks (BIFF) with FreeXL, in a process of its own: FreeXL 1.0.6 reads beside its buffers
+// where a file is damaged. The only file that includes it.
 
+#include <cstring>
 #include <memory>
 
 #include <fmt/format.h>
 #include <freexl.h>
 
 #include "input/spreadsheet/sheet_formats.hpp"
+#include "input/tables/own_process.hpp"
 
 namespace tiretherm::input {
 
@@ -57,12 +60,11 @@ std::optional<RawSheet> read_worksheet(const void* book, unsigned short number) 
     return sheet;
 }
 
-}  // namespace
+RawBook broken(std::string_view why, std::string remedy = "save it anew, as .xls or .xlsx") {
+    return {.sheets = {}, .error = ErrorText{fmt::format("the .xls workbook {}", why), std::move(remedy)}};
+}
 
-RawBook read_xls(const std::filesystem::path& path) {
-    const auto broken = [](std::string_view why, std::string remedy = "save it anew, as .xls or .xlsx") {
-        return RawBook{.sheets = {}, .error = ErrorText{fmt::format("the .xls workbook {}", why), std::move(remedy)}};
-    };
+RawBook read_here(const std::filesystem::path& path) {
     const void* opened = nullptr;
     const int status = freexl_open(path.c_str(), &opened);
     const std::unique_ptr<const void, Closed> book(opened);
@@ -91,6 +93,83 @@ RawBook read_xls(const std::filesystem::path& path) {
         }
     }
     return read;
+}
+
+/// Numbers and texts one after the other, each text behind its length: from process to process of one program.
+class Parcel {
+public:
+    void put(std::size_t number) { bytes.append(reinterpret_cast<const char*>(&number), sizeof number); }
+    void put(const std::string& text) {
+        put(text.size());
+        bytes += text;
+    }
+    [[nodiscard]] std::size_t number() {
+        std::size_t number = 0;
+        std::memcpy(&number, bytes.data() + at, sizeof number);
+        at += sizeof number;
+        return number;
+    }
+    [[nodiscard]] std::string text() {
+        const std::size_t size = number();
+        at += size;
+        return bytes.substr(at - size, size);
+    }
+
+    std::string bytes;
+    std::size_t at = 0;
+};
+
+std::string pack(const RawBook& book) {
+    Parcel parcel;
+    parcel.put(book.error ? 1 : 0);
+    if (book.error) {
+        parcel.put(book.error->what);
+        parcel.put(book.error->remedy);
+        return std::move(parcel.bytes);
+    }
+    parcel.put(book.sheets.size());
+    for (const RawSheet& sheet : book.sheets) {
+        parcel.put(sheet.name);
+        parcel.put(sheet.rows.size());
+        for (const std::vector<std::string>& row : sheet.rows) {
+            parcel.put(row.size());
+            for (const std::string& cell : row) {
+                parcel.put(cell);
+            }
+        }
+    }
+    return std::move(parcel.bytes);
+}
+
+RawBook unpack(std::string bytes) {
+    Parcel parcel;
+    parcel.bytes = std::move(bytes);
+    RawBook book;
+    if (parcel.number() != 0) {
+        std::string what = parcel.text();
+        book.error = ErrorText{std::move(what), parcel.text()};
+        return book;
+    }
+    book.hides_formulas = true;
+    book.sheets.resize(parcel.number());
+    for (RawSheet& sheet : book.sheets) {
+        sheet.name = parcel.text();
+        sheet.rows.resize(parcel.number());
+        for (std::vector<std::string>& row : sheet.rows) {
+            row.resize(parcel.number());
+            for (std::string& cell : row) {
+                cell = parcel.text();
+            }
+        }
+    }
+    return book;
+}
+
+}  // namespace
+
+RawBook read_xls(const std::filesystem::path& path) {
+    std::optional<std::string> packed = in_own_process([&] { return pack(read_here(path)); });
+    return packed ? unpack(std::move(*packed)) : broken("is damaged");
 }
 
 }  // namespace tiretherm::input

@@ -15,6 +15,7 @@
 #include "fuzz/promises.hpp"
 #include "fuzz/workbook.hpp"
 #include "input/cameras/frame_file.hpp"
+#include "input/effects/user_formula.hpp"
 #include "input/measurements/experiment.hpp"
 #include "input/model/reader.hpp"
 #include "input/spreadsheet/sheet_case.hpp"
@@ -220,8 +221,31 @@ bool take_study_journal(std::string_view bytes) {
     return any;
 }
 
-/// A formula of the time as a user's heat source.
+/// A formula as it is parsed, and its values where they are unusual.
 bool take_formula(std::string_view bytes) {
+    input::Formula::Wrong wrong;
+    const std::string text(bytes);
+    const std::optional<input::Formula> formula = input::Formula::read(text, "follows", wrong);
+    if (!formula) {
+        promise(!wrong.error.what.empty() && wrong.error.what.size() < 4000, "a formula refused without a sentence");
+        promise(wrong.from <= text.size(), "a formula that is wrong behind its end");
+        return false;
+    }
+    std::vector<double> values(formula->signals().size());
+    input::FormulaDecisions decisions;
+    for (const double value : {0.0, -1.0, 0.5, 1e308, -1e-308, std::numeric_limits<double>::infinity(), std::nan("")}) {
+        std::fill(values.begin(), values.end(), value);
+        const double plain = (*formula)(values);
+        const double recorded = formula->evaluate(values, decisions);
+        promise(plain == recorded || (std::isnan(plain) && std::isnan(recorded)),
+                fmt::format("a formula with the values {} and {}", plain, recorded));
+        promise(decisions.taken.size() == decisions.margins.size(), "decisions without margins");
+    }
+    return true;
+}
+
+/// A formula of the time as a user's heat source.
+bool take_formula_run(std::string_view bytes) {
     if (bytes.find("'''") != std::string_view::npos || (!bytes.empty() && bytes.back() == '\'')) {
         return false;
     }
@@ -248,6 +272,7 @@ constexpr std::array all{
     Target{"study_journal", take_study_journal},
     Target{"validation", take_validation},
     Target{"formula", take_formula},
+    Target{"formula_run", take_formula_run},
 };
 
 }  // namespace
