@@ -71,9 +71,7 @@ Cause describe_cause(const DiagnosisState& found, const FittedHypothesis& one, s
     if (candidate.on >= 0) {
         cause.instead_of = candidate.absent;
     }
-    if (candidate.channel >= 0) {
-        cause.channel = input::sensor_of(problem, candidate.channel);
-    }
+    cause.channel = sensors_of(candidate, problem);
     if (candidate.layer >= 0) {
         cause.place = problem.mesh.layers[static_cast<std::size_t>(candidate.layer)];
     }
@@ -165,7 +163,7 @@ void find_limits(const DiagnosisState& found, Diagnosis& into) {
         const solver::Problem& problem = score_data.experiment->runs.front().problem;
         into.limits.push_back(
             {.id = std::string(candidate.effect->id),
-             .channel = candidate.channel >= 0 ? input::sensor_of(problem, candidate.channel) : "",
+             .channel = sensors_of(candidate, problem),
              .place = candidate.layer >= 0 ? problem.mesh.layers[static_cast<std::size_t>(candidate.layer)] : "",
              .key = std::string(candidate.number().key),
              .unit = std::string(candidate.number().unit),

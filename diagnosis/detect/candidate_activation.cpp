@@ -32,11 +32,8 @@ physics::ActiveEffect active_at(const Candidate& candidate, const mesh::Mesh& me
     for (const solver::FreeParameter::Companion& companion : candidate.companions) {
         active.parameters[companion.parameter] = companion.factor * value;
     }
-    if (candidate.channel >= 0) {
-        active.channels = {candidate.channel};
-        for (int channel = candidate.channel + 1; channel <= candidate.last_channel; ++channel) {
-            active.channels.push_back(channel);
-        }
+    if (!candidate.channels.empty()) {
+        active.channels = candidate.channels;
     }
     if (candidate.layer >= 0) {
         active.layers = {candidate.layer};

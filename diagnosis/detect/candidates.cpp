@@ -48,14 +48,20 @@ bool can_act(const input::Experiment& experiment, const Effect& effect) {
     return placed && (effect.invalid_on_mesh == nullptr || effect.invalid_on_mesh(standard, problem.mesh).empty());
 }
 
-/// Whether a camera can see what the channel reads: nodes of the boundary alone.
+/// Whether a camera can see what the channel reads: nodes of the boundary alone. A probe in the surface also has nodes
+/// beneath it, without weight.
 bool is_seen(const mesh::Mesh& mesh, const solver::Channel& channel) {
-    return std::ranges::all_of(channel.where.nodes, [&](int node) {
-        return std::ranges::any_of(mesh.patches, [&](const mesh::Patch& patch) {
-            return patch.name != "inside" &&
-                   std::ranges::any_of(patch.faces, [&](const mesh::PatchFace& face) { return face.node == node; });
+    for (std::size_t i = 0; i < channel.where.nodes.size(); ++i) {
+        const bool on_surface = std::ranges::any_of(mesh.patches, [&](const mesh::Patch& patch) {
+            return patch.name != "inside" && std::ranges::any_of(patch.faces, [&](const mesh::PatchFace& face) {
+                       return face.node == channel.where.nodes[i];
+                   });
         });
-    });
+        if (!on_surface && channel.where.weights[i] != 0.0) {
+            return false;
+        }
+    }
+    return true;
 }
 
 bool can_read(const Effect& effect, const solver::Problem& problem, const solver::Channel& channel) {
@@ -141,6 +147,33 @@ bool is_chosen(const std::vector<std::string>& chosen, const Effect& effect, std
            });
 }
 
+/// The sensors that an effect may act on, one by one; a camera's rings are one sensor. What lies in the surface and not in
+/// the device, as its emissivity does, is common to all that look at surfaces: they are the last, together.
+std::vector<std::vector<int>> sensors_read(const Effect& effect, const solver::Problem& problem,
+                                           const std::vector<int>& measured) {
+    std::vector<std::vector<int>> sensors;
+    std::vector<int> all;
+    for (const int channel : measured) {
+        if (!can_read(effect, problem, problem.channels[static_cast<std::size_t>(channel)])) {
+            continue;
+        }
+        const solver::CameraChannels* camera = problem.camera_of(channel);
+        if (camera != nullptr && static_cast<int>(camera->first) != channel) {
+            continue;
+        }
+        const int end = camera != nullptr ? static_cast<int>(camera->end()) : channel + 1;
+        std::vector<int>& one = sensors.emplace_back();
+        for (int of = channel; of < end; ++of) {
+            one.push_back(of);
+            all.push_back(of);
+        }
+    }
+    if (effect.sensor_model()->sees_surfaces_only && sensors.size() > 1) {
+        sensors.push_back(all);
+    }
+    return sensors;
+}
+
 void add_all(std::vector<Candidate>& all, const input::Experiment& experiment, const Effect& effect,
              const std::vector<int>& channels, const std::vector<std::string>& chosen) {
     const solver::Problem& problem = experiment.runs.front().problem;
@@ -160,17 +193,10 @@ void add_all(std::vector<Candidate>& all, const input::Experiment& experiment, c
                               .low = parameter.low,
                               .high = parameter.high};
         if (effect.sensor_model() != nullptr) {
-            for (const int channel : channels) {
-                if (can_read(effect, problem, problem.channels[static_cast<std::size_t>(channel)])) {
-                    const solver::CameraChannels* camera = problem.camera_of(channel);
-                    if (camera != nullptr && static_cast<int>(camera->first) != channel) {
-                        continue;
-                    }
-                    Candidate one = plain;
-                    one.channel = channel;
-                    one.last_channel = camera != nullptr ? static_cast<int>(camera->end()) - 1 : -1;
-                    add(all, one);
-                }
+            for (const std::vector<int>& sensors : sensors_read(effect, problem, channels)) {
+                Candidate one = plain;
+                one.channels = sensors;
+                add(all, one);
             }
         } else if (effect.on_layers) {
             for (const int layer : layers) {
@@ -228,6 +254,20 @@ std::vector<Candidate> candidates_of(const input::Experiment& experiment, const 
     return all;
 }
 
+std::string sensors_of(const Candidate& candidate, const solver::Problem& problem) {
+    std::vector<std::string> names;
+    for (const int channel : candidate.channels) {
+        std::string name = input::sensor_of(problem, channel);
+        if (names.empty() || names.back() != name) {
+            names.push_back(std::move(name));
+        }
+    }
+    if (names.size() > 1) {
+        return fmt::format("all {} sensors of surfaces", names.size());
+    }
+    return names.empty() ? std::string() : names.front();
+}
+
 std::string name_of(const Candidate& candidate, const input::Experiment& experiment) {
     const solver::Problem& problem = experiment.runs.front().problem;
     std::string name(candidate.effect->id);
@@ -238,8 +278,8 @@ std::string name_of(const Candidate& candidate, const input::Experiment& experim
     if (numbers > 1 || candidate.on >= 0) {
         name += fmt::format(".{}", candidate.number().key);
     }
-    if (candidate.channel >= 0) {
-        name += " of " + input::sensor_of(problem, candidate.channel);
+    if (!candidate.channels.empty()) {
+        name += " of " + sensors_of(candidate, problem);
     }
     if (candidate.layer >= 0 && !problem.mesh.is_lumped() && problem.mesh.layers.size() > 1) {
         name += " of " + problem.mesh.layers[static_cast<std::size_t>(candidate.layer)];

@@ -27,10 +27,10 @@ struct Candidate {
         double high = 0.0;
     };
     std::vector<Held> held{};
-    int channel = -1;       ///< index into Problem::channels, of a sensor's effect
-    int last_channel = -1;  ///< of a camera's rings, which are one sensor; -1: the one alone
-    int layer = -1;         ///< index into Mesh::layers, of an effect on layers
-    int on = -1;            ///< index into Problem::effects, where the effect is on and its number may be wrong
+    /// Indices into Problem::channels, of a sensor's effect: one sensor, the rings of a camera, or all infrared sensors.
+    std::vector<int> channels{};
+    int layer = -1;  ///< index into Mesh::layers, of an effect on layers
+    int on = -1;     ///< index into Problem::effects, where the effect is on and its number may be wrong
     double absent = 0.0;
     double low = 0.0;
     double high = 0.0;
@@ -51,6 +51,9 @@ struct Candidate {
 
 /// The effect as it is switched on at a value of the candidate's number.
 [[nodiscard]] physics::ActiveEffect active_at(const Candidate& candidate, const mesh::Mesh& mesh, double value);
+/// What a sensor's effect acts on: "bulk_temperature", "all 8 sensors of surfaces"; empty for any other effect.
+[[nodiscard]] std::string sensors_of(const Candidate& candidate, const solver::Problem& problem);
+
 /// "sensor_lag of bulk_temperature", "layer_conductivity.slope of tread"
 [[nodiscard]] std::string name_of(const Candidate& candidate, const input::Experiment& experiment);
 
