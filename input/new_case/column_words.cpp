@@ -81,7 +81,8 @@ double score(const std::vector<std::string>& words, std::string_view name) {
     double points = 0.0;
     for (const auto& [zone, list] : zone_words) {
         if (name.starts_with(zone)) {
-            const bool named = std::ranges::any_of(words, [&words_of_zone = list](const auto& word) { return contains_word(words_of_zone, word); });
+            const bool named = std::ranges::any_of(
+                words, [&words_of_zone = list](const auto& word) { return contains_word(words_of_zone, word); });
             if (!named) {
                 return 0.0;
             }

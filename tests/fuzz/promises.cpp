@@ -22,7 +22,8 @@ class Folder {
 public:
     Folder() {
         const fs::path shared = "/dev/shm";
-        path_ = (fs::is_directory(shared) ? shared : fs::temp_directory_path()) / fmt::format("tiretherm_fuzz_{}", getpid());
+        path_ = (fs::is_directory(shared) ? shared : fs::temp_directory_path()) /
+                fmt::format("tiretherm_fuzz_{}", getpid());
         fs::create_directories(path_);
         fs::create_directory_symlink(fs::path(TIRETHERM_SOURCE_DIR) / "cases", path_ / "cases");
     }
@@ -62,7 +63,8 @@ void check_messages(const std::vector<input::InputError>& errors, const std::vec
     }
 }
 
-void check_outcome(bool result, const std::vector<input::InputError>& errors, const std::vector<std::string>& warnings) {
+void check_outcome(bool result, const std::vector<input::InputError>& errors,
+                   const std::vector<std::string>& warnings) {
     promise(result == errors.empty(), result ? "a result beside errors" : "neither a result nor an error");
     check_messages(errors, warnings);
 }
@@ -78,8 +80,6 @@ fs::path scratch_file(const std::string& name, std::string_view bytes) {
     return path;
 }
 
-fs::path shipped(const std::string& name) {
-    return fs::path(TIRETHERM_SOURCE_DIR) / "cases" / name;
-}
+fs::path shipped(const std::string& name) { return fs::path(TIRETHERM_SOURCE_DIR) / "cases" / name; }
 
 }  // namespace tiretherm::fuzz

@@ -41,7 +41,8 @@ constexpr double longest_simulated = 20.0;  ///< s
 /// The first seconds of a case: it ends, or stops with a sentence; no temperature is without a number.
 void run_shortly(solver::Problem problem) {
     const solver::Settings& asked = problem.settings;
-    if (problem.mesh.n_cells > most_cells || asked.steady || asked.fixed_step.value_or(1.0) < 0.1 || asked.tolerance < 1e-4) {
+    if (problem.mesh.n_cells > most_cells || asked.steady || asked.fixed_step.value_or(1.0) < 0.1 ||
+        asked.tolerance < 1e-4) {
         return;
     }
     problem.settings.end = std::min(asked.end, asked.start + longest_simulated);
@@ -75,11 +76,13 @@ bool take_experiment(const fs::path& file, const std::vector<fs::path>& data, in
 }
 
 bool take_run_csv(std::string_view bytes) {
-    return take_experiment(shipped("practice/two_node_bench.toml"), {scratch_file("run.csv", bytes)}, input::ReadMode::planned);
+    return take_experiment(shipped("practice/two_node_bench.toml"), {scratch_file("run.csv", bytes)},
+                           input::ReadMode::planned);
 }
 
 bool take_run_hdf5(std::string_view bytes) {
-    return take_experiment(shipped("practice/two_node_bench.toml"), {scratch_file("run.h5", bytes)}, input::ReadMode::planned);
+    return take_experiment(shipped("practice/two_node_bench.toml"), {scratch_file("run.h5", bytes)},
+                           input::ReadMode::planned);
 }
 
 /// The place of a case that names the file.
@@ -103,20 +106,17 @@ bool take_frames(const fs::path& path) {
     return file.has_value();
 }
 
-bool take_frames_csv(std::string_view bytes) {
-    return take_frames(scratch_file("frames.csv", bytes));
-}
+bool take_frames_csv(std::string_view bytes) { return take_frames(scratch_file("frames.csv", bytes)); }
 
-bool take_frames_hdf5(std::string_view bytes) {
-    return take_frames(scratch_file("frames.h5", bytes));
-}
+bool take_frames_hdf5(std::string_view bytes) { return take_frames(scratch_file("frames.h5", bytes)); }
 
 bool take_field(const fs::path& path) {
     using physics::FieldOf;
     bool read = false;
     for (const FieldOf of : {FieldOf::pressure, FieldOf::friction, FieldOf::loss}) {
         input::InputErrors errors;
-        const auto file = input::read_field_file(path, mention(errors), of, of != FieldOf::pressure, of == FieldOf::loss, errors);
+        const auto file =
+            input::read_field_file(path, mention(errors), of, of != FieldOf::pressure, of == FieldOf::loss, errors);
         check_outcome(file.has_value(), errors.in_order(), errors.warnings());
         if (file && file->against == input::FieldFile::Against::wheel_angle) {
             double sum = 0.0;
@@ -130,13 +130,9 @@ bool take_field(const fs::path& path) {
     return read;
 }
 
-bool take_field_csv(std::string_view bytes) {
-    return take_field(scratch_file("field.csv", bytes));
-}
+bool take_field_csv(std::string_view bytes) { return take_field(scratch_file("field.csv", bytes)); }
 
-bool take_field_hdf5(std::string_view bytes) {
-    return take_field(scratch_file("field.h5", bytes));
-}
+bool take_field_hdf5(std::string_view bytes) { return take_field(scratch_file("field.h5", bytes)); }
 
 bool take_tir(std::string_view bytes) {
     input::InputErrors errors;
@@ -159,15 +155,14 @@ bool take_sheets(const fs::path& path) {
     return !converted.text.empty();
 }
 
-bool take_workbook(std::string_view bytes) {
-    return take_sheets(scratch_file("book.xlsx", bytes));
-}
+bool take_workbook(std::string_view bytes) { return take_sheets(scratch_file("book.xlsx", bytes)); }
 
 /// The sheet SEL of the shipped workbook, as CSV.
 bool take_sheet_csv(std::string_view bytes) {
     static const fs::path folder = [] {
         const fs::path made = scratch_file("book/SEL.csv", "").parent_path();
-        fs::copy(shipped("convert/thesis_225_50_R17"), made, fs::copy_options::overwrite_existing | fs::copy_options::recursive);
+        fs::copy(shipped("convert/thesis_225_50_R17"), made,
+                 fs::copy_options::overwrite_existing | fs::copy_options::recursive);
         return made;
     }();
     static_cast<void>(scratch_file("book/SEL.csv", bytes));
@@ -175,9 +170,7 @@ bool take_sheet_csv(std::string_view bytes) {
 }
 
 /// A worksheet's XML inside a sound workbook.
-bool take_sheet_xml(std::string_view bytes) {
-    return take_sheets(workbook_with_sheet(bytes));
-}
+bool take_sheet_xml(std::string_view bytes) { return take_sheets(workbook_with_sheet(bytes)); }
 
 bool take_study(std::string_view bytes) {
     const input::StudyReading reading = input::read_study(scratch_file("study.toml", bytes));
@@ -277,9 +270,7 @@ constexpr std::array all{
 
 }  // namespace
 
-std::span<const Target> targets() {
-    return all;
-}
+std::span<const Target> targets() { return all; }
 
 const Target* find_target(std::string_view name) {
     const auto* found = std::find_if(all.begin(), all.end(), [&](const Target& target) { return target.name == name; });

@@ -17,9 +17,7 @@
 
 namespace tiretherm::fuzz {
 
-void PrintTo(const Target& target, std::ostream* out) {
-    *out << target.name;
-}
+void PrintTo(const Target& target, std::ostream* out) { *out << target.name; }
 
 namespace {
 

@@ -29,7 +29,8 @@ constexpr std::array<std::string_view, 4> zones{"outside", "left", "right", "ins
 std::string coarse_section() {
     std::string text = fmt::format(
         "include = [\"{}/cases/tires/thesis_225_50_R17.toml\"]\n"
-        "[tire]\nsidewall_thickness = \"12 mm\"\n[mesh]\nkind = \"section\"\ncrown_cells = 2\nshoulder_cells = 2\nsidewall_cells = 2\n"
+        "[tire]\nsidewall_thickness = \"12 mm\"\n[mesh]\nkind = \"section\"\ncrown_cells = 2\nshoulder_cells = "
+        "2\nsidewall_cells = 2\n"
         "[[mesh.layer]]\nname = \"tread\"\nthickness = \"8 mm\"\ncells = 5\nratio = 2\nmaterial = \"rubber\"\n"
         "[[mesh.layer]]\nname = \"carcass\"\nthickness = \"4 mm\"\ncells = 2\nmaterial = \"rubber\"\n"
         "[[material]]\nname = \"rubber\"\ndensity = \"1100 kg/m3\"\nheat_capacity = \"1800 J/kgK\"\n"
@@ -57,8 +58,7 @@ constexpr std::string_view truth =
     "[effects.camera_emissivity]\nemissivity = 0.9\nchannels = [\"outside\", \"left\", \"right\", \"inside\"]\n";
 
 std::string log_of(const fs::path& folder) {
-    const input::Reading reading =
-        input::read_case(folder / "truth.toml", coarse_section() + std::string(truth));
+    const input::Reading reading = input::read_case(folder / "truth.toml", coarse_section() + std::string(truth));
     EXPECT_TRUE(reading.problem) << render(reading);
     std::mt19937_64 random(20261122);
     std::normal_distribution<double> noise(0.0, 0.3);
