@@ -31,6 +31,8 @@ System::System(const Problem& problem)
       shifted_means_(problem.mesh.regions.size()),
       shifted_(at(problem.mesh.n_nodes)),
       flow_(at(problem.mesh.n_nodes)),
+      too_cold_(at(problem.mesh.n_nodes)),
+      too_hot_(at(problem.mesh.n_nodes)),
       material_model_{.materials = problem.materials, .link_laws = problem.link_laws, .tire = problem.tire},
       effects_(problem.effects),
       lump_(at(problem.mesh.n_nodes)) {

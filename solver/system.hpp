@@ -103,6 +103,8 @@ private:
     std::vector<double> shifted_means_;
     std::vector<double> shifted_;
     std::vector<double> flow_;
+    std::vector<double> too_cold_;  ///< [n_nodes] K, bounds of a surface that follows its inputs
+    std::vector<double> too_hot_;
     physics::MaterialModel material_model_;
     std::vector<physics::ActiveEffect> effects_;
     std::vector<double> mass_;  ///< [n_nodes] kg, density * volume; 0 for surfaces and lumped nodes

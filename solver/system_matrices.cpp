@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "solver/system.hpp"
 
@@ -15,6 +16,10 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// How nearly a surface without capacity follows the inputs; Newton's next correction would be the square of it. K
 constexpr double surface_tolerance = 1e-8;
+
+/// Corrections of a surface after which every other one halves the range in which it must lie: an exponential film, met from
+/// far above, lets Newton's method come down by some kelvin only.
+constexpr int tangent_surfaces = 8;
 
 }  // namespace
 
@@ -77,6 +82,8 @@ void System::matrices(double s, bool steady, Matrix& A, Matrix& J) const {
 void System::make_consistent(std::span<double> T, std::span<const double> coefficients) {
     const mesh::Mesh& mesh = problem_->mesh;
     // Surface nodes touch no other surface node, so that each Newton correction is a division.
+    std::ranges::fill(too_cold_, 0.0);
+    std::ranges::fill(too_hot_, std::numeric_limits<double>::infinity());
     for (int iteration = 0;; ++iteration) {
         evaluate(T, coefficients);
         if (mesh.n_cells + std::ssize(mesh.lumped_nodes) == mesh.n_nodes || iteration == 50) {
@@ -100,9 +107,16 @@ void System::make_consistent(std::span<double> T, std::span<const double> coeffi
             return;
         }
         for (std::size_t i = 0; i < T.size(); ++i) {
-            if (!has_capacity(i) && stiffness[i] != 0.0) {
-                T[i] += flow_[i] / stiffness[i];
+            if (has_capacity(i) || stiffness[i] == 0.0) {
+                continue;
             }
+            // A surface that is colder than it will be takes heat up: what was found of either kind bounds it.
+            (flow_[i] > 0.0 ? too_cold_[i] : too_hot_[i]) = T[i];
+            const double next = T[i] + flow_[i] / stiffness[i];
+            const bool bisect = iteration > tangent_surfaces && iteration % 2 == 1 && std::isfinite(too_hot_[i]);
+            T[i] = !bisect && next >= too_cold_[i] && next <= std::min(too_hot_[i], 2.0 * T[i])
+                       ? next
+                       : std::min(0.5 * (too_cold_[i] + too_hot_[i]), 2.0 * T[i]);
         }
     }
 }

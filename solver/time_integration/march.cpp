@@ -141,6 +141,9 @@ private:
             if (!attempt.status.ok()) {
                 ++report_.rejected;
                 if (settings.fixed_step || t1 - t < 10.0 * smallest || !is_recoverable(attempt.status.outcome)) {
+                    if (settings.fixed_step && is_recoverable(attempt.status.outcome)) {
+                        attempt.status.message += "; make the fixed step shorter, or leave it out";
+                    }
                     return std::move(attempt.status);
                 }
                 wanted_ = 0.25 * (t1 - t);

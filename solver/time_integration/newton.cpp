@@ -15,13 +15,21 @@ namespace tiretherm::solver {
 
 namespace {
 
-constexpr int most_iterations = 25;
+constexpr int most_iterations = 50;
+/// Corrections after which the next ones are searched along: by then a smooth balance has converged.
+constexpr int unsearched = 6;
+/// Trials of one search along a correction.
+constexpr int most_trials = 30;
 /// Newton's corrections need only this relative accuracy of the linear solution: the next one mends the rest.
 constexpr double forcing = 1e-3;
 /// The share of the heat turned over in a stage by which its heat budget may fail to close.
 constexpr double energy_closure = 1e-11;
 /// Corrections after which a balance that is solved but not closed to the last digit is taken as it is.
 constexpr int max_stalled = 8;
+/// An iteration that was held back down to here would go on below the absolute zero. K
+constexpr double absolute_zero = 1e-3;
+/// A move of all temperatures from which the slope of the balance is learnt whatever it is. K
+constexpr double smallest_learnt = 1e-9;
 
 class Stopwatch {
 public:
@@ -44,7 +52,7 @@ Newton::Newton(System& system)
       factor_(make_factor(system.pattern(), system.problem().settings.linear_solver)),
       krylov_(system.size()) {
     const auto n = static_cast<std::size_t>(system.size());
-    for (std::vector<double>* v : {&residual_, &correction_, &remainder_, &J_ones_, &enthalpy_}) {
+    for (std::vector<double>* v : {&residual_, &correction_, &remainder_, &J_ones_, &enthalpy_, &trial_}) {
         v->resize(n);
     }
     ones_.assign(n, 1.0);
@@ -139,7 +147,9 @@ double Newton::shift_all(std::span<double> T) {
     const double joules = sum(residual_);
     if (last_shift_ != 0.0) {
         const double slope = (last_joules_ - joules) / last_shift_;
-        weight_ = slope > 0.5 * weight_ && slope < 2.0 * weight_ ? slope : weight_;
+        // Of a move near round-off only what is plausible; of a larger one anything that rises: a law may have a kink there.
+        const bool kink = std::abs(last_shift_) > smallest_learnt && slope > 0.0;
+        weight_ = kink || (slope > 0.5 * weight_ && slope < 2.0 * weight_) ? slope : weight_;
     }
     last_joules_ = joules;
     last_shift_ = weight_ != 0.0 ? joules / weight_ : 0.0;
@@ -202,16 +212,61 @@ double Newton::close_linearised_budget() {
     return largest;
 }
 
-/// A temperature below a fifth of the present one is an overshoot of the linear model.
-void Newton::add_damped_correction(std::span<double> T) const {
+/// A temperature below a fifth of the present one is an overshoot of the linear model, unless the balance is linear.
+void Newton::add_damped_correction(std::span<double> T, bool linear) const {
     double damping = 1.0;
-    for (std::size_t i = 0; i < correction_.size(); ++i) {
+    for (std::size_t i = 0; i < correction_.size() && !linear; ++i) {
         if (correction_[i] < -0.8 * T[i]) {
             damping = std::min(damping, -0.5 * T[i] / correction_[i]);
         }
     }
     for (std::size_t i = 0; i < correction_.size(); ++i) {
         T[i] += damping * correction_[i];
+    }
+}
+
+/// The residual along the correction at a share of it: zero where the heat balance, were it that of an energy, is at its
+/// least on the way. @returns K J
+double Newton::residual_along(const Stage& stage, std::span<const double> from, double share) {
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        trial_[i] = from[i] + share * correction_[i];
+    }
+    system_->evaluate(trial_, stage.coefficients);
+    find_residual(stage, trial_);
+    return std::inner_product(residual_.begin(), residual_.end(), correction_.begin(), 0.0);
+}
+
+/// Shortens a correction that jumps over a kink of a law, such as a peak of c(T): enthalpies grow with temperature, so that
+/// the residual along the correction falls, and the share of it is sought where that is nearly zero (regula falsi, Illinois).
+void Newton::search_along_correction(const Stage& stage, std::span<const double> T) {
+    const double start = std::inner_product(residual_.begin(), residual_.end(), correction_.begin(), 0.0);
+    double share = 1.0;
+    double low = 0.0;
+    double at_low = start;
+    double high = 1.0;
+    double at_high = residual_along(stage, T, high);
+    if (at_high > 0.0 || !(start > 0.0)) {
+        return;
+    }
+    for (int trial = 0; trial < most_trials; ++trial) {
+        const double chord = low + (high - low) * at_low / (at_low - at_high);
+        share = std::isfinite(chord) && trial % 3 != 2 ? chord : 0.5 * (low + high);
+        const double at_share = residual_along(stage, T, share);
+        if (std::abs(at_share) <= 0.1 * start) {
+            break;
+        }
+        if (at_share > 0.0) {
+            low = share;
+            at_low = at_share;
+            at_high *= 0.5;
+        } else {
+            high = share;
+            at_high = at_share;
+            at_low *= 0.5;
+        }
+    }
+    for (double& change : correction_) {
+        change *= share;
     }
 }
 
@@ -228,12 +283,16 @@ Status Newton::correct(const Stage& stage, std::span<double> T, Progress& progre
     progress.solved = linear && result.converged;
     progress.polished = false;
     progress.correction = close_linearised_budget();
-    add_damped_correction(T);
+    if (++progress.corrections > unsearched) {
+        search_along_correction(stage, T);
+    }
+    add_damped_correction(T, linear);
     return {};
 }
 
 Status Newton::solve(const Stage& stage, std::span<double> T) {
     Progress progress;
+    int stalled = 0;
     for (int iteration = 0; iteration <= most_iterations; ++iteration) {
         if (Status status = evaluate(stage, T); !status.ok()) {
             return status;
@@ -243,13 +302,16 @@ Status Newton::solve(const Stage& stage, std::span<double> T) {
         }
         const double residual = scaled_residual();
         const bool small = iteration > 0 && is_small(progress, residual, stage.tolerance);
-        if (small && (closes_heat_budget(stage) || iteration > max_stalled)) {
+        stalled += small ? 1 : 0;
+        progress.polish_spoils = progress.polish_spoils || (progress.polished && !small);
+        if (small && (closes_heat_budget(stage) || stalled > max_stalled)) {
             return {};
         }
-        if (small && factor_->is_exact()) {
+        if (small && (factor_->is_exact() || stalled > max_stalled / 2)) {
             // The field is as good as found: what is left needs no new matrix, and after that only the mean still has to
             // close the heat budget to the last digit.
-            progress.correction = progress.polished ? shift_all(T) : polish(T);
+            const bool only_mean = progress.polished || progress.polish_spoils || !factor_->is_exact();
+            progress.correction = only_mean ? shift_all(T) : polish(T);
             progress.polished = true;
         } else {
             if (iteration > 0) {
@@ -263,6 +325,12 @@ Status Newton::solve(const Stage& stage, std::span<double> T) {
             }
         }
         progress.residual = residual;
+    }
+    const auto lowest = std::min_element(T.begin(), T.end());
+    if (*lowest < absolute_zero) {
+        return system_->failure_at(Outcome::not_converged,
+                                   "the step is too long: its heat balance leads below the absolute zero",
+                                   static_cast<int>(lowest - T.begin()), stage.time, T, stage.coefficients);
     }
     return system_->failure_at(Outcome::not_converged, "the heat balance did not converge", worst_node_, stage.time, T,
                                stage.coefficients);

@@ -70,17 +70,21 @@ public:
 private:
     /// Where an iteration stands.
     struct Progress {
-        double residual = 0.0;    ///< K, scaled residual of the iterate before
-        double correction = 0.0;  ///< K, size of the last correction
-        bool solved = false;      ///< the balance is linear and its one correction is made
-        bool polished = false;    ///< the last correction was made with the matrices at hand
+        double residual = 0.0;       ///< K, scaled residual of the iterate before
+        double correction = 0.0;     ///< K, size of the last correction
+        int corrections = 0;         ///< made by Newton's method
+        bool solved = false;         ///< the balance is linear and its one correction is made
+        bool polished = false;       ///< the last correction was made with the matrices at hand
+        bool polish_spoils = false;  ///< such a correction led away: a law has a kink near the solution
     };
     [[nodiscard]] Status evaluate(const Stage& stage, std::span<const double> T);
     [[nodiscard]] static bool is_small(const Progress& progress, double residual, double tolerance);
     [[nodiscard]] Status correct(const Stage& stage, std::span<double> T, Progress& progress);
+    [[nodiscard]] double residual_along(const Stage& stage, std::span<const double> from, double share);
+    void search_along_correction(const Stage& stage, std::span<const double> T);
     void count_solves(const Krylov::Result& result);
     double close_linearised_budget();
-    void add_damped_correction(std::span<double> T) const;
+    void add_damped_correction(std::span<double> T, bool linear) const;
     [[nodiscard]] Status prepare(const Stage& stage);
     [[nodiscard]] double scaled_residual();
     [[nodiscard]] bool closes_heat_budget(const Stage& stage) const;
@@ -100,6 +104,7 @@ private:
     std::vector<double> ones_;
     std::vector<double> J_ones_;
     std::vector<double> enthalpy_;
+    std::vector<double> trial_;  ///< K, of a search along a correction
     bool has_nonlinear_capacity_ = false;
     int worst_node_ = 0;
     double weight_ = 0.0;      ///< J/K, what the balance of the whole mesh changes by when every temperature does

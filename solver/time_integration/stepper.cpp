@@ -54,7 +54,8 @@ void Stepper::update_heat_budget(int stage) {
     stage_watts_[at(stage)] = system_.terms().watts;
 }
 
-/// First guess of a stage: straight on from the last step's end, then along the stages found so far.
+/// First guess of a stage: straight on from the last step's end, then along the stages found so far. What would lead near
+/// the absolute zero, or below it, is no guess.
 void Stepper::predict(int stage, double dt) {
     std::vector<double>& guess = T_[at(stage) + 1];
     const std::vector<double>& now = T_[1];
@@ -67,14 +68,16 @@ void Stepper::predict(int stage, double dt) {
             const std::vector<double>& before = last_[at(tableau_->stages) - 2];
             const std::vector<double>& end = last_[at(tableau_->stages) - 1];
             for (std::size_t i = 0; i < guess.size(); ++i) {
-                guess[i] += rate * (end[i] - before[i]);
+                const double onward = guess[i] + rate * (end[i] - before[i]);
+                guess[i] = onward > 0.2 * guess[i] ? onward : guess[i];
             }
         }
         return;
     }
     const double rate = tableau_->c[at(stage)] / tableau_->c[1];
     for (std::size_t i = 0; i < guess.size(); ++i) {
-        guess[i] = now[i] + rate * (T_[2][i] - now[i]);
+        const double onward = now[i] + rate * (T_[2][i] - now[i]);
+        guess[i] = onward > 0.2 * now[i] ? onward : now[i];
     }
 }
 
