@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "input/tables/hdf5_handle.hpp"
+#include "input/text/regular_file.hpp"
 #include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
@@ -116,6 +117,9 @@ std::vector<Dataset> datasets(hid_t group) {
 
 ErrorText hdf5_defect(const std::filesystem::path& path) {
     silence_hdf5();
+    if (ErrorText reason = not_readable(path, std::numeric_limits<std::uintmax_t>::max()); !reason.what.empty()) {
+        return reason;
+    }
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file) {
         return {fmt::format("cannot be read: {}", std::system_category().message(errno)), ""};

@@ -7,7 +7,9 @@
 #include <toml++/toml.h>
 
 #include "input/text/document.hpp"
+#include "input/text/regular_file.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/text/toml_depth.hpp"
 
 namespace tiretherm::input {
 
@@ -68,6 +70,9 @@ TomlValue convert(const toml::node& from, int file) {
     return to;
 }
 
+/// In bytes. A case has kilobytes; what is measured stands in files of its own.
+constexpr std::uintmax_t largest_toml = std::uintmax_t{16} << 20U;
+
 /// The commonest slip is a quantity without quotes.
 std::string remedy_for(const toml::parse_error& error, std::string_view text) {
     for (toml::source_index line = 1; line < error.source().begin.line; ++line) {
@@ -88,6 +93,17 @@ std::string remedy_for(const toml::parse_error& error, std::string_view text) {
 }  // namespace
 
 std::optional<TomlValue> parse_toml(const TextFile& file, InputErrors& errors) {
+    if (file.text.size() > largest_toml) {
+        ErrorText reason = too_large(file.text.size(), largest_toml);
+        errors.add({.file = file.number}, "the file " + reason.what, "give measured values as a CSV or HDF5 file");
+        return std::nullopt;
+    }
+    if (const std::optional<TextPlace> deep = first_too_deep(file.text)) {
+        errors.add({.file = file.number, .line = deep->line, .column = deep->column, .length = 1},
+                   fmt::format("keys and values stand more than {} deep within each other", most_levels),
+                   "no key of a case has more than a few parts: remove what stands between the dots or the brackets");
+        return std::nullopt;
+    }
     try {
         TomlValue root = convert(toml::parse(std::string_view(file.text)), file.number);
         root.place = {.file = file.number};  // what a file lacks stands in no line of it
