@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "input/text/document.hpp"
+#include "input/text/enough_memory.hpp"
 #include "input/text/regular_file.hpp"
 #include "input/text/suggestions.hpp"
 
@@ -45,10 +46,8 @@ std::string neighbour(const std::filesystem::path& path) {
     return near.empty() ? "" : fmt::format("did you mean `{}`?", near);
 }
 
-}  // namespace
-
-std::optional<TextFile> read_text(const std::filesystem::path& path, const SourceLocation& mentioned,
-                                  InputErrors& errors) {
+std::optional<TextFile> read_whole(const std::filesystem::path& path, const SourceLocation& mentioned,
+                                   InputErrors& errors) {
     const std::string shown = path.generic_string();
     if (const int number = errors.find_file(shown); number >= 0) {
         return TextFile{number, errors.text(number)};
@@ -90,6 +89,13 @@ std::optional<TextFile> read_text(const std::filesystem::path& path, const Sourc
     }
     const int number = errors.add_file(shown, bytes);
     return TextFile{number, std::move(bytes)};
+}
+
+}  // namespace
+
+std::optional<TextFile> read_text(const std::filesystem::path& path, const SourceLocation& mentioned,
+                                  InputErrors& errors) {
+    return with_memory(path.generic_string(), mentioned, errors, [&] { return read_whole(path, mentioned, errors); });
 }
 
 }  // namespace tiretherm::input
