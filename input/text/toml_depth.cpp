@@ -4,6 +4,7 @@
 #include "input/text/toml_depth.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -36,44 +37,63 @@ TextPlace place_of(std::string_view text, std::size_t at) {
             .column = static_cast<int>(std::ranges::count_if(before.substr(line_start), starts_character)) + 1};
 }
 
+struct Bracket {
+    int levels;      ///< the parts of the key before it, and so its levels
+    std::size_t at;  ///< in the text
+};
+
+/// Goes through a text until it is too deep.
+struct Scan {
+    std::vector<Bracket> open;
+    std::optional<std::size_t> too_deep;  ///< start of the key or the value that goes too deep
+
+    explicit Scan(std::string_view text, int most) {
+        int levels = 0;         // of all open brackets
+        int parts = 1;          // of the key that is under way; a number behind it adds one at most
+        std::size_t start = 0;  // where what is under way starts
+        bool started = false;
+        for (std::size_t i = 0; i < text.size() && !too_deep; ++i) {
+            const char c = text[i];
+            if (!started && c != ' ' && c != '\t') {
+                start = i;
+                started = true;
+            }
+            const bool opens = c == '[' || c == '{';
+            if (c == '.') {
+                ++parts;
+            } else if (opens) {
+                open.push_back({parts, i});
+                levels += parts;
+            } else if ((c == ']' || c == '}') && !open.empty()) {
+                levels -= open.back().levels;
+                open.pop_back();
+            }
+            if (opens || c == ']' || c == '}' || c == ',' || c == '\n') {
+                parts = 1;
+                started = false;
+            }
+            if (levels + parts > most) {
+                too_deep = start;
+            }
+            if (c == '"' || c == '\'') {
+                i = end_of_string(text, i) - 1;
+            } else if (c == '#') {
+                i = std::min(text.find('\n', i), text.size()) - 1;
+            }
+        }
+    }
+};
+
 }  // namespace
 
 std::optional<TextPlace> first_too_deep(std::string_view text) {
-    std::vector<int> around;  // of each open bracket: the parts of the key before it, and so its levels
-    int levels = 0;           // their sum
-    int parts = 1;            // of the key that is under way; a number behind it adds one at most
-    std::size_t start = 0;    // where what is under way starts
-    bool started = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (!started && c != ' ' && c != '\t') {
-            start = i;
-            started = true;
-        }
-        const bool opens = c == '[' || c == '{';
-        if (c == '.') {
-            ++parts;
-        } else if (opens) {
-            around.push_back(parts);
-            levels += parts;
-        } else if ((c == ']' || c == '}') && !around.empty()) {
-            levels -= around.back();
-            around.pop_back();
-        }
-        if (opens || c == ']' || c == '}' || c == ',' || c == '\n') {
-            parts = 1;
-            started = false;
-        }
-        if (levels + parts > most_levels) {
-            return place_of(text, start);
-        }
-        if (c == '"' || c == '\'') {
-            i = end_of_string(text, i) - 1;
-        } else if (c == '#') {
-            i = std::min(text.find('\n', i), text.size()) - 1;
-        }
-    }
-    return std::nullopt;
+    const Scan scan(text, most_levels);
+    return scan.too_deep ? std::optional(place_of(text, *scan.too_deep)) : std::nullopt;
+}
+
+int line_of_open_bracket(std::string_view text) {
+    const Scan scan(text, std::numeric_limits<int>::max());
+    return scan.open.empty() ? 0 : place_of(text, scan.open.front().at).line;
 }
 
 }  // namespace tiretherm::input

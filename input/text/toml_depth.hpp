@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds keys of too many parts and values within too many others before the parser, which recurses, meets them.
+// Scans a TOML text without a parser: keys of too many parts and values within too many others, which the parser would
+// recurse into, and brackets that are left open.
 #pragma once
 
 #include <optional>
@@ -19,5 +20,8 @@ struct TextPlace {
 /// Where a TOML text goes deeper than `most_levels`: each part of a dotted key counts, and each bracket about a value.
 /// Of a text that is not valid TOML the answer may be about any line. Takes a time linear in the text, and no stack.
 [[nodiscard]] std::optional<TextPlace> first_too_deep(std::string_view text);
+
+/// The line in which the outermost bracket is opened that a TOML text leaves open; 0 where there is none.
+[[nodiscard]] int line_of_open_bracket(std::string_view text);
 
 }  // namespace tiretherm::input
