@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <memory>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -14,6 +15,8 @@ namespace tiretherm::input {
 
 namespace {
 
+constexpr int most_pixels = 100'000;  // in a row or a column of an image
+
 /// Row and column of the pixel that a heading names: "r3c17".
 std::optional<std::array<int, 2>> pixel_of(std::string_view name) {
     std::array<int, 2> place{};
@@ -24,7 +27,7 @@ std::optional<std::array<int, 2>> pixel_of(std::string_view name) {
             return std::nullopt;
         }
         const auto [after, error] = std::from_chars(at + 1, end, *number);
-        if (error != std::errc() || *number < 0) {
+        if (error != std::errc() || *number < 0 || *number >= most_pixels) {
             return std::nullopt;
         }
         at = after;
@@ -52,7 +55,7 @@ Columns classify_columns(const DataFile& file, InputErrors& errors) {
             found.column.push_back(static_cast<int>(i));
             found.rows = std::max(found.rows, (*place)[0] + 1);
             found.columns = std::max(found.columns, (*place)[1] + 1);
-        } else {
+        } else if (!head.heading.name.empty() || i + 1 < file.heads().size()) {
             errors.add(head.place, fmt::format("the column {} is neither time nor a pixel", head.heading.name),
                        "call pixels by row and column, r0c0 [degC], r0c1 [degC] ..., and the clock time [s]");
             return found;
@@ -64,21 +67,30 @@ Columns classify_columns(const DataFile& file, InputErrors& errors) {
 /// Every pixel once. @returns whether that is so
 bool check_shape(const Columns& found, const DataFile& file, InputErrors& errors) {
     const std::string remedy = "give every pixel of the image one column";
-    std::vector<int> seen(static_cast<std::size_t>(found.rows) * static_cast<std::size_t>(found.columns), 0);
-    for (std::size_t k = 0; k < found.place.size(); ++k) {
-        const auto [row, column] = found.place[k];
-        if (++seen[static_cast<std::size_t>(row * found.columns + column)] == 2) {
-            errors.add(file.heads()[static_cast<std::size_t>(found.column[k])].place,
+    std::vector<std::size_t> order(found.place.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t k) { return found.place[k]; });
+    for (std::size_t k = 1; k < order.size(); ++k) {
+        const auto [row, column] = found.place[order[k]];
+        if (found.place[order[k - 1]] == found.place[order[k]]) {
+            errors.add(file.heads()[static_cast<std::size_t>(found.column[order[k]])].place,
                        fmt::format("the pixel r{}c{} has two columns", row, column), remedy);
             return false;
         }
     }
-    const auto missing = std::ranges::find(seen, 0) - seen.begin();
-    if (missing < std::ssize(seen)) {
+    const auto wanted = [&](std::size_t k) {
+        const auto width = static_cast<std::size_t>(found.columns);
+        return std::array{static_cast<int>(k / width), static_cast<int>(k % width)};
+    };
+    const std::size_t all = static_cast<std::size_t>(found.rows) * static_cast<std::size_t>(found.columns);
+    std::size_t k = 0;
+    while (k < order.size() && found.place[order[k]] == wanted(k)) {
+        ++k;
+    }
+    if (k < all) {
         errors.add({.file = file.number()},
                    fmt::format("{} x {} pixels need {} columns, and there are {}: r{}c{} is missing", found.rows,
-                               found.columns, seen.size(), found.place.size(), missing / found.columns,
-                               missing % found.columns),
+                               found.columns, all, found.place.size(), wanted(k)[0], wanted(k)[1]),
                    remedy);
         return false;
     }

@@ -4,6 +4,7 @@
 
 #include "input/cameras/frame_file.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -18,12 +19,21 @@ namespace {
 constexpr const char* wanted_form =
     "write the images as frames [n, rows, columns], with the attribute units = \"degC\"";
 
+constexpr std::size_t most_pixels = 100'000;  // in a row or a column of an image
+
 /// Rows and columns of the images: dimensions of their own, or in attributes where each image is one long row.
 std::optional<std::array<std::size_t, 2>> image_of(const Hdf5Stack& frames, int number, InputErrors& errors) {
     const std::vector<std::size_t>& shape = frames.shape();
     const std::vector<double> rows = frames.numbers("rows");
     const std::vector<double> columns = frames.numbers("columns");
     if (shape.size() == 3) {
+        if (std::max(shape[1], shape[2]) > most_pixels) {
+            errors.add({.file = number},
+                       fmt::format("an image has {} x {} pixels, and at most {} x {} are read", shape[1], shape[2],
+                                   most_pixels, most_pixels),
+                       wanted_form);
+            return std::nullopt;
+        }
         return std::array{shape[1], shape[2]};
     }
     if (shape.size() != 2 || rows.empty() || columns.empty()) {
@@ -35,7 +45,8 @@ std::optional<std::array<std::size_t, 2>> image_of(const Hdf5Stack& frames, int 
         return std::nullopt;
     }
     const double pixels = rows.front() * columns.front();
-    if (!(rows.front() >= 1.0) || !(columns.front() >= 1.0) || pixels != static_cast<double>(shape[1])) {
+    if (rows.front() != std::floor(rows.front()) || !(rows.front() >= 1.0) || !(columns.front() >= 1.0) ||
+        pixels != static_cast<double>(shape[1])) {
         errors.add({.file = number},
                    fmt::format("an image of {:g} x {:g} pixels has {:g} values, and frames has {} in a row",
                                rows.front(), columns.front(), pixels, shape[1]),
@@ -66,7 +77,12 @@ std::optional<Conversion> unit_of(const Hdf5Stack& stack, const std::string& dat
 
 std::vector<double> read_time_settings(const std::filesystem::path& path, std::size_t frames, int number,
                                        InputErrors& errors) {
-    const auto stack = Hdf5Stack::open(path, "time");
+    ErrorText defect;
+    const auto stack = Hdf5Stack::open(path, "time", defect);
+    if (!defect.what.empty()) {
+        errors.add({.file = number}, std::move(defect));
+        return {};
+    }
     if (!stack || stack->shape().size() != 1) {
         errors.add({.file = number},
                    stack ? fmt::format("the dataset time has {} dimensions, not one", stack->shape().size())
@@ -137,9 +153,11 @@ bool report_times_not_ascending(const std::vector<double>& time, int number, Inp
 std::optional<FrameFile> open_hdf5_frames(const std::filesystem::path& path, int number, InputErrors& errors) {
     const std::size_t before = errors.count();
     const SourceLocation place{.file = number};
-    auto stack = Hdf5Stack::open(path, "frames");
+    ErrorText defect;
+    auto stack = Hdf5Stack::open(path, "frames", defect);
     if (!stack) {
-        errors.add(place, "the file has no dataset frames of numbers", wanted_form);
+        errors.add(place, defect.what.empty() ? ErrorText{"the file has no dataset frames of numbers", wanted_form}
+                                              : std::move(defect));
         return std::nullopt;
     }
     const std::vector<std::size_t>& shape = stack->shape();

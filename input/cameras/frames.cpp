@@ -11,6 +11,7 @@
 
 #include "input/cameras/frame_file.hpp"
 #include "input/cameras/frame_warnings.hpp"
+#include "input/text/enough_memory.hpp"
 #include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
@@ -115,6 +116,9 @@ const Camera* find_camera(const FramesOfRun& named, const ProblemBuilder& builde
     if (found != builder.cameras.end()) {
         return &*found;
     }
+    if (std::ranges::any_of(builder.cameras, [](const Camera& camera) { return camera.name.empty(); })) {
+        return nullptr;  // its name is wrong, which has been said; it may be the one
+    }
     errors.add(named.camera.place,
                builder.cameras.empty()     ? "the case has no camera that gives frames"
                : named.camera.text.empty() ? "frames does not say of which camera"
@@ -134,7 +138,7 @@ void read_one(const Camera& camera, const FramesOfRun& named, const ProblemBuild
     }
     const std::optional<std::array<double, 2>> size = camera.pixel_size ? camera.pixel_size : file->pixel_size;
     if (!size) {
-        errors.add(named.place, fmt::format("nobody says how large a pixel of {} is on the specimen", camera.name),
+        errors.add(named.place, fmt::format("the size of a pixel of {} on the specimen is not given", camera.name),
                    "add pixel_size = \"0.5 mm\" to the [[camera]], or the attribute pixel_size to the file's frames");
     }
     const std::optional<Window> window = window_of(camera, *file, errors);
@@ -191,7 +195,10 @@ void read_frames(const RunTable& table, const ProblemBuilder& builder, InputErro
                  std::vector<std::string>& warnings) {
     for (const FramesOfRun& named : table.frames) {
         if (const Camera* camera = find_camera(named, builder, errors)) {
-            read_one(*camera, named, builder, errors, run, warnings);
+            static_cast<void>(with_memory(named.path.generic_string(), named.place, errors, [&] {
+                read_one(*camera, named, builder, errors, run, warnings);
+                return true;
+            }));
         }
     }
 }

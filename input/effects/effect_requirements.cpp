@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "input/model/probes.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
 #include "solver/system.hpp"
@@ -24,6 +25,23 @@ bool uses(const Effect& effect, std::string_view signal) {
     return std::any_of(lists.begin(), lists.end(), [&](std::span<const std::string_view> list) {
         return std::find(list.begin(), list.end(), signal) != list.end();
     });
+}
+
+/// How a column of the run's file becomes an input, with the columns whose names say nothing; empty without one.
+/// @param sensors names of the case's sensors
+std::string mapping_to(std::string_view input, const RunInputs& run, const std::vector<std::string>& sensors) {
+    constexpr std::size_t shown = 8;
+    std::vector<std::string> free;
+    for (const std::string& heading : run.headings) {
+        const bool used = heading.empty() || heading == "time" || physics::find_signal(heading) != nullptr ||
+                          std::ranges::find(sensors, heading) != sensors.end();
+        if (!used && free.size() <= shown) {
+            free.push_back(free.size() < shown ? heading : "...");
+        }
+    }
+    return free.empty() ? ""
+                        : fmt::format("map a column of the file ({}) to it, columns = {{ COLUMN = \"{}\" }}, or ",
+                                      fmt::join(free, ", "), input);
 }
 
 }  // namespace
@@ -101,7 +119,7 @@ void check_signals(TomlTable& root, const ProblemBuilder& builder) {
                           builder.run->name, signal.name)
                     : fmt::format("[drive] lacks {}", signal.name);
             const std::string column =
-                builder.run && !builder.run->inputs.empty() ? fmt::format("map a column to {}, ", signal.name) : "";
+                builder.run ? mapping_to(signal.name, *builder.run, sensor_names(root.content())) : "";
             root.errors().add(
                 builder.run ? builder.run->place : root.place("drive"),
                 fmt::format("{}, which {} {}", lacking, listed(needing), one ? "needs" : "need"),

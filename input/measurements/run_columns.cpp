@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Applies `columns`, `units` and `ignore` to the headings and reports names that are unknown or used twice.
+// Applies `columns`, `units`, `unit_names` and `ignore` to the headings and reports names that are unknown or used twice.
 
 #include "input/measurements/run_columns.hpp"
 
@@ -53,6 +53,9 @@ RunColumns classify_columns(DataFile& file, ColumnKeys& keys, const std::vector<
         const LocatedString name = keys.name_of(heading, head.place);
         if (const LocatedString* unit = keys.unit_of(heading)) {
             apply_unit(head, *unit, errors);
+        } else if (const LocatedString* meant = head.heading.unit ? keys.unit_named(*head.heading.unit) : nullptr) {
+            head.heading.unit = meant->text;
+            head.unit_place = meant->place;
         }
         if (ignored || heading.empty()) {
             continue;

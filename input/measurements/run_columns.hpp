@@ -35,8 +35,8 @@ struct RunColumns {
     bool misnamed = false;  ///< a column is mapped to a name that nothing has: it may be anything
 };
 
-/// Classifies the columns by their names, after `columns`, `units` and `ignore` of the case have been applied to the
-/// headings.
+/// Classifies the columns by their names, after `columns`, `units`, `unit_names` and `ignore` of the case have been applied
+/// to the headings.
 /// @param sensors names of the case's sensors  @param followed names that user effects refer to
 [[nodiscard]] RunColumns classify_columns(DataFile& file, ColumnKeys& keys, const std::vector<std::string>& sensors,
                                           const std::vector<std::string>& followed, InputErrors& errors);

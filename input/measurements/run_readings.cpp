@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -136,6 +137,37 @@ void read_numbers(const ProblemBuilder& builder, const TomlValue& document, cons
     }
 }
 
+namespace {
+
+/// Whether a column may hold what a temperature sensor reads: neither the clock nor in a unit of something else.
+bool may_be_temperature(const Heading& heading) {
+    const std::string unit = heading.unit.value_or("");
+    const auto read = conversion(unit, "K", Scale::absolute);
+    return unit.empty() ? nearest(heading.name, {"time", "t", "zeit", "timestamp"}).empty()
+                        : unit == "C" || unit == "F" || std::holds_alternative<Conversion>(read);
+}
+
+/// A key as a case writes it in braces.
+std::string spell_key(const std::string& key) {
+    const bool bare =
+        key.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") == std::string::npos;
+    return bare ? key : fmt::format("\"{}\"", key);
+}
+
+/// The headings that the model does not use, the first few of them.
+std::string some_headings(const RunFile& file) {
+    constexpr std::size_t shown = 8;
+    std::vector<std::string> names;
+    for (const int column : file.columns.unused) {
+        if (names.size() < shown) {
+            names.push_back(file.file.heads()[static_cast<std::size_t>(column)].heading.name);
+        }
+    }
+    return fmt::format("{}{}", fmt::join(names, ", "), file.columns.unused.size() > shown ? " ..." : "");
+}
+
+}  // namespace
+
 void require_readings(const MeasuredRun& run, const RunTable& table, const RunFile* file,
                       const std::vector<std::string>& sensors, InputErrors& errors) {
     const bool has_column = file != nullptr && std::any_of(file->columns.used.begin(), file->columns.used.end(),
@@ -153,13 +185,17 @@ void require_readings(const MeasuredRun& run, const RunTable& table, const RunFi
         return;
     }
     const SourceLocation place = table.place.file >= 0 ? table.place : SourceLocation{.file = file->file.number()};
-    errors.add(
-        place, fmt::format("none of the file's columns is mapped to a sensor: the run {} measures nothing", table.name),
-        fmt::format("map one: columns = {{ {} = \"{}\" }}; {}",
-                    file->columns.unused.empty()
-                        ? "T"
-                        : file->file.heads()[static_cast<std::size_t>(file->columns.unused.front())].heading.name,
-                    sensors.empty() ? "..." : sensors.front(), known));
+    const auto unused = std::ranges::find_if(file->columns.unused, [&](int column) {
+        return may_be_temperature(file->file.heads()[static_cast<std::size_t>(column)].heading);
+    });
+    const std::string example = unused == file->columns.unused.end()
+                                    ? std::string("COLUMN")
+                                    : spell_key(file->file.heads()[static_cast<std::size_t>(*unused)].heading.name);
+    errors.add(place,
+               fmt::format("none of the file's columns{} is mapped to a sensor: the run {} measures nothing",
+                           file->columns.unused.empty() ? "" : fmt::format(" ({})", some_headings(*file)), table.name),
+               fmt::format("map one: columns = {{ {} = \"{}\" }}; {}", example,
+                           sensors.empty() ? "..." : sensors.front(), known));
 }
 
 }  // namespace tiretherm::input

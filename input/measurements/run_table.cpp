@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads the keys of [[run]], or makes one run of each --data file, and tracks which columns the keys name.
+// Reads the keys of [[run]], or makes one run of each --data file.
 
 #include "input/measurements/run_table.hpp"
 
@@ -50,14 +50,14 @@ void read_frame_files(TomlTable& table, RunTable& run) {
 RunTable read_run(TomlTable& table) {
     RunTable run{.table = &table.content(), .place = table.place(), .name = {}};
     const std::optional<std::string> file = table.text("file");
-    table.declare_keys(
-        {"name", "drive", "initial", "time", "measured", "columns", "units", "ignore", "hold", "from", "to"});
+    table.declare_keys({"name", "drive", "initial", "time", "measured", "columns", "units", "unit_names", "ignore",
+                        "hold", "from", "to"});
     if (file) {
         run.place = table.place("file");
         const fs::path beside = fs::path(table.errors().file(run.place.file)).parent_path();
         run.file = (beside / *file).lexically_normal();
     } else {
-        for (const std::string_view key : {"columns", "units", "ignore", "hold", "from", "to"}) {
+        for (const std::string_view key : {"columns", "units", "unit_names", "ignore", "hold", "from", "to"}) {
             if (table.has(key)) {
                 table.add_error(key, fmt::format("{} speaks of a file, and the run has none", key),
                                 "add file = \"....csv\"");
@@ -107,88 +107,6 @@ std::vector<RunTable> runs_of(const std::vector<fs::path>& data, const RunTable&
 
 }  // namespace
 
-void ColumnKeys::read_words(TomlTable table, std::vector<Key>& into) {
-    for (const Entry& entry : table.content().entries) {
-        if (const std::optional<std::string> word = table.text(entry.key)) {
-            into.push_back({.column = {entry.key, entry.place}, .value = {*word, entry.value.place}});
-        }
-    }
-}
-
-void ColumnKeys::read(TomlTable& table) {
-    read_words(table.subtable("columns"), names_);
-    read_words(table.subtable("units"), units_);
-    for (LocatedString& word : table.texts("ignore")) {
-        ignored_.push_back({.column = std::move(word), .value = {}});
-    }
-    for (LocatedString& word : table.texts("hold")) {
-        held_.push_back({.column = std::move(word), .value = {}});
-    }
-}
-
-LocatedString ColumnKeys::name_of(const std::string& heading, const SourceLocation& place) {
-    headings_.insert(heading);
-    for (Key& key : names_) {
-        if (key.column.text == heading) {
-            key.found = true;
-            return key.value;
-        }
-    }
-    return {heading, place};
-}
-
-const LocatedString* ColumnKeys::unit_of(const std::string& heading) {
-    for (Key& key : units_) {
-        if (key.column.text == heading) {
-            key.found = true;
-            return &key.value;
-        }
-    }
-    return nullptr;
-}
-
-bool ColumnKeys::ignores(const std::string& heading) {
-    bool ignored = false;
-    for (Key& key : ignored_) {
-        if (key.column.text == heading) {
-            key.found = ignored = true;
-        }
-    }
-    return ignored;
-}
-
-bool ColumnKeys::holds(const std::string& name) {
-    bool held = false;
-    for (Key& key : held_) {
-        if (key.column.text == name) {
-            key.found = held = true;
-        }
-    }
-    return held;
-}
-
-void ColumnKeys::report_unknown_columns(InputErrors& errors) const {
-    if (unknown_keys_allowed_) {
-        return;
-    }
-    const std::vector<std::string> known(headings_.begin(), headings_.end());
-    for (const std::vector<Key>* keys : {&names_, &units_, &ignored_}) {
-        for (const Key& key : *keys) {
-            if (!key.found) {
-                errors.add(key.column.place, fmt::format("the file has no column \"{}\"", key.column.text),
-                           suggest(key.column.text, known, "columns"));
-            }
-        }
-    }
-    for (const Key& key : held_) {
-        if (!key.found) {
-            errors.add(key.column.place,
-                       fmt::format("hold: no column of the file is the input \"{}\"", key.column.text),
-                       "name an input as the model calls it, hold = [\"laser_power\"]");
-        }
-    }
-}
-
 std::vector<RunTable> read_run_tables(TomlTable& root, const std::string& case_name,
                                       const std::vector<fs::path>& data) {
     RunTable of_data{.table = nullptr, .place = {}, .name = {}};
@@ -202,7 +120,10 @@ std::vector<RunTable> read_run_tables(TomlTable& root, const std::string& case_n
         return runs_of(data, of_data, root.errors());
     }
     std::vector<RunTable> runs;
-    root.each("run", [&](TomlTable& table) { runs.push_back(read_run(table)); });
+    root.each("run", [&](TomlTable& table) {
+        runs.push_back(read_run(table));
+        runs.back().keys->fall_back_on(of_data.keys);
+    });
     report_duplicates(runs, root.errors());
     if (!root.has("run")) {
         RunTable itself{.table = nullptr, .place = {}, .name = fs::path(case_name).filename().string()};

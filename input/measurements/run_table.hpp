@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tables [[run]] and [data]: file, time window, camera frames, and the keys `columns`, `units`, `ignore` and `hold` for
-// columns.
+// Tables [[run]] and [data]: file, time window, camera frames, and the keys `columns`, `units`, `unit_names`, `ignore` and
+// `hold` for columns.
 #pragma once
 
 #include <filesystem>
@@ -9,26 +9,32 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "input/text/toml_table.hpp"
 
 namespace tiretherm::input {
 
-/// What a case says about the columns of a file: the keys `columns`, `units`, `ignore` and `hold`.
+/// What a case says about the columns of a file: the keys `columns`, `units`, `unit_names`, `ignore` and `hold`. Those of
+/// [data] count for every file; what a run says itself wins: column by column, and for `ignore` and `hold` as a whole.
 class ColumnKeys {
 public:
     void read(TomlTable& table);
+    /// @param shared the keys of [data], which count where these say nothing
+    void fall_back_on(std::shared_ptr<ColumnKeys> shared) { shared_ = std::move(shared); }
 
     /// The name a heading stands for: its own, unless `columns` gives it another.
     [[nodiscard]] LocatedString name_of(const std::string& heading, const SourceLocation& place);
     [[nodiscard]] const LocatedString* unit_of(const std::string& heading);  ///< null when `units` has none
+    /// What a heading's unit is called in truth, null when `unit_names` does not say.
+    [[nodiscard]] const LocatedString* unit_named(const std::string& unit);
     [[nodiscard]] bool ignores(const std::string& heading);
     /// Whether a signal, by the name that the model knows, keeps each value until the next sample.
     [[nodiscard]] bool holds(const std::string& name);
     /// When a file could not be opened, it is not known which keys are wrong.
-    void allow_unknown_keys() { unknown_keys_allowed_ = true; }
-    /// Every key must be a column of some file.
+    void allow_unknown_keys();
+    /// Every key must be a column of some file; of those that [data] has for [[run]] it is a warning.
     void report_unknown_columns(InputErrors& errors) const;
 
 private:
@@ -38,13 +44,19 @@ private:
         bool found = false;
     };
     static void read_words(TomlTable table, std::vector<Key>& into);
+    static Key* find(std::vector<Key>& keys, const std::string& word);
+    void warn_of_unknown_columns(InputErrors& errors) const;
 
     std::vector<Key> names_;
     std::vector<Key> units_;
+    std::vector<Key> unit_names_;
     std::vector<Key> ignored_;
     std::vector<Key> held_;
+    bool has_ignored_ = false;  ///< the key is there, and be it empty
+    bool has_held_ = false;
     std::set<std::string> headings_;  ///< of all files
     bool unknown_keys_allowed_ = false;
+    std::shared_ptr<ColumnKeys> shared_;
 };
 
 /// A file of frames that a run names.
@@ -66,8 +78,8 @@ struct RunTable {
     std::vector<FramesOfRun> frames{};
 };
 
-/// The runs of a case: its [[run]] tables; or one for each file that takes their place, with the keys of [data]; or,
-/// with neither, the case itself.
+/// The runs of a case: its [[run]] tables, over the keys of [data] for columns; or one for each file that takes their
+/// place, with all keys of [data]; or, with neither, the case itself.
 [[nodiscard]] std::vector<RunTable> read_run_tables(TomlTable& root, const std::string& case_name,
                                                     const std::vector<std::filesystem::path>& data);
 

@@ -51,7 +51,9 @@ Where read_passage(TomlTable& sensor, solver::Channel channel, const mesh::Mesh&
 
 /// A quantity that follows from inputs, from the heat lost by deformation or from a temperature that another sensor or a
 /// region gives.
-Where read_quantity(TomlTable& sensor, const solver::QuantityDescription& quantity, const ProblemBuilder& builder) {
+/// @param property_file that the case names, empty: none
+Where read_quantity(TomlTable& sensor, const solver::QuantityDescription& quantity, const ProblemBuilder& builder,
+                    const std::string& property_file) {
     const mesh::Mesh& mesh = builder.problem.mesh;
     solver::Channel channel{
         .name = {}, .meaning = std::string(quantity.meaning), .where = {}, .quantity = quantity.quantity};
@@ -66,10 +68,14 @@ Where read_quantity(TomlTable& sensor, const solver::QuantityDescription& quanti
         }
     }
     if (quantity.needs_magic_formula && !builder.problem.handling.magic_formula) {
-        sensor.add_error(
-            "kind",
-            fmt::format("{} cannot be computed: the tire has no property file that could be used", quantity.kind),
-            "add property_file = \"....tir\" to [tire]");
+        if (property_file.empty()) {
+            sensor.add_error("kind", fmt::format("{} cannot be computed: the tire has no property file", quantity.kind),
+                             "add property_file = \"....tir\" to [tire]");
+        } else {
+            sensor.add_error(
+                "kind", fmt::format("{} cannot be computed: the property file {} could not be used, see its errors",
+                                    quantity.kind, property_file));
+        }
         return std::nullopt;
     }
     if (!quantity.needs_effect.empty() && std::ranges::none_of(builder.problem.effects, [&](const auto& active) {
@@ -126,7 +132,8 @@ std::vector<std::string_view> kind_names() {
 }
 
 /// The channels of a sensor, without their names: one, or of strips several. Empty after an error.
-std::vector<solver::Channel> read_places(TomlTable& sensor, std::string_view kind, const ProblemBuilder& builder) {
+std::vector<solver::Channel> read_places(TomlTable& sensor, std::string_view kind, const ProblemBuilder& builder,
+                                         const std::string& property_file) {
     if (kind == strips) {
         return read_strips(sensor, builder.problem.mesh);
     }
@@ -135,7 +142,7 @@ std::vector<solver::Channel> read_places(TomlTable& sensor, std::string_view kin
         place != kinds.end()
             ? place->read(sensor, builder.problem.mesh)
             : read_quantity(sensor, *std::ranges::find(solver::quantities(), kind, &solver::QuantityDescription::kind),
-                            builder);
+                            builder, property_file);
     return where ? std::vector{*where} : std::vector<solver::Channel>{};
 }
 
@@ -209,6 +216,9 @@ std::vector<std::string> sensor_names(const TomlValue& document) {
 
 void read_sensors(TomlTable& root, ProblemBuilder& builder) {
     const std::vector<std::string_view> names = kind_names();
+    const TomlValue* tire = root.content().find("tire");
+    const TomlValue* named = tire != nullptr ? tire->find("property_file") : nullptr;
+    const std::string property_file = named != nullptr ? named->text : "";
     root.each("sensor", [&](TomlTable& sensor) {
         const std::optional<std::string> name = sensor.name("name", Need::required);
         const std::optional<std::string> meaning = sensor.text("meaning");
@@ -218,7 +228,7 @@ void read_sensors(TomlTable& root, ProblemBuilder& builder) {
         }
         std::vector<solver::Channel> found;
         if (kind && builder.has_mesh) {
-            found = read_places(sensor, names[*kind], builder);
+            found = read_places(sensor, names[*kind], builder, property_file);
             read_angle(sensor, builder.problem.mesh, found);
         } else {
             for (const std::string_view key : {"depth", "x", "y", "radius", "from", "to", "angle"}) {

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "input/spreadsheet/sheet_formats.hpp"
+#include "input/text/regular_file.hpp"
 #include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
@@ -50,8 +51,13 @@ Sheet placed(RawSheet raw, const std::string& shown, InputErrors& errors) {
     return sheet;
 }
 
+constexpr std::uintmax_t largest_book = std::uintmax_t{64} << 20U;  // bytes; a sheet of parameters has kilobytes
+
 /// The workbook by what its first bytes say, or why it is none.
 RawBook read_workbook(const fs::path& path) {
+    if (ErrorText reason = not_readable(path, largest_book); !reason.what.empty()) {
+        return {.sheets = {}, .error = ErrorText{"the file " + reason.what, std::move(reason.remedy)}};
+    }
     std::array<char, 4> head{};
     std::ifstream file(path, std::ios::binary);
     if (!file) {

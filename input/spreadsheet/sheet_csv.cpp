@@ -27,8 +27,6 @@ char separator_in(std::string_view text) {
     return candidates[static_cast<std::size_t>(std::max_element(lines.begin(), lines.end()) - lines.begin())];
 }
 
-int characters(std::string_view text) { return static_cast<int>(split_characters(text).size()); }
-
 Sheet sheet_of(const TextFile& file, std::string name) {
     Sheet sheet{.name = std::move(name), .place = {.file = file.number}, .rows = {}};
     std::string_view rest = file.text;
@@ -40,13 +38,16 @@ Sheet sheet_of(const TextFile& file, std::string name) {
     for (int number = 1; const auto line = next_line(rest); ++number) {
         std::vector<SheetCell>& row = sheet.rows.emplace_back();
         split_fields(*line, separator, fields);
+        int column = 1;
+        const char* from = line->data();
         for (const std::string_view field : fields) {
-            const auto before = static_cast<std::size_t>(field.data() - line->data());
+            column += count_characters({from, static_cast<std::size_t>(field.data() - from)});
+            from = field.data();
             row.push_back({.text = std::string(field),
                            .place = {.file = file.number,
                                      .line = number,
-                                     .column = characters(line->substr(0, before)) + 1,
-                                     .length = std::max(1, characters(field))}});
+                                     .column = column,
+                                     .length = std::max(1, count_characters(field))}});
         }
     }
     return sheet;

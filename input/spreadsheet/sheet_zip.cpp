@@ -7,6 +7,7 @@
 #include <zip.h>
 
 #include "input/spreadsheet/sheet_formats.hpp"
+#include "input/text/regular_file.hpp"
 
 namespace tiretherm::input {
 
@@ -22,9 +23,16 @@ struct Closed {
 /// A sheet of parameters has kilobytes; what claims to unpack to more than this is none.
 constexpr zip_uint64_t largest = 64U << 20U;
 
-std::optional<std::string> part(zip_t* archive, const std::string& name) {
+/// @param too_much out: the part that is too large, where one is
+std::optional<std::string> part(zip_t* archive, const std::string& name, std::optional<ErrorText>& too_much) {
     zip_stat_t about{};
-    if (zip_stat(archive, name.c_str(), 0, &about) != 0 || (about.valid & ZIP_STAT_SIZE) == 0 || about.size > largest) {
+    if (zip_stat(archive, name.c_str(), 0, &about) != 0 || (about.valid & ZIP_STAT_SIZE) == 0) {
+        return std::nullopt;
+    }
+    if (about.size > largest) {
+        const ErrorText reason = too_large(about.size, largest);
+        too_much = {fmt::format("the workbook's part {} {}", name, reason.what),
+                    "save a workbook with the sheets of the parameters alone"};
         return std::nullopt;
     }
     const std::unique_ptr<zip_file_t, Closed> file(zip_fopen(archive, name.c_str(), 0));
@@ -48,7 +56,9 @@ std::optional<ErrorText> with_zip(const std::filesystem::path& path,
         zip_error_fini(&error);
         return reason;
     }
-    return use([&](const std::string& name) { return part(archive.get(), name); });
+    std::optional<ErrorText> too_much;
+    std::optional<ErrorText> error = use([&](const std::string& name) { return part(archive.get(), name, too_much); });
+    return too_much ? too_much : error;
 }
 
 }  // namespace tiretherm::input

@@ -71,7 +71,10 @@ ErrorText ColumnReader::error_text(std::string_view field, const std::optional<N
                 clock ? "remove the line" : "remove the line: between samples an input is interpolated"};
     }
     if (number && number->rest.starts_with(',')) {
-        return {fmt::format("{} is {}, with a decimal comma", name, field), "export the file with decimal points"};
+        return {fmt::format("{} is {}, with a comma in the number", name, field),
+                "export the file with decimal points, or with semicolons between the columns and decimal commas, and "
+                "without "
+                "marks between thousands"};
     }
     const std::string empty_it = may_miss ? "leave the field empty where nothing was measured" : "";
     if (!number || !number->rest.empty()) {

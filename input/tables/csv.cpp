@@ -31,9 +31,33 @@ std::size_t end_of_field(std::string_view line, char separator) {
     return std::min(line.find(separator), line.size());
 }
 
-int count_characters(std::string_view text) { return static_cast<int>(split_characters(text).size()); }
-
 }  // namespace
+
+int count_characters(std::string_view text) {
+    int count = 0;
+    bool open = false;  // a character of several bytes is under way
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (!open || (byte & 0xC0U) != 0x80U) {
+            ++count;
+            open = byte >= 0x80U;
+        }
+    }
+    return count;
+}
+
+std::string_view with_point(std::string_view field, std::string& room) {
+    const std::size_t comma = field.find(',');
+    const auto digit = [&](std::size_t i) { return i < field.size() && field[i] >= '0' && field[i] <= '9'; };
+    if (comma == std::string_view::npos || comma == 0 || !digit(comma - 1) || !digit(comma + 1) ||
+        field.find_first_not_of("+-.eE0123456789,") != std::string_view::npos ||
+        field.find_first_of(",.", comma + 1) != std::string_view::npos || field.find('.') < comma) {
+        return field;
+    }
+    room.assign(field);
+    room[comma] = '.';
+    return room;
+}
 
 char separator_of(std::string_view headings) {
     for (const char candidate : {'\t', ';'}) {
@@ -86,23 +110,39 @@ SourceLocation Csv::place(const Line& line, std::string_view field) const {
             .length = std::max(1, count_characters(field))};
 }
 
+std::vector<SourceLocation> Csv::places(const Line& line, const std::vector<std::string_view>& fields) const {
+    std::vector<SourceLocation> found;
+    found.reserve(fields.size());
+    int column = 1;
+    const char* from = line.text.data();
+    for (const std::string_view field : fields) {
+        column += count_characters({from, static_cast<std::size_t>(field.data() - from)});
+        from = field.data();
+        found.push_back(
+            {.file = file_, .line = line.number, .column = column, .length = std::max(1, count_characters(field))});
+    }
+    return found;
+}
+
 void Csv::read_heads(const Line& names, const Line& units) {
     std::vector<std::string_view> fields;
     split_fields(names.text, separator_, fields);
-    for (const std::string_view field : fields) {
-        heads_.push_back({.heading = read_heading(field), .place = place(names, field)});
+    heads_.reserve(fields.size());
+    for (const SourceLocation& spot : places(names, fields)) {
+        heads_.push_back({.heading = read_heading(fields[heads_.size()]), .place = spot});
     }
     if (units.number == 0) {
         return;
     }
     split_fields(units.text, separator_, fields);
+    const std::vector<SourceLocation> spots = places(units, fields);
     for (std::size_t i = 0; i < std::min(fields.size(), heads_.size()); ++i) {
         ColumnHead& head = heads_[i];
         // An empty unit in a line of units is as good as none: the pure numbers of loggers are mostly unknown units.
         if (!head.heading.unit && !fields[i].empty()) {
             const Heading bracketed = read_heading(fields[i]);
             head.heading.unit = bracketed.name.empty() && bracketed.unit ? *bracketed.unit : std::string(fields[i]);
-            head.unit_place = place(units, fields[i]);
+            head.unit_place = spots[i];
         }
     }
 }

@@ -14,7 +14,8 @@ namespace tiretherm::input {
 
 /// A logger's file: headings `name [unit]` in one line, or names in one line and units in the next, then numbers,
 /// separated by commas, semicolons or tabs. Lines about the recording may stand above the headings. A byte order mark,
-/// carriage returns, quotes round a field and blank lines are accepted; decimal commas are not.
+/// carriage returns, quotes round a field and blank lines are accepted. Where semicolons or tabs separate, numbers may
+/// have decimal commas; a file has these or points.
 /// Keeps no text of its own: the file must outlive it.
 class Csv {
 public:
@@ -38,10 +39,13 @@ public:
         int number = 0;
     };
     [[nodiscard]] SourceLocation place(const Line& line, std::string_view field) const;
-    [[nodiscard]] bool has_commas() const { return separator_ == ','; }
+    [[nodiscard]] bool separates_by_commas() const { return separator_ == ','; }
 
 private:
     void read_heads(const Line& names, const Line& units);
+    /// Of all fields of a line in one pass: a line may have a hundred thousand of them.
+    [[nodiscard]] std::vector<SourceLocation> places(const Line& line,
+                                                     const std::vector<std::string_view>& fields) const;
 
     std::string_view body_;  ///< the lines after the headings
     int first_line_ = 0;
@@ -49,6 +53,12 @@ private:
     char separator_ = ',';
     std::vector<ColumnHead> heads_;
 };
+
+/// A number with a decimal comma, as the same with a point: "-1,5e3"; every other text as it is. @param room of the result
+[[nodiscard]] std::string_view with_point(std::string_view field, std::string& room);
+
+/// Characters of a UTF-8 text; a stray byte counts as a character.
+[[nodiscard]] int count_characters(std::string_view text);
 
 /// Takes the next line off a text; nothing at its end.
 [[nodiscard]] std::optional<std::string_view> next_line(std::string_view& text);

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "input/text/enough_memory.hpp"
+
 namespace tiretherm::input {
 
 namespace {
@@ -23,6 +25,11 @@ bool is_hdf5(const std::filesystem::path& path) {
 
 std::optional<DataFile> DataFile::open(const std::filesystem::path& path, const SourceLocation& mentioned,
                                        InputErrors& errors) {
+    return with_memory(path.generic_string(), mentioned, errors, [&] { return open_any(path, mentioned, errors); });
+}
+
+std::optional<DataFile> DataFile::open_any(const std::filesystem::path& path, const SourceLocation& mentioned,
+                                           InputErrors& errors) {
     DataFile file;
     if (is_hdf5(path)) {
         std::optional<Hdf5Columns> columns = Hdf5Columns::open(path, mentioned, errors);
@@ -66,7 +73,18 @@ std::string DataFile::unit_remedy(const ColumnHead& head, const QuantitySpec& sp
     const std::string there = std::holds_alternative<Csv>(columns_)
                                   ? fmt::format("write \"{} [{}]\"", name, unit)
                                   : fmt::format("give the dataset an attribute units = \"{}\"", unit);
-    return fmt::format("{}, or say it in the case: units = {{ {} = \"{}\" }}", there, key, unit);
+    // A logger that writes C writes it in all columns.
+    const std::string written = head.heading.unit.value_or("");
+    const auto read = written.empty() ? std::variant<Conversion, UnitError>(Conversion{})
+                                      : conversion(written, spec.unit, spec.scale);
+    const auto* wrong = std::get_if<UnitError>(&read);
+    const bool coulomb = signature(spec.unit) == "K" && (written == "C" || written == "F");
+    const bool alias = wrong != nullptr && (coulomb || *wrong == UnitError::unknown);
+    const std::string for_all =
+        alias ? fmt::format(", or once for all columns in [{0}]: unit_names = {{ \"{0}\" = \"{1}\" }}", written,
+                            coulomb && written == "F" ? "degF" : unit)
+              : "";
+    return fmt::format("{}, or say it in the case: units = {{ {} = \"{}\" }}{}", there, key, unit, for_all);
 }
 
 ColumnReader::FieldLocation DataFile::spot(std::size_t row) const {
@@ -77,7 +95,9 @@ ColumnReader::FieldLocation DataFile::spot(std::size_t row) const {
 }
 
 std::vector<std::vector<double>> DataFile::read(const std::vector<ColumnRequest>& requests, InputErrors& errors) const {
-    return std::visit([&](const auto& columns) { return columns.read(requests, errors); }, columns_);
+    return with_memory(errors.file(number_), {.file = number_}, errors, [&] {
+        return std::visit([&](const auto& columns) { return columns.read(requests, errors); }, columns_);
+    });
 }
 
 }  // namespace tiretherm::input

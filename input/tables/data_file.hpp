@@ -32,6 +32,9 @@ public:
                                                         InputErrors& errors) const;
 
 private:
+    static std::optional<DataFile> open_any(const std::filesystem::path& path, const SourceLocation& mentioned,
+                                            InputErrors& errors);
+
     int number_ = -1;
     std::unique_ptr<TextFile> text_;  ///< of a CSV, which keeps no text of its own
     std::variant<Csv, Hdf5Columns> columns_;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <deque>
 #include <numbers>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -63,20 +64,25 @@ private:
 
     void check_names() {
         const std::vector<std::string> known = names_of(field_columns());
-        std::vector<std::string> seen;
+        std::set<std::string> seen;
+        ErrorLimiter unknown(*errors_);
         for (const ColumnHead& head : file_->heads()) {
             const std::string& name = head.heading.name;
+            if (name.empty() && &head == &file_->heads().back()) {
+                continue;  // a separator at the end of the line, as some programs write it
+            }
             if (std::ranges::find(known, name) == known.end()) {
-                errors_->add(head.place,
-                             name.empty() ? fmt::format("heading {} is empty: is there a comma at the end of the line?",
-                                                        &head - file_->heads().data() + 1)
-                                          : fmt::format("a field has no column \"{}\"", name),
-                             name.empty() ? std::string("remove the comma") : suggest(name, known, "columns"));
-            } else if (std::ranges::find(seen, name) != seen.end()) {
+                unknown.add(
+                    head.place,
+                    {name.empty() ? fmt::format("heading {} is empty", &head - file_->heads().data() + 1)
+                                  : fmt::format("a field has no column \"{}\"", name),
+                     name.empty() ? std::string("name the column, or remove it") : suggest(name, known, "columns")});
+            } else if (seen.contains(name)) {
                 errors_->add(head.place, fmt::format("a second column is called {}", name), "remove one of them");
             }
-            seen.push_back(name);
+            seen.insert(name);
         }
+        unknown.close("unknown columns");
     }
 
     void request(std::string_view name) {

@@ -26,7 +26,13 @@ std::optional<Hdf5Columns> Hdf5Columns::open(const std::filesystem::path& path, 
     Hdf5Columns columns;
     columns.number_ = errors.add_file(shown, "");
     const SourceLocation place{.file = columns.number_};
-    auto [found, groups] = read_datasets(path);
+    auto [found, groups, defects] = read_datasets(path);
+    if (!defects.empty()) {
+        for (ErrorText& defect : defects) {
+            errors.add(place, std::move(defect));
+        }
+        return std::nullopt;
+    }
     if (groups.size() > 1) {
         errors.add(place, fmt::format("several groups of the file hold datasets: {}", listed(groups)),
                    "keep the run's datasets in the root or in one group");

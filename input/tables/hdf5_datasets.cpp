@@ -12,7 +12,9 @@
 
 #include <fmt/format.h>
 
+#include "input/tables/hdf5_extent.hpp"
 #include "input/tables/hdf5_handle.hpp"
+#include "input/text/regular_file.hpp"
 #include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
@@ -39,6 +41,10 @@ std::optional<std::string> attribute(hid_t object, const char* name) {
         H5free_memory(text);
         return result;
     }
+    constexpr std::size_t longest = 10000;
+    if (H5Tget_size(type) > longest) {
+        return std::nullopt;
+    }
     std::string text(H5Tget_size(type), '\0');
     if (H5Aread(opened, type, text.data()) < 0) {
         return std::nullopt;
@@ -59,8 +65,13 @@ std::vector<double> numeric_attribute(hid_t object, const char* name) {
     if (kind != H5T_INTEGER && kind != H5T_FLOAT) {
         return {};
     }
-    std::vector<double> values(static_cast<std::size_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(space))));
-    if (values.empty() || H5Aread(opened, H5T_NATIVE_DOUBLE, values.data()) < 0) {
+    constexpr hssize_t most_numbers = 1000;
+    const hssize_t size = H5Sget_simple_extent_npoints(space);
+    if (size < 1 || size > most_numbers) {
+        return {};
+    }
+    std::vector<double> values(static_cast<std::size_t>(size));
+    if (H5Aread(opened, H5T_NATIVE_DOUBLE, values.data()) < 0) {
         return {};
     }
     return values;
@@ -84,38 +95,85 @@ std::vector<std::string> members(hid_t group, H5O_type_t kind) {
     return found.names;
 }
 
-/// The numbers of a dataset of one dimension; nothing for any other.
-std::optional<std::vector<double>> numbers(hid_t dataset) {
+/// Whether a dataset has numbers in one dimension, or in any number of them.
+bool has_numbers(hid_t dataset, bool one_dimension) {
     const Hdf5Handle type(H5Dget_type(dataset));
     const Hdf5Handle space(H5Dget_space(dataset));
     const H5T_class_t kind = H5Tget_class(type);
-    if ((kind != H5T_INTEGER && kind != H5T_FLOAT) || H5Sget_simple_extent_ndims(space) != 1) {
-        return std::nullopt;
-    }
-    std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
-    if (!values.empty() && H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
-        return std::nullopt;
-    }
-    return values;
+    return (kind == H5T_INTEGER || kind == H5T_FLOAT) && (!one_dimension || H5Sget_simple_extent_ndims(space) == 1);
 }
 
-std::vector<Dataset> datasets(hid_t group) {
-    std::vector<Dataset> found;
-    for (const std::string& name : members(group, H5O_TYPE_DATASET)) {
-        const Hdf5Handle dataset(H5Dopen2(group, name.c_str(), H5P_DEFAULT));
-        if (auto values = dataset >= 0 ? numbers(dataset) : std::nullopt) {
-            std::optional<std::string> unit = attribute(dataset, "units");
-            found.push_back({.heading = {name, unit.value_or("").empty() ? std::nullopt : std::move(unit)},
-                             .values = std::move(*values)});
+ErrorText unreadable(const std::string& name) {
+    return {fmt::format("the dataset {} cannot be read: the file is damaged or cut off", name),
+            "copy the file or export it again"};
+}
+
+/// Reads the datasets of groups, of all together no more than `most_values`.
+class Reading {
+public:
+    explicit Reading(std::uint64_t file_bytes) : file_bytes_(file_bytes) {}
+
+    std::vector<Dataset> datasets(hid_t group) {
+        std::vector<Dataset> found;
+        for (const std::string& name : members(group, H5O_TYPE_DATASET)) {
+            const Hdf5Handle dataset(H5Dopen2(group, name.c_str(), H5P_DEFAULT));
+            if (dataset < 0) {
+                defects.push_back(unreadable(name));
+            } else if (has_numbers(dataset, true)) {
+                std::optional<std::string> unit = attribute(dataset, "units");
+                found.push_back({.heading = {name, unit.value_or("").empty() ? std::nullopt : std::move(unit)},
+                                 .values = values(dataset, name)});
+            }
         }
+        return found;
     }
-    return found;
+
+    std::vector<ErrorText> defects;
+
+private:
+    /// @returns none with a defect
+    std::vector<double> values(hid_t dataset, const std::string& name) {
+        ErrorText defect = extent_defect(dataset, name, file_bytes_);
+        const Hdf5Handle space(H5Dget_space(dataset));
+        const hssize_t size = defect.what.empty() ? H5Sget_simple_extent_npoints(space) : 0;
+        total_ += static_cast<std::uint64_t>(size);
+        if (total_ > most_values) {
+            defect = {
+                fmt::format("the datasets up to {} have {} values, and at most {} are read", name, total_, most_values),
+                "export fewer of them, or a part of the time"};
+            total_ -= static_cast<std::uint64_t>(size);
+        }
+        std::vector<double> read;
+        if (defect.what.empty() && size > 0) {
+            read.resize(static_cast<std::size_t>(size));
+            if (H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, read.data()) < 0) {
+                defect = unreadable(name);
+            }
+        }
+        if (!defect.what.empty()) {
+            defects.push_back(std::move(defect));
+            return {};
+        }
+        return read;
+    }
+
+    std::uint64_t file_bytes_;
+    std::uint64_t total_ = 0;
+};
+
+std::uint64_t size_of(const std::filesystem::path& path) {
+    std::error_code error;
+    const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+    return error ? 0 : bytes;
 }
 
 }  // namespace
 
 ErrorText hdf5_defect(const std::filesystem::path& path) {
     silence_hdf5();
+    if (ErrorText reason = not_readable(path, std::numeric_limits<std::uintmax_t>::max()); !reason.what.empty()) {
+        return reason;
+    }
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file) {
         return {fmt::format("cannot be read: {}", std::system_category().message(errno)), ""};
@@ -133,19 +191,22 @@ ErrorText hdf5_defect(const std::filesystem::path& path) {
 Datasets read_datasets(const std::filesystem::path& path) {
     const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
     const bool ours = attribute(file, "format").value_or("").starts_with("tiretherm results");
-    Datasets all{.found = ours ? std::vector<Dataset>{} : datasets(file), .groups = {}};
+    Reading reading(size_of(path));
+    Datasets all{.found = ours ? std::vector<Dataset>{} : reading.datasets(file), .groups = {}, .defects = {}};
     for (const std::string& name : all.found.empty() ? members(file, H5O_TYPE_GROUP) : std::vector<std::string>{}) {
         const Hdf5Handle group(H5Gopen2(file, name.c_str(), H5P_DEFAULT));
-        std::vector<Dataset> in_group = ours && name != "channels" ? std::vector<Dataset>{} : datasets(group);
+        std::vector<Dataset> in_group = ours && name != "channels" ? std::vector<Dataset>{} : reading.datasets(group);
         if (!in_group.empty()) {
             all.groups.push_back(name);
             all.found = std::move(in_group);
         }
     }
+    all.defects = std::move(reading.defects);
     return all;
 }
 
-std::optional<Hdf5Stack> Hdf5Stack::open(const std::filesystem::path& path, const std::string& name) {
+std::optional<Hdf5Stack> Hdf5Stack::open(const std::filesystem::path& path, const std::string& name,
+                                         ErrorText& defect) {
     const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
     const std::vector<std::string> known = members(file, H5O_TYPE_DATASET);
     if (std::find(known.begin(), known.end(), name) == known.end()) {
@@ -154,12 +215,18 @@ std::optional<Hdf5Stack> Hdf5Stack::open(const std::filesystem::path& path, cons
     Hdf5Stack stack;
     stack.dataset_ = std::make_shared<Hdf5Handle>(H5Dopen2(file, name.c_str(), H5P_DEFAULT));
     const hid_t dataset = *static_cast<const Hdf5Handle*>(stack.dataset_.get());
-    const Hdf5Handle type(H5Dget_type(dataset));
-    const Hdf5Handle space(H5Dget_space(dataset));
-    const H5T_class_t kind = H5Tget_class(type);
-    if (kind != H5T_INTEGER && kind != H5T_FLOAT) {
+    if (dataset < 0) {
+        defect = unreadable(name);
         return std::nullopt;
     }
+    if (!has_numbers(dataset, false)) {
+        return std::nullopt;
+    }
+    defect = extent_defect(dataset, name, size_of(path), 1);
+    if (!defect.what.empty()) {
+        return std::nullopt;
+    }
+    const Hdf5Handle space(H5Dget_space(dataset));
     std::vector<hsize_t> shape(static_cast<std::size_t>(std::max(0, H5Sget_simple_extent_ndims(space))));
     if (!shape.empty()) {
         H5Sget_simple_extent_dims(space, shape.data(), nullptr);

@@ -24,6 +24,7 @@ struct Dataset {
 struct Datasets {
     std::vector<Dataset> found;
     std::vector<std::string> groups;  ///< that have any; empty when the root has
+    std::vector<ErrorText> defects;   ///< of datasets whose values cannot be had
 };
 
 /// Why a file cannot be opened as HDF5; empty for one that can.
@@ -37,7 +38,9 @@ struct Datasets {
 class Hdf5Stack {
 public:
     /// @pre hdf5_defect says nothing  @returns nothing where the root has no such dataset of numbers
-    [[nodiscard]] static std::optional<Hdf5Stack> open(const std::filesystem::path& path, const std::string& name);
+    /// @param defect out: of a dataset that is there, why its values cannot be had
+    [[nodiscard]] static std::optional<Hdf5Stack> open(const std::filesystem::path& path, const std::string& name,
+                                                       ErrorText& defect);
 
     [[nodiscard]] const std::vector<std::size_t>& shape() const { return shape_; }
     /// A text attribute, empty where there is none; one or several numbers, empty likewise.

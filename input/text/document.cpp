@@ -4,6 +4,7 @@
 #include "input/text/document.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -40,11 +41,20 @@ bool all_can_be_named(const TomlValue& array) {
 
 void merge(TomlValue& into, TomlValue&& over, int depth);
 
+bool is_at(const TomlValue& node, const SourceLocation& place) {
+    return node.place.file == place.file && node.place.line == place.line && node.place.column == place.column;
+}
+
 /// Tables of the same name become one, in the place of the first; the others follow.
 void merge_by_name(TomlValue& into, TomlValue&& over) {
     for (TomlValue& item : over.items) {
-        const auto same = std::find_if(into.items.begin(), into.items.end(),
-                                       [&](const TomlValue& known) { return name_of(known) == name_of(item); });
+        auto same = std::ranges::find_if(into.items, [&](const TomlValue& known) { return is_at(known, item.place); });
+        if (same != into.items.end()) {  // of a file that is included twice: the very same table
+            merge(*same, std::move(item), 1);
+            continue;
+        }
+        same =
+            std::ranges::find_if(into.items, [&](const TomlValue& known) { return name_of(known) == name_of(item); });
         // A name that the same file uses twice is reported by the reader.
         const bool mine = same != into.items.end() && same->place.file == item.place.file;
         if (same == into.items.end() || mine) {
@@ -83,56 +93,82 @@ void merge(TomlValue& into, TomlValue&& over, int depth) {
     }
 }
 
-/// Reads a file under the files that are open above it. @param text in the place of the file's own, or null
-std::optional<TomlValue> read(const fs::path& path, const SourceLocation& mentioned, std::vector<fs::path>& open,
-                              InputErrors& errors, const std::string* text = nullptr) {
-    std::error_code error;
-    const fs::path real = fs::weakly_canonical(path, error);
-    if (std::find(open.begin(), open.end(), real) != open.end()) {
-        errors.add(mentioned, fmt::format("{} includes itself", path.generic_string()), "remove one of the includes");
-        return std::nullopt;
-    }
-    const std::optional<TextFile> file =
-        text != nullptr ? TextFile{.number = errors.add_file(path.generic_string(), *text), .text = *text}
-                        : read_text(path, mentioned, errors);
-    std::optional<TomlValue> own = file ? parse_toml(*file, errors) : std::nullopt;
-    if (!own) {
-        return std::nullopt;
-    }
-    const TomlValue* include = own->find("include");
-    if (include == nullptr) {
-        return own;
-    }
-    const bool one = include->kind == TomlValue::Kind::text;
-    const std::vector<TomlValue> list = one ? std::vector<TomlValue>{*include} : include->items;
-    if (!one && include->kind != TomlValue::Kind::array) {
-        errors.add(include->place, fmt::format("include is {}; a list of files is wanted", shown(*include)),
-                   "write include = [\"../tires/some_tire.toml\"]");
-        return std::nullopt;
-    }
-    std::erase_if(own->entries, [](const Entry& entry) { return entry.key == "include"; });
-    open.push_back(real);
-    TomlValue merged;
-    merged.kind = TomlValue::Kind::table;
-    bool complete = true;
-    for (const TomlValue& item : list) {
-        if (item.kind != TomlValue::Kind::text) {
-            errors.add(item.place, fmt::format("include has {}; the path of a file is wanted", shown(item)));
-            complete = false;
-            continue;
+constexpr std::size_t most_files_open = 64;  // a case and what it includes, one within the other
+
+/// Reads files and what they include. A file that is mentioned twice is read and merged once.
+class Reader {
+public:
+    explicit Reader(InputErrors& errors) : errors_(&errors) {}
+
+    /// @param mentioned where the path was written  @param text in the place of the file's own, or null
+    std::optional<TomlValue> read(const fs::path& path, const SourceLocation& mentioned,
+                                  const std::string* text = nullptr) {
+        std::error_code error;
+        const fs::path real = fs::weakly_canonical(path, error);
+        if (std::find(open_.begin(), open_.end(), real) != open_.end()) {
+            errors_->add(mentioned, fmt::format("{} includes itself", path.generic_string()),
+                         "remove one of the includes");
+            return std::nullopt;
         }
-        std::optional<TomlValue> included =
-            read((path.parent_path() / item.text).lexically_normal(), item.place, open, errors);
-        if (included) {
-            merge(merged, std::move(*included), 0);
-        } else {
-            complete = false;
+        if (const auto known = merged_.find(real); known != merged_.end()) {
+            return known->second;
         }
+        if (open_.size() == most_files_open) {
+            errors_->add(mentioned, fmt::format("more than {} files include one another in a row", most_files_open),
+                         "include the last ones directly: include = [\"one.toml\", \"two.toml\"]");
+            return std::nullopt;
+        }
+        const std::optional<TextFile> file =
+            text != nullptr ? TextFile{.number = errors_->add_file(path.generic_string(), *text), .text = *text}
+                            : read_text(path, mentioned, *errors_);
+        if (!file) {
+            return std::nullopt;  // it is reported wherever it is mentioned
+        }
+        open_.push_back(real);
+        std::optional<TomlValue> all = with_included(path, parse_toml(*file, *errors_));
+        open_.pop_back();
+        return merged_.emplace(real, std::move(all)).first->second;
     }
-    open.pop_back();
-    merge(merged, std::move(*own), 0);
-    return complete ? std::optional(std::move(merged)) : std::nullopt;
-}
+
+private:
+    /// The tables of a file over those of the files that it includes.
+    std::optional<TomlValue> with_included(const fs::path& path, std::optional<TomlValue> own) {
+        const TomlValue* include = own ? own->find("include") : nullptr;
+        if (include == nullptr) {
+            return own;
+        }
+        const bool one = include->kind == TomlValue::Kind::text;
+        const std::vector<TomlValue> list = one ? std::vector<TomlValue>{*include} : include->items;
+        if (!one && include->kind != TomlValue::Kind::array) {
+            errors_->add(include->place, fmt::format("include is {}; a list of files is wanted", shown(*include)),
+                         "write include = [\"../tires/some_tire.toml\"]");
+            return std::nullopt;
+        }
+        std::erase_if(own->entries, [](const Entry& entry) { return entry.key == "include"; });
+        TomlValue merged;
+        merged.kind = TomlValue::Kind::table;
+        bool complete = true;
+        for (const TomlValue& item : list) {
+            if (item.kind != TomlValue::Kind::text) {
+                errors_->add(item.place, fmt::format("include has {}; the path of a file is wanted", shown(item)));
+                complete = false;
+                continue;
+            }
+            std::optional<TomlValue> included = read((path.parent_path() / item.text).lexically_normal(), item.place);
+            if (included) {
+                merge(merged, std::move(*included), 0);
+            } else {
+                complete = false;
+            }
+        }
+        merge(merged, std::move(*own), 0);
+        return complete ? std::optional(std::move(merged)) : std::nullopt;
+    }
+
+    InputErrors* errors_;
+    std::vector<fs::path> open_;                           ///< each is included by the one before
+    std::map<fs::path, std::optional<TomlValue>> merged_;  ///< nothing: it has errors
+};
 
 }  // namespace
 
@@ -179,8 +215,7 @@ void override_tables(TomlValue& document, const TomlValue& over, std::span<const
 
 std::optional<TomlValue> read_document(const std::filesystem::path& path, InputErrors& errors,
                                        const std::string* text) {
-    std::vector<fs::path> open;
-    return read(path, {}, open, errors, text);
+    return Reader(errors).read(path, {}, text);
 }
 
 }  // namespace tiretherm::input

@@ -4,6 +4,7 @@
 #include "input/text/input_error.hpp"
 
 #include <algorithm>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -16,6 +17,8 @@ namespace tiretherm::input {
 namespace {
 
 constexpr std::size_t widest = 110;  // characters of a source line that are shown
+constexpr int farthest = 50'000;     // columns of a line up to which it is shown
+constexpr std::size_t most_errors = 1000;
 
 /// The line and a caret under its place. A long line is cut to a window about the place.
 std::string underlined(const InputError& error) {
@@ -49,6 +52,25 @@ std::string underlined(const InputError& error) {
     const std::size_t room = characters.size() > first ? characters.size() - first : 1;
     const auto length = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(1, error.length)), 1, room);
     return line + "\n" + caret + "^" + std::string(length - 1, '~') + "\n";
+}
+
+/// A sentence without the middle of what is very long, such as a value of ten thousand characters.
+std::string shortened(std::string text) {
+    constexpr std::size_t longest = 1000;
+    constexpr std::size_t kept = 200;  // at each end
+    if (text.size() <= longest) {
+        return text;
+    }
+    const auto inside = [&](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U; };
+    std::size_t from = kept;
+    std::size_t to = text.size() - kept;
+    while (from > 0 && inside(from)) {
+        --from;
+    }
+    while (to < text.size() && inside(to)) {
+        ++to;
+    }
+    return fmt::format("{} ... ({} characters) ... {}", text.substr(0, from), to - from, text.substr(to));
 }
 
 }  // namespace
@@ -87,7 +109,7 @@ std::vector<std::string> InputErrors::files() const {
 }
 
 void InputErrors::add(const SourceLocation& place, std::string what, std::string remedy) {
-    found_.push_back({place, {std::move(what), std::move(remedy)}});
+    found_.push_back({place, {shortened(std::move(what)), shortened(std::move(remedy))}});
 }
 
 void InputErrors::warn(const SourceLocation& place, const std::string& what) {
@@ -108,7 +130,9 @@ std::string InputErrors::line_of(const SourceLocation& place) const {
         }
         ++start;
     }
-    std::string line = text.substr(start, text.find('\n', start) - start);
+    // Of a line without end, as of a file that is no table, only what is about the place.
+    const std::size_t length = std::min(text.find('\n', start), text.size()) - start;
+    std::string line = text.substr(start, std::min(length, std::size_t{4} * farthest));
     if (!line.empty() && line.back() == '\r') {
         line.pop_back();
     }
@@ -125,8 +149,19 @@ std::vector<InputError> InputErrors::in_order() const {
                std::tie(b->place.file, b->place.line, b->place.column);
     });
     std::vector<InputError> result;
+    std::set<std::tuple<std::string_view, int, std::string_view>> seen;  // into files_ and found_
     for (const Found* found : order) {
         const SourceLocation& place = found->place;
+        if (!seen.emplace(file(place.file), place.line, found->error.what).second) {
+            continue;
+        }
+        if (result.size() == most_errors) {
+            result.push_back({.file = file(place.file),
+                              .what = fmt::format("and more errors, of which {} are shown", most_errors),
+                              .remedy = "correct those first",
+                              .source = {}});
+            break;
+        }
         InputError error{.file = file(place.file),
                          .line = place.line,
                          .column = place.column,
@@ -134,13 +169,8 @@ std::vector<InputError> InputErrors::in_order() const {
                          .what = found->error.what,
                          .remedy = found->error.remedy,
                          .source = {}};
-        const auto same = [&](const InputError& other) {
-            return other.file == error.file && other.line == error.line && other.what == error.what;
-        };
-        if (std::none_of(result.begin(), result.end(), same)) {
-            error.source = place.line > 0 ? line_of(place) : std::string();
-            result.push_back(std::move(error));
-        }
+        error.source = place.line > 0 && place.column < farthest ? line_of(place) : std::string();
+        result.push_back(std::move(error));
     }
     return result;
 }

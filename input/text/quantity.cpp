@@ -3,6 +3,7 @@
 
 #include "input/text/quantity.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -41,6 +42,26 @@ bool decimal_comma(std::string_view rest) {
     return rest.size() > 1 && rest[0] == ',' && rest[1] >= '0' && rest[1] <= '9';
 }
 
+/// Of a number that no double holds: whether it is too close to zero, not too large. @param text as std::from_chars read it
+bool is_tiny(std::string_view text) {
+    const std::size_t e = text.find_first_of("eE");
+    const std::string_view digits = text.substr(0, e);
+    const std::size_t first = digits.find_first_of("123456789");
+    const std::size_t point = std::min(digits.find('.'), digits.size());
+    if (first == std::string_view::npos) {
+        return true;
+    }
+    int exponent = 0;
+    if (e != std::string_view::npos) {
+        const std::size_t from = e + (text[e + 1] == '+' ? 2 : 1);
+        if (std::from_chars(text.data() + from, text.data() + text.size(), exponent).ec != std::errc()) {
+            return text[e + 1] == '-';  // an exponent of more than nine digits
+        }
+    }
+    // Of the first digit that counts, its power of ten and the exponent.
+    return static_cast<double>(point) - static_cast<double>(first) + exponent < 0.0;
+}
+
 }  // namespace
 
 std::optional<Number> leading_number(std::string_view text) {
@@ -51,7 +72,9 @@ std::optional<Number> leading_number(std::string_view text) {
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error == std::errc::result_out_of_range) {
-        value = std::numeric_limits<double>::infinity();
+        const std::string_view read(text.data(), static_cast<std::size_t>(end - text.data()));
+        const double size = is_tiny(read) ? 0.0 : std::numeric_limits<double>::infinity();
+        value = text.starts_with('-') ? -size : size;
     } else if (error != std::errc()) {
         return std::nullopt;
     }
@@ -100,7 +123,12 @@ ParsedQuantity check_quantity(double written, const Conversion& unit_conversion,
         return parsed;
     };
     if (!std::isfinite(written)) {
-        return refuse(fmt::format("{} is {}, not a finite number", name, shown), write_like(spec));
+        const std::size_t first = shown.find_first_not_of("\"+-. ");
+        const bool huge = first != std::string_view::npos && shown[first] >= '0' && shown[first] <= '9';
+        return refuse(huge
+                          ? fmt::format("{} is {}, larger than any number that is computed with (1.8e308)", name, shown)
+                          : fmt::format("{} is {}, not a finite number", name, shown),
+                      write_like(spec));
     }
     // A constant of a law may lie below zero on the scale of temperatures; it says so by its bounds.
     const bool only_a_place = std::isfinite(spec.low) && spec.low < 0.0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads a text file whole; refuses UTF-16, binary and empty files and suggests a similar name for a missing one.
+// Reads a text file whole; refuses pipes, devices, UTF-16, binary, empty and huge files, and suggests a similar name for
+// a missing one.
 
 #include <cerrno>
 #include <cstdio>
@@ -9,6 +10,8 @@
 #include <fmt/format.h>
 
 #include "input/text/document.hpp"
+#include "input/text/enough_memory.hpp"
+#include "input/text/regular_file.hpp"
 #include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
@@ -43,10 +46,8 @@ std::string neighbour(const std::filesystem::path& path) {
     return near.empty() ? "" : fmt::format("did you mean `{}`?", near);
 }
 
-}  // namespace
-
-std::optional<TextFile> read_text(const std::filesystem::path& path, const SourceLocation& mentioned,
-                                  InputErrors& errors) {
+std::optional<TextFile> read_whole(const std::filesystem::path& path, const SourceLocation& mentioned,
+                                   InputErrors& errors) {
     const std::string shown = path.generic_string();
     if (const int number = errors.find_file(shown); number >= 0) {
         return TextFile{number, errors.text(number)};
@@ -62,9 +63,8 @@ std::optional<TextFile> read_text(const std::filesystem::path& path, const Sourc
         }
         return std::nullopt;
     };
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error)) {
-        return refuse("is a directory", "give a file");
+    if (const ErrorText reason = not_readable(path, largest_text); !reason.what.empty()) {
+        return refuse(reason.what, reason.remedy);
     }
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file) {
@@ -76,6 +76,10 @@ std::optional<TextFile> read_text(const std::filesystem::path& path, const Sourc
     std::string block(std::size_t{1} << 16U, '\0');
     for (std::size_t n = 0; (n = std::fread(block.data(), 1, block.size(), file.get())) > 0;) {
         bytes.append(block, 0, n);
+        if (bytes.size() > largest_text) {  // it grows, or the system knows no size of it
+            const ErrorText reason = too_large(bytes.size(), largest_text);
+            return refuse(reason.what, reason.remedy);
+        }
     }
     if (std::ferror(file.get()) != 0) {
         return refuse(fmt::format("cannot be read: {}", std::system_category().message(errno)), "");
@@ -85,6 +89,13 @@ std::optional<TextFile> read_text(const std::filesystem::path& path, const Sourc
     }
     const int number = errors.add_file(shown, bytes);
     return TextFile{number, std::move(bytes)};
+}
+
+}  // namespace
+
+std::optional<TextFile> read_text(const std::filesystem::path& path, const SourceLocation& mentioned,
+                                  InputErrors& errors) {
+    return with_memory(path.generic_string(), mentioned, errors, [&] { return read_whole(path, mentioned, errors); });
 }
 
 }  // namespace tiretherm::input

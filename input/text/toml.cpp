@@ -2,12 +2,17 @@
 // Parses TOML with toml++ into a document with places. The only file that includes toml++.
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include "input/text/document.hpp"
+#include "input/text/quantity.hpp"
+#include "input/text/regular_file.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/text/toml_depth.hpp"
 
 namespace tiretherm::input {
 
@@ -68,6 +73,30 @@ TomlValue convert(const toml::node& from, int file) {
     return to;
 }
 
+/// In bytes. A case has kilobytes; what is measured stands in files of its own.
+constexpr std::uintmax_t largest_toml = std::uintmax_t{16} << 20U;
+
+/// Where a bracket was opened that is not closed before a heading, a key or the end of the file, which the parser then
+/// takes for values. @returns a line; 0: there is none, or the line may stand in a list
+int open_list_before(std::string_view text, int line) {
+    std::string_view rest = text;
+    for (int skipped = 1; skipped < line; ++skipped) {
+        rest.remove_prefix(std::min(rest.find('\n') + 1, rest.size()));
+    }
+    const std::size_t before = text.size() - rest.size();
+    std::string_view here = trim(rest.substr(0, rest.find('\n')));
+    const auto starts_key = [](std::string_view word) {
+        return !word.empty() && (std::isalpha(static_cast<unsigned char>(word.front())) != 0 || word.front() == '_');
+    };
+    const std::size_t name = std::min(here.find_first_not_of('['), here.size());
+    const bool heading = (name == 1 || name == 2) && starts_key(here.substr(name));
+    const std::size_t equals = here.find('=');
+    const bool key = starts_key(here) && equals != std::string_view::npos &&
+                     here.substr(0, equals).find_first_of("\"',[]{}") == std::string_view::npos;
+    const bool end = trim(rest).empty() || trim(rest.substr(std::min(here.size(), rest.size()))).empty();
+    return heading || key || end ? line_of_open_bracket(text.substr(0, heading || key ? before : text.size())) : 0;
+}
+
 /// The commonest slip is a quantity without quotes.
 std::string remedy_for(const toml::parse_error& error, std::string_view text) {
     for (toml::source_index line = 1; line < error.source().begin.line; ++line) {
@@ -79,6 +108,14 @@ std::string remedy_for(const toml::parse_error& error, std::string_view text) {
         return {};
     }
     const std::string_view value = trim(line.substr(equals + 1, line.find('#') - equals - 1));
+    const std::optional<Number> number = leading_number(value);
+    if (number && number->rest.empty() && std::isinf(number->value)) {
+        return "the number is beyond 1.8e308, the largest that is read: correct its exponent";
+    }
+    if (number && number->rest.empty() && number->value == 0.0 &&
+        value.substr(0, value.find_first_of("eE")).find_first_of("123456789") != std::string_view::npos) {
+        return "the number is nearer to 0 than 5e-324, the smallest that is read: write 0";
+    }
     if (value.empty() || std::string_view("+-.0123456789").find(value.front()) == std::string_view::npos) {
         return {};
     }
@@ -88,11 +125,31 @@ std::string remedy_for(const toml::parse_error& error, std::string_view text) {
 }  // namespace
 
 std::optional<TomlValue> parse_toml(const TextFile& file, InputErrors& errors) {
+    if (file.text.size() > largest_toml) {
+        ErrorText reason = too_large(file.text.size(), largest_toml);
+        errors.add({.file = file.number}, "the file " + reason.what, "give measured values as a CSV or HDF5 file");
+        return std::nullopt;
+    }
+    if (const std::optional<TextPlace> deep = first_too_deep(file.text)) {
+        errors.add({.file = file.number, .line = deep->line, .column = deep->column, .length = 1},
+                   fmt::format("keys and values stand more than {} deep within each other", most_levels),
+                   "no key of a case has more than a few parts: remove what stands between the dots or the brackets");
+        return std::nullopt;
+    }
     try {
         TomlValue root = convert(toml::parse(std::string_view(file.text)), file.number);
         root.place = {.file = file.number};  // what a file lacks stands in no line of it
         return root;
     } catch (const toml::parse_error& error) {
+        const auto line = static_cast<int>(error.source().begin.line);
+        if (const int open = open_list_before(file.text, line); open > 0) {
+            errors.add(
+                place_of(error.source(), file.number),
+                fmt::format("not valid TOML: the bracket that is opened in line {} is not closed before this line",
+                            open),
+                "write the missing ] or }");
+            return std::nullopt;
+        }
         std::string what(error.description());
         what.erase(0, what.starts_with("Error while parsing ") ? 20 : 0);
         errors.add(place_of(error.source(), file.number), fmt::format("not valid TOML: {}", what),

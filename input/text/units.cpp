@@ -41,7 +41,8 @@ std::string signature_of(const ut_unit* unit) {
     if (const std::size_t blank = text.find(' '); blank != std::string::npos) {
         text = text.substr(blank + 1);
     }
-    return text.find('(') == std::string::npos ? text : std::string();  // logarithmic units have no product
+    // A logarithmic unit has no product: "lg(re 0.001 m2.kg.s-3)" is cut within its brackets.
+    return text.find_first_of("()") == std::string::npos ? text : std::string();
 }
 
 /// UDUNITS keeps its state in globals, so one owner and one lock.

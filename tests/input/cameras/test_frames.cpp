@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Camera frames from CSV: values, dead and outside pixels, binning, warnings, and the exact words of errors.
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -139,6 +140,15 @@ TEST(Frames, AreReportedTogetherWithTheirCamera) {
     }
 }
 
+// With a name that cannot be one the camera of the frames is not known; there is nothing else to say about it.
+TEST(Frames, OfACameraWithAWrongNameAreReportedOnce) {
+    const std::string found =
+        what_is_wrong(read_csv(frames_csv(), "[[camera]]\nname = \"a/b\"\npixel_size = \"2 mm\"\n",
+                               "[[run]]\nname = \"heating\"\nframes = { camera = \"frames.csv\" }\n"));
+    EXPECT_EQ(std::count(found.begin(), found.end(), '\n'), 1) << found;
+    EXPECT_EQ(found.find("there is no camera"), std::string::npos) << found;
+}
+
 // A number that is wrongly written is not missed a second time where it is free.
 TEST(Frames, OfACameraWithAWrongNumberAreReportedOnce) {
     const ExperimentReading reading =
@@ -151,7 +161,7 @@ TEST(Frames, WithoutAPixelSizeOrBeyondTheWindowAreRefused) {
     const std::string found = what_is_wrong(read_csv(frames_csv(), "[[camera]]\nname = \"camera\"\nrows = [0, 3]\n"));
     for (const char* what :
          {"rows of camera go to 3, and the frames of ", "frames.csv have 3, 0 to 2 | let rows end at 2 at most\n",
-          "nobody says how large a pixel of camera is on the specimen | add pixel_size = \"0.5 mm\" to "
+          "the size of a pixel of camera on the specimen is not given | add pixel_size = \"0.5 mm\" to "
           "the [[camera]], or the attribute pixel_size to the file's frames\n"}) {
         EXPECT_NE(found.find(what), std::string::npos) << what << "\nin\n" << found;
     }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "input/model/expected.hpp"
+#include "input/spreadsheet/sheet_book.hpp"
 #include "input/spreadsheet/sheets.hpp"
 
 // Wrong sheets: everything that is wrong at once, each with its place and what to do.
@@ -174,6 +175,35 @@ TEST(SheetBad, SheetOfAnotherNameIsWarnedOf) {
     EXPECT_TRUE(made.errors.empty()) << sheets::report(made);
     ASSERT_EQ(made.warnings.size(), 1U);
     EXPECT_NE(made.warnings[0].find("the sheet Plots is none of the ten and is not read"), std::string::npos);
+}
+
+// An archive of one part that claims to unpack to 3 GB: a record of the part and a directory that lists it, by hand after
+// the ZIP specification (APPNOTE 6.3, 4.3.7 to 4.3.16). It is not damaged, it is too large.
+TEST(SheetBad, APartThatUnpacksToGigabytesIsCalledTooLarge) {
+    const auto number = [](std::uint64_t value, int bytes) {
+        std::string text;
+        for (int i = 0; i < bytes; ++i) {
+            text += static_cast<char>(value >> (8 * i) & 0xFFU);
+        }
+        return text;
+    };
+    const std::string name = "xl/workbook.xml";
+    const std::string local = "PK\3\4" + number(20, 2) + number(0, 2) + number(8, 2) + number(0, 4) + number(0, 4) +
+                              number(2, 4) + number(3'000'000'000, 4) + number(name.size(), 2) + number(0, 2) + name +
+                              "\3" + std::string(1, '\0');
+    const std::string entry = "PK\1\2" + number(20, 2) + number(20, 2) + number(0, 2) + number(8, 2) + number(0, 4) +
+                              number(0, 4) + number(2, 4) + number(3'000'000'000, 4) + number(name.size(), 2) +
+                              number(0, 2) + number(0, 2) + number(0, 2) + number(0, 2) + number(0, 4) + number(0, 4) +
+                              name;
+    const std::string end = "PK\5\6" + number(0, 4) + number(1, 2) + number(1, 2) + number(entry.size(), 4) +
+                            number(local.size(), 4) + number(0, 2);
+    const Written written;
+    InputErrors errors;
+    EXPECT_FALSE(read_sheet_book(written.add("bomb.xlsx", local + entry + end), errors));
+    ASSERT_EQ(errors.in_order().size(), 1U);
+    EXPECT_EQ(errors.in_order().front().what,
+              "the workbook's part xl/workbook.xml is too large: it has 2.79 GB, and at most 64 MB are read");
+    EXPECT_EQ(errors.in_order().front().remedy, "save a workbook with the sheets of the parameters alone");
 }
 
 }  // namespace tiretherm::input

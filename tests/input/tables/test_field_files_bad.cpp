@@ -40,6 +40,16 @@ TEST(BadFieldFile, ReportsAllItsErrorsAtOnce) {
          "write \"sliding_velocity [m/s]\"", "field.csv:3:9: sliding_velocity is \"x\"; a number is wanted"});
 }
 
+// A separator behind the last column is no column; an empty heading between others is one that nobody knows.
+TEST(BadFieldFile, ASeparatorAtTheEndOfTheLineIsNoColumn) {
+    const std::string negative = said(friction, "y [mm],friction_power [W/m2],\n-50,-1,\n50,1,\n");
+    expect_said(negative, {"field.csv:2:5: friction_power is -1 W/m2; it must be between 0"});
+    EXPECT_EQ(negative.find("heading"), std::string::npos) << negative;
+    EXPECT_EQ(negative.find("column"), std::string::npos) << negative;
+    expect_said(said(friction, "y [mm],,friction_power [W/m2]\n-50,1,1\n50,1,1\n"),
+                {"field.csv:1:8: heading 2 is empty", "name the column, or remove it"});
+}
+
 TEST(BadFieldFile, LacksWhatTheEffectNeeds) {
     expect_said(said(friction, "y [mm],pressure [kPa]\n0,1\n"),
                 {"field.csv: the field has no column sliding_velocity", "write \"sliding_velocity [m/s]\""});
