@@ -4,7 +4,7 @@
 #include "input/measurements/experiment.hpp"
 
 #include "input/measurements/runs.hpp"
-#include "input/text/document.hpp"
+#include "input/toml/document.hpp"
 
 namespace tiretherm::input {
 

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "input/text/toml_table.hpp"
+#include "input/toml/toml_table.hpp"
 
 namespace tiretherm::input {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "input/measurements/experiment.hpp"
-#include "input/text/document.hpp"
+#include "input/toml/document.hpp"
 
 namespace tiretherm::input {
 

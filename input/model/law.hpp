@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "input/text/toml_table.hpp"
+#include "input/toml/toml_table.hpp"
 #include "physics/curve.hpp"
 
 namespace tiretherm::input {

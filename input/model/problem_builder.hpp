@@ -12,7 +12,7 @@
 
 #include "input/cameras/camera.hpp"
 #include "input/effects/user_signals.hpp"
-#include "input/text/toml_table.hpp"
+#include "input/toml/toml_table.hpp"
 #include "mesh/builders.hpp"
 #include "solver/problem.hpp"
 

@@ -10,7 +10,7 @@
 #include "input/effects/user_effects.hpp"
 #include "input/measurements/runs.hpp"
 #include "input/model/problem_builder.hpp"
-#include "input/text/document.hpp"
+#include "input/toml/document.hpp"
 
 namespace tiretherm::input {
 

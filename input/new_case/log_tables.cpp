@@ -7,7 +7,7 @@
 
 #include "input/new_case/case_tables.hpp"
 #include "input/text/suggestions.hpp"
-#include "input/text/toml_text.hpp"
+#include "input/toml/toml_text.hpp"
 
 namespace tiretherm::input {
 

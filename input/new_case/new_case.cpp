@@ -9,7 +9,7 @@
 #include "input/measurements/runs.hpp"
 #include "input/new_case/case_tables.hpp"
 #include "input/text/suggestions.hpp"
-#include "input/text/toml_text.hpp"
+#include "input/toml/toml_text.hpp"
 #include "physics/tire.hpp"
 
 namespace tiretherm::input {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "input/new_case/case_tables.hpp"
-#include "input/text/toml_text.hpp"
+#include "input/toml/toml_text.hpp"
 #include "physics/tire_laws/scaled_tire.hpp"
 
 namespace tiretherm::input {

@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 
 #include "input/parameters/fitted_effects.hpp"
-#include "input/text/document.hpp"
 #include "input/text/suggestions.hpp"
-#include "input/text/toml_text.hpp"
+#include "input/toml/document.hpp"
+#include "input/toml/toml_text.hpp"
 
 namespace tiretherm::input {
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "input/text/document.hpp"
-#include "input/text/toml_table.hpp"
+#include "input/toml/document.hpp"
+#include "input/toml/toml_table.hpp"
 #include "solver/sensitivity/free_parameter.hpp"
 
 namespace tiretherm::input {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "input/text/toml_table.hpp"
+#include "input/toml/toml_table.hpp"
 
 namespace tiretherm::input {
 

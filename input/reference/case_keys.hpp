@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "input/text/key_record.hpp"
+#include "input/toml/key_record.hpp"
 
 namespace tiretherm::input {
 

@@ -10,7 +10,7 @@
 #include "input/measurements/experiment.hpp"
 #include "input/reference/case_keys.hpp"
 #include "input/studies/study.hpp"
-#include "input/text/document.hpp"
+#include "input/toml/document.hpp"
 #include "input/validation/validation.hpp"
 
 namespace tiretherm::input {

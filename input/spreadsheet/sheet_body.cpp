@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "input/text/toml_text.hpp"
 #include "input/text/units.hpp"
+#include "input/toml/toml_text.hpp"
 
 namespace tiretherm::input {
 

@@ -12,8 +12,8 @@
 #include "input/measurements/runs.hpp"
 #include "input/spreadsheet/sheet_body.hpp"
 #include "input/spreadsheet/sheet_remarks.hpp"
-#include "input/text/document.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/toml/document.hpp"
 
 namespace tiretherm::input {
 

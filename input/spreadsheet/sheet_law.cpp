@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "input/spreadsheet/sheet_body.hpp"
-#include "input/text/toml_text.hpp"
 #include "input/text/units.hpp"
+#include "input/toml/toml_text.hpp"
 
 namespace tiretherm::input {
 

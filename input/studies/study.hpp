@@ -10,8 +10,8 @@
 
 #include "input/parameters/study_value.hpp"
 #include "input/studies/study_draw.hpp"
-#include "input/text/document.hpp"
 #include "input/text/input_error.hpp"
+#include "input/toml/document.hpp"
 #include "solver/problem.hpp"
 
 /// Studies: one case run many times, with some of its values varied on a grid or drawn at random.

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "input/text/document.hpp"
+#include "input/toml/document.hpp"
 
 namespace tiretherm::input {
 

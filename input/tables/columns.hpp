@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "input/text/toml_table.hpp"
+#include "input/toml/toml_table.hpp"
 
 namespace tiretherm::input {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "input/tables/column_reader.hpp"
-#include "input/text/document.hpp"
+#include "input/toml/document.hpp"
 
 namespace tiretherm::input {
 

@@ -14,6 +14,7 @@
 
 #include "input/tables/hdf5_extent.hpp"
 #include "input/tables/hdf5_handle.hpp"
+#include "input/tables/hdf5_trial.hpp"
 #include "input/text/regular_file.hpp"
 #include "input/text/suggestions.hpp"
 
@@ -184,6 +185,9 @@ ErrorText hdf5_defect(const std::filesystem::path& path) {
     if (Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)) < 0) {
         return {"is HDF5, but cannot be opened: it is cut off, damaged or still being written",
                 "copy or export it again"};
+    }
+    if (!survives_hdf5(path)) {
+        return {"is HDF5, but damaged: the HDF5 library fails over it", "copy or export it again"};
     }
     return {};
 }

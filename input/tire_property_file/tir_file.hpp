@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "input/text/document.hpp"
+#include "input/toml/document.hpp"
 #include "physics/tire_laws/magic_formula.hpp"
 
 namespace tiretherm::input {

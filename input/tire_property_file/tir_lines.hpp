@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "input/text/document.hpp"
+#include "input/toml/document.hpp"
 
 namespace tiretherm::input {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "input/text/toml_table.hpp"
+#include "input/toml/toml_table.hpp"
 #include "input/validation/validation.hpp"
 
 /// The parts of the reader of a validation table.

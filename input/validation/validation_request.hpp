@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "input/text/toml_table.hpp"
+#include "input/toml/toml_table.hpp"
 #include "input/validation/validation.hpp"
 
 namespace tiretherm::input {

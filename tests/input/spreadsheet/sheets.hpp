@@ -11,7 +11,7 @@
 
 #include "input/spreadsheet/sheet_case.hpp"
 #include "input/spreadsheet/sheet_parameters.hpp"
-#include "input/text/document.hpp"
+#include "input/toml/document.hpp"
 #include "support/written.hpp"
 
 /// Spreadsheets that tests write, and what became of them.

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "input/text/document.hpp"
+#include "input/toml/document.hpp"
 
 /// Pieces of a TOML text as the reader of cases takes them. Numbers have all their digits.
 namespace tiretherm::input::toml_text {

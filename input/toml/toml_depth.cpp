@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scan over the text that knows strings, comments, brackets and the dots of keys, and nothing else of TOML.
 
-#include "input/text/toml_depth.hpp"
+#include "input/toml/toml_depth.hpp"
 
 #include <algorithm>
 #include <limits>

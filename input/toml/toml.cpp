@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
-#include "input/text/document.hpp"
 #include "input/text/quantity.hpp"
 #include "input/text/regular_file.hpp"
 #include "input/text/suggestions.hpp"
-#include "input/text/toml_depth.hpp"
+#include "input/toml/document.hpp"
+#include "input/toml/toml_depth.hpp"
 
 namespace tiretherm::input {
 

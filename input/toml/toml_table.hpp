@@ -10,10 +10,10 @@
 #include <string_view>
 #include <vector>
 
-#include "input/text/document.hpp"
 #include "input/text/input_error.hpp"
-#include "input/text/key_record.hpp"
 #include "input/text/quantity.hpp"
+#include "input/toml/document.hpp"
+#include "input/toml/key_record.hpp"
 
 namespace tiretherm::input {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Writing TOML: values as the reader of cases takes them, and whole documents.
-#include "input/text/toml_text.hpp"
+#include "input/toml/toml_text.hpp"
 
 #include <algorithm>
 #include <cctype>

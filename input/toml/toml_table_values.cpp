@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "input/text/suggestions.hpp"
-#include "input/text/toml_table.hpp"
+#include "input/toml/toml_table.hpp"
 
 namespace tiretherm::input {
 

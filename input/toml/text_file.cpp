@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
-#include "input/text/document.hpp"
 #include "input/text/enough_memory.hpp"
 #include "input/text/regular_file.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/toml/document.hpp"
 
 namespace tiretherm::input {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Merges a case with the files that it includes: tables key by key, lists with names by their `name`.
 
-#include "input/text/document.hpp"
+#include "input/toml/document.hpp"
 
 #include <algorithm>
 #include <map>

@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 
 #include "input/measurements/measured_bench.hpp"
-#include "input/text/document.hpp"
+#include "input/toml/document.hpp"
 #include "support/written.hpp"
 
 namespace tiretherm::input {

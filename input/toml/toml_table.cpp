@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Access to keys and subtables, the errors for missing and unknown keys, and the record of keys for the case reference.
 
-#include "input/text/toml_table.hpp"
+#include "input/toml/toml_table.hpp"
 
 #include <algorithm>
 #include <utility>

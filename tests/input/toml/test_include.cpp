@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "input/text/document.hpp"
+#include "input/toml/document.hpp"
 #include "support/written.hpp"
 
 namespace tiretherm::input {

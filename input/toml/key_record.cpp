@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The record that the readers of this thread write into, if there is one.
-#include "input/text/key_record.hpp"
+#include "input/toml/key_record.hpp"
 
 #include <cassert>
 #include <utility>
