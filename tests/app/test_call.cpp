@@ -118,6 +118,33 @@ TEST(Check, CaseWithErrorsCannotBeRun) {
     EXPECT_NE(check.err.find(" errors; the case cannot be run\n"), std::string::npos) << check.err;
 }
 
+TEST(Inputs, AllAreListedWithUnitSignAndReaders) {
+    const Call list = call("inputs");
+    EXPECT_EQ(list.exit_code, 0);
+    const Json json = Json::parse(call("inputs --json").out);
+    ASSERT_EQ(json["inputs"].size(), physics::signals().size());
+    const std::string page = call("inputs --markdown").out;
+    for (std::size_t i = 0; i < physics::signals().size(); ++i) {
+        const std::string name(physics::signals()[i].name);
+        EXPECT_EQ(json["inputs"][i]["name"], name);
+        EXPECT_FALSE(json["inputs"][i]["sign"].get<std::string>().empty()) << name;
+        EXPECT_NE(list.out.find(name + " ("), std::string::npos) << name;
+        EXPECT_NE(page.find("\n## " + name + "\n"), std::string::npos) << name;
+    }
+}
+
+TEST(Inputs, OneNamesTheEffectsAndSensorsThatReadIt) {
+    const Json camber = Json::parse(call("inputs camber --json").out);
+    EXPECT_EQ(camber["used_by"], Json::array({"camber_asymmetry"}));
+    EXPECT_EQ(camber["sensors"], Json::array({"bulk_temperature_factor", "lateral_force", "reference_lateral_force",
+                                              "longitudinal_force"}));
+    EXPECT_NE(call("inputs camber").out.find("Used where given by the effects: camber_asymmetry\n"), std::string::npos);
+    const Call wrong = call("inputs cambr");
+    EXPECT_EQ(wrong.exit_code, 1);
+    EXPECT_NE(wrong.err.find("there is no input \"cambr\""), std::string::npos);
+    EXPECT_NE(wrong.err.find("did you mean `camber`?"), std::string::npos) << wrong.err;
+}
+
 TEST(Effects, ListNamesTheWholeCatalogue) {
     const Call list = call("effects");
     EXPECT_EQ(list.exit_code, 0);

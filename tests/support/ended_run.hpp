@@ -63,7 +63,7 @@ inline double largest_value(const physics::Curve& law) {
 }
 
 /// The ledger closes: heat stored less heat attributed is nothing beside the heat turned over, but for the last digit of
-/// every temperature: times its largest heat capacity in each stage, and times its films in the steady state.
+/// every temperature: times its largest heat capacity in each stage, and times its films as long as the run.
 inline void expect_closed(const solver::Problem& problem, const EndedRun& run) {
     solver::System system(problem);
     const solver::Report& report = run.report;
@@ -75,6 +75,7 @@ inline void expect_closed(const solver::Problem& problem, const EndedRun& run) {
     system.evaluate_coefficients(problem.input_signals.at(problem.settings.end, solver::JumpSide::before),
                                  coefficients);
     system.evaluate(run.field, coefficients);
+    const double stages = 2.0 * static_cast<double>(report.steps);
     double last_digits = 0.0;
     for (std::size_t i = 0; i < run.field.size(); ++i) {
         const int layer = problem.mesh.layer[i];
@@ -82,10 +83,10 @@ inline void expect_closed(const solver::Problem& problem, const EndedRun& run) {
             layer < 0 ? system.capacity(i, run.field[i])
                       : problem.mesh.volume[i] * problem.materials[static_cast<std::size_t>(layer)].density *
                             largest_value(problem.materials[static_cast<std::size_t>(layer)].heat_capacity);
-        last_digits += 1.1e-16 * run.field[i] * (steady ? system.terms().node_G[i] : capacity);
+        const double film = system.terms().node_G[i];
+        last_digits += 1.1e-16 * run.field[i] * (steady ? film : stages * capacity + report.simulated * film);
     }
-    const double stages = steady ? 1.0 : 2.0 * static_cast<double>(report.steps);
-    EXPECT_LE(open, energy_closure * turnover + 10.0 * stages * last_digits)
+    EXPECT_LE(open, energy_closure * turnover + 10.0 * last_digits)
         << turnover << " turned over, closes to " << report.energy_closure;
 }
 
