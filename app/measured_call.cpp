@@ -77,6 +77,9 @@ std::unique_ptr<post::PredictionJournal> open_journal(const MeasuredCall& call, 
                                                       const std::vector<std::string>& files) {
     auto journal = std::make_unique<post::PredictionJournal>(
         folder, command + ".simulations", call_identity(files, {command, call.case_file}), call.fresh);
+    if (journal->is_damaged()) {
+        tell_of_damage("the simulations that are not whole are made again");
+    }
     if (const std::size_t n = journal->found(); n > 0) {
         tell_of_continuation(fmt::format("{} {} kept", n, n == 1 ? "simulation is" : "simulations are"));
     }

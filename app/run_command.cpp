@@ -45,6 +45,9 @@ using Clock = std::chrono::steady_clock;
 /// field of that moment.
 solver::Report march(const solver::Problem& problem, post::RunFiles& files, diagnosis::HotSpotTracker& hot_spots,
                      post::RunJournal& journal, const Options& options) {
+    if (journal.is_damaged()) {
+        tell_of_damage("the run begins anew");
+    }
     if (journal.checkpoint() != nullptr) {
         tell_of_continuation(fmt::format("{:.6g} s of {:.6g} s are kept", journal.time() - problem.settings.start,
                                          problem.settings.end - problem.settings.start));

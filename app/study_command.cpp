@@ -94,7 +94,7 @@ int study(const Options& options) {
     std::optional<post::StudyJournal> journal;
     try {
         files.emplace(*folder, !options.no_pictures);
-        journal.emplace(files->journal(), build_identity(), options.fresh);
+        journal.emplace(files->journal(), study.channels.size(), build_identity(), options.fresh);
     } catch (const std::runtime_error& error) {
         report_error(error.what(), "nothing was run; choose another directory with --out", options.json);
         return Exit::input_error;
@@ -118,6 +118,7 @@ int study(const Options& options) {
     }
     post::StudyCall call{.kept = results.kept,
                          .outdated = journal->outdated(),
+                         .damaged = journal->damaged(),
                          .seconds = std::chrono::duration<double>(Clock::now() - begin).count(),
                          .run_seconds = results.run_seconds,
                          .threads = post::threads_used(options.threads, study.runs.size() - results.kept),
