@@ -15,6 +15,7 @@
 
 #include "app/build_identity.hpp"
 #include "app/commands.hpp"
+#include "app/failure.hpp"
 #include "app/messages.hpp"
 #include "app/output.hpp"
 #include "diagnosis/study/study_runs.hpp"
@@ -73,6 +74,7 @@ private:
 
 int study(const Options& options) {
     solver::install_stop_handlers();
+    now_doing(fmt::format("reading {} and the files that it names", options.study_file));
     input::StudyReading reading = input::read_study(options.study_file);
     if (was_stopped("nothing was run", options.json)) {
         return Exit::interrupted;
@@ -99,6 +101,7 @@ int study(const Options& options) {
         report_error(error.what(), "nothing was run; choose another directory with --out", options.json);
         return Exit::input_error;
     }
+    now_doing(fmt::format("making the runs of {} and writing to {}", options.study_file, directory.string()));
     const Clock::time_point begin = Clock::now();
     diagnosis::StudyResults results;
     {

@@ -235,7 +235,8 @@ void SensorOutputs::visit(Archive& archive) {
         int n = static_cast<int>(chain.past.size());
         archive.whole(n);
         if (archive.is_reading()) {
-            n = std::min(n, static_cast<int>(std::min<std::size_t>(archive.left(), 1U << 30U)));  // of a damaged archive
+            n = std::min(n,
+                         static_cast<int>(std::min<std::size_t>(archive.left(), 1U << 30U)));  // of a damaged archive
         }
         chain.past.resize(static_cast<std::size_t>(std::max(n, 1)));
         for (Piece& piece : chain.past) {
