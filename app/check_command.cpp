@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `tiretherm check`: reads a case without running it and prints a summary or all input errors, as text or JSON.
+// `tiretherm check`: reads a case, with measured data where they are given, without running it, and prints a summary with
+// its size or all input errors, as text or JSON.
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/failure.hpp"
 #include "app/messages.hpp"
+#include "input/measurements/experiment.hpp"
 #include "input/model/reader.hpp"
+#include "input/model/size_limits.hpp"
+#include "input/text/suggestions.hpp"
 #include "post/report/table.hpp"
 
 namespace tiretherm::app {
@@ -38,64 +46,144 @@ std::string duration(const solver::Settings& settings) {
                            : fmt::format("{:.6g} s to {:.6g} s", settings.start, settings.end);
 }
 
-void print_text(const solver::Problem& problem, const std::vector<std::string>& warnings) {
+struct Options {
+    std::string case_file;
+    std::vector<std::string> data;
+    bool json = false;
+};
+
+/// A sound case with what is to be said of it.
+struct Checked {
+    const solver::Problem& problem;
+    std::vector<std::string> warnings;
+    std::vector<input::MeasuredRun> runs{};  ///< of --data; empty without
+    std::vector<std::string> names{};        ///< of the case's own runs
+};
+
+/// "run1.csv: 2401 samples of surface and bulk, 0 s to 2400 s".
+std::string run_text(const input::MeasuredRun& run) {
+    std::vector<std::string> measured;
+    for (const input::MeasuredSeries& series : run.series) {
+        measured.push_back(run.problem.channels[series.channel].name);
+    }
+    for (const input::MeasuredFrames& frames : run.frames) {
+        measured.push_back("camera " + frames.camera);
+    }
+    return fmt::format("{}: {} samples of {}, {}", run.file, run.time.size(), input::listed(measured),
+                       duration(run.problem.settings));
+}
+
+void print_text(const Checked& checked) {
+    const solver::Problem& problem = checked.problem;
     post::Table table({true, true});
     table.add({"mesh", fmt::format("{}, {} cells, layers {}", problem.mesh.kind, post::grouped(problem.mesh.n_cells),
                                    fmt::join(problem.mesh.layers, ", "))});
     table.add({"effects", fmt::format("{}", fmt::join(effect_names(problem), ", "))});
     table.add({"channels", fmt::format("{}", fmt::join(channel_names(problem), ", "))});
     table.add({"time", duration(problem.settings)});
-    fmt::print("{}: no errors\n", problem.name);
-    for (const std::string& line : table.lines(2)) {
-        fmt::print("{}\n", terminal_text(line));
+    table.add({"size", input::describe(input::size_of(problem))});
+    for (const input::MeasuredRun& run : checked.runs) {
+        table.add({"data", run_text(run)});
     }
-    for (const std::string& warning : warnings) {
-        fmt::print("warning: {}\n", terminal_text(warning));
+    if (checked.names.size() > 1) {
+        table.add(
+            {"runs", fmt::format("{}; run takes the first, or that of --run NAME", input::listed(checked.names))});
+    }
+    fmt::print("{}: no errors\n", input::printable(problem.name));
+    for (const std::string& line : table.lines(2)) {
+        fmt::print("{}\n", input::printable(line));
+    }
+    for (const std::string& warning : checked.warnings) {
+        fmt::print("warning: {}\n", input::printable(warning));
     }
 }
 
-void print_json(const solver::Problem& problem, const std::vector<std::string>& warnings) {
+void print_json(const Checked& checked) {
     using Json = nlohmann::ordered_json;
-    const Json json{{"case", problem.name},
-                    {"title", problem.title},
-                    {"cells", problem.mesh.n_cells},
-                    {"layers", problem.mesh.layers},
-                    {"effects", effect_names(problem)},
-                    {"channels", channel_names(problem)},
-                    {"start", problem.settings.start},
-                    {"end", problem.settings.end},
-                    {"steady", problem.settings.steady},
-                    {"warnings", warnings},
-                    {"mistakes", Json::array()}};
+    const solver::Problem& problem = checked.problem;
+    const input::CaseSize size = input::size_of(problem);
+    Json json{{"case", problem.name},
+              {"title", problem.title},
+              {"cells", problem.mesh.n_cells},
+              {"layers", problem.mesh.layers},
+              {"effects", effect_names(problem)},
+              {"channels", channel_names(problem)},
+              {"start", problem.settings.start},
+              {"end", problem.settings.end},
+              {"steady", problem.settings.steady},
+              {"size",
+               {{"rows", size.rows > 0.0 ? Json(size.rows) : Json()},
+                {"fields", size.fields},
+                {"steps", size.steps ? Json(*size.steps) : Json()},
+                {"output_bytes", size.output},
+                {"memory_bytes", size.memory}}},
+              {"warnings", checked.warnings},
+              {"mistakes", Json::array()}};
+    for (const input::MeasuredRun& run : checked.runs) {
+        Json measured = Json::array();
+        for (const input::MeasuredSeries& series : run.series) {
+            measured.push_back(run.problem.channels[series.channel].name);
+        }
+        json["runs"].push_back({{"name", run.name},
+                                {"file", run.file},
+                                {"samples", run.time.size()},
+                                {"measured", measured},
+                                {"start", run.problem.settings.start},
+                                {"end", run.problem.settings.end}});
+    }
     fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
-int check(const std::string& case_file, bool json) {
-    const input::Reading reading = input::read_case(case_file);
-    if (!reading.problem) {
-        report_errors(reading, "the case cannot be run", json);
+void print(const Checked& checked, bool json) { json ? print_json(checked) : print_text(checked); }
+
+int check(const Options& options) {
+    now_doing(fmt::format("reading {} and the files that it names", options.case_file));
+    if (options.data.empty()) {
+        const input::Reading reading = input::read_case(options.case_file);
+        if (!reading.problem) {
+            const bool lacks_inputs = std::ranges::any_of(
+                reading.errors, [](const input::InputError& error) { return error.what.starts_with("[drive] lacks"); });
+            report_errors(reading,
+                          lacks_inputs ? "the case cannot be run; with measured runs beside it: check --data FILE"
+                                       : "the case cannot be run",
+                          options.json);
+            return Exit::input_error;
+        }
+        print({*reading.problem, reading.warnings, {}, reading.runs}, options.json);
+        return Exit::done;
+    }
+    input::ExperimentReading reading =
+        input::read_experiment(options.case_file, {options.data.begin(), options.data.end()});
+    if (!reading.experiment) {
+        report_errors({.problem = std::nullopt, .errors = reading.errors, .warnings = reading.warnings},
+                      "the case cannot be compared with these data", options.json);
         return Exit::input_error;
     }
-    json ? print_json(*reading.problem, reading.warnings) : print_text(*reading.problem, reading.warnings);
+    std::vector<std::string> warnings = std::move(reading.warnings);
+    std::ranges::move(reading.data_warnings, std::back_inserter(warnings));
+    print({reading.experiment->runs.front().problem, std::move(warnings), reading.experiment->runs}, options.json);
     return Exit::done;
 }
 
 }  // namespace
 
 void add_check_command(CLI::App& program, int& exit_code) {
-    struct Options {
-        std::string case_file;
-        bool json = false;
-    };
     CLI::App* command = program.add_subcommand("check", "Read a case without running it; all errors at once");
     const auto options = std::make_shared<Options>();
     command->add_option("CASE", options->case_file, "Case file (TOML)")->required()->option_text(" ");
+    command
+        ->add_option("--data", options->data,
+                     "A measured run (CSV or HDF5), once for each: is the case one for compare, identify and diagnose "
+                     "with these?")
+        ->option_text("FILE ...");
     command->add_flag("--json", options->json, "One JSON object");
     command->footer(
+        "The size is an estimate: what is beyond [limits] is refused.\n\n"
         "Exit code: 0 the case can be run, 1 it has errors.\n\n"
-        "Example:\n"
-        "  tiretherm check cases/laser/one_watt.toml");
-    command->callback([options, &exit_code] { exit_code = check(options->case_file, options->json); });
+        "Examples:\n"
+        "  tiretherm check cases/laser/one_watt.toml\n"
+        "  tiretherm check cases/practice/two_node_bench.toml --data run1.csv");
+    command->callback([options, &exit_code] { exit_code = check(*options); });
 }
 
 }  // namespace tiretherm::app

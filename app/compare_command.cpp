@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
+#include "app/failure.hpp"
 #include "app/measured_call.hpp"
 #include "app/messages.hpp"
 #include "post/comparison/comparison_report.hpp"
@@ -30,6 +31,7 @@ int compare(const MeasuredCall& call) {
     const std::string name = reading->experiment->runs.front().problem.name;
     const std::filesystem::path directory = folder_of(call, "out/" + name);
     const std::vector<std::string> names = post::comparison_names(directory);
+    now_doing(fmt::format("comparing {} and writing to {}", call.case_file, directory.string()));
     const auto folder = open_output(directory, reading->files, names, "nothing was compared", call.json);
     if (!folder) {
         return Exit::input_error;

@@ -11,9 +11,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/failure.hpp"
 #include "app/messages.hpp"
 #include "app/output.hpp"
 #include "input/spreadsheet/sheet_case.hpp"
+#include "input/text/suggestions.hpp"
 #include "post/report/file.hpp"
 #include "post/report/table.hpp"
 #include "solver/stop_signal.hpp"
@@ -78,7 +80,7 @@ void print_table(const char* title, const post::Table& table) {
 }
 
 void print_text(const input::SheetCase& made, const std::string& file) {
-    fmt::print("{}: a case of the two-node model\n", file);
+    fmt::print("{}: a case of the two-node model\n", input::printable(file));
     const std::size_t n = made.mapped.size();
     fmt::print("  {} of {} sheets {} in it\n", n == 1 ? "1 parameter" : fmt::format("{} parameters", n),
                made.sheets.size(), n == 1 ? "has its place" : "have their place");
@@ -100,15 +102,16 @@ void print_text(const input::SheetCase& made, const std::string& file) {
         print_table("In the sheets, but without a place in a case", table);
     }
     for (const std::string& warning : made.warnings) {
-        fmt::print("\nwarning: {}", terminal_text(warning));
+        fmt::print("\nwarning: {}", input::printable(warning));
     }
-    fmt::print("{}\nIt runs with: tiretherm run {}\n", made.warnings.empty() ? "" : "\n", file);
+    fmt::print("{}\nIt runs with: tiretherm run {}\n", made.warnings.empty() ? "" : "\n", input::printable(file));
 }
 
 int convert(const Options& options) {
     solver::install_stop_handlers();
     const fs::path target = case_file(options);
     const std::string file = target.generic_string();
+    now_doing(fmt::format("reading the sheets of {}", options.sheet));
     const input::SheetCase made = input::convert_sheet(options.sheet);
     if (!made.errors.empty()) {
         report_errors({.problem = std::nullopt, .errors = made.errors, .warnings = made.warnings},
@@ -128,8 +131,7 @@ int convert(const Options& options) {
         return Exit::input_error;
     }
     try {
-        post::create_folder(options.directory);
-        post::replace_file(target, made.text);
+        post::write_with_folder(target, made.text);
     } catch (const post::FileError& failure) {
         report_error(failure.what(), "no case was written; choose another directory with --out", options.json);
         return Exit::input_error;

@@ -14,6 +14,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
+#include "app/failure.hpp"
 #include "app/measured_call.hpp"
 #include "app/messages.hpp"
 #include "diagnosis/compare/camera_rings.hpp"
@@ -33,6 +34,7 @@ int diagnose(const MeasuredCall& call) {
     }
     const std::filesystem::path directory = folder_of(call, "out/" + reading->experiment->runs.front().problem.name);
     const std::vector<std::string> names = post::diagnosis_names();
+    now_doing(fmt::format("diagnosing {} and writing to {}", call.case_file, directory.string()));
     const auto folder = open_output(directory, reading->files, names, "nothing was diagnosed", call.json);
     if (!folder) {
         return Exit::input_error;

@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
+#include "app/failure.hpp"
 #include "app/measured_call.hpp"
 #include "app/messages.hpp"
 #include "input/model/reader.hpp"
@@ -104,6 +105,7 @@ int identify(const Options& options) {
         return plan(options, *reading);
     }
     const input::Experiment& experiment = *reading->experiment;
+    now_doing("fitting " + options.case_file);
     const auto folder = open_output(folder_of(options, "out/" + experiment.runs.front().problem.name), reading->files,
                                     post::identification_names(), "nothing was fitted", options.json);
     if (!folder) {

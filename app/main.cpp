@@ -2,6 +2,7 @@
 // Entry point: adds all subcommands to the CLI11 parser and explains calls that it refuses.
 
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <span>
 #include <string>
@@ -11,6 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
+#include "app/failure.hpp"
 #include "app/messages.hpp"
 #include "input/text/suggestions.hpp"
 
@@ -67,9 +69,8 @@ std::string example_call(const std::string& command, const std::string& argument
     return fmt::format("  tiretherm {}{}{}\n", command, arguments.empty() ? "" : " ", arguments);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+/// Runs the call. @returns its exit code
+int run_call(int argc, char** argv) {
     int exit_code = app::Exit::done;
     CLI::App program{"tiretherm: temperature field of a tire, compared with measured data", "tiretherm"};
     program.set_version_flag("--version", "tiretherm " TIRETHERM_VERSION);
@@ -101,8 +102,25 @@ int main(int argc, char** argv) {
         report_wrong_call(program, error, json);
         return app::Exit::input_error;
     } catch (const std::exception& error) {
-        app::report_error(error.what(), "", json);
+        if (!app::is_lost_output(error)) {  // which is said at the end
+            const app::Failure failure = app::failure_of(error);
+            app::report_error(failure.sentence, failure.remedy, json);
+        }
         return app::Exit::input_error;
     }
     return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    app::keep_standard_streams();
+    int exit_code = app::Exit::input_error;
+    try {
+        exit_code = run_call(argc, argv);
+    } catch (const std::exception&) {  // the message itself could not be written
+        exit_code = app::Exit::input_error;
+    }
+    const bool written = app::flush_standard_output();
+    return written || exit_code != app::Exit::done ? exit_code : static_cast<int>(app::Exit::input_error);
 }

@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
+#include "app/failure.hpp"
 #include "app/messages.hpp"
 
 namespace tiretherm::app {
@@ -28,6 +29,7 @@ void add_measured_options(CLI::App& command, MeasuredCall& call, const char* cas
 
 std::optional<input::ExperimentReading> read_measured(const MeasuredCall& call, const char* consequence,
                                                       input::ReadMode mode) {
+    now_doing(fmt::format("reading {} and the files that it names", call.case_file));
     input::ExperimentReading reading = input::read_experiment(call.case_file, call.data_files(), mode);
     if (!reading.experiment) {
         report_errors({.problem = std::nullopt, .errors = reading.errors, .warnings = reading.warnings}, consequence,
@@ -77,6 +79,9 @@ std::unique_ptr<post::PredictionJournal> open_journal(const MeasuredCall& call, 
                                                       const std::vector<std::string>& files) {
     auto journal = std::make_unique<post::PredictionJournal>(
         folder, command + ".simulations", call_identity(files, {command, call.case_file}), call.fresh);
+    if (journal->is_damaged()) {
+        tell_of_damage("the simulations that are not whole are made again");
+    }
     if (const std::size_t n = journal->found(); n > 0) {
         tell_of_continuation(fmt::format("{} {} kept", n, n == 1 ? "simulation is" : "simulations are"));
     }

@@ -54,7 +54,7 @@ void report_error(const std::string& sentence, const std::string& remedy, bool j
     if (json) {
         fmt::print("{}", post::json_text({{"error", whole}, {"mistakes", post::Value::List{}}}));
     } else {
-        fmt::print(stderr, "tiretherm: {}\n", terminal_text(whole));
+        fmt::print(stderr, "tiretherm: {}\n", input::printable(whole));
     }
 }
 

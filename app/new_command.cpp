@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/failure.hpp"
 #include "app/messages.hpp"
 #include "app/output.hpp"
 #include "input/new_case/new_case.hpp"
@@ -147,11 +148,11 @@ void print_json(const input::NewCase& made, const input::NewCaseRequest& request
 }
 
 void print_text(const input::NewCase& made, const input::NewCaseRequest& request) {
-    const std::string file = request.target.generic_string();
+    const std::string file = input::printable(request.target.generic_string());
     fmt::print("{}: a {} on {}\n", file, request.size.text, made.mesh);
     if (made.log) {
         const std::vector<double>& time = made.log->time;
-        fmt::print("\nFrom {}, {} samples from {:g} to {:g} s\n", made.log->path,
+        fmt::print("\nFrom {}, {} samples from {:g} to {:g} s\n", input::printable(made.log->path),
                    post::grouped(static_cast<double>(time.size())), time.front(), time.back());
         post::Table table({true, true});
         for (const input::LogColumn& column : made.log->columns) {
@@ -164,7 +165,8 @@ void print_text(const input::NewCase& made, const input::NewCaseRequest& request
         for (const input::AssumedValue& value : made.assumed) {
             table.add({value.key, value.value, value.reason});
         }
-        fmt::print("\nAssumed; change it in the case\n{}", table.text(2));
+        fmt::print("\nAssumed; change it in the case\n");
+        app::print_text(table.text(2));
     }
     if (!made.missing.empty()) {
         fmt::print("\nStill missing\n");
@@ -173,7 +175,7 @@ void print_text(const input::NewCase& made, const input::NewCaseRequest& request
         }
     }
     for (const std::string& warning : made.warnings) {
-        fmt::print("\nwarning: {}", terminal_text(warning));
+        fmt::print("\nwarning: {}", input::printable(warning));
     }
     fmt::print("{}\nIt runs with: tiretherm run {}\n", made.warnings.empty() ? "" : "\n", file);
     if (made.log && made.log->use == input::LogUse::run) {
@@ -201,6 +203,7 @@ int make_case(const Options& options) {
     if (request->log && replaces_input(request->target, {request->log->string()}, options.json)) {
         return Exit::input_error;
     }
+    now_doing(request->log ? fmt::format("reading {}", request->log->string()) : "making " + file);
     const input::NewCase made = input::make_new_case(*request);
     if (!made.errors.empty()) {
         report_errors({.problem = std::nullopt, .errors = made.errors, .warnings = made.warnings},
@@ -211,10 +214,7 @@ int make_case(const Options& options) {
         return Exit::interrupted;
     }
     try {
-        if (const fs::path folder = request->target.parent_path(); !folder.empty()) {
-            post::create_folder(folder);
-        }
-        post::replace_file(request->target, made.text);
+        post::write_with_folder(request->target, made.text);
     } catch (const post::FileError& failure) {
         report_error(failure.what(), "no case was written; choose another file with --out", options.json);
         return Exit::input_error;

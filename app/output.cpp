@@ -94,6 +94,10 @@ void tell_of_continuation(const std::string& kept) {
     fmt::print(stderr, "tiretherm: an interrupted call is continued: {}\n", kept);
 }
 
+void tell_of_damage(const std::string& consequence) {
+    fmt::print(stderr, "tiretherm: what an interrupted call has kept was cut off or damaged; {}\n", consequence);
+}
+
 bool was_stopped(const std::string& consequence, bool json) {
     if (!solver::stop_requested()) {
         return false;

@@ -46,6 +46,9 @@ void add_fresh_option(CLI::App& command, bool& fresh);
 /// One line on stderr. @param kept "1200 s of 3600 s are kept"
 void tell_of_continuation(const std::string& kept);
 
+/// One line on stderr. @param consequence "the run begins anew"
+void tell_of_damage(const std::string& consequence);
+
 /// Whether Ctrl-C or SIGTERM asks for an end; reports it. @param consequence "nothing was run"
 [[nodiscard]] bool was_stopped(const std::string& consequence, bool json);
 

@@ -2,7 +2,9 @@
 // `tiretherm run`: simulates a case and writes channels, fields, pictures and, for [[critical]] temperatures, the hot
 // spots.
 
+#include <charconv>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -13,6 +15,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
+#include "app/failure.hpp"
 #include "app/messages.hpp"
 #include "app/output.hpp"
 #include "diagnosis/hot_spot/hot_spot_watch.hpp"
@@ -31,6 +34,7 @@ namespace {
 
 struct Options {
     std::string case_file;
+    std::string run;  ///< of the case's [[run]] tables; empty: the first
     std::string directory;
     double field_interval = 0.0;  ///< s; 0: as the case says
     bool json = false;
@@ -45,6 +49,9 @@ using Clock = std::chrono::steady_clock;
 /// field of that moment.
 solver::Report march(const solver::Problem& problem, post::RunFiles& files, diagnosis::HotSpotTracker& hot_spots,
                      post::RunJournal& journal, const Options& options) {
+    if (journal.is_damaged()) {
+        tell_of_damage("the run begins anew");
+    }
     if (journal.checkpoint() != nullptr) {
         tell_of_continuation(fmt::format("{:.6g} s of {:.6g} s are kept", journal.time() - problem.settings.start,
                                          problem.settings.end - problem.settings.start));
@@ -75,16 +82,25 @@ solver::Report march(const solver::Problem& problem, post::RunFiles& files, diag
     return solver::run(problem, watch, continuation);
 }
 
+/// Whether a text is a finite number above 0.
+bool is_duration(const std::string& text) {
+    double seconds = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
+    return error == std::errc() && end == text.data() + text.size() && std::isfinite(seconds) && seconds > 0.0;
+}
+
 /// What the files of a run follow from.
 solver::Digest::Value identity_of(const Options& options, const std::vector<std::string>& files) {
-    std::vector<std::string> arguments{"run", options.case_file, fmt::format("{}", options.field_interval)};
+    std::vector<std::string> arguments{"run", options.case_file, options.run,
+                                       fmt::format("{}", options.field_interval)};
     arguments.insert(arguments.end(), options.switched.begin(), options.switched.end());
     return call_identity(files, arguments);
 }
 
 int run(const Options& options) {
     solver::install_stop_handlers();
-    input::Reading reading = input::read_case(options.case_file);
+    now_doing(fmt::format("reading {} and the files that it names", options.case_file));
+    input::Reading reading = input::read_case_run(options.case_file, options.run);
     if (!reading.problem) {
         report_errors(reading, "nothing was run", options.json);
         return Exit::input_error;
@@ -92,6 +108,10 @@ int run(const Options& options) {
     solver::Problem& problem = *reading.problem;
     if (options.field_interval > 0.0) {
         problem.settings.field_interval = options.field_interval;
+        if (const auto excess = input::excess_of(problem, reading.limits)) {
+            report_error("--fields: " + excess->what, excess->remedy, options.json);
+            return Exit::input_error;
+        }
     }
     if (const std::vector<std::string> defects = solver::defects(problem); !defects.empty()) {
         report_error(fmt::format("{}: {}", options.case_file, fmt::join(defects, "; ")), "nothing was run",
@@ -102,7 +122,9 @@ int run(const Options& options) {
     if (was_stopped("nothing was run", options.json)) {
         return Exit::interrupted;
     }
-    const std::string directory = options.directory.empty() ? "out/" + problem.name : options.directory;
+    const std::string directory = !options.directory.empty() ? options.directory
+                                  : options.run.empty()      ? "out/" + problem.name
+                                                             : "out/" + problem.name + "/" + options.run;
     const post::Provenance provenance{
         .version = TIRETHERM_VERSION, .case_file = options.case_file, .case_text = post::read_text(options.case_file)};
     const auto folder =
@@ -110,8 +132,9 @@ int run(const Options& options) {
     if (!folder) {
         return Exit::input_error;
     }
+    now_doing(fmt::format("simulating {} and writing to {}", options.case_file, directory));
     std::optional<post::RunFiles> files;
-    diagnosis::HotSpotTracker tracker(options.case_file, problem);
+    diagnosis::HotSpotTracker tracker(options.case_file, problem, options.run);
     solver::Report report;
     double seconds = 0.0;
     std::optional<diagnosis::HotSpots> hot_spots;
@@ -139,7 +162,9 @@ int run(const Options& options) {
                                  .seconds = seconds,
                                  .warnings = reading.warnings,
                                  .files = folder->homes(files->written()),
-                                 .hot_spots = hot_spots ? &*hot_spots : nullptr};
+                                 .hot_spots = hot_spots ? &*hot_spots : nullptr,
+                                 .run = reading.run,
+                                 .runs = reading.runs};
     if (options.json || !options.quiet) {
         print_report(post::run_report(record), options.json);
     }
@@ -164,12 +189,19 @@ void add_run_command(CLI::App& program, int& exit_code) {
     CLI::App* command = program.add_subcommand("run", "Simulate a case: progress, summary, files");
     const auto options = std::make_shared<Options>();
     command->add_option("CASE", options->case_file, "Case file (TOML)")->required()->option_text(" ");
+    command->add_option("--run", options->run, "Which of the case's [[run]] tables, by its name. Default: the first")
+        ->option_text("NAME");
     add_out_option(
         *command, options->directory,
-        "Where the files go; files of an earlier run there are replaced at the end. Default: out/<case name>");
+        "Where the files go; files of an earlier run there are replaced at the end. Default: out/<case name>, "
+        "with --run a folder of the run's name in it");
     command->add_option("--fields", options->field_interval, "Store the field this often, whatever the case says")
         ->option_text("SECONDS")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Validator(
+            [](const std::string& text) {
+                return is_duration(text) ? std::string() : fmt::format("{} is no number of seconds above 0", text);
+            },
+            ""));
     for (const post::OutputFormat* format : post::output_formats()) {
         if (format->use != post::OutputFormat::Use::always) {
             const bool wanted = format->use == post::OutputFormat::Use::on_request;

@@ -15,6 +15,7 @@
 
 #include "app/build_identity.hpp"
 #include "app/commands.hpp"
+#include "app/failure.hpp"
 #include "app/messages.hpp"
 #include "app/output.hpp"
 #include "diagnosis/study/study_runs.hpp"
@@ -73,6 +74,7 @@ private:
 
 int study(const Options& options) {
     solver::install_stop_handlers();
+    now_doing(fmt::format("reading {} and the files that it names", options.study_file));
     input::StudyReading reading = input::read_study(options.study_file);
     if (was_stopped("nothing was run", options.json)) {
         return Exit::interrupted;
@@ -94,11 +96,12 @@ int study(const Options& options) {
     std::optional<post::StudyJournal> journal;
     try {
         files.emplace(*folder, !options.no_pictures);
-        journal.emplace(files->journal(), build_identity(), options.fresh);
+        journal.emplace(files->journal(), study.channels.size(), build_identity(), options.fresh);
     } catch (const std::runtime_error& error) {
         report_error(error.what(), "nothing was run; choose another directory with --out", options.json);
         return Exit::input_error;
     }
+    now_doing(fmt::format("making the runs of {} and writing to {}", options.study_file, directory.string()));
     const Clock::time_point begin = Clock::now();
     diagnosis::StudyResults results;
     {
@@ -118,6 +121,7 @@ int study(const Options& options) {
     }
     post::StudyCall call{.kept = results.kept,
                          .outdated = journal->outdated(),
+                         .damaged = journal->damaged(),
                          .seconds = std::chrono::duration<double>(Clock::now() - begin).count(),
                          .run_seconds = results.run_seconds,
                          .threads = post::threads_used(options.threads, study.runs.size() - results.kept),

@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
+#include "app/failure.hpp"
 #include "app/messages.hpp"
 #include "diagnosis/validation/validation_rows.hpp"
 #include "diagnosis/validation/validation_runs.hpp"
@@ -64,11 +65,13 @@ bool refuses(input::ValidationReading& reading, const Options& options) {
 
 int validate(const Options& options) {
     solver::install_stop_handlers();
+    now_doing(fmt::format("reading {} and the files that it names", options.table));
     input::ValidationReading reading = input::read_validation(options.table);
     if (refuses(reading, options)) {
         return Exit::input_error;
     }
     const input::Validation& table = *reading.table;
+    now_doing("making the runs of " + options.table);
     const Clock::time_point begin = Clock::now();
     const bool watched = on_terminal(stderr) && on_terminal(stdout);
     const diagnosis::RunResults results = diagnosis::run_all(table.runs, options.threads, [&](std::size_t done) {

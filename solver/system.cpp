@@ -234,9 +234,12 @@ void System::enthalpy(std::span<const double> T, std::span<double> H) const {
 
 Status System::failure_at(Outcome outcome, std::string_view why, int node, double time, std::span<const double> T,
                           std::span<const double> coefficients) {
-    return {outcome, fmt::format("{} at t = {:.6g} s, in {} ({:.2f} degC); largest heat source there: {}", why, time,
-                                 describe_node(problem_->mesh, node), T[at(node)] - 273.15,
-                                 largest_heat_source(node, T, coefficients))};
+    const double celsius = T[at(node)] - 273.15;
+    const std::string degrees =
+        std::abs(celsius) < 1e5 ? fmt::format("{:.2f}", celsius) : fmt::format("{:.3g}", celsius);
+    return {outcome,
+            fmt::format("{} at t = {:.6g} s, in {} ({} degC); largest heat source there: {}", why, time,
+                        describe_node(problem_->mesh, node), degrees, largest_heat_source(node, T, coefficients))};
 }
 
 int System::first_not_finite() const {

@@ -79,11 +79,13 @@ Cause describe_cause(const DiagnosisState& found, const FittedHypothesis& one, s
     const auto add = [&](Eigen::Index j, std::size_t parameter, double factor) {
         const physics::ParameterSpec& number = candidate.effect->parameters[parameter];
         const double value = one.fit.values[j];
+        const auto [low, high] = std::minmax({factor * std::max(number.low, value - wide * deviation[j]),
+                                              factor * std::min(number.high, value + wide * deviation[j])});
         cause.numbers.push_back({.key = std::string(number.key),
                                  .unit = std::string(number.unit),
                                  .value = factor * value,
-                                 .low = factor * std::max(number.low, value - wide * deviation[j]),
-                                 .high = factor * std::min(number.high, value + wide * deviation[j])});
+                                 .low = low,
+                                 .high = high});
     };
     const Eigen::Index j = one.number_of(i);
     add(j, candidate.parameter, 1.0);
@@ -167,8 +169,9 @@ void find_limits(const DiagnosisState& found, Diagnosis& into) {
              .place = candidate.layer >= 0 ? problem.mesh.layers[static_cast<std::size_t>(candidate.layer)] : "",
              .key = std::string(candidate.number().key),
              .unit = std::string(candidate.number().unit),
-             .low = std::max(candidate.low, middle - spread),
-             .high = std::min(candidate.high, middle + spread)});
+             // Data may ask for more than is allowed: both ends are then the bound.
+             .low = std::clamp(middle - spread, candidate.low, candidate.high),
+             .high = std::clamp(middle + spread, candidate.low, candidate.high)});
     }
 }
 

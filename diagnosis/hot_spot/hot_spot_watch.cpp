@@ -23,8 +23,9 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-HotSpotTracker::HotSpotTracker(const std::filesystem::path& case_file, const solver::Problem& problem)
-    : problem_(problem), case_(input::HotSpotCase::read(case_file)) {
+HotSpotTracker::HotSpotTracker(const std::filesystem::path& case_file, const solver::Problem& problem,
+                               const std::string& run)
+    : problem_(problem), case_(input::HotSpotCase::read(case_file, run)) {
     if (case_) {
         for (const solver::Critical& critical : case_->critical) {
             histories_.emplace_back(problem.mesh, critical);

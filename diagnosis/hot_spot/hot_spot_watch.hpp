@@ -16,8 +16,8 @@ namespace tiretherm::diagnosis {
 /// ever, in further steps, and how sure all that is.
 class HotSpotTracker {
 public:
-    /// Sees to nothing where the case has no [[critical]].
-    HotSpotTracker(const std::filesystem::path& case_file, const solver::Problem& problem);
+    /// Sees to nothing where the case has no [[critical]]. @param run of the case, whose problem it is; empty: the first
+    HotSpotTracker(const std::filesystem::path& case_file, const solver::Problem& problem, const std::string& run = {});
 
     void take(const solver::Snapshot& snapshot);
     /// Everything that was taken, as numbers.

@@ -136,7 +136,10 @@ void warn_of_unread_signals(TomlTable& root, const ProblemBuilder& builder) {
         const bool by_effect = std::ranges::any_of(builder.problem.effects,
                                                    [&](const ActiveEffect& a) { return uses(*a.effect, signal.name); });
         const bool by_channel = std::ranges::any_of(builder.problem.channels, [&](const solver::Channel& channel) {
-            return std::ranges::count(solver::description_of(channel.quantity).signals, signal.name) > 0;
+            const solver::QuantityDescription& quantity = solver::description_of(channel.quantity);
+            // The Magic Formula follows the camber where there is any, but does not need it.
+            return std::ranges::count(quantity.signals, signal.name) > 0 ||
+                   (quantity.needs_magic_formula && signal.name == "camber");
         });
         const bool by_own = std::ranges::count(builder.followed, signal.name) > 0;
         if (builder.problem.input_signals.gives(signal) && !by_effect && !by_channel && !by_own) {
@@ -144,7 +147,7 @@ void warn_of_unread_signals(TomlTable& root, const ProblemBuilder& builder) {
         }
     }
     if (!unread.empty()) {
-        root.errors().warn(root.place("drive"), fmt::format("no active effect uses {}", listed(unread)));
+        root.errors().warn(root.place("drive"), fmt::format("no active effect and no sensor uses {}", listed(unread)));
     }
 }
 

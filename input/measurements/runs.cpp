@@ -53,6 +53,11 @@ std::vector<std::string> unique(const std::vector<std::string>& sentences) {
     return once;
 }
 
+const solver::Problem& Runs::problem_of(const std::string& run) const {
+    const auto found = std::ranges::find(experiment.runs, run, &MeasuredRun::name);
+    return run.empty() || found == experiment.runs.end() ? problem : found->problem;
+}
+
 Runs read_runs(const TomlValue& document, const std::string& name, const std::vector<std::filesystem::path>& data,
                ReadMode mode, InputErrors& errors) {
     Runs into;
@@ -82,7 +87,7 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
             builder.run = read_run_inputs(table, file ? &*file : nullptr, errors);
         }
         TomlTable root(merged, "the case", errors);
-        root.declare_keys({"include"});
+        root.declare_keys({"include", "unset"});
         read_tables(root, builder);
         root.declare_keys({"run", "data", "parameter", "identify", "diagnose", "critical", "uncertain"});
         MeasuredRun run;
@@ -111,6 +116,7 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
             static_cast<void>(read_uncertain(root));
             read_diagnose(root, builder.problem, into.experiment);
             into.problem = builder.problem;
+            into.limits = builder.limits;
         }
         run.problem = std::move(builder.problem);
         into.experiment.runs.push_back(std::move(run));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "input/measurements/experiment.hpp"
+#include "input/model/size_limits.hpp"
 #include "input/toml/document.hpp"
 
 namespace tiretherm::input {
@@ -16,6 +17,10 @@ struct Runs {
     solver::Problem problem;  ///< of the first run, or of the case itself
     Experiment experiment;
     std::vector<std::string> data_warnings;
+    SizeLimits limits;
+
+    /// The problem of a run by its name; of the first where that is empty or unknown.
+    [[nodiscard]] const solver::Problem& problem_of(const std::string& run) const;
 };
 
 /// Reads the case once for each of its runs, with the run's tables over its own; the case itself where it has none.

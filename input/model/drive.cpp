@@ -61,7 +61,7 @@ void read_schedule(TomlTable& table, ProblemBuilder& builder) {
             continue;
         }
         const bool overridden = builder.overridden("schedule", signal->name);
-        const bool is_new = !overridden && register_signal(signal->name, column.place, builder, errors);
+        const bool is_new = !overridden && register_signal(signal->name, column.place, column.place, builder, errors);
         std::vector<double> values = read_numbers(column, quantity_specs::of(*signal), errors);
         if (is_new && ordered && !values.empty()) {
             builder.problem.input_signals.add(
@@ -73,7 +73,7 @@ void read_schedule(TomlTable& table, ProblemBuilder& builder) {
 /// The inputs that a measured run's file gives.
 void add_measured(const RunInputs& run, ProblemBuilder& builder, InputErrors& errors) {
     for (const MeasuredInput& input : run.inputs) {
-        if (register_signal(input.signal->name, input.place, builder, errors) && !input.value.empty()) {
+        if (register_signal(input.signal->name, input.place, run.place, builder, errors) && !input.value.empty()) {
             builder.problem.input_signals.add(
                 solver::Series{.signal = input.signal, .time = input.time, .value = input.value, .logged = true});
         }
@@ -98,28 +98,48 @@ bool RunInputs::overrides(std::string_view key, std::string_view signal) const {
     return given && !says("drive", key);
 }
 
-bool register_signal(std::string_view name, const SourceLocation& place, ProblemBuilder& builder, InputErrors& errors) {
+bool register_signal(std::string_view name, const SourceLocation& place, const SourceLocation& mentioned,
+                     ProblemBuilder& builder, InputErrors& errors) {
     const auto [known, is_new] = builder.given.try_emplace(std::string(name), place);
-    if (!is_new) {
-        errors.add(place, fmt::format("{} is given twice, here and at {}", name, errors.spell(known->second)),
-                   "keep one of them");
+    if (is_new) {
+        return true;
     }
-    return is_new;
+    const auto constant = std::ranges::find(builder.constants, name);
+    if (constant != builder.constants.end() && known->second.file != mentioned.file) {
+        if (known->second.file == builder.case_file) {  // which is laid over what it includes
+            return false;
+        }
+        builder.constants.erase(constant);
+        known->second = place;
+        return true;
+    }
+    errors.add(place, fmt::format("{} is given twice, here and at {}", name, errors.spell(known->second)),
+               known->second.file != mentioned.file && known->second.file != place.file
+                   ? fmt::format("keep one of them; one that is included goes with unset = [\"drive.{}\"]", name)
+                   : "keep one of them");
+    return false;
 }
 
 void read_drive(TomlTable& root, ProblemBuilder& builder) {
     TomlTable drive = root.subtable("drive");
+    std::vector<std::pair<const Signal*, double>> constants;
     for (const Signal& signal : physics::signals()) {
         const bool overridden = builder.overridden(signal.name, signal.name);
         if (const auto value = drive.quantity(signal.name, quantity_specs::of(signal)); value && !overridden) {
-            builder.problem.input_signals.add(signal, *value);
+            constants.emplace_back(&signal, *value);
         }
         if (drive.has(signal.name) && !overridden) {
-            register_signal(signal.name, drive.place(signal.name), builder, drive.errors());
+            register_signal(signal.name, drive.place(signal.name), drive.place(signal.name), builder, drive.errors());
+            builder.constants.emplace_back(signal.name);
         }
     }
     drive.each("schedule", [&](TomlTable& table) { read_schedule(table, builder); });
     drive.each("file", [&](TomlTable& table) { read_logged(table, builder); });
+    for (const auto& [signal, value] : constants) {
+        if (std::ranges::find(builder.constants, signal->name) != builder.constants.end()) {
+            builder.problem.input_signals.add(*signal, value);
+        }
+    }
     if (builder.run) {
         add_measured(*builder.run, builder, drive.errors());
     }

@@ -89,8 +89,13 @@ std::vector<ColumnRequest> requests(TomlTable& table, const Csv& csv, ProblemBui
             found.front().column = static_cast<int>(i);
         } else if (builder.overridden("file", name)) {
             ++overridden;
-        } else if (register_signal(name, head.place, builder, errors)) {
-            found.push_back({.column = static_cast<int>(i), .name = name, .spec = quantity_specs::of(*signal)});
+        } else {
+            const std::size_t before = errors.count();
+            if (register_signal(name, head.place, table.place("path"), builder, errors)) {
+                found.push_back({.column = static_cast<int>(i), .name = name, .spec = quantity_specs::of(*signal)});
+            } else if (errors.count() == before) {
+                ++overridden;  // by a constant of the case itself
+            }
         }
     }
     for (const LocatedString& word : ignored) {

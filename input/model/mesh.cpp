@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads [mesh] by its kind; the kinds "two_node" (surface and bulk of the crown) and "layers" (one column through the
-// thickness) are here.
+// Reads [mesh] by its kind; the kinds "two_node" (surface and bulk of the crown), "layers" (one column through the
+// thickness) and "cylinder" (layers about an axis) are here.
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -112,6 +113,35 @@ bool read_layers(TomlTable& mesh, ProblemBuilder& builder) {
         builder.problem.link_laws = {*law};
     }
     builder.problem.mesh = build(layers);
+    return true;
+}
+
+/// Layers with their true radii; with a tire its radius and its outer area are the standard ones.
+bool read_cylinder(TomlTable& mesh, ProblemBuilder& builder) {
+    const Need need = builder.has_tire ? Need::optional : Need::required;
+    const std::optional<double> inner_radius = mesh.quantity("inner_radius", quantity_specs::length, need);
+    const std::optional<double> length = mesh.quantity("length", quantity_specs::length, need);
+    mesh::Cylinder cylinder;
+    cylinder.stack = read_stack(mesh, builder);
+    if (cylinder.stack.empty() || (!builder.has_tire && (!inner_radius || !length))) {
+        return false;
+    }
+    double thickness = 0.0;
+    for (const mesh::Layer& layer : cylinder.stack) {
+        thickness += layer.thickness;
+    }
+    const physics::Tire& tire = builder.problem.tire;
+    cylinder.inner_radius = inner_radius.value_or(tire.unloaded_radius - thickness);
+    if (!(cylinder.inner_radius > 0.0)) {
+        mesh.add_error("layer",
+                       fmt::format("the layers are {:.6g} mm thick, and the tire's radius is {:.6g} mm",
+                                   thickness * 1e3, tire.unloaded_radius * 1e3),
+                       "take thinner layers");
+        return false;
+    }
+    cylinder.length =
+        length.value_or(tire.outer_area() / (2.0 * std::numbers::pi * (cylinder.inner_radius + thickness)));
+    builder.problem.mesh = build(cylinder);
     return true;
 }
 

@@ -13,7 +13,6 @@ namespace tiretherm::input {
 namespace {
 
 constexpr int most_cells_in_a_row = 1'000'000;
-constexpr double most_cells = 5e6;
 constexpr QuantitySpec ratio{.unit = "1", .low = 1e-5, .high = 1e5};
 
 /// Neighbours that differ much in size cost accuracy.
@@ -55,33 +54,11 @@ std::vector<mesh::Segment> read_segments(TomlTable& mesh, std::string_view key, 
     return segments;
 }
 
-int cells(const std::vector<mesh::Segment>& segments) {
-    int sum = 0;
-    for (const mesh::Segment& segment : segments) {
-        sum += segment.cells;
-    }
-    return sum;
-}
-
-bool is_affordable(const TomlTable& mesh, std::initializer_list<int> counts) {
-    double product = 1.0;
-    for (const int count : counts) {
-        product *= count;
-    }
-    if (product > most_cells) {
-        mesh.errors().add(mesh.place(),
-                          fmt::format("the mesh has {:.3g} million cells, more than {:.3g} million", product * 1e-6,
-                                      most_cells * 1e-6),
-                          "take fewer cells");
-        return false;
-    }
-    return true;
-}
-
-int cells_through(const std::vector<mesh::Layer>& stack) {
-    int sum = 0;
-    for (const mesh::Layer& layer : stack) {
-        sum += layer.cells;
+/// Of segments or layers.
+double cells(const auto& parts) {
+    double sum = 0.0;
+    for (const auto& part : parts) {
+        sum += part.cells;
     }
     return sum;
 }
@@ -115,7 +92,7 @@ std::vector<mesh::Layer> read_stack(TomlTable& mesh, ProblemBuilder& builder,
             stack.push_back(std::move(layer));
         },
         Need::required);
-    return complete && is_affordable(mesh, {cells_through(stack)}) ? stack : std::vector<mesh::Layer>{};
+    return complete && is_affordable(mesh, cells(stack), builder.limits) ? stack : std::vector<mesh::Layer>{};
 }
 
 bool read_block(TomlTable& mesh, ProblemBuilder& builder) {
@@ -126,7 +103,7 @@ bool read_block(TomlTable& mesh, ProblemBuilder& builder) {
     block.y = read_segments(mesh, "y", !block.quarter);
     block.stack = read_stack(mesh, builder);
     if (block.x.empty() || block.y.empty() || block.stack.empty() ||
-        !is_affordable(mesh, {cells(block.x), cells(block.y), cells_through(block.stack)})) {
+        !is_affordable(mesh, cells(block.x) * cells(block.y) * cells(block.stack), builder.limits)) {
         return false;
     }
     builder.problem.symmetry = block.quarter ? 4.0 : 1.0;
@@ -140,7 +117,7 @@ bool read_axisymmetric(TomlTable& mesh, ProblemBuilder& builder) {
     disc.radius = read_segments(mesh, "radius", false);
     disc.stack = read_stack(mesh, builder);
     if (disc.radius.empty() || disc.stack.empty() ||
-        !is_affordable(mesh, {cells(disc.radius), cells_through(disc.stack)})) {
+        !is_affordable(mesh, cells(disc.radius) * cells(disc.stack), builder.limits)) {
         return false;
     }
     builder.problem.mesh = build(disc);

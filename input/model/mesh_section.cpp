@@ -126,16 +126,17 @@ bool is_sound(TomlTable& mesh, const mesh::Section& section, const std::array<St
 /// The loss follows the tire's thicknesses (66)(67), the mesh its layers': they should be one tire's.
 void warn_of_other_sizes(TomlTable& mesh, const mesh::Section& section, const std::array<Stretch, 3>& stretches,
                          const physics::Tire& tire) {
-    const auto warn = [&](std::string_view what, double layers, double stated) {
+    const auto warn = [&](std::string_view what, double layers, double stated, std::string_view key) {
         if (std::abs(layers / stated - 1.0) > 0.1) {
-            mesh.errors().warn(mesh.place(), fmt::format("the layers of the {} are {:.4g} mm thick, but [tire] says "
-                                                         "{:.4g} mm, from which the strain-energy loss follows",
-                                                         what, layers * 1e3, stated * 1e3));
+            mesh.errors().warn(mesh.place(), fmt::format("the layers of the {0} are {1:.4g} mm thick, but [tire] says "
+                                                         "{2:.4g} mm, from which the strain-energy loss follows; "
+                                                         "remedy: [tire] {3} = \"{1:.4g} mm\", or other layers",
+                                                         what, layers * 1e3, stated * 1e3, key));
         }
     };
-    warn("crown", thickness_of(section, stretches[crown]), tire.tread_thickness);
+    warn("crown", thickness_of(section, stretches[crown]), tire.tread_thickness, "tread_thickness");
     if (stretches[sidewalls].cells > 0) {
-        warn("sidewalls", thickness_of(section, stretches[sidewalls]), tire.sidewall_thickness);
+        warn("sidewalls", thickness_of(section, stretches[sidewalls]), tire.sidewall_thickness, "sidewall_thickness");
     }
     const double tread =
         stretches[crown].length + (stretches[shoulders].cells > 0 ? 2.0 * stretches[shoulders].length : 0.0);
@@ -163,6 +164,16 @@ std::vector<mesh::Zone> zones_of(const std::array<Stretch, 3>& stretches) {
     add("inside_shoulder", stretches[shoulders], false, true);
     add("inside_sidewall", stretches[sidewalls], false, false);
     return zones;
+}
+
+double cells_of(const mesh::Section& section) {
+    double sum = 0.0;
+    for (const mesh::Zone& zone : section.zones) {
+        for (const int layer : zone.stack) {
+            sum += static_cast<double>(zone.cells) * section.layers[static_cast<std::size_t>(layer)].cells;
+        }
+    }
+    return sum;
 }
 
 }  // namespace
@@ -205,6 +216,9 @@ bool read_section(TomlTable& mesh, ProblemBuilder& builder) {
     }
     warn_of_other_sizes(mesh, section, stretches, tire);
     section.zones = zones_of(stretches);
+    if (!is_affordable(mesh, cells_of(section) * sectors, builder.limits)) {
+        return false;
+    }
     builder.problem.mesh = build(section);
     if (sectors > 1) {
         builder.problem.mesh = mesh::ring(builder.problem.mesh, sectors);

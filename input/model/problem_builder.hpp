@@ -12,6 +12,7 @@
 
 #include "input/cameras/camera.hpp"
 #include "input/effects/user_signals.hpp"
+#include "input/model/size_limits.hpp"
 #include "input/toml/toml_table.hpp"
 #include "mesh/builders.hpp"
 #include "solver/problem.hpp"
@@ -81,11 +82,14 @@ struct ProblemBuilder {
     Finding has_valid_effects{};  ///< by read_effects
     std::vector<Stock> stock;
     std::map<std::string, SourceLocation, std::less<>> given;  ///< signals of [drive], rightly or wrongly written
-    std::optional<double> logged_from;                         ///< s, first sample of any log
-    std::optional<double> logged_to;                           ///< s, last sample of any log
-    std::optional<RunInputs> run{};                            ///< the measured run that is being read
-    std::vector<std::string> followed{};                       ///< what user effects refer to: inputs, columns
-    std::vector<UserColumn> columns{};                         ///< of them those that a log of [drive] gives
+    std::vector<std::string> constants{};  ///< those of them that [drive] gives as constants and that count
+    int case_file = 0;                     ///< number of the case's own file, among those that it includes
+    SizeLimits limits{};
+    std::optional<double> logged_from;    ///< s, first sample of any log
+    std::optional<double> logged_to;      ///< s, last sample of any log
+    std::optional<RunInputs> run{};       ///< the measured run that is being read
+    std::vector<std::string> followed{};  ///< what user effects refer to: inputs, columns
+    std::vector<UserColumn> columns{};    ///< of them those that a log of [drive] gives
 
     std::vector<Camera> cameras{};
 
@@ -143,7 +147,10 @@ bool read_section(TomlTable& mesh, ProblemBuilder& builder);
 /// One [[drive.file]]: a logger's CSV.
 void read_logged(TomlTable& table, ProblemBuilder& builder);
 
-/// Whether a signal is new; a second one is an error at `place`.
-bool register_signal(std::string_view name, const SourceLocation& place, ProblemBuilder& builder, InputErrors& errors);
+/// Whether a signal counts. Of a constant and a series of different files that of the case itself counts, otherwise the
+/// series; any other second one is an error at `place`.
+/// @param mentioned in the case; that is `place` unless it is in a log
+bool register_signal(std::string_view name, const SourceLocation& place, const SourceLocation& mentioned,
+                     ProblemBuilder& builder, InputErrors& errors);
 
 }  // namespace tiretherm::input

@@ -10,6 +10,7 @@
 #include "input/effects/user_effects.hpp"
 #include "input/measurements/runs.hpp"
 #include "input/model/problem_builder.hpp"
+#include "input/text/suggestions.hpp"
 #include "input/toml/document.hpp"
 
 namespace tiretherm::input {
@@ -32,6 +33,25 @@ std::string case_name(const fs::path& file) {
     return ((found ? below : fs::path()) / whole.stem()).generic_string();
 }
 
+namespace {
+
+/// A run that is too long or too finely stored, where the rest of the case is sound: otherwise its size is not known.
+void check_size(const TomlTable& root, const ProblemBuilder& builder) {
+    if (root.errors().count() > 0) {
+        return;
+    }
+    if (const std::optional<SizeExcess> excess = excess_of(builder.problem, builder.limits)) {
+        const TomlValue* time = root.content().find("time");
+        const TomlValue* value = time != nullptr ? time->find(excess->key) : nullptr;
+        root.errors().add(value != nullptr  ? value->place
+                          : time != nullptr ? time->place
+                                            : root.place(),
+                          excess->what, excess->remedy);
+    }
+}
+
+}  // namespace
+
 void read_tables(TomlTable& root, ProblemBuilder& builder) {
     solver::Problem& problem = builder.problem;
     problem.title = root.text("title").value_or(problem.name);
@@ -40,6 +60,8 @@ void read_tables(TomlTable& root, ProblemBuilder& builder) {
     }
     // A later table may refer to an earlier one: patches and layers of the mesh, channels, the run's start and end.
     builder.followed = followed_names(root.content());
+    builder.case_file = root.place().file;
+    builder.limits = read_limits(root);
     read_tire(root, builder);
     read_materials(root, builder);
     read_mesh(root, builder);
@@ -55,20 +77,32 @@ void read_tables(TomlTable& root, ProblemBuilder& builder) {
     bind_readings(root, builder);
     read_measured(root, builder);
     check_laws(root, builder);
+    check_size(root, builder);
 }
 
 namespace {
 
-Reading read_case(const fs::path& file, const std::string* text) {
+Reading read_case(const fs::path& file, const std::string* text, const std::string& run) {
     InputErrors errors;
     std::optional<solver::Problem> problem;
+    Reading reading;
     if (const std::optional<TomlValue> document = read_document(file, errors, text)) {
-        problem = read_runs(*document, case_name(file), {}, ReadMode::measured, errors).problem;
+        const Runs runs = read_runs(*document, case_name(file), {}, ReadMode::measured, errors);
+        const TomlValue* tables = document->find("run");
+        if (tables != nullptr) {
+            reading.runs = names_of(runs.experiment.runs);
+            reading.run = run.empty() && !reading.runs.empty() ? reading.runs.front() : run;
+        }
+        if (!run.empty() && std::ranges::find(reading.runs, run) == reading.runs.end()) {
+            errors.add(tables != nullptr ? tables->place : SourceLocation{.file = document->place.file},
+                       fmt::format("the case has no run \"{}\"", run), suggest(run, reading.runs, "runs"));
+        }
+        problem = runs.problem_of(run);
+        reading.limits = runs.limits;
     }
-    Reading reading{.problem = std::nullopt,
-                    .errors = errors.in_order(),
-                    .warnings = unique(errors.warnings()),
-                    .files = errors.files()};
+    reading.errors = errors.in_order();
+    reading.warnings = unique(errors.warnings());
+    reading.files = errors.files();
     if (reading.errors.empty()) {
         take_away_cameras(*problem);
         reading.problem = std::move(problem);
@@ -78,9 +112,11 @@ Reading read_case(const fs::path& file, const std::string* text) {
 
 }  // namespace
 
-Reading read_case(const fs::path& file) { return read_case(file, nullptr); }
+Reading read_case(const fs::path& file) { return read_case(file, nullptr, ""); }
 
-Reading read_case(const fs::path& file, const std::string& text) { return read_case(file, &text); }
+Reading read_case(const fs::path& file, const std::string& text) { return read_case(file, &text, ""); }
+
+Reading read_case_run(const fs::path& file, const std::string& run) { return read_case(file, nullptr, run); }
 
 std::string render(const Reading& reading) {
     std::string text;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "input/model/size_limits.hpp"
 #include "input/text/input_error.hpp"
 #include "solver/problem.hpp"
 
@@ -20,11 +21,16 @@ struct Reading {
     std::vector<InputError> errors;     ///< all of the case and of its files, in the order of their places
     std::vector<std::string> warnings;  ///< unusual but possible: "case.toml:12: ..."
     std::vector<std::string> files{};   ///< all that were read: the case, what it includes, logs, tables
+    std::vector<std::string> runs{};    ///< names of the case's [[run]] tables; empty without any
+    std::string run{};                  ///< of them that which the problem is
+    SizeLimits limits{};
 };
 
 /// Reads a case file with all that it includes and mentions. Never throws on account of what a user wrote.
 /// @errors std::runtime_error when the units' data base is not installed
 [[nodiscard]] Reading read_case(const std::filesystem::path& file);
+/// The same for one of the case's runs. @param run its name; empty: the first
+[[nodiscard]] Reading read_case_run(const std::filesystem::path& file, const std::string& run);
 /// The same with a text in the place of the file's own, which need not be there yet.
 [[nodiscard]] Reading read_case(const std::filesystem::path& file, const std::string& text);
 

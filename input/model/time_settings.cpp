@@ -79,13 +79,9 @@ void read_time_settings(TomlTable& root, ProblemBuilder& builder) {
         return;
     }
     warn_of_cut_log(time, builder);
-    for (const auto& [key, interval] :
-         {std::pair("step", into.fixed_step.value_or(0.0)), std::pair("output", into.output_interval),
-          std::pair("fields", into.field_interval)}) {
-        if (interval > 0.0 && length / interval > many_steps) {
-            time.errors().warn(time.place(key),
-                               fmt::format("{} divides the run into {:.2g} pieces", key, length / interval));
-        }
+    if (into.fixed_step && length / *into.fixed_step > many_steps) {
+        time.errors().warn(time.place("step"),
+                           fmt::format("step divides the run into {:.2g} pieces", length / *into.fixed_step));
     }
     if (into.fixed_step && time.has("tolerance")) {
         time.errors().warn(time.place("tolerance"), "tolerance has no effect: the step is fixed");

@@ -11,8 +11,9 @@
 
 namespace tiretherm::input {
 
-std::optional<HotSpotCase> HotSpotCase::read(const std::filesystem::path& file) {
+std::optional<HotSpotCase> HotSpotCase::read(const std::filesystem::path& file, const std::string& run) {
     HotSpotCase found;
+    found.run_ = run;
     std::optional<TomlValue> document = read_document(file, found.errors_);
     if (!document || document->find("critical") == nullptr) {
         return std::nullopt;
@@ -28,7 +29,7 @@ std::optional<HotSpotCase> HotSpotCase::read(const std::filesystem::path& file) 
     }
     TomlTable root(found.document_, "the case", errors);
     root.allow_unknown_keys();
-    found.critical = read_critical(root, runs.problem, true);
+    found.critical = read_critical(root, runs.problem_of(run), true);
     found.uncertain = read_uncertain(root);
     found.errors_ = std::move(errors);  // with the texts of all files, so that no variant opens them again
     return found;
@@ -36,8 +37,8 @@ std::optional<HotSpotCase> HotSpotCase::read(const std::filesystem::path& file) 
 
 std::optional<solver::Problem> HotSpotCase::problem_of(const TomlValue& document) const {
     InputErrors errors = errors_;
-    Runs runs = read_runs(document, name_, {}, ReadMode::measured, errors);
-    return errors.count() == 0 ? std::optional(std::move(runs.problem)) : std::nullopt;
+    const Runs runs = read_runs(document, name_, {}, ReadMode::measured, errors);
+    return errors.count() == 0 ? std::optional(runs.problem_of(run_)) : std::nullopt;
 }
 
 std::optional<solver::Problem> HotSpotCase::moved(const UncertainKey& uncertain_key, double deviations) const {

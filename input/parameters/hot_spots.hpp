@@ -33,8 +33,10 @@ struct UncertainKey {
 /// A sound case that asks for its hot spots, and the cases beside it that the answer takes.
 class HotSpotCase {
 public:
-    /// @returns nothing where the case has no [[critical]]  @pre read_case found no error in the file
-    [[nodiscard]] static std::optional<HotSpotCase> read(const std::filesystem::path& file);
+    /// @param run of the case, by its name; empty: the first  @pre read_case found no error in the file
+    /// @returns nothing where the case has no [[critical]]
+    [[nodiscard]] static std::optional<HotSpotCase> read(const std::filesystem::path& file,
+                                                         const std::string& run = {});
 
     std::vector<solver::Critical> critical{};
     std::vector<solver::FreeParameter> known{};  ///< the [[parameter]] tables of which a standard deviation is known
@@ -50,6 +52,7 @@ private:
     TomlValue document_;
     InputErrors errors_;  ///< knows the files
     std::string name_;
+    std::string run_;
 };
 
 }  // namespace tiretherm::input

@@ -62,6 +62,12 @@ channels = ["point"]
 total = "drum.csv"
 field = "loss.h5"
 use = "watts"
+[limits]
+cells = 1e6
+rows = 1e6
+steps = 1e6
+output = "1 GB"
+memory = "1 GB"
 [drive]
 inflation_pressure = "2.2 bar"
 slip_angle = "1 deg"

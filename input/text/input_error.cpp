@@ -76,13 +76,15 @@ std::string shortened(std::string text) {
 }  // namespace
 
 std::string render(const InputError& error) {
-    std::string text = error.line > 0 ? fmt::format("{}:{}:{}: {}\n", error.file, error.line, error.column, error.what)
-                                      : fmt::format("{}: {}\n", error.file, error.what);
+    const std::string file = printable(error.file);
+    const std::string what = printable(error.what);
+    std::string text = error.line > 0 ? fmt::format("{}:{}:{}: {}\n", file, error.line, error.column, what)
+                                      : fmt::format("{}: {}\n", file, what);
     if (error.line > 0 && !error.source.empty()) {
         text += underlined(error);
     }
     if (!error.remedy.empty()) {
-        text += fmt::format("    remedy: {}\n", error.remedy);
+        text += fmt::format("    remedy: {}\n", printable(error.remedy));
     }
     return text;
 }

@@ -4,10 +4,13 @@
 #include "input/toml/document.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
@@ -93,6 +96,53 @@ void merge(TomlValue& into, TomlValue&& over, int depth) {
     }
 }
 
+/// The texts of a list, or of one text; an error where it is neither.
+std::vector<TomlValue> listed_texts(const TomlValue& value, std::string_view key, std::string_view wanted,
+                                    const std::string& remedy, InputErrors& errors, bool& sound) {
+    if (value.kind == TomlValue::Kind::text) {
+        return {value};
+    }
+    if (value.kind != TomlValue::Kind::array) {
+        errors.add(value.place, fmt::format("{} is {}; a list of {} is wanted", key, shown(value), wanted), remedy);
+        sound = false;
+        return {};
+    }
+    std::vector<TomlValue> texts;
+    for (const TomlValue& item : value.items) {
+        if (item.kind == TomlValue::Kind::text) {
+            texts.push_back(item);
+        } else {
+            errors.add(item.place, fmt::format("{} has {}; a text is wanted", key, shown(item)), remedy);
+            sound = false;
+        }
+    }
+    return texts;
+}
+
+/// Takes a key away from what has been included. @param path "drive.air_temperature"
+void unset(TomlValue& included, const TomlValue& path, InputErrors& errors) {
+    TomlValue* table = &included;
+    std::string_view rest = path.text;
+    while (true) {
+        const std::size_t dot = rest.find('.');
+        const std::string key(rest.substr(0, dot));
+        const auto found = std::ranges::find(table->entries, key, &Entry::key);
+        if (found == table->entries.end()) {
+            std::vector<std::string> keys;
+            std::ranges::transform(table->entries, std::back_inserter(keys), &Entry::key);
+            errors.add(path.place, fmt::format("unset: no included file has \"{}\"", path.text),
+                       suggest(key, keys, "keys there"));
+            return;
+        }
+        if (dot == std::string_view::npos) {
+            table->entries.erase(found);
+            return;
+        }
+        table = &found->value;
+        rest.remove_prefix(dot + 1);
+    }
+}
+
 constexpr std::size_t most_files_open = 64;  // a case and what it includes, one within the other
 
 /// Reads files and what they include. A file that is mentioned twice is read and merged once.
@@ -135,6 +185,11 @@ private:
     std::optional<TomlValue> with_included(const fs::path& path, std::optional<TomlValue> own) {
         const TomlValue* include = own ? own->find("include") : nullptr;
         if (include == nullptr) {
+            if (const TomlValue* without = own ? own->find("unset") : nullptr) {
+                errors_->add(without->place, "unset takes keys away from included files, and this file includes none",
+                             "remove the key itself");
+                std::erase_if(own->entries, [](const Entry& entry) { return entry.key == "unset"; });
+            }
             return own;
         }
         const bool one = include->kind == TomlValue::Kind::text;
@@ -144,10 +199,15 @@ private:
                          "write include = [\"../tires/some_tire.toml\"]");
             return std::nullopt;
         }
-        std::erase_if(own->entries, [](const Entry& entry) { return entry.key == "include"; });
+        bool complete = true;
+        std::vector<TomlValue> unwanted;
+        if (const TomlValue* without = own->find("unset")) {
+            unwanted = listed_texts(*without, "unset", "keys", "write unset = [\"drive.air_temperature\"]", *errors_,
+                                    complete);
+        }
+        std::erase_if(own->entries, [](const Entry& entry) { return entry.key == "include" || entry.key == "unset"; });
         TomlValue merged;
         merged.kind = TomlValue::Kind::table;
-        bool complete = true;
         for (const TomlValue& item : list) {
             if (item.kind != TomlValue::Kind::text) {
                 errors_->add(item.place, fmt::format("include has {}; the path of a file is wanted", shown(item)));
@@ -159,6 +219,11 @@ private:
                 merge(merged, std::move(*included), 0);
             } else {
                 complete = false;
+            }
+        }
+        if (complete) {
+            for (const TomlValue& key : unwanted) {
+                unset(merged, key, *errors_);
             }
         }
         merge(merged, std::move(*own), 0);

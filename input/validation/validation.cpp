@@ -105,7 +105,7 @@ ValidationReading read_validation(const std::filesystem::path& file) {
     Validation validation;
     if (const std::optional<TomlValue> document = read_document(file, errors)) {
         TomlTable root(*document, "the table", errors);
-        root.declare_keys({"include"});
+        root.declare_keys({"include", "unset"});
         validation.title = root.text("title").value_or("Validation");
         root.each(
             "number", [&](TomlTable& table) { validation.numbers.push_back(read_number(table, cache)); },

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "input/text/suggestions.hpp"
+
 namespace tiretherm::post {
 
 Csv::Csv(const std::vector<std::string>& headings) {
@@ -18,13 +20,14 @@ Csv::Csv(const std::vector<std::string>& headings) {
 
 void Csv::add(std::string_view text) {
     separate();
-    if (text.find_first_of(",\"\n") == std::string_view::npos) {
-        text_ += text;
+    const std::string plain = input::printable(text);
+    if (plain.find_first_of(",\"") == std::string::npos) {
+        text_ += plain;
         return;
     }
     text_ += '"';
-    for (const char letter : text) {
-        text_ += letter == '"' ? "\"\"" : letter == '\n' ? " " : std::string(1, letter);
+    for (const char letter : plain) {
+        text_ += letter == '"' ? "\"\"" : std::string(1, letter);
     }
     text_ += '"';
 }

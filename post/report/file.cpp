@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -54,6 +55,27 @@ void replace_file(const std::filesystem::path& path, std::string_view content) {
         }
     } catch (const FileError&) {
         std::filesystem::remove(draft, error);
+        throw;
+    }
+}
+
+void write_with_folder(const std::filesystem::path& path, std::string_view content) {
+    std::vector<std::filesystem::path> missing;
+    std::error_code error;
+    for (std::filesystem::path folder = path.parent_path();
+         !folder.empty() && !std::filesystem::exists(folder, error) && folder != folder.parent_path();
+         folder = folder.parent_path()) {
+        missing.push_back(folder);
+    }
+    try {
+        if (path.has_parent_path()) {
+            create_folder(path.parent_path());
+        }
+        replace_file(path, content);
+    } catch (const FileError&) {
+        for (const std::filesystem::path& folder : missing) {
+            std::filesystem::remove(folder, error);  // unless somebody else has put something there
+        }
         throw;
     }
 }

@@ -37,6 +37,10 @@ std::filesystem::path create_folder(std::filesystem::path folder);
 /// @errors FileError
 void replace_file(const std::filesystem::path& path, std::string_view content);
 
+/// The same with the folders above it, where they are missing; where the file cannot be written none of them is left.
+/// @errors FileError
+void write_with_folder(const std::filesystem::path& path, std::string_view content);
+
 /// A text file that grows line by line. What was appended survives the end of the process, however it ends.
 class AppendFile {
 public:

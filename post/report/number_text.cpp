@@ -23,6 +23,13 @@ std::string to_its_digits(double value, double half_width) {
     return fmt::format("{:.{}f}", value, digits);
 }
 
+std::string with_decimals(double value, int decimals) {
+    if (!std::isfinite(value)) {
+        return "-";
+    }
+    return std::abs(value) < compact_from ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.4g}", value);
+}
+
 std::string slashed_unit(std::string_view unit) {
     std::vector<std::string> above;
     std::vector<std::string> below;

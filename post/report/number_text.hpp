@@ -10,6 +10,12 @@ namespace tiretherm::post {
 /// A number with so many digits behind the point that an interval of this half width shows two of its own.
 [[nodiscard]] std::string to_its_digits(double value, double half_width);
 
+/// From here on numbers are written by powers of ten: a column would be as wide as they are large.
+inline constexpr double compact_from = 1e9;
+
+/// A number with so many digits behind the point, by powers of ten from `compact_from` on; "-" where it is not finite.
+[[nodiscard]] std::string with_decimals(double value, int decimals);
+
 /// A unit as engineers write it: "W m-2 K-1" as W/(m2 K), "N-1" as 1/N. One without negative powers stays as it is.
 [[nodiscard]] std::string slashed_unit(std::string_view unit);
 

@@ -28,13 +28,15 @@ PredictionJournal::PredictionJournal(OutputFolder& folder, const std::string& na
     }
     try {
         file_ = std::make_unique<RecordFile>(path, identity);
+        is_damaged_ = file_->dropped() > 0;
         for (std::size_t r = 0; r < file_->size(); ++r) {
             if (const std::vector<double> numbers = file_->read(r); numbers.size() > 2) {
                 places_[{std::bit_cast<std::uint64_t>(numbers[0]), std::bit_cast<std::uint64_t>(numbers[1])}] = r;
             }
         }
-    } catch (const FileError&) {
+    } catch (const std::exception&) {
         file_.reset();
+        places_.clear();
     }
     found_ = places_.size();
 }

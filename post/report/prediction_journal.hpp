@@ -27,6 +27,8 @@ public:
 
     /// Results of an interrupted call.
     [[nodiscard]] std::size_t found() const { return found_; }
+    /// Whether something of an interrupted call was cut off or damaged; its simulations are made again.
+    [[nodiscard]] bool is_damaged() const { return is_damaged_; }
     /// Results that the next call would find.
     [[nodiscard]] std::size_t size() const { return places_.size(); }
 
@@ -37,6 +39,7 @@ private:
     std::unique_ptr<RecordFile> file_;
     std::map<solver::Digest::Value, std::size_t> places_;  ///< records
     std::size_t found_ = 0;
+    bool is_damaged_ = false;
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 

@@ -6,6 +6,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdlib>
@@ -66,7 +67,10 @@ void RecordFile::fail(const char* doing) const { throw FileError(doing, path_, s
 void RecordFile::find_records() {
     std::array<Word, 3> head{};
     const std::array<Word, 3> wanted{magic, identity_[0], identity_[1]};
-    if (!read_at(file_, 0, head.data(), head_bytes) || head != wanted) {
+    const off_t found = lseek(file_, 0, SEEK_END);
+    const bool has_head = read_at(file_, 0, head.data(), head_bytes);
+    const bool is_ours = !has_head || (head[1] == wanted[1] && head[2] == wanted[2]);
+    if (!has_head || head != wanted) {
         if (ftruncate(file_, 0) != 0 ||
             pwrite(file_, wanted.data(), head_bytes, 0) != static_cast<ssize_t>(head_bytes)) {
             fail("write");
@@ -92,6 +96,8 @@ void RecordFile::find_records() {
     if (ftruncate(file_, static_cast<off_t>(end_)) != 0) {
         fail("write");
     }
+    const auto bytes = static_cast<std::uint64_t>(std::max<off_t>(found, 0));
+    dropped_ = is_ours && bytes > 0 ? bytes - std::min(bytes, has_head && head == wanted ? end_ : 0) : 0;
 }
 
 std::vector<double> RecordFile::read(std::size_t record) const {

@@ -25,6 +25,10 @@ public:
     RecordFile& operator=(const RecordFile&) = delete;
 
     [[nodiscard]] std::size_t size() const { return records_.size(); }  ///< records
+    /// Numbers of a record.
+    [[nodiscard]] std::size_t count(std::size_t record) const { return records_[record].count; }
+    /// Bytes found behind the last whole record, cut off or damaged; none of a file of another identity.
+    [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
     [[nodiscard]] std::uint64_t bytes() const { return end_; }
     /// @errors FileError
     [[nodiscard]] std::vector<double> read(std::size_t record) const;
@@ -47,6 +51,7 @@ private:
     solver::Digest::Value identity_;
     int file_ = -1;
     std::uint64_t end_ = 0;
+    std::uint64_t dropped_ = 0;
     std::vector<Place> records_;
     std::string buffer_;
 };

@@ -61,6 +61,12 @@ std::string table_text(const DataTable& table, std::size_t indent) {
     return lines.text(indent);
 }
 
+/// The name of a file or a title may have line ends.
+std::string one_line(std::string text) {
+    std::ranges::replace(text, '\n', ' ');
+    return text;
+}
+
 std::string blocks_text(const std::vector<PageItem>& blocks, std::size_t indent) {
     std::string text;
     for (const PageItem& block : blocks) {
@@ -72,7 +78,7 @@ std::string blocks_text(const std::vector<PageItem>& blocks, std::size_t indent)
                 text += wrap("- " + block.text, indent);
                 break;
             case PageItem::Kind::line:
-                text += std::string(indent, ' ') + block.text + "\n";
+                text += std::string(indent, ' ') + one_line(block.text) + "\n";
                 break;
             case PageItem::Kind::gap:
                 text += "\n";
@@ -190,9 +196,9 @@ std::string page_text(const Report& report, bool bold) {
     const auto strong = [&](const std::string& line) {
         return bold ? fmt::format("\033[1m{}\033[0m\n", line) : line + "\n";
     };
-    std::string text = strong(report.title);
+    std::string text = strong(one_line(report.title));
     for (const std::string& line : report.lead) {
-        text += line + "\n";
+        text += one_line(line) + "\n";
     }
     for (const Section& section : report.sections) {
         if (section.blocks().empty()) {

@@ -12,7 +12,12 @@
 
 namespace tiretherm::post {
 
-void Table::add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+void Table::add(std::vector<std::string> cells) {
+    for (std::string& cell : cells) {
+        std::ranges::replace(cell, '\n', ' ');  // of a title or the name of a file: a row is a line
+    }
+    rows_.push_back(std::move(cells));
+}
 
 std::vector<std::string> Table::lines(std::size_t indent) const {
     // fmt pads by characters as they are seen, not by bytes; so widths are counted with it too.

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "post/report/number_text.hpp"
 #include "post/run/run_sections.hpp"
 
 namespace tiretherm::post {
@@ -56,11 +57,11 @@ Section heat_budget_section(const RunRecord& run) {
                    page_only(steady ? "" : "kJ in all", right(steady ? "" : kilojoule))});
     };
     for (std::size_t i = 0; i < names.size(); ++i) {
-        add(names[i], fmt::format("{:.{}f}", watts[i], of_watts), fmt::format("{:.{}f}", kilojoules[i], of_kilojoules));
+        add(names[i], with_decimals(watts[i], of_watts), with_decimals(kilojoules[i], of_kilojoules));
     }
     const double symmetry = run.problem.symmetry;
     if (!steady) {
-        add("stored", "", fmt::format("{:.{}f}", symmetry * report.stored / 1e3, of_kilojoules));
+        add("stored", "", with_decimals(symmetry * report.stored / 1e3, of_kilojoules));
     }
     Section section(symmetry == 1.0 ? std::string("Heat budget")
                                     : fmt::format("Heat budget of the whole specimen, {:g} times the mesh", symmetry),

@@ -43,45 +43,55 @@ RunJournal::RunJournal(OutputFolder& folder, const solver::Digest::Value& identi
         return;
     }
     try {
-        read();
-    } catch (const FileError&) {
-        kept_.reset();
+        is_damaged_ = !read();
+    } catch (const std::exception&) {
+        is_damaged_ = true;
     }
-    if (!kept_) {
+    if (is_damaged_ || !kept_) {
+        kept_.reset();
         rows_.reset();
         std::filesystem::remove(state_path_, ignored);
         std::filesystem::remove(rows_path_, ignored);
     }
 }
 
-void RunJournal::read() {
+bool RunJournal::read() {
     const RecordFile state(state_path_, identity_);
     if (state.size() != 1) {
-        return;
+        return state.dropped() == 0;
     }
     const std::vector<double> numbers = state.read(0);
     if (numbers.size() < state_head) {
-        return;
+        return false;
     }
+    const auto first = numbers.begin() + static_cast<std::ptrdiff_t>(state_head);
+    const auto of_solver = static_cast<double>(numbers.end() - first);
+    rows_ = std::make_unique<RecordFile>(rows_path_, identity_);
+    if (!(numbers[0] >= 0.0 && numbers[0] <= static_cast<double>(rows_->size())) ||
+        !(numbers[3] >= 0.0 && numbers[3] <= of_solver)) {
+        return false;
+    }
+    const auto solver_end = first + static_cast<std::ptrdiff_t>(numbers[3]);
     Kept kept{.rows = static_cast<std::size_t>(numbers[0]),
               .time = numbers[1],
               .seconds = numbers[2],
-              .solver = {},
-              .follower = {}};
-    const auto of_solver = static_cast<std::ptrdiff_t>(numbers[3]);
-    const auto first = numbers.begin() + static_cast<std::ptrdiff_t>(state_head);
-    if (of_solver > numbers.end() - first) {
-        return;
-    }
-    kept.solver.numbers.assign(first, first + of_solver);
-    kept.follower.assign(first + of_solver, numbers.end());
-    rows_ = std::make_unique<RecordFile>(rows_path_, identity_);
-    if (rows_->size() < kept.rows) {
-        return;
+              .solver = {.numbers = {first, solver_end}},
+              .follower = {solver_end, numbers.end()}};
+    const std::size_t bare = row_numbers();
+    const std::size_t with_field = bare + static_cast<std::size_t>(problem_->mesh.n_nodes);
+    for (std::size_t r = 0; r < kept.rows; ++r) {
+        if (rows_->count(r) != bare && rows_->count(r) != with_field) {
+            return false;
+        }
     }
     rows_->truncate(kept.rows);  // rows after the checkpoint come again
     seconds_before_ = kept.seconds;
     kept_ = std::move(kept);
+    return true;
+}
+
+std::size_t RunJournal::row_numbers() const {
+    return row_head + problem_->channels.size() + 2 * problem_->effects.size();
 }
 
 void RunJournal::replay(const std::function<void(const solver::Snapshot&)>& take) {
@@ -89,7 +99,7 @@ void RunJournal::replay(const std::function<void(const solver::Snapshot&)>& take
     const std::size_t effects = problem_->effects.size();
     for (std::size_t r = 0; r < rows_->size(); ++r) {
         const std::vector<double> row = rows_->read(r);
-        const bool field = row[2] != 0.0;
+        const bool field = row.size() > row_numbers();
         const std::span<const double> all = std::span(row).subspan(row_head);
         take({.time = row[0],
               .temperature = field ? all.subspan(channels + 2 * effects) : std::span<const double>(),

@@ -24,6 +24,8 @@ public:
 
     /// The state of an interrupted call, or null. Valid until `keep`.
     [[nodiscard]] const solver::Checkpoint* checkpoint() const { return kept_ ? &kept_->solver : nullptr; }
+    /// Whether an interrupted call of the same has left a state that cannot be used: the run begins anew.
+    [[nodiscard]] bool is_damaged() const { return is_damaged_; }
     /// Numbers that another follower of the rows left with it.
     [[nodiscard]] const std::vector<double>& follower() const { return kept_->follower; }
     [[nodiscard]] double time() const { return kept_->time; }        ///< s, up to which the run is kept
@@ -45,8 +47,10 @@ private:
         solver::Checkpoint solver;
         std::vector<double> follower;
     };
-    void read();
+    /// @returns whether what is there is whole, or nothing of this call
+    [[nodiscard]] bool read();
     void give_up() noexcept;
+    [[nodiscard]] std::size_t row_numbers() const;  ///< of a row without a field
 
     std::filesystem::path rows_path_;
     std::filesystem::path state_path_;
@@ -63,6 +67,7 @@ private:
     double cost_ = 0.0;  ///< s, of the last checkpoint
     double seconds_before_ = 0.0;
     bool works_ = true;
+    bool is_damaged_ = false;
 };
 
 }  // namespace tiretherm::post

@@ -9,8 +9,10 @@
 
 #include <fmt/format.h>
 
+#include "input/text/suggestions.hpp"
 #include "mesh/place.hpp"
 #include "post/hot_spot/hot_spots_report.hpp"
+#include "post/report/number_text.hpp"
 #include "post/run/measured_values.hpp"
 #include "post/run/run_sections.hpp"
 #include "solver/celsius.hpp"
@@ -19,6 +21,18 @@
 namespace tiretherm::post {
 
 namespace {
+
+/// Beyond this nothing of a tire is left, and a run that did not come to its end has left what its laws hold for. K
+constexpr double beyond_any_tire = 5000.0;
+
+/// Whether a run failed in temperatures that mean nothing.
+bool is_meaningless(const solver::Report& report) {
+    const auto strange = [](const solver::Report::Extreme& extreme) {
+        return extreme.node >= 0 && !(extreme.temperature >= 0.0 && extreme.temperature <= beyond_any_tire);
+    };
+    return !report.status.ok() && report.status.outcome != solver::Outcome::stopped &&
+           (strange(report.hottest) || strange(report.coldest));
+}
 
 std::string measured_text(const Comparison& c, const solver::ShownUnit& unit) {
     const std::string value = c.low == c.high ? fmt::format("{:.4g}", unit.value(c.low))
@@ -59,7 +73,10 @@ DataTable readings(const RunRecord& run, Value& data) {
     for (std::size_t c = 0; c < run.problem.channels.size(); ++c) {
         const solver::Channel& channel = run.problem.channels[c];
         const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
-        const auto show = [&](double si) { return shown("{:.2f}", unit.value(si)); };
+        const auto show = [&](double si) {
+            const double value = unit.value(si);
+            return std::abs(value) < compact_from ? shown("{:.2f}", value) : shown("{:.4g}", value);
+        };
         DataTable::Row row{{"channel", "name", channel.name},
                            {"unit", "unit", unit.name},
                            {"final", "final", show(run.report.channel_final[c])},
@@ -95,7 +112,7 @@ DataTable extremes(const RunRecord& run) {
     DataTable table;
     const auto add = [&](const char* name, const solver::Report::Extreme& extreme) {
         if (extreme.node >= 0) {
-            const std::string degrees = fmt::format("{:.2f} degC", solver::celsius(extreme.temperature));
+            const std::string degrees = with_decimals(solver::celsius(extreme.temperature), 2) + " degC";
             table.add({page_only("", name), page_only("", right(degrees)),
                        page_only("", fmt::format("at {:.6g} s", extreme.time)),
                        page_only("", mesh::describe_place(run.problem.mesh, extreme.node))});
@@ -149,7 +166,17 @@ void add_results(Report& page, const RunRecord& run) {
     const mesh::Mesh& mesh = run.problem.mesh;
     Section section("Readings", readings(run, page.data));
     section.add(extremes(run));
-    page.add(std::move(section));
+    if (is_meaningless(run.report)) {
+        Section nothing("Results");
+        nothing.say(
+            fmt::format("none that mean anything: temperatures went to {:.3g} degC, beyond all that the laws "
+                        "of a tire hold for. What the rows have up to there is in channels.csv and results.h5. "
+                        "Look for a power, a film or a time in the wrong unit",
+                        solver::celsius(run.report.hottest.temperature)));
+        page.sections.push_back(std::move(nothing));
+    } else {
+        page.add(std::move(section));
+    }
     page.data.set({{"budget", budget(run)},
                    {"stored_joules", run.problem.symmetry * run.report.stored},
                    {"symmetry", run.problem.symmetry},
@@ -159,7 +186,9 @@ void add_results(Report& page, const RunRecord& run) {
         page.add(hot_spots_section(*run.hot_spots, mesh));
         page.data.set("hot_spots", hot_spots_data(*run.hot_spots, mesh));
     }
-    page.add(heat_budget_section(run));
+    if (!is_meaningless(run.report)) {
+        page.add(heat_budget_section(run));
+    }
 }
 
 }  // namespace
@@ -169,11 +198,18 @@ Report run_report(const RunRecord& run) {
     const std::string& name = run.problem.name;
     const std::string& title = run.problem.title;
     Report page{.title = title.empty() || title == name ? name : fmt::format("{} ({})", title, name)};
+    if (run.runs.size() > 1) {
+        std::vector<std::string> others = run.runs;
+        std::erase(others, run.run);
+        page.lead.push_back(fmt::format("run {}, one of {}; the others are {} (--run NAME)", run.run, run.runs.size(),
+                                        input::listed(others)));
+    }
     if (!report.status.ok()) {
-        page.lead = {"ended early: " + report.status.message};
+        page.lead.push_back("ended early: " + report.status.message);
     }
     page.data = {{"case", name},
                  {"title", title},
+                 {"run", text_or_null(run.run)},
                  {"version", run.provenance.version},
                  {"cells", run.problem.mesh.n_cells},
                  {"steps", report.steps},

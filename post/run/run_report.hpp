@@ -24,6 +24,8 @@ struct RunRecord {
     std::vector<std::string> warnings;               ///< of the reader; the report brings its own
     std::vector<std::filesystem::path> files;        ///< written
     const diagnosis::HotSpots* hot_spots = nullptr;  ///< null where the case asks for none
+    std::string run{};                               ///< which of the case's measured runs; empty: it has none
+    std::vector<std::string> runs{};                 ///< names of all of them
 };
 
 /// A run's page: temperatures beside measured values, hottest and coldest place, heat budget, cost, warnings, what to

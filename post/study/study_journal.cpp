@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads and appends the JSON lines, drops a line that was cut off, and locks the file against a second process.
+// Reads and appends the JSON lines, drops lines that were cut off or damaged, and locks the file against a second process.
 
 #include "post/study/study_journal.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <limits>
-#include <sstream>
+#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -29,8 +30,13 @@ double number(const Json& json) {
     return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
 }
 
-std::vector<double> numbers(const Json& json) {
+/// A list of as many numbers as a run has channels; nothing else has this shape.
+std::optional<std::vector<double>> numbers(const Json& json, std::size_t channels) {
+    if (!json.is_array() || json.size() != channels) {
+        return std::nullopt;
+    }
     std::vector<double> values;
+    values.reserve(channels);
     for (const Json& item : json) {
         values.push_back(number(item));
     }
@@ -55,19 +61,27 @@ std::string line_of(const RunIdentity& run, const StudyOutcome& outcome, const s
     return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-StudyOutcome outcome_of(const Json& json) {
+/// What a line says of a run, or nothing where it cannot be one of ours.
+/// @errors Json::exception where a key is missing or its value is of another type
+std::optional<StudyOutcome> outcome_of(const Json& json, std::size_t channels) {
     StudyOutcome outcome;
     if (json.contains("failure")) {
         outcome.failure = json.at("failure").get<std::string>();
-        return outcome;
+        return outcome.ok() ? std::nullopt : std::optional(outcome);
     }
-    outcome.hottest = number(json.at("hottest"));
-    outcome.hottest_time = number(json.at("hottest_time"));
+    const auto last = numbers(json.at("final"), channels);
+    const auto low = numbers(json.at("min"), channels);
+    const auto high = numbers(json.at("max"), channels);
+    if (!last || !low || !high || !json.at("steps").is_number_integer()) {
+        return std::nullopt;
+    }
+    outcome.hottest = json.at("hottest").get<double>();
+    outcome.hottest_time = json.at("hottest_time").get<double>();
     outcome.hottest_layer = json.at("hottest_layer").get<std::string>();
     outcome.hottest_zone = json.at("hottest_zone").get<std::string>();
-    outcome.channel_final = numbers(json.at("final"));
-    outcome.channel_min = numbers(json.at("min"));
-    outcome.channel_max = numbers(json.at("max"));
+    outcome.channel_final = *last;
+    outcome.channel_min = *low;
+    outcome.channel_max = *high;
     outcome.energy_closure = number(json.at("energy_closure"));
     outcome.steps = json.at("steps").get<long>();
     return outcome;
@@ -87,11 +101,15 @@ struct StudyJournal::Lines {
 
 StudyJournal::~StudyJournal() = default;
 
-StudyJournal::StudyJournal(const std::filesystem::path& path, std::string build, bool fresh)
-    : path_(path), build_(std::move(build)), lines_(std::make_unique<Lines>()) {
-    lines_->file = open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+StudyJournal::StudyJournal(const std::filesystem::path& path, std::size_t channels, std::string build, bool fresh)
+    : path_(path), channels_(channels), build_(std::move(build)), lines_(std::make_unique<Lines>()) {
+    lines_->file = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (lines_->file < 0) {
         throw FileError("create", path, system_reason(errno));
+    }
+    struct stat kind {};
+    if (fstat(lines_->file, &kind) != 0 || !S_ISREG(kind.st_mode)) {
+        throw FileError("use", path, "it is not a regular file");
     }
     if (flock(lines_->file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
         throw Busy(fmt::format("another call of tiretherm study works in {}", path.parent_path().string()));
@@ -102,22 +120,40 @@ StudyJournal::StudyJournal(const std::filesystem::path& path, std::string build,
         throw FileError("write", path, system_reason(errno));
     }
     read(text.substr(0, whole));
+    lseek(lines_->file, 0, SEEK_END);
 }
 
 void StudyJournal::read(const std::string& text) {
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) {
-        try {
-            const Json json = Json::parse(line);
-            if (json.at("build").get<std::string>() != build_) {
-                ++outdated_;
-                continue;
+    for (std::size_t from = 0; from < text.size();) {
+        const std::size_t end = text.find('\n', from);
+        const std::string line = text.substr(from, end - from);
+        if (line.find_first_not_of(' ') != std::string::npos && !take(line)) {
+            // Blanks in its place: the next call need not tell of it again.
+            ++damaged_;
+            const std::string blank(line.size(), ' ');
+            if (pwrite(lines_->file, blank.data(), blank.size(), static_cast<off_t>(from)) < 0) {
+                throw FileError("write", path_, system_reason(errno));
             }
-            done_[{.fingerprint = json.at("run").get<std::string>(),
-                   .values = json.at("values").get<std::vector<std::string>>()}] = outcome_of(json);
-        } catch (const Json::exception&) {
-            continue;  // a line that is none of ours, or damaged: its run is made again
         }
+        from = end + 1;
+    }
+}
+
+bool StudyJournal::take(const std::string& line) {
+    try {
+        const Json json = Json::parse(line);
+        if (json.at("build").get<std::string>() != build_) {
+            ++outdated_;
+            return true;
+        }
+        const std::optional<StudyOutcome> outcome = outcome_of(json, channels_);
+        if (outcome) {
+            done_[{.fingerprint = json.at("run").get<std::string>(),
+                   .values = json.at("values").get<std::vector<std::string>>()}] = *outcome;
+        }
+        return outcome.has_value();
+    } catch (const Json::exception&) {
+        return false;
     }
 }
 

@@ -14,13 +14,14 @@
 namespace tiretherm::post {
 
 /// The runs of a study that are done, a line of JSON each, written when they are: whatever ends the program, they stay. A
-/// line that was cut off is dropped. Runs of another build of the program do not count: its results may differ.
+/// line that was cut off or damaged is dropped, and its run is made again. Runs of another build of the program do not
+/// count: its results may differ.
 class StudyJournal final : public diagnosis::CompletedRuns {
 public:
     /// Opens the journal of a folder and keeps others from writing there meanwhile.
-    /// @param build of the program   @param fresh forget what is done
+    /// @param channels of each run   @param build of the program   @param fresh forget what is done
     /// @errors FileError; StudyJournal::Busy when another call works in this folder
-    StudyJournal(const std::filesystem::path& path, std::string build, bool fresh);
+    StudyJournal(const std::filesystem::path& path, std::size_t channels, std::string build, bool fresh);
     ~StudyJournal() override;
     StudyJournal(const StudyJournal&) = delete;
     StudyJournal& operator=(const StudyJournal&) = delete;
@@ -31,6 +32,8 @@ public:
     void add(const diagnosis::RunIdentity& run, const diagnosis::StudyOutcome& outcome) override;
     /// Runs of another build that were found and left out.
     [[nodiscard]] std::size_t outdated() const { return outdated_; }
+    /// Lines that were none of ours, or damaged.
+    [[nodiscard]] std::size_t damaged() const { return damaged_; }
 
     class Busy : public std::runtime_error {
     public:
@@ -39,11 +42,14 @@ public:
 
 private:
     void read(const std::string& text);
+    [[nodiscard]] bool take(const std::string& line);  ///< false: damaged
 
     std::filesystem::path path_;
+    std::size_t channels_;
     std::string build_;
     std::map<diagnosis::RunIdentity, diagnosis::StudyOutcome> done_;
     std::size_t outdated_ = 0;
+    std::size_t damaged_ = 0;
     struct Lines;  ///< the open file with its lock
     std::unique_ptr<Lines> lines_;
 };

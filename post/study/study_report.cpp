@@ -89,10 +89,11 @@ Section extremes_section(const StudyRecord& study, Value& data) {
         return section;
     }
     const auto temperature = [&](std::size_t run) { return study.outcomes[run].hottest; };
-    const auto [coldest, hottest] = std::ranges::minmax_element(done, {}, temperature);
+    // Of equally hot runs the first; minmax_element would give the last.
+    const auto hottest = std::ranges::max_element(done, {}, temperature);
+    const auto coldest = std::ranges::min_element(done, {}, temperature);
     data.set({{"hottest", run_data(study, *hottest)}, {"coldest", run_data(study, *coldest)}});
-    // Of equally hot runs the page names the first, the data name the last.
-    section.say(extreme_text(study, "hottest", *std::ranges::max_element(done, {}, temperature)));
+    section.say(extreme_text(study, "hottest", *hottest));
     section.say(extreme_text(study, "coldest", *coldest));
     if (study.critical && !study.is_sampled) {
         const auto passing =
@@ -129,6 +130,11 @@ Section cost_section(const StudyRecord& study, const StudyCall& call) {
     section.line(std::move(cost));
     if (call.outdated > 0) {
         section.line(fmt::format("{} of another build of tiretherm are not used", plural(call.outdated, "run")));
+    }
+    if (call.damaged > 0) {
+        section.line(fmt::format("{} of runs.jsonl could not be read and {} dropped; what {} for was run anew",
+                                 plural(call.damaged, "damaged line"), call.damaged == 1 ? "was" : "were",
+                                 call.damaged == 1 ? "it stood" : "they stood"));
     }
     return section;
 }

@@ -14,6 +14,7 @@ namespace tiretherm::post {
 struct StudyCall {
     std::size_t kept = 0;      ///< runs that an earlier call had made
     std::size_t outdated = 0;  ///< runs of another build of the program that were made again
+    std::size_t damaged = 0;   ///< lines of the journal that could not be read
     double seconds = 0.0;      ///< wall time of the runs that were made now
     double run_seconds = 0.0;  ///< sum of their own times
     unsigned threads = 1;

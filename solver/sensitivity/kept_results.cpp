@@ -254,7 +254,9 @@ std::optional<Prediction> prediction_of(std::span<const double> numbers, const P
     prediction.n_channels = problem.channels.size();
     const std::size_t values = prediction.n_times * prediction.n_channels;
     const std::size_t slopes = request.parameters.size() * values;
-    if (numbers.size() < 2 || !(numbers[0] >= 0.0) || !(numbers[1] >= 0.0)) {
+    const auto most = static_cast<double>(numbers.size());
+    if (numbers.size() < 2 || !(numbers[0] >= 0.0 && numbers[0] <= most) ||
+        !(numbers[1] >= 0.0 && numbers[1] <= most)) {
         return std::nullopt;
     }
     const auto steps = static_cast<std::size_t>(numbers[0]);
@@ -272,11 +274,11 @@ std::optional<Prediction> prediction_of(std::span<const double> numbers, const P
     take(prediction.value, values);
     take(prediction.slope, slopes);
     for (std::size_t k = 0; k < kinks; ++k) {
-        const auto parameter = static_cast<std::size_t>(numbers[at + k]);
-        if (parameter >= request.parameters.size()) {
+        const double parameter = numbers[at + k];
+        if (!(parameter >= 0.0 && parameter < static_cast<double>(request.parameters.size()))) {
             return std::nullopt;
         }
-        prediction.non_smooth_parameters.push_back(request.parameters[parameter].name);
+        prediction.non_smooth_parameters.push_back(request.parameters[static_cast<std::size_t>(parameter)].name);
     }
     return prediction;
 }

@@ -234,6 +234,10 @@ void SensorOutputs::visit(Archive& archive) {
     for (Chain& chain : chains_) {
         int n = static_cast<int>(chain.past.size());
         archive.whole(n);
+        if (archive.is_reading()) {
+            n = std::min(n,
+                         static_cast<int>(std::min<std::size_t>(archive.left(), 1U << 30U)));  // of a damaged archive
+        }
         chain.past.resize(static_cast<std::size_t>(std::max(n, 1)));
         for (Piece& piece : chain.past) {
             for (double* number : {&piece.begin, &piece.end, &piece.a, &piece.b, &piece.c, &piece.lagged}) {

@@ -115,7 +115,9 @@ TEST(Check, CaseWithErrorsCannotBeRun) {
     const Call check = call("check many_errors.toml", TIRETHERM_SOURCE_DIR "/tests/bad_cases");
     EXPECT_EQ(check.exit_code, 1);
     EXPECT_NE(check.err.find("many_errors.toml:"), std::string::npos);
-    EXPECT_NE(check.err.find(" errors; the case cannot be run\n"), std::string::npos) << check.err;
+    EXPECT_NE(check.err.find(" errors; the case cannot be run; with measured runs beside it: check --data FILE\n"),
+              std::string::npos)
+        << check.err;
 }
 
 TEST(Inputs, AllAreListedWithUnitSignAndReaders) {

@@ -95,10 +95,14 @@ std::string range_warning(const ActiveEffect& active, double coldest, double hot
     if (active.choices[exponential] != 0 || !(too_hot || too_cold)) {
         return {};
     }
+    const auto degrees = [](double kelvin) {
+        const double celsius = kelvin - zero_celsius;
+        return std::abs(celsius) < 1e5 ? fmt::format("{:.1f}", celsius) : fmt::format("{:.3g}", celsius);
+    };
     return fmt::format(
-        "air_convection: the outer surface was between {:.1f} and {:.1f} degC, and the exponential of (33) "
+        "air_convection: the outer surface was between {} and {} degC, and the exponential of (33) "
         "is an extrapolation outside 0 to 100 degC; hold it with clamp_low and clamp_high",
-        coldest - zero_celsius, hottest - zero_celsius);
+        degrees(coldest), degrees(hottest));
 }
 
 }  // namespace

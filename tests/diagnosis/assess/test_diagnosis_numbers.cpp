@@ -99,6 +99,24 @@ TEST(DiagnosisOfNumbers, NeedsNoCauseThatCanAct) {
     EXPECT_TRUE(result.limits.empty());
 }
 
+// The spot of the laser at 3 W is 10 K too hot: a clock would have to be far later than the 100 s that it may be, and the
+// interval around what the data ask for lies wholly beyond. No limit may.
+TEST(DiagnosisOfNumbers, LimitsLieWithinWhatIsAllowedLowBelowHigh) {
+    const Diagnosis result =
+        diagnosis_of(sample::read_bench(input::source_folder() / "cases/laser/diagnose_quoted_numbers.toml"));
+    ASSERT_NE(std::ranges::find(result.limits, "clock_delay", &UpperLimit::id), result.limits.end());
+    for (const UpperLimit& limit : result.limits) {
+        SCOPED_TRACE(limit.id + " " + limit.channel + limit.place + " " + limit.key);
+        EXPECT_LE(limit.low, limit.high);
+        const physics::Effect* effect = physics::find_effect(limit.id);
+        ASSERT_NE(effect, nullptr);
+        const auto number = std::ranges::find(effect->parameters, limit.key, &physics::ParameterSpec::key);
+        ASSERT_NE(number, effect->parameters.end());
+        EXPECT_GE(limit.low, number->low);
+        EXPECT_LE(limit.high, number->high);
+    }
+}
+
 // 50, 70 and 80 degC: what cools the bulk by any way of its own, a better link, a smaller loss at these frequencies and a
 // probe that reads low all do. Eight of them would not be all.
 TEST(DiagnosisOfNumbers, ThreeSaturationsCannotTellTheirCausesApart) {

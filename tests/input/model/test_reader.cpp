@@ -147,7 +147,7 @@ layer = "bulk"
     const auto unread =
         warnings(tire + "[[drive.schedule]]\ncolumns = [\"time [s]\", \"laser_power [W]\"]\nrows = [[0, 1]]\n");
     ASSERT_EQ(unread.size(), 1U);
-    EXPECT_NE(unread[0].find("no active effect uses laser_power"), std::string::npos);
+    EXPECT_NE(unread[0].find("no active effect and no sensor uses laser_power"), std::string::npos);
 }
 
 TEST(Reader, SizesAsTheyStandOnSidewalls) {

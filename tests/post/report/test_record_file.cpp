@@ -61,6 +61,24 @@ TEST(RecordFile, EveryDamagedByteEndsItThereAtTheLatest) {
     }
 }
 
+// Whoever is told nothing would believe that everything went on. A file of another call is not damaged but not ours.
+TEST(RecordFile, SaysHowManyBytesWereNoWholeRecord) {
+    const sample::Scratch scratch;
+    const std::string whole = read_text(written(scratch));
+    const std::size_t one = 24 + 16 + 8 * first.size();
+    EXPECT_EQ(RecordFile(scratch / "records", identity).dropped(), 0U);
+    replace_file(scratch / "records", whole.substr(0, whole.size() - 3));
+    EXPECT_EQ(RecordFile(scratch / "records", identity).dropped(), whole.size() - 3 - one);
+    std::string damaged = whole;
+    damaged[30] = '!';
+    replace_file(scratch / "records", damaged);
+    EXPECT_EQ(RecordFile(scratch / "records", identity).dropped(), whole.size() - 24);
+    replace_file(scratch / "records", "short");
+    EXPECT_EQ(RecordFile(scratch / "records", identity).dropped(), 5U);
+    EXPECT_EQ(RecordFile(written(scratch), {1, 3}).dropped(), 0U);
+    EXPECT_EQ(RecordFile(scratch / "new", identity).dropped(), 0U);
+}
+
 TEST(RecordFile, RecordsOfAnotherIdentityAreForgotten) {
     const sample::Scratch scratch;
     EXPECT_EQ(RecordFile(written(scratch), {1, 3}).size(), 0U);

@@ -114,5 +114,13 @@ TEST(CsvText, TextIsQuotedAndWhatIsMissingIsAnEmptyCell) {
     EXPECT_EQ(csv.text(), "time [s],\"name, unit\",n\n0.3333,\"say \"\"hot\"\"\",3\n2.00,,-1\n");
 }
 
+// Names of runs come from names of files, which may hold anything.
+TEST(CsvText, ControlCharactersAreBlanks) {
+    Csv csv({"a\033[31m\nb", "c"});
+    csv.add(std::string_view("d\te,\"f\r"));
+    csv.end_row();
+    EXPECT_EQ(csv.text(), "a [31m b,c\n\"d e,\"\"f \"\n");
+}
+
 }  // namespace
 }  // namespace tiretherm::post

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Building blocks of reports: tables, wrapping, ticks, histories, comparisons and safe file replacement.
 
+#include <cmath>
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "mesh/place.hpp"
 #include "post/pictures/ticks.hpp"
 #include "post/report/file.hpp"
+#include "post/report/number_text.hpp"
 #include "post/report/table.hpp"
 #include "post/run/measured_values.hpp"
 #include "tests/post/sample.hpp"
@@ -19,6 +23,37 @@ TEST(Table, ColumnsAreAsWideAsTheirWidestCellInCharacters) {
     table.add({"°C", "22", ""});  // two characters, three bytes
     table.add({"abc", "333", "y"});
     EXPECT_EQ(table.lines(1), (std::vector<std::string>{" a      1  x", " °C    22", " abc  333  y"}));
+}
+
+// A title and the name of a file may hold line ends: rows stay rows.
+TEST(Table, RowIsALine) {
+    Table table({true});
+    table.add({"a\nb"});
+    EXPECT_EQ(table.lines(0), (std::vector<std::string>{"a b"}));
+}
+
+TEST(NumberText, LargeNumbersAreWrittenByPowersOfTen) {
+    EXPECT_EQ(with_decimals(-123456789.126, 2), "-123456789.13");
+    EXPECT_EQ(with_decimals(2345624805945.1, 1), "2.346e+12");
+    EXPECT_EQ(with_decimals(-1e300, 1), "-1e+300");
+    EXPECT_EQ(with_decimals(std::nan(""), 1), "-");
+    EXPECT_EQ(with_decimals(-std::numeric_limits<double>::infinity(), 1), "-");
+}
+
+// The folders are made with the file. Where the file cannot be written, since a folder stands in its place, none of them
+// is left; a folder that was there stays.
+TEST(WriteWithFolder, LeavesNoFolderWithoutItsFile) {
+    const sample::Scratch scratch;
+    write_with_folder(scratch / "a/b/c.txt", "text");
+    EXPECT_EQ(read_text(scratch / "a/b/c.txt"), "text");
+    std::filesystem::create_directories(scratch / "there");
+    const std::string too_long(300, 'x');
+    EXPECT_THROW(write_with_folder(scratch / "there/new/newer" / too_long, "text"), FileError);
+    EXPECT_TRUE(std::filesystem::exists(scratch / "there"));
+    EXPECT_FALSE(std::filesystem::exists(scratch / "there/new"));
+    replace_file(scratch / "file", "mine");
+    EXPECT_THROW(write_with_folder(scratch / "file/x/y", "text"), FileError);
+    EXPECT_EQ(read_text(scratch / "file"), "mine");
 }
 
 TEST(Table, ThousandsStandInGroups) {

@@ -186,6 +186,27 @@ TEST(StudyText, ShowsTheGridAndWhatFailed) {
 }
 
 // 2 of 20: (0.1 + 1.9207/20 -+ 1.95996 sqrt(0.09/20 + 0.96036/400)) / (1 + 3.8415/20) = 0.0279 and 0.3010.
+// Two runs of 63 degC, the hottest: the third and the fourth. The page and the data name the same one, the first.
+TEST(StudyText, OfEquallyHotRunsPageAndDataNameTheFirst) {
+    StudyRecord study = grid();
+    study.outcomes = {run_at(40.0), run_at(40.0), run_at(63.0), run_at(63.0), run_at(50.0), run_at(50.0)};
+    const Report report = study_report(study, made);
+    EXPECT_NE(page_text(report, false).find("at 3600 s; run 3:"), std::string::npos) << page_text(report, false);
+    const nlohmann::json data = nlohmann::json::parse(json_text(report.data));
+    EXPECT_EQ(data["hottest"]["run"], 3);
+    EXPECT_EQ(data["coldest"]["run"], 1);
+}
+
+TEST(StudyText, TellsOfLinesOfItsJournalThatWereDropped) {
+    StudyCall call = made;
+    call.damaged = 2;
+    const std::string page = page_text(study_report(grid(), call), false);
+    EXPECT_NE(page.find("2 damaged lines of runs.jsonl could not be read and were dropped; what they stood for was run "
+                        "anew"),
+              std::string::npos)
+        << page;
+}
+
 TEST(StudyJson, GivesTheChanceOfPassingWithItsInterval) {
     const auto json = nlohmann::json::parse(json_text(study_report(samples(), made).data));
     EXPECT_EQ(json["points"][0]["passes_critical"]["times"], 2);
