@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <new>
 #include <span>
 #include <string>
 #include <vector>
@@ -99,6 +100,9 @@ int main(int argc, char** argv) {
         return program.exit(help);
     } catch (const CLI::ParseError& error) {
         report_wrong_call(program, error, json);
+        return app::Exit::input_error;
+    } catch (const std::bad_alloc&) {
+        app::report_error("there is not enough memory", "take fewer cells, samples, frames or threads", json);
         return app::Exit::input_error;
     } catch (const std::exception& error) {
         app::report_error(error.what(), "", json);
