@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <span>
 #include <string>
 #include <vector>
@@ -100,6 +101,9 @@ int run_call(int argc, char** argv) {
         return program.exit(help);
     } catch (const CLI::ParseError& error) {
         report_wrong_call(program, error, json);
+        return app::Exit::input_error;
+    } catch (const std::bad_alloc&) {
+        app::report_error("there is not enough memory", "take fewer cells, samples, frames or threads", json);
         return app::Exit::input_error;
     } catch (const std::exception& error) {
         if (!app::is_lost_output(error)) {  // which is said at the end

@@ -40,14 +40,21 @@ std::vector<hsize_t> block_of(hid_t properties, std::size_t rank) {
     return known && product(block) > 0 ? block : std::vector<hsize_t>{};
 }
 
-/// Whether fewer blocks are stored than the shape needs.
-bool lacks_blocks(hid_t dataset, hid_t space, const std::vector<hsize_t>& block, const std::vector<hsize_t>& shape) {
+/// Whether the stored blocks are fewer than the shape needs, or of another size than their values make it.
+/// @param value size of one in bytes  @param may_lack blocks that were never written stand for a fill value
+bool blocks_differ(hid_t dataset, hid_t space, hid_t properties, const std::vector<hsize_t>& block,
+                   const std::vector<hsize_t>& shape, std::uint64_t value, bool may_lack) {
     std::vector<hsize_t> needed(shape.size());
     for (std::size_t i = 0; i < shape.size(); ++i) {
         needed[i] = (shape[i] - 1) / block[i] + 1;
     }
     hsize_t stored = 0;
-    return H5Dget_num_chunks(dataset, space, &stored) < 0 || stored < product(needed);
+    if (H5Dget_num_chunks(dataset, space, &stored) < 0) {
+        return true;
+    }
+    const bool packed = H5Pget_nfilters(properties) != 0;  // then their size says nothing
+    const bool of_size = packed || H5Dget_storage_size(dataset) == product({stored, product(block), value});
+    return !of_size || (stored < product(needed) && !may_lack);
 }
 
 }  // namespace
@@ -89,10 +96,12 @@ ErrorText extent_defect(hid_t dataset, const std::string& name, std::uint64_t fi
         return {fmt::format("the dataset {} has a shape of {} values, and none was ever written", name, spell(shape)),
                 again};
     }
-    const std::uint64_t bytes = product({values, H5Tget_size(type)});
-    const bool lacks =
-        layout == H5D_CHUNKED ? block.empty() || lacks_blocks(dataset, space, block, shape) : bytes > stored;
-    if (stored > file_bytes || (lacks && !may_lack)) {
+    const std::uint64_t value = H5Tget_size(type);
+    const bool differs = layout == H5D_CHUNKED
+                             ? block.empty() || blocks_differ(dataset, space, properties, block, shape, value, may_lack)
+                             : stored != 0 && product({values, value}) > stored;
+    // The library takes the size of a value from the type and that of a block from elsewhere, and reads beyond it.
+    if (stored > file_bytes || differs || value > sizeof(long double)) {
         return {fmt::format("the dataset {} has a shape of {} values, and the file does not hold them all: it is "
                             "damaged, cut off or not yet written to its end",
                             name, spell(shape)),

@@ -76,8 +76,8 @@ TomlValue convert(const toml::node& from, int file) {
 /// In bytes. A case has kilobytes; what is measured stands in files of its own.
 constexpr std::uintmax_t largest_toml = std::uintmax_t{16} << 20U;
 
-/// Where a bracket was opened that is not closed before a heading, a key or the end of the file, which the parser then
-/// takes for values. @returns a line; 0: there is none, or the line may stand in a list
+/// Where a bracket was opened that is not closed before a heading or a key, which the parser then takes for a value.
+/// @returns a line; 0: there is none, or the line may stand in a list
 int open_list_before(std::string_view text, int line) {
     std::string_view rest = text;
     for (int skipped = 1; skipped < line; ++skipped) {
@@ -93,8 +93,7 @@ int open_list_before(std::string_view text, int line) {
     const std::size_t equals = here.find('=');
     const bool key = starts_key(here) && equals != std::string_view::npos &&
                      here.substr(0, equals).find_first_of("\"',[]{}") == std::string_view::npos;
-    const bool end = trim(rest).empty() || trim(rest.substr(std::min(here.size(), rest.size()))).empty();
-    return heading || key || end ? line_of_open_bracket(text.substr(0, heading || key ? before : text.size())) : 0;
+    return heading || key ? line_of_open_bracket(text.substr(0, before)) : 0;
 }
 
 /// The commonest slip is a quantity without quotes.
@@ -142,12 +141,12 @@ std::optional<TomlValue> parse_toml(const TextFile& file, InputErrors& errors) {
         return root;
     } catch (const toml::parse_error& error) {
         const auto line = static_cast<int>(error.source().begin.line);
-        if (const int open = open_list_before(file.text, line); open > 0) {
-            errors.add(
-                place_of(error.source(), file.number),
-                fmt::format("not valid TOML: the bracket that is opened in line {} is not closed before this line",
-                            open),
-                "write the missing ] or }");
+        const bool at_end = error.description().find("end-of-file") != std::string_view::npos;
+        if (const int open = at_end ? line_of_open_bracket(file.text) : open_list_before(file.text, line); open > 0) {
+            errors.add(place_of(error.source(), file.number),
+                       fmt::format("not valid TOML: the bracket that is opened in line {} is not closed {}", open,
+                                   at_end ? "before the end of the file" : "before this line"),
+                       "write the missing ] or }");
             return std::nullopt;
         }
         std::string what(error.description());

@@ -188,6 +188,26 @@ TEST(Hdf5Extents, AnOverwrittenShapeIsDamage) {
     }
 }
 
+// The type says that a value has 8 bytes: 17 (version and class: a real), three bytes of bits, the size in four. With other
+// sizes the library itself would read beyond the block in memory.
+TEST(Hdf5Extents, ASizeOfAValueThatTheBlocksDoNotHaveIsDamage) {
+    for (const char size : {'\4', '\x10', '\x7F'}) {
+        const Written written;
+        const std::filesystem::path path = written.folder() / "run.h5";
+        { Hdf5(path).add("time", {5}, "s", {.block = {4}}); }
+        std::string bytes = bytes_of(path);
+        const std::string real("\x11\x20\x3F\0\10\0\0\0", 8);
+        ASSERT_NE(bytes.find(real), std::string::npos);
+        bytes[bytes.find(real) + 4] = size;
+        std::ofstream(path, std::ios::binary) << bytes;
+        const std::string found = said(
+            read_experiment(written.add("case.toml", std::string(bench) + "[[run]]\nfile = \"run.h5\"\n")), written);
+        EXPECT_NE(found.find("the dataset time has a shape of 5 values, and the file does not hold them all"),
+                  std::string::npos)
+            << found;
+    }
+}
+
 TEST(Hdf5Extents, ValuesInOtherFilesAreCalledThat) {
     EXPECT_EQ(said_of_run([](const Hdf5& file) {
                   file.add("time", {5}, "s", {.outside = "elsewhere.bin", .is_written = false});

@@ -113,4 +113,9 @@ TEST(Quantity, EveryInputAndParameterHasAnExampleThatIsAccepted) {
     }
 }
 
+// A logarithmic unit has no dimension that could be named; what UDUNITS writes of it has brackets.
+TEST(Quantity, KnowsNoLogarithmicUnits) {
+    EXPECT_EQ(error("3 lg(re mW)", speed).what, "x is \"3 lg(re mW)\": \"lg(re mW)\" is not a unit");
+}
+
 }  // namespace tiretherm::input

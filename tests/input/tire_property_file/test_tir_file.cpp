@@ -193,4 +193,14 @@ TEST(TirFile, MissingFileIsAnErrorOfItsPlace) {
     EXPECT_TRUE(contains(result.report, "no_such_file.tir: the file cannot be read")) << result.report;
 }
 
+// A value of 30 000 characters is shown by its two ends; who reads it must find the rest of the message.
+TEST(TirFile, AVeryLongValueIsShownByItsEnds) {
+    const Read result =
+        read_text_as_file(shortest("FITTYP = 5") + "PDX2 = first" + std::string(30'000, 'x') + "last\n");
+    EXPECT_LT(result.report.size(), 1500U);
+    EXPECT_TRUE(contains(result.report, "PDX2 is first")) << result.report;
+    EXPECT_TRUE(contains(result.report, "xlast; a number is wanted")) << result.report;
+    EXPECT_TRUE(contains(result.report, "characters) ...")) << result.report;
+}
+
 }  // namespace tiretherm::input
