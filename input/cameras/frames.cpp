@@ -11,7 +11,7 @@
 
 #include "input/cameras/frame_file.hpp"
 #include "input/cameras/frame_warnings.hpp"
-#include "input/text/enough_memory.hpp"
+#include "input/text/regular_file.hpp"
 #include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "input/text/enough_memory.hpp"
+#include "input/text/regular_file.hpp"
 
 namespace tiretherm::input {
 

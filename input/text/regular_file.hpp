@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Only regular files of a sensible size are read: a pipe or a device may have no end.
+// Only regular files of a sensible size are read: a pipe or a device may have no end. A file for which there is not enough
+// memory is an error with its place, not the end of the program.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "input/text/input_error.hpp"
 
@@ -19,5 +24,23 @@ inline constexpr std::uintmax_t largest_text = std::uintmax_t{512} << 20U;
 
 /// What to say of a file of more than `largest` bytes.
 [[nodiscard]] ErrorText too_large(std::uintmax_t bytes, std::uintmax_t largest);
+
+/// Calls what reads a file. Where the memory does not suffice, that is an error.
+/// @param shown the file, as messages name it  @param place where it is mentioned; file -1: nowhere
+/// @returns what `read` returns, an empty value after the error
+template <typename Read>
+[[nodiscard]] auto with_memory(const std::string& shown, const SourceLocation& place, InputErrors& errors,
+                               const Read& read) -> decltype(read()) {
+    ErrorText error;
+    try {
+        return read();
+    } catch (const std::bad_alloc&) {
+        error = {"there is not enough memory for the file " + shown, "split it, or leave out columns and samples"};
+    } catch (const std::length_error&) {
+        error = {"the file " + shown + " announces more values than any memory has", "export it again"};
+    }
+    errors.add(place.file >= 0 ? place : SourceLocation{.file = errors.add_file(shown, "")}, std::move(error));
+    return {};
+}
 
 }  // namespace tiretherm::input

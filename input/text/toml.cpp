@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Parses TOML with toml++ into a document with places. The only file that includes toml++.
+// Parses TOML with toml++ into a document with places. The only file that includes toml++. A scan without it finds what is
+// too deep for the parser, which recurses, and brackets that are left open.
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -12,11 +15,104 @@
 #include "input/text/quantity.hpp"
 #include "input/text/regular_file.hpp"
 #include "input/text/suggestions.hpp"
-#include "input/text/toml_depth.hpp"
 
 namespace tiretherm::input {
 
 namespace {
+
+/// Keys and values may stand one within the other so deep. A case needs seven levels: [[run]], drive, schedule, rows.
+constexpr int most_levels = 64;
+
+/// A place of a text, counted from 1; the column in characters.
+struct TextPlace {
+    int line = 0;
+    int column = 0;
+};
+
+/// Where a string that starts at `from` ends: behind its last quote, or at the end of the line or of the text.
+std::size_t end_of_string(std::string_view text, std::size_t from) {
+    const char quote = text[from];
+    const std::string three(3, quote);
+    const bool lines = text.substr(from, 3) == three;
+    for (std::size_t i = from + (lines ? 3 : 1); i < text.size(); ++i) {
+        if (text[i] == '\\' && quote == '"') {
+            ++i;
+        } else if (lines ? text.substr(i, 3) == three : text[i] == quote) {
+            return i + (lines ? 3 : 1);
+        } else if (!lines && text[i] == '\n') {
+            return i;
+        }
+    }
+    return text.size();
+}
+
+TextPlace place_in(std::string_view text, std::size_t at) {
+    const std::string_view before = text.substr(0, at);
+    const std::size_t line_start = before.rfind('\n') + 1;  // 0 in the first line
+    const auto starts_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
+    return {.line = static_cast<int>(std::ranges::count(before, '\n')) + 1,
+            .column = static_cast<int>(std::ranges::count_if(before.substr(line_start), starts_character)) + 1};
+}
+
+struct Bracket {
+    int levels;      ///< the parts of the key before it, and so its levels
+    std::size_t at;  ///< in the text
+};
+
+/// Goes through a text until it is too deep.
+struct Scan {
+    std::vector<Bracket> open;
+    std::optional<std::size_t> too_deep;  ///< start of the key or the value that goes too deep
+
+    explicit Scan(std::string_view text, int most) {
+        int levels = 0;         // of all open brackets
+        int parts = 1;          // of the key that is under way; a number behind it adds one at most
+        std::size_t start = 0;  // where what is under way starts
+        bool started = false;
+        for (std::size_t i = 0; i < text.size() && !too_deep; ++i) {
+            const char c = text[i];
+            if (!started && c != ' ' && c != '\t') {
+                start = i;
+                started = true;
+            }
+            const bool opens = c == '[' || c == '{';
+            if (c == '.') {
+                ++parts;
+            } else if (opens) {
+                open.push_back({parts, i});
+                levels += parts;
+            } else if ((c == ']' || c == '}') && !open.empty()) {
+                levels -= open.back().levels;
+                open.pop_back();
+            }
+            if (opens || c == ']' || c == '}' || c == ',' || c == '\n') {
+                parts = 1;
+                started = false;
+            }
+            if (levels + parts > most) {
+                too_deep = start;
+            }
+            if (c == '"' || c == '\'') {
+                i = end_of_string(text, i) - 1;
+            } else if (c == '#') {
+                i = std::min(text.find('\n', i), text.size()) - 1;
+            }
+        }
+    }
+};
+
+/// Where a TOML text goes deeper than `most_levels`: each part of a dotted key counts, and each bracket about a value.
+/// Of a text that is not valid TOML the answer may be about any line. Takes a time linear in the text, and no stack.
+std::optional<TextPlace> first_too_deep(std::string_view text) {
+    const Scan scan(text, most_levels);
+    return scan.too_deep ? std::optional(place_in(text, *scan.too_deep)) : std::nullopt;
+}
+
+/// The line in which the outermost bracket is opened that a TOML text leaves open; 0 where there is none.
+int line_of_open_bracket(std::string_view text) {
+    const Scan scan(text, std::numeric_limits<int>::max());
+    return scan.open.empty() ? 0 : place_in(text, scan.open.front().at).line;
+}
 
 SourceLocation place_of(const toml::source_region& region, int file) {
     const auto line = static_cast<int>(region.begin.line);
