@@ -198,7 +198,7 @@ bool take_study_journal(std::string_view bytes) {
     std::vector<diagnosis::StudyOutcome> outcomes;
     bool any = false;
     {
-        const post::StudyJournal journal(path, "build", false);
+        const post::StudyJournal journal(path, study.channels.size(), "build", false);
         for (std::size_t run = 0; run < study.runs.size(); ++run) {
             // The fingerprint depends on this machine's paths: the corpus calls the runs by their numbers.
             const diagnosis::StudyOutcome* found = journal.find({fmt::format("run {}", run), {}});
