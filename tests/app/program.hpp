@@ -36,7 +36,8 @@ inline Call call(const std::string& arguments, const std::filesystem::path& dire
 
 inline const std::string two_node = TIRETHERM_SOURCE_DIR "/cases/two_node/4000N_100kmh.toml";
 
-/// A strip that nothing holds back: 1e12 W/m3 heat it in one step of 50 s to where the radiation does not settle.
+/// A strip that nothing holds back: 1e12 W/m3 heat it in one step of 50 s far beyond the 1520 degC at which its conductivity
+/// falls below zero.
 inline const std::string exploding = R"(
 title = "A strip that burns"
 [mesh]
@@ -51,7 +52,7 @@ material = "rubber"
 name = "rubber"
 density = "1100 kg/m3"
 heat_capacity = "1800 J/kgK"
-conductivity = "0.3 W/mK"
+conductivity = { at = "20 degC", value = "0.3 W/mK", slope = "-0.0002 W/mK/K" }
 [effects.uniform_source]
 power_density = "1e12 W/m3"
 [effects.radiation]

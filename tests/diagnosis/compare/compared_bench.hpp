@@ -30,9 +30,9 @@ source = "needle"
 file = "second.csv"
 )";
 
-/// Heated to 1e6 K in a step, where the fourth power of the radiation does not settle.
+/// Heated to 1e6 K in a step, far beyond where the conductivity of its link falls below zero.
 inline const std::string burning_bench = idle + R"(uniform_source = { power_density = "1e12 W/m3" }
-radiation = {}
+layer_conductivity = { slope = "-1 %/K" }
 [time]
 step = "8 s"
 [[run]]
