@@ -71,7 +71,8 @@ bool survives_hdf5(const std::filesystem::path& path) {
                std::uint64_t left = most_bytes;
                H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, try_object, &left, H5O_INFO_BASIC);
                return std::string();
-           }).has_value();
+           })
+        .has_value();
 }
 
 }  // namespace tiretherm::input
