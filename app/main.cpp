@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <new>
 #include <span>
 #include <string>
 #include <vector>
@@ -101,9 +100,6 @@ int run_call(int argc, char** argv) {
         return program.exit(help);
     } catch (const CLI::ParseError& error) {
         report_wrong_call(program, error, json);
-        return app::Exit::input_error;
-    } catch (const std::bad_alloc&) {
-        app::report_error("there is not enough memory", "take fewer cells, samples, frames or threads", json);
         return app::Exit::input_error;
     } catch (const std::exception& error) {
         if (!app::is_lost_output(error)) {  // which is said at the end
