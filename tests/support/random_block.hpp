@@ -102,6 +102,7 @@ struct Block {
             switch_on(problem, "uniform_source", {{"power_density", power_density}});
         }
         std::vector<physics::ActiveEffect> ordered;
+        ordered.reserve(order.size());
         for (const std::size_t i : order) {
             ordered.push_back(problem.effects[i]);
         }
