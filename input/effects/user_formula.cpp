@@ -15,8 +15,8 @@
 namespace tiretherm::input {
 
 struct Formula::Parser {
-    mu::Parser parser;
-    mu::Parser recording;        ///< the same formula; its comparisons and kinks write to `record`
+    mu::Parser parser;           ///< of the text as written, for errors with their places
+    mu::Parser recording;        ///< evaluates the same formula; its comparisons and kinks write to `record`
     std::vector<double> values;  ///< where the variables of both stand
 };
 
@@ -124,7 +124,9 @@ void prepare_recording(mu::Parser& parser, const std::string& text) {
     parser.DefineFun("min", smallest);
     parser.DefineFun("max", largest);
     parser.EnableOptimizer(false);  // which would evaluate what is constant once, and record it then
-    parser.SetExpr(with_recorded_operators(text));
+    // Where an operator may stand, the library compares as many characters as its longest name has, also beyond the end of
+    // the text: blanks stand there.
+    parser.SetExpr(with_recorded_operators(text) + "        ");
 }
 
 /// The library's sentence without its place, which is shown.
@@ -195,11 +197,6 @@ Formula Formula::of_signal(const std::string& name) {
     formula.parser_->parser.SetExpr("signal");
     formula.parser_->recording = formula.parser_->parser;
     return formula;
-}
-
-double Formula::operator()(std::span<const double> values) const {
-    std::ranges::copy(values, parser_->values.begin());
-    return parser_->parser.Eval();
 }
 
 double Formula::evaluate(std::span<const double> values, FormulaDecisions& decisions) const {

@@ -41,9 +41,7 @@ public:
 
     /// The signals it needs, in the order in which values are given.
     [[nodiscard]] const std::vector<std::string>& signals() const { return signals_; }
-    /// @param values [signals]
-    [[nodiscard]] double operator()(std::span<const double> values) const;
-    /// The same value, and what was decided on the way. @param decisions out
+    /// Its value, and what was decided on the way. @param values [signals]  @param decisions out
     double evaluate(std::span<const double> values, FormulaDecisions& decisions) const;
 
 private:

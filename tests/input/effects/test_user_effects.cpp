@@ -43,11 +43,12 @@ const physics::Curve& table_of(const solver::Problem& problem, std::string_view 
     return *problem.effects.at(solver::find_user_effect(problem, user_effect)).tables.at(table);
 }
 
-double evaluate(const std::string& text, std::vector<double> values) {
+double evaluate(const std::string& text, const std::vector<double>& values) {
     Formula::Wrong wrong;
     const std::optional<Formula> formula = Formula::read(text, "follows", wrong);
     EXPECT_TRUE(formula.has_value()) << wrong.error.what;
-    return formula ? (*formula)(values) : std::nan("");
+    FormulaDecisions ignored;
+    return formula ? formula->evaluate(values, ignored) : std::nan("");
 }
 
 std::string error_of(const std::string& text) {
