@@ -46,6 +46,17 @@ std::string duration(const solver::Settings& settings) {
                            : fmt::format("{:.6g} s to {:.6g} s", settings.start, settings.end);
 }
 
+/// "1 536 cells, 361 rows, 2 fields; about 1 MB of files, 60 MB of memory".
+std::string size_text(const input::CaseSize& size) {
+    const auto count = [](double n, const char* what) {
+        return fmt::format("{} {}{}", post::grouped(n), what, n == 1.0 ? "" : "s");
+    };
+    return fmt::format("{}, {}, {}{}; about {} of files, {} of memory", count(size.cells, "cell"),
+                       size.rows > 0.0 ? count(size.rows, "row") : "a row for each step", count(size.fields, "field"),
+                       size.steps ? ", " + count(*size.steps, "step") : "", input::spell_bytes(size.output),
+                       input::spell_bytes(size.memory));
+}
+
 struct Options {
     std::string case_file;
     std::vector<std::string> data;
@@ -76,12 +87,11 @@ std::string run_text(const input::MeasuredRun& run) {
 void print_text(const Checked& checked) {
     const solver::Problem& problem = checked.problem;
     post::Table table({true, true});
-    table.add({"mesh", fmt::format("{}, {} cells, layers {}", problem.mesh.kind, post::grouped(problem.mesh.n_cells),
-                                   fmt::join(problem.mesh.layers, ", "))});
+    table.add({"mesh", fmt::format("{}, layers {}", problem.mesh.kind, fmt::join(problem.mesh.layers, ", "))});
     table.add({"effects", fmt::format("{}", fmt::join(effect_names(problem), ", "))});
     table.add({"channels", fmt::format("{}", fmt::join(channel_names(problem), ", "))});
     table.add({"time", duration(problem.settings)});
-    table.add({"size", input::describe(input::size_of(problem))});
+    table.add({"size", size_text(input::size_of(problem))});
     for (const input::MeasuredRun& run : checked.runs) {
         table.add({"data", run_text(run)});
     }

@@ -88,6 +88,18 @@ void ColumnKeys::allow_unknown_keys() {
     }
 }
 
+std::vector<const ColumnKeys::Key*> ColumnKeys::unknown_columns() const {
+    std::vector<const Key*> unknown;
+    for (const std::vector<Key>* keys : {&names_, &units_, &ignored_}) {
+        for (const Key& key : *keys) {
+            if (!key.found) {
+                unknown.push_back(&key);
+            }
+        }
+    }
+    return unknown;
+}
+
 void ColumnKeys::report_unknown_columns(InputErrors& errors) const {
     if (shared_ != nullptr) {
         shared_->warn_of_unknown_columns(errors);
@@ -96,13 +108,9 @@ void ColumnKeys::report_unknown_columns(InputErrors& errors) const {
         return;
     }
     const std::vector<std::string> known(headings_.begin(), headings_.end());
-    for (const std::vector<Key>* keys : {&names_, &units_, &ignored_}) {
-        for (const Key& key : *keys) {
-            if (!key.found) {
-                errors.add(key.column.place, fmt::format("the file has no column \"{}\"", key.column.text),
-                           suggest(key.column.text, known, "columns"));
-            }
-        }
+    for (const Key* key : unknown_columns()) {
+        errors.add(key->column.place, fmt::format("the file has no column \"{}\"", key->column.text),
+                   suggest(key->column.text, known, "columns"));
     }
     for (const Key& key : held_) {
         if (!key.found) {
@@ -123,15 +131,10 @@ void ColumnKeys::warn_of_unknown_columns(InputErrors& errors) const {
         return;
     }
     const std::vector<std::string> known(headings_.begin(), headings_.end());
-    for (const std::vector<Key>* keys : {&names_, &units_, &ignored_}) {
-        for (const Key& key : *keys) {
-            if (!key.found) {
-                const std::string near = nearest(key.column.text, known);
-                errors.warn(key.column.place,
-                            fmt::format("no file of a [[run]] has the column \"{}\"{}", key.column.text,
-                                        near.empty() ? "" : fmt::format(": did you mean `{}`?", near)));
-            }
-        }
+    for (const Key* key : unknown_columns()) {
+        const std::string near = nearest(key->column.text, known);
+        errors.warn(key->column.place, fmt::format("no file of a [[run]] has the column \"{}\"{}", key->column.text,
+                                                   near.empty() ? "" : fmt::format(": did you mean `{}`?", near)));
     }
 }
 

@@ -45,6 +45,8 @@ private:
     };
     static void read_words(TomlTable table, std::vector<Key>& into);
     static Key* find(std::vector<Key>& keys, const std::string& word);
+    /// Keys that are a column of no file. Valid as long as this.
+    [[nodiscard]] std::vector<const Key*> unknown_columns() const;
     void warn_of_unknown_columns(InputErrors& errors) const;
 
     std::vector<Key> names_;

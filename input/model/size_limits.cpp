@@ -108,23 +108,6 @@ CaseSize size_of(const solver::Problem& problem) {
     return size;
 }
 
-std::string describe(const CaseSize& size) {
-    const auto count = [](double n, const char* what) {
-        std::string digits = fmt::format("{:.0f}", n);
-        for (std::size_t at = digits.size(); at > 3; at -= 3) {
-            digits.insert(at - 3, " ");
-        }
-        return fmt::format("{} {}{}", digits, what, n == 1.0 ? "" : "s");
-    };
-    std::string text = count(size.cells, "cell");
-    text += size.rows > 0.0 ? ", " + count(size.rows, "row") : std::string(", a row for each step");
-    text += ", " + count(size.fields, "field");
-    if (size.steps) {
-        text += ", " + count(*size.steps, "step");
-    }
-    return text + fmt::format("; about {} of files, {} of memory", spell_bytes(size.output), spell_bytes(size.memory));
-}
-
 SizeLimits read_limits(TomlTable& root) {
     SizeLimits limits;
     TomlTable table = root.subtable("limits");

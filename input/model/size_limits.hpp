@@ -30,8 +30,6 @@ struct CaseSize {
 };
 
 [[nodiscard]] CaseSize size_of(const solver::Problem& problem);
-/// "1 536 cells, 361 rows, 2 fields; about 1 MB of files, 60 MB of memory".
-[[nodiscard]] std::string describe(const CaseSize& size);
 /// "1.5 GB".
 [[nodiscard]] std::string spell_bytes(double bytes);
 
