@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A new direction is made orthogonal to two past ones, or to one when J is symmetric; the iteration ends on the
-// preconditioned residual M^-1 (b - J x).
+// preconditioned residual M^-1 (b - J x), over the smallest eigenvalue of M^-1 J that the directions have met.
 
 #include "solver/linear/krylov.hpp"
 
@@ -56,6 +56,7 @@ Krylov::Result Krylov::solve(const Matrix& J, Factor& factor, std::span<const do
     const std::size_t memory = J.symmetric && J.outer.empty() ? 1 : directions;
     factor.solve(r, z_);
     result.solves = 1;
+    double smallest = 1.0;
     const double wanted = std::max(tolerance, relative_tolerance * largest(z_));
     for (std::size_t k = 0; k < most_iterations; ++k) {
         Direction& now = past_[k % past_.size()];
@@ -84,11 +85,14 @@ Krylov::Result Krylov::solve(const Matrix& J, Factor& factor, std::span<const do
         if (!(now.length2 > 0.0) || !std::isfinite(now.length2)) {
             return result;
         }
+        if (const double energy = dot(now.p, now.Jp); energy > 0.0) {
+            smallest = std::min(smallest, now.length2 / energy);
+        }
         const double step = dot(r, now.s) / now.length2;
         add(step, now.p, x);
         add(-step, now.Jp, r);
         add(-step, now.s, z_);
-        if (largest(z_) <= wanted || largest(r) <= tiny) {
+        if (largest(z_) <= wanted * smallest || largest(r) <= tiny) {
             result.converged = true;
             return result;
         }

@@ -27,7 +27,10 @@ public:
 
     /// @param x [n] out, the solution; starts from zero
     /// @param residual [n] out, b - J x
-    /// @param tolerance largest entry of M^-1 (b - J x), in the units of x
+    /// The error of x is J^-1 (b - J x), which is the preconditioned residual M^-1 (b - J x) over the eigenvalues of M^-1 J:
+    /// beside a step's heat capacity they are near one; in a steady state of layers that conduct very unlike, far below.
+    /// @param tolerance largest entry of M^-1 (b - J x), over the smallest eigenvalue met (a Rayleigh quotient of the
+    /// directions), in the units of x
     /// @param relative_tolerance the same beside the largest entry of M^-1 b; the looser of the two ends the iteration
     [[nodiscard]] Result solve(const Matrix& J, Factor& factor, std::span<const double> b, std::span<double> x,
                                std::span<double> residual, double tolerance, double relative_tolerance);

@@ -74,5 +74,33 @@ TEST(LinearSolvers, CholeskyAndConjugateGradientsGiveTheSameField) {
     }
 }
 
+TEST(LinearSolvers, SteadyStateOfConductivitiesAMillionApartIsWithinTheTolerance) {
+    // Layers of 1e3 and 1e-3 W/mK in turn: what one good conductor is warmer than the next hardly shows in the heat balance,
+    // so that an iteration that ends on a small residual is far from the field.
+    solver::Problem problem = block(false);
+    problem.mesh = mesh::build(mesh::Block{.x = {{0.03, 8, 1.0}},
+                                           .y = {{0.03, 8, 1.0}},
+                                           .stack = {{"tread", 0.003, 3, 1.0},
+                                                     {"belt", 0.003, 3, 1.0},
+                                                     {"carcass", 0.003, 3, 1.0},
+                                                     {"liner", 0.003, 3, 1.0}},
+                                           .quarter = true});
+    const physics::Curve heat_capacity = physics::Curve::constant(1800.0);
+    for (const double k : {1e3, 1e-3, 1e3, 1e-3}) {
+        problem.materials.push_back(support::material(physics::Curve::constant(k), 1100.0, heat_capacity));
+    }
+    problem.materials.erase(problem.materials.begin(), problem.materials.begin() + 2);
+    support::start_at(problem, 296.15);
+    problem.settings.steady = true;
+    for (const double tolerance : {1e-2, 1e-4}) {
+        problem.settings.tolerance = tolerance;
+        problem.settings.linear_solver = solver::LinearSolver::cholesky;
+        const std::vector<double> direct = support::final_field(problem);
+        problem.settings.linear_solver = solver::LinearSolver::conjugate_gradient;
+        support::expect_below("steady_state_of_unlike_layers_" + std::to_string(tolerance),
+                              largest_difference(direct, support::final_field(problem)), tolerance);
+    }
+}
+
 }  // namespace
 }  // namespace tiretherm
