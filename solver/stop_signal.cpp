@@ -3,15 +3,18 @@
 
 #include "solver/stop_signal.hpp"
 
+#include <atomic>
 #include <csignal>
 
 namespace tiretherm::solver {
 
 namespace {
 
-volatile std::sig_atomic_t requested = 0;
+// Set by the thread that the signal reaches, read by all.
+std::atomic<bool> requested = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "or a handler may not touch it");
 
-extern "C" void request(int /*signal*/) { requested = 1; }
+extern "C" void request(int /*signal*/) { requested = true; }
 
 }  // namespace
 
@@ -23,7 +26,7 @@ void install_stop_handlers() {
     sigaction(SIGTERM, &action, nullptr);
 }
 
-bool stop_requested() { return requested != 0; }
+bool stop_requested() { return requested; }
 
 void leave_if_stopped() {
     if (stop_requested()) {
