@@ -78,6 +78,11 @@ const ActiveEffect* PlacementContext::find(std::string_view id) const {
     return found == effects.end() ? nullptr : &*found;
 }
 
+int PlacementContext::index_of(std::string_view id) const {
+    const ActiveEffect* found = find(id);
+    return found == nullptr ? -1 : static_cast<int>(found - effects.data());
+}
+
 const Effect& in_frames(const Effect& effect) {
     static const std::vector<Effect> copies = [] {
         std::vector<Effect> made;

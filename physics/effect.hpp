@@ -123,7 +123,8 @@ struct ActiveEffect {
     std::vector<int> coupling_faces;              ///< filled by `extend`: faces that lead to lumped nodes
     std::vector<int> nodes;                       ///< filled by `place`: where it acts
     std::vector<double> weights;                  ///< filled by `place`: with which share
-    std::vector<int> groups;   ///< filled by `place`: where runs of alike places begin in `weights`, and their end
+    std::vector<int> groups;  ///< filled by `place`: where runs of alike places begin in `weights`, and their end
+    int road = -1;  ///< filled by `place`: index of the effect through which the road takes heat back; -1: none
     std::vector<double> skew;  ///< filled by `place`: how far to the outside shoulder, -1 inside to 1 outside
 
     /// What it is called: its own name, or its effect's.

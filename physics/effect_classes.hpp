@@ -35,6 +35,7 @@ struct PlacementContext {
     std::span<const ActiveEffect> effects;  ///< all that are on
 
     [[nodiscard]] const ActiveEffect* find(std::string_view id) const;  ///< null when off
+    [[nodiscard]] int index_of(std::string_view id) const;              ///< into `effects`; -1 when off
 };
 
 /// What property modifiers make of the thesis's laws at a moment, as far as it follows from the inputs.
@@ -51,6 +52,7 @@ struct OperatingPoint {
     const Tire& tire;
     const Inputs& inputs;
     const Laws& laws;
+    std::span<const ActiveEffect> effects{};  ///< all that are on
 };
 
 /// A factor on a law that follows a region's mean temperature.

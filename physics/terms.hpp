@@ -85,6 +85,12 @@ public:
         }
     }
 
+    /// Books watts that the effect of the moment has added as those of another one, which leaves the sum as it is.
+    void rebook(std::size_t to_effect, double W) {
+        watts[effect_] -= W;
+        watts[to_effect] += W;
+    }
+
     /// Adds to a node the derivative dW_dT_mean [W/K] of its heat with a region's mean temperature.
     void add_source_derivative(int node, int region, double dW_dT_mean) {
         if (dW_dT_mean != 0.0) {

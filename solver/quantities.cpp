@@ -119,9 +119,9 @@ double flash(const SensorMoment& now) {
             now.system.coefficients_of(static_cast<std::size_t>(sliding - effects.begin()), now.coefficients);
         heated = std::accumulate(of_sliding.begin(), of_sliding.end(), 0.0) / tire.contact_area(inputs.vertical_load);
     }
-    const double taken = physics::rolling_contact::scale_of(*road) * (T - inputs.road_temperature);
-    return T + taken * (entry ? contact->at_entry() : contact->at_exit()) +
-           heated * (entry ? contact->heated_at_entry() : contact->heated_at_exit());
+    const double scale = physics::rolling_contact::scale_of(*road);
+    return T + scale * (T - inputs.road_temperature) * (entry ? contact->at_entry() : contact->at_exit()) +
+           heated * (entry ? contact->heated_at_entry(scale) : contact->heated_at_exit(scale));
 }
 
 double gas_pressure(const SensorMoment& now) {

@@ -107,7 +107,8 @@ void System::evaluate_coefficients(const physics::Inputs& logged, std::span<doub
             modifier->modify_laws(active, material_model_.tire, inputs, laws);
         }
     }
-    const physics::OperatingPoint point{.tire = material_model_.tire, .inputs = inputs, .laws = laws};
+    const physics::OperatingPoint point{
+        .tire = material_model_.tire, .inputs = inputs, .laws = laws, .effects = effects_};
     for (std::size_t e = 0; e < effects_.size(); ++e) {
         const physics::ActiveEffect& active = effects_[e];
         const physics::HeatEffect* heat = active.effect->heat_effect();

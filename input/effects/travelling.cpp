@@ -60,6 +60,23 @@ void warn_of_width(const solver::Problem& problem, const physics::ActiveEffect& 
     }
 }
 
+/// Where the contact goes round and the heat of sliding does not.
+void warn_of_heat_spread_evenly(const solver::Problem& problem, const Mention& contact, InputErrors& errors) {
+    const auto gives = [&](std::string_view signal) {
+        return problem.input_signals.gives(*physics::find_signal(signal));
+    };
+    const auto spread = std::ranges::find_if(problem.effects, [](const physics::ActiveEffect& active) {
+        return active.effect->id == "sliding_friction" && !physics::travels(active);
+    });
+    if (spread != problem.effects.end() && (gives("slip_angle") || gives("slip_ratio"))) {
+        errors.warn(contact.place,
+                    fmt::format("{} goes round the tire, and the heat of sliding is spread around it: the tread "
+                                "is not heated in the contact, and the road takes no share of the heat there; "
+                                "sliding_friction takes around = \"in_contact\"",
+                                contact.id));
+    }
+}
+
 }  // namespace
 
 void read_travelling(TomlTable& root, ProblemBuilder& builder) {
@@ -114,6 +131,7 @@ void read_travelling(TomlTable& root, ProblemBuilder& builder) {
         if (const physics::HeatEffect* heat = active.effect->heat_effect();
             heat != nullptr && heat->travels && errors.count() == 0) {
             warn_of_width(problem, active, *mention, errors);
+            warn_of_heat_spread_evenly(problem, *mention, errors);
         }
     }
 }

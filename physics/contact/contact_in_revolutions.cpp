@@ -115,12 +115,19 @@ ContactInRevolutions::ContactInRevolutions(const ContactOfHalfSpaces& contact, d
     const double a = 1.0 / contact.effusivity_a;
     const Square system =
         Square(Square::Identity()) / contact.interface_h + (a + 1.0 / contact.effusivity_b) * abel + a * past;
-    const Vector flux = system.partialPivLu().solve(Vector::Ones());
-    mean_ = weights.mean.dot(flux);
-    entry_ = -a * past.row(0).dot(flux);
-    exit_ = -a * (abel.row(n_pieces) + past.row(n_pieces)).dot(flux);
-    heated_entry_ = a * past.row(0).sum();
-    heated_exit_ = a * (abel.row(n_pieces) + past.row(n_pieces)).sum();
+    const Square tread = a * (abel + past);  // the tread's surface above its mean, by the flux into it
+    Eigen::Matrix<double, n_pieces + 1, 2> right;
+    right.col(0) = Vector::Ones();
+    right.col(1) = tread.rowwise().sum();
+    const Eigen::Matrix<double, n_pieces + 1, 2> flux = system.partialPivLu().solve(right);
+    mean_ = weights.mean.dot(flux.col(0));
+    entry_ = -tread.row(0).dot(flux.col(0));
+    exit_ = -tread.row(n_pieces).dot(flux.col(0));
+    road_share_ = weights.mean.dot(flux.col(1));
+    entry_alone_ = tread.row(0).sum();
+    entry_cooled_ = tread.row(0).dot(flux.col(1));
+    exit_alone_ = tread.row(n_pieces).sum();
+    exit_cooled_ = tread.row(n_pieces).dot(flux.col(1));
 }
 
 }  // namespace tiretherm::physics

@@ -20,8 +20,10 @@ namespace tiretherm::physics {
 ///            + 1/(e_a sqrt(pi P)) int_0^t_c q(s) zeta(1/2, 1 + (t-s)/P) ds = D
 ///
 /// The last term is what earlier revolutions left: the sum of 1/sqrt(pi (t-s+kP)) over all of them, less its mean, which
-/// is the flow through the tread that the slow field carries. Derived from Carslaw & Jaeger 1959, sec. 2.9 (flux into a
-/// half-space) and Hurwitz's zeta function (DLMF 25.11).
+/// is the flow through the tread that the slow field carries. Heat g of sliding that enters the tread's surface in the
+/// contact warms it there, by the same two integrals of g over e_a, which stand on the right-hand side beside D: the road
+/// takes a part of g back before the contact ends. Derived from Carslaw & Jaeger 1959, sec. 2.9 (flux into a half-space)
+/// and Hurwitz's zeta function (DLMF 25.11).
 class ContactInRevolutions {
 public:
     /// @param duration of a contact, s, > 0  @param period of a revolution, s, > 3 duration. Allocates nothing.
@@ -34,22 +36,32 @@ public:
     /// The same when it leaves the road; < 0
     [[nodiscard]] double at_exit() const { return exit_; }
 
-    /// The same of heat that enters the tread's surface evenly during the contact, per W/m2 of it, above the mean over the
-    /// revolution. @returns K m2/W
-    [[nodiscard]] double heated_at_entry() const { return heated_entry_; }
-    [[nodiscard]] double heated_at_exit() const { return heated_exit_; }
+    /// Of heat that enters the tread's surface evenly during the contact, what the road takes back before the contact ends;
+    /// 0 to 1
+    [[nodiscard]] double road_share() const { return road_share_; }
+    /// The tread's surface above its mean, by that heat alone, when it meets the road and when it leaves it, per W/m2.
+    /// @param scale on what the road takes  @returns K m2/W
+    [[nodiscard]] double heated_at_entry(double scale = 1.0) const { return entry_alone_ - scale * entry_cooled_; }
+    [[nodiscard]] double heated_at_exit(double scale = 1.0) const { return exit_alone_ - scale * exit_cooled_; }
 
 private:
     double mean_ = 0.0;
     double entry_ = 0.0;
     double exit_ = 0.0;
-    double heated_entry_ = 0.0;
-    double heated_exit_ = 0.0;
+    double road_share_ = 0.0;
+    double entry_alone_ = 0.0;  ///< by the heat without a road, and what the road takes of that
+    double entry_cooled_ = 0.0;
+    double exit_alone_ = 0.0;
+    double exit_cooled_ = 0.0;
 };
 
 /// The contact that the effect `resolved_contact` makes at a moment, or nothing at rest and off the road.
 [[nodiscard]] std::optional<ContactInRevolutions> contact_in_revolutions(const ActiveEffect& resolved_contact,
                                                                          const Tire& tire, const Inputs& inputs);
+
+/// What of heat of sliding, which enters the tread evenly in the contact, stays there when the road has taken its share
+/// back by an effect `resolved_contact`; 1 at rest and off the road.
+[[nodiscard]] double kept_heat(const ActiveEffect& resolved_contact, const OperatingPoint& point);
 
 /// Hurwitz's zeta function, the sum of (a + k)^-s over k = 0, 1, ... and where that diverges its continuation.
 /// DLMF 25.11.28 (Euler and Maclaurin), to 1e-14 of its largest term. @param s > 0, not 1  @param a > 0

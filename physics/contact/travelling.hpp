@@ -51,6 +51,11 @@ private:
 /// of sectors, over what it would get if the power were spread around the circumference. Its mean over a revolution is 1.
 [[nodiscard]] double concentration(const TravellingContact& contact, int sector, int sectors);
 
+/// What of that stays in the tread when the road has taken its share back by an effect `travelling_contact`: the mean over
+/// the part of the sector in contact. @pre the sector touches
+[[nodiscard]] double kept_heat(const ActiveEffect& travelling_contact, const TravellingContact& contact, int sector,
+                               int sectors);
+
 /// Whether an effect's place goes round the tire: always, or because a case chose it so.
 [[nodiscard]] bool travels(const ActiveEffect& active);
 

@@ -33,4 +33,14 @@ double ContactOfHalfSpaces::conductance_at(double since) const {
     return interface_h * left / (1.0 - effusivity_b / (effusivity_a + effusivity_b) * (1.0 - left));
 }
 
+double ContactOfHalfSpaces::kept_heat_at(double since) const {
+    const double beta = interface_h * (1.0 / effusivity_a + 1.0 / effusivity_b);
+    const double root = beta * std::sqrt(since);
+    const double gone = 1.0 - scaled_erfc(root);
+    const double taken = effusivity_b / (effusivity_a + effusivity_b) * gone;
+    const double warming =
+        taken / interface_h + (2.0 * root * std::numbers::inv_sqrtpi - gone) / (beta * (effusivity_a + effusivity_b));
+    return 1.0 - taken + conductance_at(since) * warming;
+}
+
 }  // namespace tiretherm::physics

@@ -23,6 +23,14 @@ struct ContactOfHalfSpaces {
     ///     h g / (1 - e_b (1 - g) / (e_a + e_b)),   g = e^tau erfc(sqrt tau), tau as above
     /// @param since s since they met, >= 0  @returns W/(m2 K), descending from the interface's
     [[nodiscard]] double conductance_at(double since) const;
+
+    /// Of heat that enters the surface of a evenly since they met, what stays in a: with `conductance_at` times the
+    /// difference that the heat itself makes, which the cells of a show, the exchange is that of both half-spaces.
+    ///     1 - s + conductance_at theta,   s = e_b / (e_a + e_b) (1 - g) what b takes of it at that moment,
+    ///     theta = s / h + (2 sqrt(t/pi) - (1 - g) / beta) / (e_a + e_b) the warming of a by it,   beta = sqrt(tau / t)
+    /// From the Laplace transform: flux to b h beta'/(s (sqrt s + beta)), beta' = h / e_a; C&J 1959, appendix V.
+    /// @param since s since they met, >= 0
+    [[nodiscard]] double kept_heat_at(double since) const;
 };
 
 /// e^(x^2) erfc(x), which stays finite where the two factors do not. @param x >= 0

@@ -2,6 +2,7 @@
 // Heat to the road as a mean over revolutions: q = scale h_mean S_cont (T_road - T_surf), h_mean of two half-spaces
 // that meet once a revolution (Carslaw & Jaeger 1959, sec. 2.8, 2.9; DLMF 25.11).
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -44,6 +45,11 @@ std::optional<ContactInRevolutions> contact_in_revolutions(const ActiveEffect& a
                                 1.0 / tire.revolutions(speed, in.vertical_load));
 }
 
+double kept_heat(const ActiveEffect& active, const OperatingPoint& point) {
+    const std::optional<ContactInRevolutions> contact = contact_in_revolutions(active, point.tire, point.inputs);
+    return contact ? std::max(0.0, 1.0 - rolling_contact::scale_of(active) * contact->road_share()) : 1.0;
+}
+
 namespace effects {
 
 extern const Effect resolved_contact;
@@ -52,14 +58,15 @@ const Effect resolved_contact{
     .kind = Kind::loss,
     .equation =
         "q = scale h_mean(l/V, revolution) S_cont (T_road - T_surf), h_mean of two half-spaces joined by "
-        "interface_h, of which the tread's comes back once a revolution",
+        "interface_h, of which the tread's comes back once a revolution; and the road's share of the heat of sliding",
     .source =
         "Carslaw & Jaeger 1959, sec. 2.8 and 2.9, summed over the revolutions (DLMF 25.11); interface: Miller, NASA TN "
         "D-8161, 1976 (quoted by others, a lower limit); "
         "asphalt concrete 1.2 W/mK, 2300 kg/m3, 900 J/kgK (quoted)",
     .meaning =
         "Heat to the road as a rolling tread gives it: each place meets fresh road for l/V in every revolution, of "
-        "which T_surf is the mean. 76 W/K at 4 kN and 100 km/h, where the lumped Hc gives 5; nothing at rest. Sensors "
+        "which T_surf is the mean. Of the heat of sliding that enters the tread in the contact it takes a share back "
+        "before the contact ends. 76 W/K at 4 kN and 100 km/h, where the lumped Hc gives 5; nothing at rest. Sensors "
         "of the kinds surface_at_entry and surface_at_exit read the flash. A case that switches it on switches "
         "road_contact off.",
     .parameters = rolling_contact::parameters,

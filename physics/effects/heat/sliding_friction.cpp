@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Heat of sliding in the contact: q = partition (lambda_x |Fx v_sx| + lambda_y |Fy| |V| tan|alpha|), v_sx = V - R_R
-// Omega (thesis (31)); even around the tire, by a field, or in a travelling contact.
+// Omega (thesis (31)); even around the tire, by a field, or in a travelling contact. Where the contact with the road is
+// resolved, the road takes its share of it back in the contact, which is booked there.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "physics/contact/contact_in_revolutions.hpp"
 #include "physics/contact/travelling.hpp"
 #include "physics/spread.hpp"
 
@@ -16,6 +18,8 @@ namespace {
 enum : std::size_t { partition, lambda_x, lambda_y };
 enum : std::size_t { longitudinal, lateral, around };
 enum : std::size_t { profile };
+/// Coefficients: what the road takes back [W]; then the heat that stays, of each frame or of each sector.
+enum : std::size_t { taken_back, first_heat };
 
 constexpr std::array parameters{
     ParameterSpec{"partition", "1", 0.6, 0.0, 1.0, "share of the friction power that enters the tire"},
@@ -38,6 +42,7 @@ constexpr std::array<std::string_view, 1> patches{"outside"};
 void place(const PlacementContext& context, ActiveEffect& active) {
     spread_over_patches(context, active, active.tables[profile]);
     active.groups = active.choices[around] == in_contact ? sectors_of(context.mesh, active.nodes) : std::vector<int>{};
+    active.road = context.index_of(active.groups.empty() ? "resolved_contact" : "travelling_contact");
 }
 
 /// Power of sliding in the contact by the thesis's law. W
@@ -53,44 +58,57 @@ double sliding_power(const ActiveEffect& active, const OperatingPoint& point) {
            (active.choices[lateral] == 0 ? active[lambda_y] * across : 0.0);
 }
 
-/// The heat; of a field that follows time that of each frame, of one that goes round that of each sector.
 void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
+    const std::span<double> heat = out.subspan(first_heat);
     // A law may take the share beyond 1, where it says that a term is missing; it never turns heat into cold.
     double factor = active[partition] * std::max(0.0, point.laws.partition);
-    out[0] = 1.0;
+    std::ranges::fill(out, 0.0);
+    heat[0] = 1.0;
     if (active.field && !active.field->watts.empty()) {
-        active.field->watts_at(point.inputs.time, out);
+        active.field->watts_at(point.inputs.time, heat);
     } else {
         factor *= sliding_power(active, point);
         if (active.field) {
-            active.field->shares_at(point.inputs.time, out);
+            active.field->shares_at(point.inputs.time, heat);
         }
     }
+    const ActiveEffect* road = active.road >= 0 ? &point.effects[static_cast<std::size_t>(active.road)] : nullptr;
     if (!active.groups.empty()) {
         const TravellingContact contact(point.tire, point.inputs);
         const int sectors = active.groups.back() + 1;
         for (int s = 0; s < sectors; ++s) {
-            out[static_cast<std::size_t>(s)] = concentration(contact, s, sectors);
+            const double all = factor * concentration(contact, s, sectors);
+            const double kept = all > 0.0 && road != nullptr ? kept_heat(*road, contact, s, sectors) : 1.0;
+            heat[static_cast<std::size_t>(s)] = kept * all;
+            out[taken_back] += (1.0 - kept) * all / sectors;
         }
+        return;
     }
-    for (double& watts : out) {
-        watts *= factor;
+    const double kept = factor > 0.0 && road != nullptr ? kept_heat(*road, point) : 1.0;
+    for (double& watts : heat) {
+        out[taken_back] += (1.0 - kept) * factor * watts;
+        watts *= kept * factor;
     }
 }
 
+/// The heat that stays in the tread; what the road has taken back is booked as made here and taken there.
 void add_terms(const EvaluationState& m, Terms& terms) {
+    const std::span<const double> heat = m.coefficients.subspan(first_heat);
+    if (m.active.road >= 0) {
+        terms.rebook(static_cast<std::size_t>(m.active.road), -m.coefficients[taken_back]);
+    }
     if (!m.active.groups.empty()) {
         for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
-            if (const double watts = m.coefficients[static_cast<std::size_t>(m.active.groups[i])]; watts != 0.0) {
+            if (const double watts = heat[static_cast<std::size_t>(m.active.groups[i])]; watts != 0.0) {
                 terms.heat(m.active.nodes[i], watts * m.active.weights[i]);
             }
         }
         return;
     }
-    for (std::size_t k = 0; k < m.coefficients.size(); ++k) {
+    for (std::size_t k = 0; k < heat.size(); ++k) {
         const std::vector<double>& weights = m.active.field ? m.active.field->weights[k] : m.active.weights;
-        for (std::size_t i = 0; i < m.active.nodes.size() && m.coefficients[k] != 0.0; ++i) {
-            terms.heat(m.active.nodes[i], m.coefficients[k] * weights[i]);
+        for (std::size_t i = 0; i < m.active.nodes.size() && heat[k] != 0.0; ++i) {
+            terms.heat(m.active.nodes[i], heat[k] * weights[i]);
         }
         if (!m.active.field || k + 1 == m.active.field->frames()) {
             return;
@@ -109,7 +127,9 @@ const Effect sliding_friction{
     .source = "thesis (31)",
     .meaning =
         "Heat of sliding in the contact, into the outer surface. Either sign convention of Fy and the slip "
-        "angle gives the same heat; signals that are not given count as zero. "
+        "angle gives the same heat; signals that are not given count as zero. Where resolved_contact or a "
+        "travelling_contact is on, the heat enters in the contact, and what the road takes of it there is booked as "
+        "its. "
         "A field of a structural code places it by friction power, or gives its watts; around = \"in_contact\" lets it "
         "go round with travelling_contact.",
     .parameters = parameters,
@@ -121,9 +141,9 @@ const Effect sliding_friction{
     .patches = patches,
     .model =
         HeatEffect{
-            .n_coefficients = 1,
+            .n_coefficients = 2,
             .field = FieldOf::friction,
-            .frame_coefficients = most_frames,
+            .frame_coefficients = most_frames - 1,
             .place = place,
             .evaluate_coefficients = evaluate_coefficients,
             .add_terms = add_terms,

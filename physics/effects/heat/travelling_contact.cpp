@@ -11,7 +11,8 @@
 #include "physics/contact/travelling.hpp"
 #include "physics/spread.hpp"
 
-namespace tiretherm::physics::effects {
+namespace tiretherm::physics {
+namespace effects {
 
 namespace {
 
@@ -39,16 +40,16 @@ void place(const PlacementContext& context, ActiveEffect& active) {
     active.groups = sectors_of(context.mesh, active.nodes);
 }
 
-/// Conductance of a part of the contact, integrated over its angle in the root of the time, in which it is smooth.
-/// @returns W/(m2 K), times rad
-double integral(const ContactOfHalfSpaces& surfaces, const TravellingContact& contact,
-                const TravellingContact::Part& part) {
+/// What follows the time since entry, integrated over the angle of a part of the contact in the root of the time, in which
+/// it is smooth. @param of s since entry  @returns its unit, times rad
+template <class Function>
+double integral(const TravellingContact& contact, const TravellingContact::Part& part, const Function& of) {
     const double from = std::sqrt(part.from);
     const double width = std::sqrt(part.to) - from;
     double sum = 0.0;
     for (const GaussPoint& point : rule) {
         const double root = from + point.place * width;
-        sum += point.weight * 2.0 * root * surfaces.conductance_at(root * root / contact.angular_speed());
+        sum += point.weight * 2.0 * root * of(root * root / contact.angular_speed());
     }
     return sum * width;
 }
@@ -71,7 +72,8 @@ void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& poi
             out[first_sector + static_cast<std::size_t>(s)] =
                 sectors == 1
                     ? strip * 2.0 * std::numbers::pi * surfaces.conductance_at(part.from / contact.angular_speed())
-                    : strip * sectors * integral(surfaces, contact, part);
+                    : strip * sectors *
+                          integral(contact, part, [&](double since) { return surfaces.conductance_at(since); });
         }
     }
 }
@@ -86,6 +88,19 @@ void add_terms(const EvaluationState& m, Terms& terms) {
 }
 
 }  // namespace
+}  // namespace effects
+
+double kept_heat(const ActiveEffect& active, const TravellingContact& contact, int sector, int sectors) {
+    const ContactOfHalfSpaces surfaces = rolling_contact::half_spaces(active);
+    const TravellingContact::Part part = contact.part(sector, sectors);
+    const double kept = sectors == 1 ? surfaces.kept_heat_at(part.from / contact.angular_speed())
+                                     : effects::integral(contact, part, [&](double since) {
+                                           return surfaces.kept_heat_at(since);
+                                       }) / (part.to - part.from);
+    return 1.0 + rolling_contact::scale_of(active) * (kept - 1.0);
+}
+
+namespace effects {
 
 extern const Effect travelling_contact;
 const Effect travelling_contact{
@@ -120,4 +135,5 @@ const Effect travelling_contact{
         },
 };
 
-}  // namespace tiretherm::physics::effects
+}  // namespace effects
+}  // namespace tiretherm::physics

@@ -74,6 +74,17 @@ TEST(RingCase, TurnsTheWheelWhereAnEffectFollowsTheContact) {
 }
 
 // A ring's contact takes heat in every sector once a turn, and its heat budget closes.
+TEST(RingCase, WarnsWhereTheContactGoesRoundAndTheHeatOfSlidingDoesNot) {
+    const std::string evenly = "[effects.road_contact]\non = false\n[effects.travelling_contact]\n";
+    const auto warns = [](const Reading& reading) {
+        return render(reading).find("the heat of sliding is spread around it") != std::string::npos;
+    };
+    const std::string slip = "[drive]\nslip_angle = \"4 deg\"\nlateral_force = \"3 kN\"\n";
+    EXPECT_TRUE(warns(read(slip + evenly)));
+    EXPECT_FALSE(warns(read(slip + turning)));
+    EXPECT_FALSE(warns(read(evenly))) << "free rolling makes no such heat";
+}
+
 TEST(RingCase, RunsAndCloses) {
     const Reading reading = read(
         "[mesh]\nsectors = 6\ncrown_cells = 1\nshoulder_cells = 0\nsidewall_cells = 0\n"

@@ -186,7 +186,9 @@ TEST(ContactInRevolutions, OfLongPeriodIsThatOfFreshHalfSpaces) {
         const double root = tread_on_road.interface_h * (1.0 / a + 1.0 / b) * std::sqrt(duration);
         EXPECT_NEAR(rare.at_exit(), -b / (a + b) * (1.0 - scaled_erfc(root)), 1e-3) << duration;
         // Heat alone: 2 sqrt(t/pi) / e_a.
-        EXPECT_NEAR(rare.heated_at_exit() / (2.0 * std::sqrt(duration / std::numbers::pi) / a), 1.0, 1e-4);
+        const ContactOfHalfSpaces no_road{.interface_h = 1e-6, .effusivity_a = a, .effusivity_b = b};
+        const ContactInRevolutions alone(no_road, duration, 1e9 * duration);
+        EXPECT_NEAR(alone.heated_at_exit() / (2.0 * std::sqrt(duration / std::numbers::pi) / a), 1.0, 1e-4);
     }
 }
 
@@ -213,11 +215,30 @@ TEST(ContactInRevolutions, FlashesAsHeatedCellsDo) {
     for (const double kmh : {50.0, 100.0, 250.0}) {
         const double duration = 0.1 / (kmh / 3.6);
         const double period = 2.03 / (kmh / 3.6);
-        const ContactInRevolutions contact(tread_on_road, duration, period);
+        ContactOfHalfSpaces no_road = tread_on_road;
+        no_road.interface_h = 1e-6;
+        const ContactInRevolutions contact(no_road, duration, period);
         const SlabOnRoad::Periodic hot = cells.revolution(duration, period, 0.0, 1000.0);
         EXPECT_NEAR(1000.0 * contact.heated_at_entry(), hot.entry - hot.mean, 1e-4) << kmh;
         EXPECT_NEAR(1000.0 * contact.heated_at_exit(), hot.exit - hot.mean, 1e-4) << kmh;
         EXPECT_GT(contact.heated_at_exit(), -3.0 * contact.heated_at_entry());
+    }
+}
+
+// The same heat with a road: 1 kW/m2, of which the road takes a half back. Besides, the tread's mean is above the road's,
+// and gives it what it gives without sliding.
+TEST(ContactInRevolutions, RoadTakesItsShareOfTheHeatOfSliding) {
+    const SlabOnRoad cells(tread_on_road.interface_h, 0.4e-6, 1.09, 1.2e-3);
+    for (const double kmh : {50.0, 100.0, 250.0}) {
+        const double duration = 0.1 / (kmh / 3.6);
+        const double period = 2.03 / (kmh / 3.6);
+        const ContactInRevolutions contact(tread_on_road, duration, period);
+        const SlabOnRoad::Periodic hot = cells.revolution(duration, period, 0.0, 1000.0);
+        const double taken = hot.exchanged / duration - contact.mean_conductance() * hot.mean;
+        EXPECT_NEAR(contact.road_share(), taken / 1000.0, 1e-3) << kmh;
+        EXPECT_NEAR(hot.mean * contact.at_entry() + 1000.0 * contact.heated_at_entry(), hot.entry - hot.mean, 1e-4)
+            << kmh;
+        EXPECT_NEAR(hot.mean * contact.at_exit() + 1000.0 * contact.heated_at_exit(), hot.exit - hot.mean, 1e-4) << kmh;
     }
 }
 
