@@ -87,7 +87,7 @@ std::string run_text(const input::MeasuredRun& run) {
 void print_text(const Checked& checked) {
     const solver::Problem& problem = checked.problem;
     post::Table table({true, true});
-    table.add({"mesh", fmt::format("{}, layers {}", problem.mesh.kind, fmt::join(problem.mesh.layers, ", "))});
+    table.add({"mesh", fmt::format("{} ({})", problem.mesh.kind, fmt::join(problem.mesh.layers, ", "))});
     table.add({"effects", fmt::format("{}", fmt::join(effect_names(problem), ", "))});
     table.add({"channels", fmt::format("{}", fmt::join(channel_names(problem), ", "))});
     table.add({"time", duration(problem.settings)});

@@ -85,7 +85,7 @@ public:
         }
     }
 
-    /// Books watts that the effect of the moment has added as those of another one, which leaves the sum as it is.
+    /// Counts watts in the heat budget of another effect instead of the present one's; their sum stays.
     void rebook(std::size_t to_effect, double W) {
         watts[effect_] -= W;
         watts[to_effect] += W;

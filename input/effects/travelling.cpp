@@ -70,9 +70,9 @@ void warn_of_heat_spread_evenly(const solver::Problem& problem, const Mention& c
     });
     if (spread != problem.effects.end() && (gives("slip_angle") || gives("slip_ratio"))) {
         errors.warn(contact.place,
-                    fmt::format("{} goes round the tire, and the heat of sliding is spread around it: the tread "
-                                "is not heated in the contact, and the road takes no share of the heat there; "
-                                "sliding_friction takes around = \"in_contact\"",
+                    fmt::format("{} goes round the tire, but the heat of sliding is spread around it: the tread is not "
+                                "heated in the contact, and the road takes no share of that heat; write around = "
+                                "\"in_contact\" in [effects.sliding_friction]",
                                 contact.id));
     }
 }

@@ -25,10 +25,11 @@ public:
         int solves = 0;  ///< applications of the factor
     };
 
+    /// The error of x is J^-1 (b - J x). It may be larger than the preconditioned residual M^-1 (b - J x), by up to the
+    /// inverse of the smallest eigenvalue of M^-1 J. In a time step that is near one; in a steady state of layers whose
+    /// conductivities differ much it is far below.
     /// @param x [n] out, the solution; starts from zero
     /// @param residual [n] out, b - J x
-    /// The error of x is J^-1 (b - J x), which is the preconditioned residual M^-1 (b - J x) over the eigenvalues of M^-1 J:
-    /// beside a step's heat capacity they are near one; in a steady state of layers that conduct very unlike, far below.
     /// @param tolerance largest entry of M^-1 (b - J x), over the smallest eigenvalue met (a Rayleigh quotient of the
     /// directions), in the units of x
     /// @param relative_tolerance the same beside the largest entry of M^-1 b; the looser of the two ends the iteration

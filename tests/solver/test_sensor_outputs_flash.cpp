@@ -57,7 +57,9 @@ TEST(SensorOutputs, TheTreadsSurfaceSwingsInEveryRevolution) {
     problem.effects.back().parameters[0] = 0.5;
     first.clear();
     (void)support::run_closed(problem, keep_first);
-    EXPECT_NEAR(first[2] - first[0], 0.5 * (first[0] - 296.15) * contact.at_exit() + 0.5 * (heated + 10.9 - 1.75), 0.1);
+    const double by_half = heated * contact.heated_at_exit(0.5) / contact.heated_at_exit();
+    EXPECT_NEAR(first[2] - first[0], 0.5 * (first[0] - 296.15) * contact.at_exit() + by_half, 1e-9);
+    EXPECT_NEAR(by_half, 0.5 * (heated + 10.9 - 1.75), 0.1) << "between that with the whole road and that without one";
 }
 
 }  // namespace tiretherm::solver

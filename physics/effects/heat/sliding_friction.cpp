@@ -42,7 +42,8 @@ constexpr std::array<std::string_view, 1> patches{"outside"};
 void place(const PlacementContext& context, ActiveEffect& active) {
     spread_over_patches(context, active, active.tables[profile]);
     active.groups = active.choices[around] == in_contact ? sectors_of(context.mesh, active.nodes) : std::vector<int>{};
-    active.road = context.index_of(active.groups.empty() ? "resolved_contact" : "travelling_contact");
+    active.road = active.groups.empty() ? -1 : context.index_of("travelling_contact");
+    active.road = active.road < 0 ? context.index_of("resolved_contact") : active.road;
 }
 
 /// Power of sliding in the contact by the thesis's law. W
@@ -73,21 +74,22 @@ void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& poi
         }
     }
     const ActiveEffect* road = active.road >= 0 ? &point.effects[static_cast<std::size_t>(active.road)] : nullptr;
+    const bool road_travels = road != nullptr && travels(*road);
+    const double kept_in_the_mean = factor > 0.0 && road != nullptr && !road_travels ? kept_heat(*road, point) : 1.0;
     if (!active.groups.empty()) {
         const TravellingContact contact(point.tire, point.inputs);
         const int sectors = active.groups.back() + 1;
         for (int s = 0; s < sectors; ++s) {
             const double all = factor * concentration(contact, s, sectors);
-            const double kept = all > 0.0 && road != nullptr ? kept_heat(*road, contact, s, sectors) : 1.0;
+            const double kept = all > 0.0 && road_travels ? kept_heat(*road, contact, s, sectors) : kept_in_the_mean;
             heat[static_cast<std::size_t>(s)] = kept * all;
             out[taken_back] += (1.0 - kept) * all / sectors;
         }
         return;
     }
-    const double kept = factor > 0.0 && road != nullptr ? kept_heat(*road, point) : 1.0;
     for (double& watts : heat) {
-        out[taken_back] += (1.0 - kept) * factor * watts;
-        watts *= kept * factor;
+        out[taken_back] += (1.0 - kept_in_the_mean) * factor * watts;
+        watts *= kept_in_the_mean * factor;
     }
 }
 
@@ -127,9 +129,10 @@ const Effect sliding_friction{
     .source = "thesis (31)",
     .meaning =
         "Heat of sliding in the contact, into the outer surface. Either sign convention of Fy and the slip "
-        "angle gives the same heat; signals that are not given count as zero. Where resolved_contact or a "
-        "travelling_contact is on, the heat enters in the contact, and what the road takes of it there is booked as "
-        "its. "
+        "angle gives the same heat; signals that are not given count as zero. Beside "
+        "resolved_contact, and beside travelling_contact with around = \"in_contact\", the road takes a share of the "
+        "heat "
+        "back in the contact; the heat budget counts that share with the contact's effect. "
         "A field of a structural code places it by friction power, or gives its watts; around = \"in_contact\" lets it "
         "go round with travelling_contact.",
     .parameters = parameters,

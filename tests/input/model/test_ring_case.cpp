@@ -77,7 +77,7 @@ TEST(RingCase, TurnsTheWheelWhereAnEffectFollowsTheContact) {
 TEST(RingCase, WarnsWhereTheContactGoesRoundAndTheHeatOfSlidingDoesNot) {
     const std::string evenly = "[effects.road_contact]\non = false\n[effects.travelling_contact]\n";
     const auto warns = [](const Reading& reading) {
-        return render(reading).find("the heat of sliding is spread around it") != std::string::npos;
+        return render(reading).find("but the heat of sliding is spread around it") != std::string::npos;
     };
     const std::string slip = "[drive]\nslip_angle = \"4 deg\"\nlateral_force = \"3 kN\"\n";
     EXPECT_TRUE(warns(read(slip + evenly)));

@@ -108,13 +108,13 @@ solver::Problem ring_with(std::initializer_list<const char*> effects, int sector
 }
 
 /// Sum of an effect's exchanges and heat on a tire of 1 K above the road. W
-double watts(const solver::Problem& problem, const Inputs& in) {
+double watts(const solver::Problem& problem, const Inputs& in, std::size_t effect = 0) {
     solver::System system(problem);
     std::vector<double> coefficients(system.n_coefficients());
     system.evaluate_coefficients(in, coefficients);
     const std::vector<double> T(static_cast<std::size_t>(problem.mesh.n_nodes), in.road_temperature + 1.0);
     system.evaluate(T, coefficients);
-    return system.terms().watts[0];
+    return system.terms().watts[effect];
 }
 
 }  // namespace
@@ -148,6 +148,48 @@ TEST(SlidingFriction, GoesRoundWithTheContactAndKeepsItsWatts) {
     // 0.6 * 2000 N * 27.78 m/s * tan(2 deg) = 1164.1 W
     EXPECT_NEAR(watts(problem, in), 1164.1, 0.1);
     EXPECT_NEAR(watts(problem, in), evenly, 1e-9);
+}
+
+// The road takes the flux e_b / (e_a + e_b) (1 - g) of a heat of one; the rest enters the tread and warms its surface by theta,
+// its convolution with 1/(e_a sqrt(pi t)), here by the midpoint rule. Cells that show theta exchange conductance_at theta of it.
+TEST(ContactOfHalfSpaces, KeepsWhatTheRoadDoesNotTakeOfTheHeatOfSliding) {
+    const double since = 3e-3;
+    const double share = surfaces.effusivity_b / (surfaces.effusivity_a + surfaces.effusivity_b);
+    const double rate = surfaces.interface_h * (1.0 / surfaces.effusivity_a + 1.0 / surfaces.effusivity_b);
+    const auto taken = [&](double t) { return share * (1.0 - scaled_erfc(rate * std::sqrt(t))); };
+    double theta = 0.0;
+    const int n = 20000;
+    for (int i = 0; i < n; ++i) {  // the midpoint rule in the root of the time that is left
+        const double x = (i + 0.5) / n;
+        theta += 2.0 * std::sqrt(since / pi) / n * (1.0 - taken(since * (1.0 - x * x))) / surfaces.effusivity_a;
+    }
+    const double expected = 1.0 - taken(since) + surfaces.conductance_at(since) * theta;
+    EXPECT_NEAR(surfaces.kept_heat_at(since), expected, 1e-6);
+    EXPECT_EQ(surfaces.kept_heat_at(0.0), 1.0);
+}
+
+// Sectors pass what a column keeps, on the mean over the contact, and the heat budget counts the rest with the road: at every
+// angle, wherever the sectors' borders lie. 1164.1 W as above.
+TEST(SlidingFriction, OnARingLosesToTheRoadWhatAColumnDoes) {
+    solver::Problem problem = ring_with({"travelling_contact", "sliding_friction"}, 37);
+    problem.effects[1].choices[static_cast<std::size_t>(find_choice(*problem.effects[1].effect, around_key))] =
+        in_contact;
+    Inputs in = rolling(0.0);
+    in.lateral_force = 2000.0;
+    in.slip_angle = 2.0 * support::deg;
+    const double duration = problem.tire.contact_length(4000.0) / in.speed;
+    double kept = 0.0;
+    for (int i = 0; i < 4000; ++i) {
+        const double x = (i + 0.5) / 4000.0;
+        kept += 2.0 * x / 4000.0 * surfaces.kept_heat_at(duration * x * x);
+    }
+    ASSERT_LT(kept, 0.95);
+    const double cold = watts(ring_with({"travelling_contact"}, 37), in);
+    for (const double angle : {0.0, 0.01, 0.4, 2.0, 77.7}) {
+        in.wheel_angle = angle;
+        EXPECT_NEAR(watts(problem, in, 1), 1164.1, 0.1) << angle;
+        EXPECT_NEAR(watts(problem, in, 0) - cold, (kept - 1.0) * 1164.1, 0.1) << angle;
+    }
 }
 
 }  // namespace tiretherm::physics
