@@ -31,6 +31,10 @@ constexpr std::array table{
         &Inputs::slip_ratio,
         "Positive: the tire is driven, it turns faster than it rolls freely. Negative: it brakes; -1 is a locked "
         "wheel. Heat takes the magnitude; the longitudinal force of the Magic Formula and of the brush has its sign."},
+    Convention{
+        &Inputs::slip_speed,
+        "Positive: the tread runs faster backwards than the road under it, as in a wheel that spins. Heat takes the "
+        "magnitude; the Magic Formula's slip ratio is this speed over |V|, at standstill a large one."},
     Convention{&Inputs::lateral_force,
                "Drawn positive to the left (y). Heat takes the magnitude: either sign gives the same."},
     Convention{

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Values, slopes, exact integrals and means of quadratics and of tables with linear interpolation; over very narrow
-// intervals a table's mean is the average of its end values.
+// Values, slopes, exact integrals and means of quadratics, of quadratics held outside a range and of tables with linear
+// interpolation; over very narrow intervals the mean of the last two is the average of the end values.
 
 #include "physics/curve.hpp"
 
@@ -26,6 +26,19 @@ Curve Curve::quadratic_about(double origin, double a, double b, double c) {
     return quadratic(a - b * origin + c * origin * origin, b - 2.0 * c * origin, c);
 }
 
+Curve Curve::within(double low, double high) const {
+    assert(!is_table_ && low < high);
+    Curve curve = *this;
+    curve.has_range_ = true;
+    curve.low_ = low;
+    curve.high_ = high;
+    return curve;
+}
+
+std::optional<std::array<double, 2>> Curve::range() const {
+    return has_range_ ? std::optional(std::array{low_, high_}) : std::nullopt;
+}
+
 Curve Curve::table(std::vector<double> x, std::vector<double> y) {
     assert(!x.empty() && x.size() == y.size());
     Curve curve;
@@ -41,7 +54,11 @@ Curve Curve::table(std::vector<double> x, std::vector<double> y) {
 
 Curve Curve::scaled(double factor) const {
     if (!is_table_) {
-        return quadratic(factor * c0_, factor * c1_, factor * c2_);
+        Curve curve = *this;
+        curve.c0_ *= factor;
+        curve.c1_ *= factor;
+        curve.c2_ *= factor;
+        return curve;
     }
     std::vector<double> y = y_;
     for (double& value : y) {
@@ -52,7 +69,7 @@ Curve Curve::scaled(double factor) const {
 
 Curve Curve::plus_line(double origin, double slope) const {
     if (!is_table_) {
-        return quadratic(c0_ - slope * origin, c1_ + slope, c2_);
+        return plus_quadratic(origin, 0.0, slope, 0.0);
     }
     std::vector<double> y = y_;
     for (std::size_t i = 0; i < y.size(); ++i) {
@@ -64,7 +81,11 @@ Curve Curve::plus_line(double origin, double slope) const {
 Curve Curve::plus_quadratic(double origin, double a, double b, double c) const {
     assert(!is_table_);
     const Curve more = quadratic_about(origin, a, b, c);
-    return quadratic(c0_ + more.c0_, c1_ + more.c1_, c2_ + more.c2_);
+    Curve curve = *this;
+    curve.c0_ += more.c0_;
+    curve.c1_ += more.c1_;
+    curve.c2_ += more.c2_;
+    return curve;
 }
 
 double Curve::table_value(double x) const {
@@ -98,15 +119,24 @@ double Curve::table_integral(double x) const {
     return before + area_[i] + 0.5 * (y_[i] + table_value(x)) * (x - x_[i]);
 }
 
-Curve::Mean Curve::table_mean(double a, double b) const {
+/// From 0, in up to three pieces: held, the quadratic, held.
+double Curve::held_integral(double x) const {
+    const auto from_low = [this](double y) {
+        const double inside = is_inside(y) ? y : held(y);
+        return antiderivative(inside) - antiderivative(low_) + polynomial(inside) * (y - inside);
+    };
+    return from_low(x) - from_low(0.0);
+}
+
+Curve::Mean Curve::mean_of_pieces(double a, double b) const {
     const double width = b - a;
     // Below this width the difference of two integrals loses more digits than the midpoint rule's error.
     if (std::abs(width) < 1e-4 * (1.0 + std::abs(a))) {
-        const double slope = 0.5 * (table_slope(a) + table_slope(b));
-        return {0.5 * (table_value(a) + table_value(b)), 0.5 * slope, 0.5 * slope};
+        const double mean_slope = 0.5 * (slope(a) + slope(b));
+        return {0.5 * (value(a) + value(b)), 0.5 * mean_slope, 0.5 * mean_slope};
     }
-    const double mean = (table_integral(b) - table_integral(a)) / width;
-    return {mean, (mean - table_value(a)) / width, (table_value(b) - mean) / width};
+    const double mean = (integral(b) - integral(a)) / width;
+    return {mean, (mean - value(a)) / width, (value(b) - mean) / width};
 }
 
 double Curve::minimum(double low, double high) const {
@@ -118,7 +148,7 @@ double Curve::minimum(double low, double high) const {
             }
         }
     } else if (c2_ != 0.0) {
-        if (const double vertex = -0.5 * c1_ / c2_; vertex > low && vertex < high) {
+        if (const double vertex = -0.5 * c1_ / c2_; vertex > low && vertex < high && is_inside(vertex)) {
             least = std::min(least, value(vertex));
         }
     }

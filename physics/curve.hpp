@@ -4,13 +4,15 @@
 #pragma once
 
 #include <array>
+#include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace tiretherm::physics {
 
 /// A law of one variable: a quadratic c0 + c1 x + c2 x^2 (thesis (34)), or a table joined by straight lines and held
-/// constant beyond its ends. Used for k(T), c(T) with x in kelvin, and for tire laws with x the vertical load in N.
+/// constant beyond its ends. A quadratic may have a range, beyond which it is held as well. Used for k(T), c(T) with x in kelvin, and for tire laws with x the vertical load in N.
 class Curve {
 public:
     Curve() = default;
@@ -21,12 +23,22 @@ public:
     /// @param x ascending, at least one  @param y as many
     [[nodiscard]] static Curve table(std::vector<double> x, std::vector<double> y);
 
-    [[nodiscard]] double value(double x) const { return is_table_ ? table_value(x) : c0_ + x * (c1_ + x * c2_); }
-    [[nodiscard]] double slope(double x) const { return is_table_ ? table_slope(x) : c1_ + 2.0 * c2_ * x; }
+    /// The same quadratic, held at its end values outside [low, high]; outside a table's ends it is held already.
+    /// @pre it is no table, low < high
+    [[nodiscard]] Curve within(double low, double high) const;
+    /// Where a quadratic that is held elsewhere holds; none for one without a range and for a table.
+    [[nodiscard]] std::optional<std::array<double, 2>> range() const;
+
+    [[nodiscard]] double value(double x) const {
+        return is_table_ ? table_value(x) : is_inside(x) ? polynomial(x) : polynomial(held(x));
+    }
+    [[nodiscard]] double slope(double x) const {
+        return is_table_ ? table_slope(x) : is_inside(x) ? c1_ + 2.0 * c2_ * x : 0.0;
+    }
 
     /// Integral from the origin 0 to x, exact for both kinds.
     [[nodiscard]] double integral(double x) const {
-        return is_table_ ? table_integral(x) : x * (c0_ + x * (0.5 * c1_ + x * c2_ / 3.0));
+        return is_table_ ? table_integral(x) : has_range_ ? held_integral(x) : antiderivative(x);
     }
 
     /// Mean over [a, b], and its derivative with respect to a. Between two cells of one material this is the
@@ -37,8 +49,8 @@ public:
         double slope_b;
     };
     [[nodiscard]] Mean mean(double a, double b) const {
-        if (is_table_) {
-            return table_mean(a, b);
+        if (is_table_ || !is_inside(a) || !is_inside(b)) {
+            return mean_of_pieces(a, b);
         }
         return {c0_ + 0.5 * c1_ * (a + b) + c2_ / 3.0 * (a * a + a * b + b * b), 0.5 * c1_ + c2_ / 3.0 * (2.0 * a + b),
                 0.5 * c1_ + c2_ / 3.0 * (a + 2.0 * b)};
@@ -65,12 +77,20 @@ public:
     friend bool operator==(const Curve&, const Curve&) = default;
 
 private:
+    [[nodiscard]] bool is_inside(double x) const { return x >= low_ && x <= high_; }
+    [[nodiscard]] double held(double x) const { return x < low_ ? low_ : high_; }
+    [[nodiscard]] double polynomial(double x) const { return c0_ + x * (c1_ + x * c2_); }
+    [[nodiscard]] double antiderivative(double x) const { return x * (c0_ + x * (0.5 * c1_ + x * c2_ / 3.0)); }
+    [[nodiscard]] double held_integral(double x) const;
     [[nodiscard]] double table_value(double x) const;
     [[nodiscard]] double table_slope(double x) const;
     [[nodiscard]] double table_integral(double x) const;
-    [[nodiscard]] Mean table_mean(double a, double b) const;
+    [[nodiscard]] Mean mean_of_pieces(double a, double b) const;
 
     bool is_table_ = false;
+    bool has_range_ = false;
+    double low_ = -std::numeric_limits<double>::infinity();
+    double high_ = std::numeric_limits<double>::infinity();
     double c0_ = 0.0;
     double c1_ = 0.0;
     double c2_ = 0.0;

@@ -71,6 +71,11 @@ struct EvaluationState {
     const ActiveEffect& active;
     std::span<const double> coefficients;        ///< [n_coefficients] of this effect
     std::span<const LossFactor> loss_factors{};  ///< on the strain-energy loss
+
+    /// What a cell or surface node is made of.
+    [[nodiscard]] const Material& material_at(int node) const {
+        return material_model.materials[static_cast<std::size_t>(mesh.layer[static_cast<std::size_t>(node)])];
+    }
 };
 
 /// A law that scales the strain-energy loss by a region's mean temperature.

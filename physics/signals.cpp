@@ -13,11 +13,13 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-constexpr std::array<Signal, 13> table{{
+constexpr std::array<Signal, 14> table{{
     {"speed", "m s-1", &Inputs::speed, -150.0, 150.0, "speed of the road under the tire"},
     {"vertical_load", "N", &Inputs::vertical_load, 0.0, 2e5, "vertical load on the tire"},
     {"slip_angle", "radian", &Inputs::slip_angle, -0.45 * pi, 0.45 * pi, "slip angle; either sign convention"},
     {"slip_ratio", "1", &Inputs::slip_ratio, -1.0, 20.0, "(Omega R_R - V) / V"},
+    {"slip_speed", "m s-1", &Inputs::slip_speed, -150.0, 150.0,
+     "Omega R_R - V, in the place of slip_ratio where V may be near 0"},
     {"lateral_force", "N", &Inputs::lateral_force, -2e5, 2e5, "lateral force; either sign convention"},
     {"longitudinal_force", "N", &Inputs::longitudinal_force, -2e5, 2e5, "longitudinal force"},
     {"camber", "radian", &Inputs::camber, -0.5 * pi, 0.5 * pi, "camber, negative with the top leaning inboard"},

@@ -16,10 +16,11 @@ struct Inputs {
     double vertical_load = 0.0;       ///< N
     double slip_angle = 0.0;          ///< rad
     double slip_ratio = 0.0;          ///< 1, (Omega R_R - V) / V
+    double slip_speed = 0.0;          ///< m/s, Omega R_R - V, of a tire whose slip ratio has no bound: V near 0
     double lateral_force = 0.0;       ///< N
     double longitudinal_force = 0.0;  ///< N
     double camber = 0.0;              ///< rad, negative: top leaning inboard
-    double inflation_pressure = 0.0;  ///< Pa
+    double inflation_pressure = 0.0;  ///< Pa above the atmosphere
     double air_temperature = 0.0;     ///< K
     double road_temperature = 0.0;    ///< K
     double wet = 0.0;                 ///< 0 or 1
@@ -38,6 +39,16 @@ struct Signal {
     double high;
     std::string_view meaning;
 };
+
+/// Speed at which the contact slides along the tire's heading, Omega R_R - V, by the slip ratio or the slip speed, of which
+/// one is given. @returns m/s
+[[nodiscard]] inline double longitudinal_slip_speed(const Inputs& inputs) {
+    return inputs.speed * inputs.slip_ratio + inputs.slip_speed;
+}
+
+/// Speed of the tread around the wheel's axis, by which the tire is deformed: V, and with a slip speed V + that, so that a
+/// wheel that spins on the spot rolls. A slip ratio leaves the thesis's V. @returns m/s
+[[nodiscard]] inline double rolling_speed(const Inputs& inputs) { return inputs.speed + inputs.slip_speed; }
 
 [[nodiscard]] std::span<const Signal> signals();
 /// On the straight line from one moment (share 0) to another (share 1).

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "physics/tire_laws/scaled_tire.hpp"
+
 namespace tiretherm::physics {
 
 namespace {
@@ -58,14 +60,52 @@ double Tire::revolutions(double speed, double vertical_load) const {
     return std::abs(speed) / (2.0 * pi * rolling_radius(vertical_load));
 }
 
+double Tire::vertical_stiffness(double pressure) const {
+    return physics::vertical_stiffness({.width = width,
+                                        .section_height = section_height,
+                                        .rim_diameter = 2.0 * (unloaded_radius - section_height),
+                                        .inflation_pressure = std::max(0.0, pressure)});
+}
+
+double Tire::reference_load(const Inputs& inputs) const {
+    return reference_pressure <= 0.0 || inputs.inflation_pressure == reference_pressure
+               ? inputs.vertical_load
+               : inputs.vertical_load * vertical_stiffness(reference_pressure) /
+                     vertical_stiffness(inputs.inflation_pressure);
+}
+
+double Tire::pressure_factor_of_loss(double pressure) const {
+    constexpr double least_share = 0.2;  // of the reference: a flat tire is none of this law
+    return reference_pressure > 0.0
+               ? std::pow(std::max(pressure / reference_pressure, least_share), -pressure_exponent_of_loss)
+               : 1.0;
+}
+
 double LossTangent::shift(double frequency) const {
     const double decades = std::log10(frequency / f0);
     return C2 * decades / (C1 - decades);
 }
 
+LossTangent::Place LossTangent::on_gaussian(double T_eq) const {
+    constexpr double reach = 8.0;  // K, of the parabola that joins the two branches
+    const double above = T_eq - peak;
+    if (peak <= 0.0 || b >= peak || above >= reach) {
+        return {.T = T_eq};
+    }
+    if (above <= -reach) {
+        return {.T = peak - above, .dT = -1.0};
+    }
+    return {.T = peak + 0.5 * (above * above / reach + reach), .dT = above / reach};
+}
+
 double LossTangent::value(double T_eq) const {
-    const double x = (T_eq - b) / c;
+    const double x = (on_gaussian(T_eq).T - b) / c;
     return a * std::exp(-x * x);
+}
+
+double LossTangent::log_slope(double T_eq) const {
+    const Place place = on_gaussian(T_eq);
+    return -2.0 * (place.T - b) / (c * c) * place.dT;
 }
 
 double strain_power(const Tire& tire, double speed, double vertical_load) {
@@ -77,6 +117,11 @@ double strain_power(const Tire& tire, double speed, double vertical_load) {
     const double energy = vertical_load * strain * tire.area_ratio() * tire.section_height;       // (43) / tan delta
     const double volumes = 2.0 * pi * tire.unloaded_radius / tire.contact_length(vertical_load);  // (44)
     return energy * volumes * tire.revolutions(speed, vertical_load);                             // (45)(46)
+}
+
+double strain_power(const Tire& tire, const Inputs& inputs) {
+    return strain_power(tire, rolling_speed(inputs), inputs.vertical_load) *
+           tire.pressure_factor_of_loss(inputs.inflation_pressure);
 }
 
 }  // namespace tiretherm::physics

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Dimensions of a tire and its laws: contact length and area, radii, loss tangent, power of the strain-energy loss
-// (thesis (35), (37)-(49), (57), (62), (66)-(68), errata E1 to E3, E5, E7, E8, E16).
+// (thesis (35), (37)-(49), (57), (62), (66)-(68), errata E1 to E3, E5, E7, E8, E16), and how they follow the inflation
+// pressure (Rhyne 2005; SAE J2452).
 #pragma once
 
 #include <optional>
 #include <string>
 
 #include "physics/curve.hpp"
+#include "physics/signals.hpp"
 
 namespace tiretherm::physics {
 
@@ -30,6 +32,10 @@ struct Tire {
     double loaded_radius_slope = -4.2e-6;     ///< m/N
     double rolling_radius_factor = 0.3483;    ///< m at 1 N
     double rolling_radius_exponent = -0.009;  ///< 1
+
+    /// Pa above the atmosphere at which the laws of the load hold; 0: they do not follow the pressure.
+    double reference_pressure = 0.0;
+    double pressure_exponent_of_loss = 0.45;  ///< 1, the loss falls with this power of the pressure
     std::optional<Curve> contact_length_table;
     std::optional<Curve> contact_area_table;
     std::optional<Curve> loaded_radius_table;
@@ -53,12 +59,38 @@ struct Tire {
     /// Revolutions per second V / (2 pi R_R)                              thesis (47). @returns Hz
     [[nodiscard]] double revolutions(double speed, double vertical_load) const;
 
+    /// Vertical stiffness of a radial tire of these dimensions, by Rhyne's formula (tire_laws/scaled_tire.hpp).
+    /// @param pressure Pa above the atmosphere  @returns N/m
+    [[nodiscard]] double vertical_stiffness(double pressure) const;
+    /// The load that deflects the tire at its reference pressure as the vertical load does at the pressure of the moment:
+    /// Fz K_z(reference_pressure) / K_z(p). Contact length and area and the radii follow the deflection, and with it this
+    /// load. The vertical load itself without a reference pressure. @returns N
+    [[nodiscard]] double reference_load(const Inputs& inputs) const;
+    /// The laws of the load at the pressure of a moment.
+    [[nodiscard]] double contact_length(const Inputs& inputs) const { return contact_length(reference_load(inputs)); }
+    /// 0 without contact
+    [[nodiscard]] double contact_area(const Inputs& inputs) const {
+        return touches(inputs.vertical_load) ? contact_area(reference_load(inputs)) : 0.0;
+    }
+    [[nodiscard]] double loaded_radius(const Inputs& inputs) const { return loaded_radius(reference_load(inputs)); }
+    [[nodiscard]] double rolling_radius(const Inputs& inputs) const { return rolling_radius(reference_load(inputs)); }
+    /// Of the tire as it rolls, at `rolling_speed`. @returns Hz
+    [[nodiscard]] double revolutions(const Inputs& inputs) const {
+        return revolutions(rolling_speed(inputs), reference_load(inputs));
+    }
+    /// How the loss follows the pressure: (p / reference_pressure)^-pressure_exponent_of_loss, 1 without a reference;
+    /// below a fifth of the reference it is held. SAE J2452, whose exponents of the pressure are -0.4 to -0.5 (recalled).
+    [[nodiscard]] double pressure_factor_of_loss(double pressure) const;
+
     friend bool operator==(const Tire&, const Tire&) = default;
 };
 
 /// Loss tangent of the compound: a Gaussian of an equivalent temperature that WLF shifts with frequency.
 ///     T_eq = T + C2 log10(f/f0) / (C1 - log10(f/f0)),   tan delta = a exp(-((T_eq - b)/c)^2)
 /// thesis (48)(49), errata E1 (kelvin), E7 (sign)
+/// Below 265 K and that the Gaussian would go on rising towards b. Rubber's loss peaks near its glass transition instead:
+/// below the peak at 265.15 K it falls as it rose, and within 8 K of the peak a parabola joins the two branches smoothly.
+/// Where the Gaussian itself peaks at b > that, it has its own peak.
 struct LossTangent {
     double a = 2.14e15;
     double b = -4989.0;  ///< K
@@ -66,18 +98,30 @@ struct LossTangent {
     double f0 = 52.0;    ///< Hz
     double C1 = -8.86;   ///< 1
     double C2 = 101.6;   ///< K
+    /// K, the equivalent temperature of the peak; 0: the Gaussian alone. -8 degC is that of the thesis's figure (5).
+    double peak = 265.15;
 
     /// @param frequency Hz, > 0  @returns K, added to the temperature
     [[nodiscard]] double shift(double frequency) const;
     /// @param T_eq K
     [[nodiscard]] double value(double T_eq) const;
     /// Its logarithmic derivative d ln(tan delta)/dT. @returns 1/K
-    [[nodiscard]] double log_slope(double T_eq) const { return -2.0 * (T_eq - b) / (c * c); }
+    [[nodiscard]] double log_slope(double T_eq) const;
+
+private:
+    /// Where on the Gaussian the loss is that of an equivalent temperature, and the derivative of the one with the other.
+    struct Place {
+        double T = 0.0;
+        double dT = 1.0;
+    };
+    [[nodiscard]] Place on_gaussian(double T_eq) const;
 };
 
 /// Power lost per unit of loss tangent: Fz eps Ratio H (2 pi R0 / l) (V / (2 pi R_R))   thesis (37)-(47). @returns W
 /// 0 at rest and without contact (erratum E8).
 [[nodiscard]] double strain_power(const Tire& tire, double speed, double vertical_load);
+/// The same at the rolling speed and the inflation pressure of a moment.
+[[nodiscard]] double strain_power(const Tire& tire, const Inputs& inputs);
 
 /// Speed below which the tire counts as standing. m/s
 inline constexpr double standing_speed = 0.1;

@@ -8,7 +8,9 @@
 #include <numeric>
 
 #include "physics/contact/contact_in_revolutions.hpp"
+#include "physics/contact/heat_of_sliding.hpp"
 #include "physics/contact/rolling_contact.hpp"
+#include "physics/contact/tread_effusivity.hpp"
 #include "physics/contact/travelling.hpp"
 #include "physics/tire_laws/rolling_resistance.hpp"
 #include "solver/celsius.hpp"
@@ -49,19 +51,23 @@ double conducted_to_surface(const FollowedState& state) {
 }
 
 double drag_force(const SensorMoment& now) {
-    return physics::rolling_drag(tire_of(now), now.followed, now.inputs.speed, now.inputs.vertical_load);
+    return physics::rolling_drag(tire_of(now), now.followed, physics::rolling_speed(now.inputs),
+                                 tire_of(now).reference_load(now.inputs));
 }
 
 double rolling_moment(const SensorMoment& now) {
-    return physics::rolling_moment(tire_of(now), now.followed, now.inputs.speed, now.inputs.vertical_load);
+    return physics::rolling_moment(tire_of(now), now.followed, physics::rolling_speed(now.inputs),
+                                   tire_of(now).reference_load(now.inputs));
 }
 
-double loaded_radius(const SensorMoment& now) { return tire_of(now).loaded_radius(now.inputs.vertical_load); }
+double loaded_radius(const SensorMoment& now) { return tire_of(now).loaded_radius(now.inputs); }
 
 double cornering_stiffness(const SensorMoment& now) {
     const Handling& handling = now.problem.handling;
     return handling.lambda_CP *
-           physics::cornering_stiffness(handling.modulus, tire_of(now), now.inputs.vertical_load, now.followed).value;
+           physics::cornering_stiffness(handling.modulus, tire_of(now), tire_of(now).reference_load(now.inputs),
+                                        now.followed)
+               .value;
 }
 
 double lambda_Tb(const SensorMoment& now) {
@@ -88,8 +94,9 @@ double reference_lateral_force(const SensorMoment& now) {
 
 double longitudinal_force(const SensorMoment& now) {
     physics::PureSlipState state = side_slip(now.inputs);
-    state.slip = now.inputs.slip_ratio;
-    state.sliding_speed = std::abs(now.inputs.speed * now.inputs.slip_ratio);
+    constexpr double least_speed = 0.1;  // m/s: below it a slip ratio is beyond any law
+    state.slip = now.inputs.slip_ratio + now.inputs.slip_speed / std::max(std::abs(now.inputs.speed), least_speed);
+    state.sliding_speed = std::abs(physics::longitudinal_slip_speed(now.inputs));
     return now.problem.handling.magic_formula->longitudinal(state).force;
 }
 
@@ -107,21 +114,27 @@ double flash(const SensorMoment& now) {
     if (road == effects.end()) {
         return T;
     }
-    const std::optional<physics::ContactInRevolutions> contact = physics::contact_in_revolutions(*road, tire, inputs);
+    const mesh::Mesh& mesh = now.problem.mesh;
+    const int node = mesh.patches[static_cast<std::size_t>(road->patches.front())].faces.front().node;
+    const auto layer = static_cast<std::size_t>(mesh.layer[static_cast<std::size_t>(node)]);
+    const double e = physics::effusivity(now.system.material_model().materials[layer], T).value;
+    const std::optional<physics::ContactInRevolutions> contact =
+        physics::contact_in_revolutions(*road, e, tire, inputs);
     if (!contact) {
         return T;
     }
     const bool entry = now.quantity == Quantity::surface_at_entry;
-    double heated = 0.0;  // W/m2
+    const double scale = physics::rolling_contact::scale_of(*road);
+    double heated = 0.0;
     if (const auto sliding = by_id("sliding_friction"); sliding != effects.end() && !physics::travels(*sliding)) {
         now.system.evaluate_coefficients(now.logged, now.coefficients);
         const auto of_sliding =
             now.system.coefficients_of(static_cast<std::size_t>(sliding - effects.begin()), now.coefficients);
-        heated = std::accumulate(of_sliding.begin(), of_sliding.end(), 0.0) / tire.contact_area(inputs.vertical_load);
+        const auto [watts, enters] = physics::heat_of_sliding(*sliding, of_sliding, e);
+        heated = watts / tire.contact_area(inputs) *
+                 (entry ? contact->heated_at_entry(scale, enters) : contact->heated_at_exit(scale, enters));
     }
-    const double scale = physics::rolling_contact::scale_of(*road);
-    return T + scale * (T - inputs.road_temperature) * (entry ? contact->at_entry() : contact->at_exit()) +
-           heated * (entry ? contact->heated_at_entry(scale) : contact->heated_at_exit(scale));
+    return T + scale * (T - inputs.road_temperature) * (entry ? contact->at_entry() : contact->at_exit()) + heated;
 }
 
 double gas_pressure(const SensorMoment& now) {

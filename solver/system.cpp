@@ -134,21 +134,18 @@ physics::EvaluationState System::evaluation_state(std::size_t e, std::span<const
             .temperature = T,
             .region_mean = means,
             .active = active,
-            .coefficients = n > 0 ? coefficients.subspan(first_coefficient_[e], n) : std::span<const double>(),
+            .coefficients = n > 0 && !coefficients.empty() ? coefficients.subspan(first_coefficient_[e], n) : std::span<const double>(),
             .loss_factors = loss_factors_};
 }
 
-void System::find_loss_factors(std::span<const double> T, std::span<const double> means, LeftOut left_out) const {
+/// None without coefficients, which some effects alone need.
+void System::find_loss_factors(std::span<const double> T, std::span<const double> means,
+                               std::span<const double> coefficients, LeftOut left_out) const {
     loss_factors_.clear();
     for (std::size_t e = 0; e < effects_.size(); ++e) {
         const physics::LossLaw scale = effects_[e].effect->loss_law();
-        if (scale != nullptr && e != left_out) {
-            loss_factors_.push_back(scale({.mesh = problem_->mesh,
-                                           .material_model = material_model_,
-                                           .temperature = T,
-                                           .region_mean = means,
-                                           .active = effects_[e],
-                                           .coefficients = {}}));
+        if (scale != nullptr && e != left_out && !coefficients.empty()) {
+            loss_factors_.push_back(scale(evaluation_state(e, T, means, coefficients)));
         }
     }
 }
@@ -160,7 +157,7 @@ void System::evaluate(std::span<const double> T, std::span<const double> coeffic
 void System::evaluate(std::span<const double> T, std::span<const double> coefficients, LeftOut left_out) {
     terms_.begin(T);
     find_means(T, means_);
-    find_loss_factors(T, means_, left_out);
+    find_loss_factors(T, means_, coefficients, left_out);
     for (std::size_t e = 0; e < effects_.size(); ++e) {
         const physics::HeatEffect* heat = effects_[e].effect->heat_effect();
         if (heat == nullptr) {
@@ -195,7 +192,7 @@ void System::evaluate(std::span<const double> T, std::span<const double> coeffic
 void System::find_flow_of(std::span<const std::size_t> which, std::span<const double> T, std::span<const double> means,
                           std::span<const double> coefficients, std::span<double> q) const {
     here_.begin(T);
-    find_loss_factors(T, means, std::nullopt);
+    find_loss_factors(T, means, coefficients, std::nullopt);
     for (const std::size_t e : which) {
         here_.attribute_to(e);
         effects_[e].effect->heat_effect()->add_terms(evaluation_state(e, T, means, coefficients), here_);
@@ -250,7 +247,7 @@ int System::first_not_finite() const {
 
 std::string System::largest_heat_source(int node, std::span<const double> T, std::span<const double> coefficients) {
     find_means(T, means_);
-    find_loss_factors(T, means_, std::nullopt);
+    find_loss_factors(T, means_, coefficients, std::nullopt);
     double largest = -1.0;
     std::string name = "none";
     for (std::size_t e = 0; e < effects_.size(); ++e) {

@@ -87,7 +87,8 @@ private:
     using LeftOut = std::optional<std::size_t>;
     void evaluate_coefficients(const physics::Inputs& logged, std::span<double> out, LeftOut left_out) const;
     void evaluate(std::span<const double> T, std::span<const double> coefficients, LeftOut left_out);
-    void find_loss_factors(std::span<const double> T, std::span<const double> means, LeftOut left_out) const;
+    void find_loss_factors(std::span<const double> T, std::span<const double> means,
+                           std::span<const double> coefficients, LeftOut left_out) const;
     [[nodiscard]] double total_heat(std::span<const double> T, const physics::Inputs& logged, LeftOut left_out);
     [[nodiscard]] std::string largest_heat_source(int node, std::span<const double> T,
                                                   std::span<const double> coefficients);

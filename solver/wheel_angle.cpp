@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Integrates V/R_R by Simpson's rule and finds the moments at which an edge of the contact has moved by a whole sector
+// Integrates the rolling speed over R_R by Simpson's rule and finds the moments at which an edge of the contact has moved by a whole sector
 // by regula falsi (Illinois).
 
 #include "solver/wheel_angle.hpp"
@@ -39,8 +39,8 @@ public:
                 t = time;
                 angle = where;
                 if (t < knot && problem_.mesh.sectors == 1) {
-                    const double before =
-                        at(t, JumpSide::before).speed < 0.0 ? position_tolerance : -position_tolerance;
+                    const bool backwards = physics::rolling_speed(at(t, JumpSide::before)) < 0.0;
+                    const double before = backwards ? position_tolerance : -position_tolerance;
                     add(t, angle + before);
                     add(t, angle - before);
                 } else {
@@ -63,7 +63,7 @@ private:
     [[nodiscard]] physics::Inputs at(double t, JumpSide side) const { return problem_.input_signals.at(t, side); }
 
     [[nodiscard]] double rate(const physics::Inputs& in) const {
-        return in.speed / problem_.tire.rolling_radius(in.vertical_load);
+        return physics::rolling_speed(in) / problem_.tire.rolling_radius(in);
     }
 
     /// Where the inputs bend: between two of them its inputs are straight.
@@ -90,7 +90,8 @@ private:
     /// How far the contact's two edges have come, in pitches.
     [[nodiscard]] std::array<double, 2> edges(double angle, const physics::Inputs& in) const {
         const physics::TravellingContact contact(problem_.tire, in);
-        const double travelled = (in.speed < 0.0 ? -1.0 : 1.0) * (angle - std::numbers::pi);
+        const double direction = physics::rolling_speed(in) < 0.0 ? -1.0 : 1.0;
+        const double travelled = direction * (angle - std::numbers::pi);
         return {(travelled + 0.5 * contact.length()) / pitch_, (travelled - 0.5 * contact.length()) / pitch_};
     }
 

@@ -19,8 +19,6 @@ namespace tiretherm::diagnosis {
 
 namespace {
 
-/// Local error of a step, K. At 10 mK the steps of a bench bias its loss by 0.3 standard deviations.
-constexpr double step_error = 1e-3;
 /// Standard deviations of the discretisation error: from the first on it is corrected; the correction leaves a quarter
 /// of it at most, as another halving would change a quarter of what the last one did; from the last on nothing can be
 /// said.
@@ -82,10 +80,7 @@ void diagnose(const input::Experiment& experiment, const Observations& observati
         result = cannot_tell(std::move(result), experiment, observations);
         return;
     }
-    input::Experiment fine = experiment;
-    for (input::MeasuredRun& run : fine.runs) {
-        run.problem.settings.tolerance = std::min(run.problem.settings.tolerance, step_error);
-    }
+    const input::Experiment fine = with_fine_steps(experiment);
     DiagnosisState state;
     state.score_data = prepare_score_tests(fine, observations, candidates_of(fine, fine.candidates), choice.progress);
     result.status = state.score_data.status;

@@ -52,6 +52,14 @@ std::optional<Share> a_share_of(const std::vector<Block>& blocks, std::size_t n_
 
 }  // namespace
 
+input::Experiment with_fine_steps(input::Experiment experiment) {
+    constexpr double step_error = 1e-3;  // K
+    for (input::MeasuredRun& run : experiment.runs) {
+        run.problem.settings.tolerance = std::min(run.problem.settings.tolerance, step_error);
+    }
+    return experiment;
+}
+
 Fit::Fit(const input::Experiment& experiment, const Observations& observations)
     : experiment_(experiment),
       observations_(observations),

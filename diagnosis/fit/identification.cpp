@@ -150,7 +150,10 @@ Identification identify(const input::Experiment& experiment, const Observations&
     Identification result;
     const char* stage = "fit";
     try {
-        identify(experiment, observations, choice, result, stage);
+        // Images are corrected for the errors of grid and steps together.
+        const bool by_images = !observations.images.empty();
+        const input::Experiment fine = by_images ? experiment : with_fine_steps(experiment);
+        identify(fine, observations, choice, result, stage);
     } catch (const solver::Interrupted&) {
         result.status = {solver::Outcome::stopped, fmt::format("stopped during the {}", stage)};
     }

@@ -37,6 +37,14 @@ void read_choice(TomlTable& table, const physics::Choice& choice, int& chosen) {
     }
 }
 
+/// Whether a parameter's key holds a word of the choice that goes by the same key.
+bool is_choice(TomlTable& table, const Effect& effect, std::string_view key) {
+    const int choice = physics::find_choice(effect, key);
+    const TomlValue* value = choice >= 0 && table.has(key) ? table.value(key) : nullptr;
+    return value != nullptr && value->kind == TomlValue::Kind::text &&
+           std::ranges::count(effect.choices[static_cast<std::size_t>(choice)].options.subspan(1), value->text) > 0;
+}
+
 /// A list of parts of the mesh: `patches` or `layers`.
 /// @param plural what messages call them; the key itself
 template <typename Find>
@@ -132,11 +140,16 @@ ActiveEffect read_active(TomlTable& table, const Effect& effect, const ProblemBu
     ActiveEffect active = physics::activate(effect, builder.problem.mesh);
     for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
         const ParameterSpec& parameter = effect.parameters[i];
-        active.parameters[i] =
-            table.quantity(parameter.key, quantity_specs::of(parameter)).value_or(parameter.standard);
+        active.parameters[i] = is_choice(table, effect, parameter.key)
+                                   ? parameter.standard
+                                   : table.quantity(parameter.key, quantity_specs::of(parameter))
+                                         .value_or(parameter.standard);
     }
     for (std::size_t i = 0; i < effect.choices.size(); ++i) {
-        read_choice(table, effect.choices[i], active.choices[i]);
+        const std::string_view key = effect.choices[i].key;
+        if (physics::find_parameter(effect, key) < 0 || is_choice(table, effect, key)) {
+            read_choice(table, effect.choices[i], active.choices[i]);
+        }
     }
     const mesh::Mesh& mesh = builder.problem.mesh;
     for (std::size_t i = 0; i < effect.tables.size(); ++i) {

@@ -4,6 +4,7 @@
 #include "input/effects/effect_requirements.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include "input/model/probes.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
+#include "physics/contact/travelling.hpp"
 #include "solver/system.hpp"
 
 namespace tiretherm::input {
@@ -42,6 +44,35 @@ std::string mapping_to(std::string_view input, const RunInputs& run, const std::
     return free.empty() ? ""
                         : fmt::format("map a column of the file ({}) to it, columns = {{ COLUMN = \"{}\" }}, or ",
                                       fmt::join(free, ", "), input);
+}
+
+/// Whether any slip is given that makes heat.
+bool gives_slip(const ProblemBuilder& builder) {
+    return std::ranges::any_of(std::array<std::string_view, 3>{"slip_angle", "slip_ratio", "slip_speed"},
+                               [&](std::string_view name) { return builder.given.contains(name); });
+}
+
+/// Sensors, and sensor models of them, that read a signal.
+std::vector<std::string> sensors_that_read(const ProblemBuilder& builder, std::string_view signal) {
+    std::vector<std::string> found;
+    for (std::size_t c = 0; c < builder.problem.n_sensors(); ++c) {
+        const solver::Channel& channel = builder.problem.channels[c];
+        const solver::QuantityDescription& quantity = solver::description_of(channel.quantity);
+        const bool by_model = std::ranges::any_of(builder.problem.effects, [&](const ActiveEffect& a) {
+            return uses(*a.effect, signal) && std::ranges::count(a.channels, static_cast<int>(c)) > 0;
+        });
+        // The Magic Formula follows the camber where there is any, but does not need it.
+        if (std::ranges::count(quantity.signals, signal) > 0 || by_model ||
+            (quantity.needs_magic_formula && signal == "camber")) {
+            found.push_back(channel.name);
+        }
+    }
+    return found;
+}
+
+/// Whether an effect lets heat or a law of it follow a signal; sensor models do not.
+bool heats_by(const ActiveEffect& active, std::string_view signal) {
+    return active.effect->sensor_model() == nullptr && uses(*active.effect, signal);
 }
 
 }  // namespace
@@ -100,6 +131,29 @@ void warn_of_doubles(TomlTable& root, const ProblemBuilder& builder) {
     }
 }
 
+void warn_of_two_shares(TomlTable& root, const ProblemBuilder& builder) {
+    const std::vector<ActiveEffect>& effects = builder.problem.effects;
+    const auto sliding = std::ranges::find_if(effects, [](const ActiveEffect& a) { return a.effect->id == "sliding_friction"; });
+    if (sliding == effects.end() || !gives_slip(builder)) {
+        return;
+    }
+    const double share = (*sliding)[static_cast<std::size_t>(physics::find_parameter(*sliding->effect, "partition"))];
+    const bool by_number = sliding->choices[static_cast<std::size_t>(physics::find_choice(*sliding->effect, "partition"))] == 0;
+    const std::string_view taking = physics::travels(*sliding) ? "travelling_contact" : "resolved_contact";
+    const bool resolved = std::ranges::any_of(effects, [&](const ActiveEffect& a) { return a.effect->id == taking; });
+    if (by_number && resolved && share > 0.0 && share < 1.0) {
+        const TomlValue* tables = root.content().find("effects");
+        const TomlValue* own = tables->find("sliding_friction");
+        const TomlValue* key = own != nullptr ? own->find("partition") : nullptr;
+        root.errors().warn(key != nullptr ? key->place : tables->find(taking)->place,
+                           fmt::format("partition = {:g} gives the road {:g} of the heat of sliding, and {} lets the road "
+                                       "take a share of the rest in the contact: the road's share counts twice; write "
+                                       "[effects.sliding_friction] partition = \"charm\", or 1 for heat that is made in "
+                                       "the tread",
+                                       share, 1.0 - share, taking));
+    }
+}
+
 void check_signals(TomlTable& root, const ProblemBuilder& builder) {
     for (const physics::Signal& signal : physics::signals()) {
         std::vector<std::string> needing;
@@ -132,19 +186,30 @@ void check_signals(TomlTable& root, const ProblemBuilder& builder) {
 
 void warn_of_unread_signals(TomlTable& root, const ProblemBuilder& builder) {
     std::vector<std::string> unread;
+    std::vector<std::string> read_by_sensors;
+    std::vector<std::string> sensors;
     for (const physics::Signal& signal : physics::signals()) {
-        const bool by_effect = std::ranges::any_of(builder.problem.effects,
-                                                   [&](const ActiveEffect& a) { return uses(*a.effect, signal.name); });
-        const bool by_channel = std::ranges::any_of(builder.problem.channels, [&](const solver::Channel& channel) {
-            const solver::QuantityDescription& quantity = solver::description_of(channel.quantity);
-            // The Magic Formula follows the camber where there is any, but does not need it.
-            return std::ranges::count(quantity.signals, signal.name) > 0 ||
-                   (quantity.needs_magic_formula && signal.name == "camber");
-        });
+        const bool by_heat = std::ranges::any_of(builder.problem.effects,
+                                                 [&](const ActiveEffect& a) { return heats_by(a, signal.name); });
         const bool by_own = std::ranges::count(builder.followed, signal.name) > 0;
-        if (builder.problem.input_signals.gives(signal) && !by_effect && !by_channel && !by_own) {
-            unread.emplace_back(signal.name);
+        if (!builder.problem.input_signals.gives(signal) || by_heat || by_own) {
+            continue;
         }
+        const std::vector<std::string> readers = sensors_that_read(builder, signal.name);
+        if (readers.empty()) {
+            unread.emplace_back(signal.name);
+            continue;
+        }
+        read_by_sensors.emplace_back(signal.name);
+        for (const std::string& reader : readers) {
+            if (std::ranges::count(sensors, reader) == 0) {
+                sensors.push_back(reader);
+            }
+        }
+    }
+    if (!read_by_sensors.empty()) {
+        root.errors().warn(root.place("drive"), fmt::format("no heat follows {}: {} alone {} it", listed(read_by_sensors),
+                                                            listed(sensors), sensors.size() == 1 ? "reads" : "read"));
     }
     if (!unread.empty()) {
         root.errors().warn(root.place("drive"), fmt::format("no active effect and no sensor uses {}", listed(unread)));

@@ -20,7 +20,10 @@ void warn_of_doubles(TomlTable& root, const ProblemBuilder& builder);
 /// Signals that the active effects need and [drive] lacks.
 void check_signals(TomlTable& root, const ProblemBuilder& builder);
 
-/// A warning about signals that neither an effect nor a channel uses.
+/// A warning about heat of sliding of which both its partition and a contact that is resolved give the road a share.
+void warn_of_two_shares(TomlTable& root, const ProblemBuilder& builder);
+
+/// Warnings about signals that no effect uses, or none but sensors.
 void warn_of_unread_signals(TomlTable& root, const ProblemBuilder& builder);
 
 }  // namespace tiretherm::input

@@ -96,6 +96,7 @@ void bind_readings(TomlTable& root, ProblemBuilder& builder) {
     if (builder.has_valid_effects) {
         warn_of_unread_signals(root, builder);
         warn_of_doubles(root, builder);
+        warn_of_two_shares(root, builder);
     }
 }
 

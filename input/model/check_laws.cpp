@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks that conductivity and heat capacity are positive at all temperatures of the case; warns of trouble below 150
-// degC and of unused materials.
+// Checks that conductivity and heat capacity are positive at all temperatures of the case; warns of trouble
+// between -40 and 200 degC and of unused materials.
 
 #include <algorithm>
 
@@ -55,7 +55,9 @@ Span given_temperatures(const ProblemBuilder& builder) {
 }
 
 constexpr double celsius_zero = 273.15;
-constexpr double usual_limit = celsius_zero + 150.0;
+/// Between these a tire may be run: a law that fails there is told, whatever the case.
+constexpr double coldest_tire = celsius_zero - 40.0;
+constexpr double hottest_tire = celsius_zero + 200.0;
 
 /// Where a law is smallest, to a thousandth of the span.
 double lowest_place(const Curve& law, const Span& span) {
@@ -76,9 +78,15 @@ void check_law(InputErrors& errors, const Curve& law, const std::string& what, s
                    fmt::format("{} is {:.3g} {} at {:.1f} degC, a temperature of this case", what, law.value(T), unit,
                                T - celsius_zero),
                    "correct the law: conductivity and heat capacity must be positive");
-    } else if (!(law.minimum(sure.low, std::max(sure.high, usual_limit)) > 0.0)) {
-        errors.warn(place, fmt::format("{} is not positive everywhere between {:.1f} and 150 degC", what,
-                                       sure.low - celsius_zero));
+        return;
+    }
+    const Span tire{std::min(sure.low, coldest_tire), std::max(sure.high, hottest_tire)};
+    if (!(law.minimum(tire.low, tire.high) > 0.0)) {
+        const double T = lowest_place(law, tire);
+        errors.warn(place,
+                    fmt::format("{} is {:.3g} {} at {:.0f} degC, and a tire may be run between -40 and 200 degC: hold "
+                                "the law where it was measured, range = [\"20 degC\", \"120 degC\"]",
+                                what, law.value(T), unit, T - celsius_zero));
     }
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reads the four forms of a law into curves: constant, line or parabola about a point or through points (divided
-// differences), and table.
+// differences), both with a range beyond which they are held, and table.
 
 #include "input/model/law.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -83,6 +84,34 @@ std::optional<Curve> read_points(TomlTable& law, const QuantitySpec& value) {
     return x.size() == points->items.size() ? std::optional(through_points(x, y)) : std::nullopt;
 }
 
+/// The key `range` of a law: two temperatures, the lower one first; beyond them the law is held.
+std::optional<Curve> read_range(TomlTable& law, std::optional<Curve> curve) {
+    const TomlValue* ends = law.value("range", Need::optional);
+    if (ends == nullptr) {
+        return curve;
+    }
+    constexpr std::string_view remedy = "write range = [\"20 degC\", \"120 degC\"]";
+    if (ends->kind != TomlValue::Kind::array || ends->items.size() != 2 ||
+        std::ranges::any_of(ends->items, [](const TomlValue& end) { return end.kind != TomlValue::Kind::text; })) {
+        law.add_error("range", "a range has two temperatures, each with its unit", std::string(remedy));
+        return curve;
+    }
+    std::array<double, 2> kelvin{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const ParsedQuantity parsed = quantity(ends->items[i].text, quantity_specs::temperature, "range");
+        if (parsed.error) {
+            law.errors().add(ends->items[i].place, *parsed.error);
+            return curve;
+        }
+        kelvin[i] = parsed.value;
+    }
+    if (kelvin[0] >= kelvin[1]) {
+        law.add_error("range", "the range ends before it begins", std::string(remedy));
+        return curve;
+    }
+    return curve ? std::optional(curve->within(kelvin[0], kelvin[1])) : curve;
+}
+
 std::optional<Curve> read_table(TomlTable& table, const QuantitySpec& variable, const QuantitySpec& value) {
     const std::vector<Column> columns = read_columns(table);
     if (columns.empty()) {
@@ -117,12 +146,17 @@ std::optional<Curve> read_law(TomlTable& table, std::string_view key, const Quan
     }
     TomlTable law = table.subtable(key);
     if (law.has("through")) {
-        return read_points(law, value);
+        std::optional<Curve> curve = read_points(law, value);
+        return read_range(law, std::move(curve));
     }
     if (law.has("columns") || law.has("rows")) {
+        if (law.has("range")) {
+            law.add_error("range", "a table needs no range: it is held beyond its ends", "remove range");
+        }
         return read_table(law, quantity_specs::temperature, value);
     }
-    return about_point(law, value);
+    std::optional<Curve> curve = about_point(law, value);
+    return read_range(law, std::move(curve));
 }
 
 std::optional<Curve> read_curve(TomlTable& table, std::string_view key, const QuantitySpec& variable,

@@ -107,6 +107,8 @@ void read_tire(TomlTable& root, ProblemBuilder& builder);
 void read_materials(TomlTable& root, ProblemBuilder& builder);
 void read_mesh(TomlTable& root, ProblemBuilder& builder);
 void read_drive(TomlTable& root, ProblemBuilder& builder);
+/// Whether the tire's laws follow the pressure, and warnings about inputs outside their range.
+void settle_tire(TomlTable& root, ProblemBuilder& builder);
 void read_effects(TomlTable& root, ProblemBuilder& builder);
 /// Fields of structural codes and measured totals of the effects that are on, when the drive and the run's times are
 /// known.

@@ -66,6 +66,7 @@ void read_tables(TomlTable& root, ProblemBuilder& builder) {
     read_materials(root, builder);
     read_mesh(root, builder);
     read_drive(root, builder);
+    settle_tire(root, builder);
     read_effects(root, builder);
     read_time_settings(root, builder);
     read_fields(root, builder);

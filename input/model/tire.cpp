@@ -13,6 +13,7 @@
 #include "input/text/suggestions.hpp"
 #include "input/tire_property_file/tir_file.hpp"
 #include "input/tire_property_file/tire_size.hpp"
+#include "physics/tire_laws/scaled_tire.hpp"
 
 namespace tiretherm::input {
 
@@ -46,6 +47,7 @@ constexpr std::array keys{
     Key{"loaded_radius_at_zero", &Tire::loaded_radius_at_zero, radius},
     Key{"loaded_radius_slope", &Tire::loaded_radius_slope, {.unit = "m N-1", .low = -1e-3, .high = 0.0}},
     Key{"rolling_radius_factor", &Tire::rolling_radius_factor, radius},
+    Key{"pressure_exponent_of_loss", &Tire::pressure_exponent_of_loss, {.unit = "1", .low = 0.0, .high = 3.0}},
     Key{"rolling_radius_exponent", &Tire::rolling_radius_exponent, {.unit = "1", .low = -1.0, .high = 1.0}},
 };
 
@@ -151,6 +153,9 @@ void read_tire(TomlTable& root, ProblemBuilder& builder) {
     for (const Key& key : keys) {
         into.*key.member = tire.quantity(key.key, key.spec).value_or(into.*key.member);
     }
+    into.reference_pressure =
+        tire.quantity("reference_pressure", {.unit = "Pa", .low = 1e4, .high = 2e6, .above = true})
+            .value_or(physics::TireOutline{}.inflation_pressure);
     if (!tire.has("loaded_radius_at_zero")) {
         into.loaded_radius_at_zero = into.unloaded_radius;
     }

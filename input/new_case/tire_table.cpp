@@ -102,6 +102,8 @@ void write_tire(CaseDraft& draft) {
     writer.entry("sidewall_thickness", in_mm(draft.sidewall_thickness, 0),
                  size.light_truck ? "assumed: 2 mm more than a passenger tire's" : "as the thesis's tire");
     write_laws(writer, tire, why);
+    writer.entry("reference_pressure", fmt::format("\"{:g} kPa\"", draft.inflation_pressure * 1e-3),
+                 "at which these laws hold; they follow drive.inflation_pressure where it is given");
 }
 
 }  // namespace tiretherm::input

@@ -35,6 +35,15 @@ double tidy(double value) {
     return std::abs(twelve_digits - value) <= 1e-14 * std::abs(value) ? twelve_digits : value;
 }
 
+/// Adds the range beyond which a law is held.
+TomlValue with_range(TomlValue law_table, const physics::Curve& law) {
+    if (const auto range = law.range()) {
+        toml_text::add(law_table, "range",
+                       list_value({temperature_value((*range)[0]), temperature_value((*range)[1])}));
+    }
+    return law_table;
+}
+
 /// A law in the form that gives it back: through the temperatures at which it was fitted where they make it up, about
 /// one of them otherwise; a table as its points.
 TomlValue law_value(const physics::Curve& law, const std::vector<double>& knots, const std::string& unit) {
@@ -56,7 +65,7 @@ TomlValue law_value(const physics::Curve& law, const std::vector<double>& knots,
     if (knots.size() == 3 || (knots.size() == 2 && curvature == 0.0)) {
         std::vector<TomlValue> points;
         std::ranges::transform(knots, std::back_inserter(points), point);
-        return table_value({{"through", list_value(std::move(points))}});
+        return with_range(table_value({{"through", list_value(std::move(points))}}), law);
     }
     const double T = knots.front();
     TomlValue about = table_value({{"at", temperature_value(T)},
@@ -65,7 +74,7 @@ TomlValue law_value(const physics::Curve& law, const std::vector<double>& knots,
     if (curvature != 0.0) {
         toml_text::add(about, "curvature", quantity_value(curvature, unit + "/K2"));
     }
-    return about;
+    return with_range(std::move(about), law);
 }
 
 /// The laws that were fitted: of the link first, then of materials.

@@ -34,6 +34,14 @@ std::optional<FreeParameters> free_values(const CaseAsRead& in, const Knots& kno
         return std::nullopt;
     }
     for (std::size_t k = 0; k < knots.kelvin.size(); ++k) {
+        const double T = knots.kelvin[k];
+        if (const auto range = law->range(); range && (T < (*range)[0] || T > (*range)[1])) {
+            in.errors.add(knots.place,
+                          fmt::format("the case's law is held outside {:.6g} to {:.6g} degC, and {} lies there",
+                                      (*range)[0] - 273.15, (*range)[1] - 273.15, knots.written[k]),
+                          "name a temperature inside the law's range");
+            return std::nullopt;
+        }
         FreeParameter number = blank;
         const double now = law->value(knots.kelvin[k]);
         if (!(now > 0.0)) {

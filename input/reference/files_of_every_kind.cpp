@@ -190,6 +190,7 @@ include = ["two_node.toml"]
 coastdown = { alpha = -0.4, beta = 0.9, a = 0.1, b = 0, c = 0 }
 [drive]
 inflation_pressure = "2.2 bar"
+slip_speed = "1 m/s"
 )";
 
 constexpr std::string_view layers = R"(

@@ -116,18 +116,23 @@ ContactInRevolutions::ContactInRevolutions(const ContactOfHalfSpaces& contact, d
     const Square system =
         Square(Square::Identity()) / contact.interface_h + (a + 1.0 / contact.effusivity_b) * abel + a * past;
     const Square tread = a * (abel + past);  // the tread's surface above its mean, by the flux into it
-    Eigen::Matrix<double, n_pieces + 1, 2> right;
+    Eigen::Matrix<double, n_pieces + 1, 3> right;
     right.col(0) = Vector::Ones();
     right.col(1) = tread.rowwise().sum();
-    const Eigen::Matrix<double, n_pieces + 1, 2> flux = system.partialPivLu().solve(right);
+    right.col(2) = a * past.rowwise().sum();
+    const Eigen::Matrix<double, n_pieces + 1, 3> flux = system.partialPivLu().solve(right);
     mean_ = weights.mean.dot(flux.col(0));
     entry_ = -tread.row(0).dot(flux.col(0));
     exit_ = -tread.row(n_pieces).dot(flux.col(0));
-    road_share_ = weights.mean.dot(flux.col(1));
     entry_alone_ = tread.row(0).sum();
-    entry_cooled_ = tread.row(0).dot(flux.col(1));
     exit_alone_ = tread.row(n_pieces).sum();
-    exit_cooled_ = tread.row(n_pieces).dot(flux.col(1));
+    const auto taken = [&](int column) {
+        return Taken{.road_share = weights.mean.dot(flux.col(column)),
+                     .entry_cooled = tread.row(0).dot(flux.col(column)),
+                     .exit_cooled = tread.row(n_pieces).dot(flux.col(column))};
+    };
+    in_tread_ = taken(1);
+    between_ = taken(2);
 }
 
 }  // namespace tiretherm::physics

@@ -26,13 +26,14 @@ double reduced(double angle, double low) {
 }  // namespace
 
 TravellingContact::TravellingContact(const Tire& tire, const Inputs& inputs) {
-    if (!tire.touches(inputs.vertical_load) || inputs.speed == 0.0) {
+    const double speed = rolling_speed(inputs);
+    if (!tire.touches(inputs.vertical_load) || speed == 0.0) {
         return;
     }
-    const double radius = tire.rolling_radius(inputs.vertical_load);
-    length_ = std::clamp(tire.contact_length(inputs.vertical_load) / radius, 0.0, longest);
-    angular_speed_ = std::abs(inputs.speed) / radius;
-    direction_ = inputs.speed < 0.0 ? -1.0 : 1.0;
+    const double radius = tire.rolling_radius(inputs);
+    length_ = std::clamp(tire.contact_length(inputs) / radius, 0.0, longest);
+    angular_speed_ = std::abs(speed) / radius;
+    direction_ = speed < 0.0 ? -1.0 : 1.0;
     since_entry_ = 0.5 * length_ + direction_ * (inputs.wheel_angle - std::numbers::pi);
 }
 

@@ -5,6 +5,7 @@
 
 #include "mesh/mesh.hpp"
 #include "physics/effect.hpp"
+#include "physics/tire_laws/contact.hpp"
 #include "physics/tire.hpp"
 
 namespace tiretherm::physics {
@@ -52,9 +53,9 @@ private:
 [[nodiscard]] double concentration(const TravellingContact& contact, int sector, int sectors);
 
 /// What of that stays in the tread when the road has taken its share back by an effect `travelling_contact`: the mean over
-/// the part of the sector in contact. @pre the sector touches
-[[nodiscard]] double kept_heat(const ActiveEffect& travelling_contact, const TravellingContact& contact, int sector,
-                               int sectors);
+/// the part of the sector in contact. @param effusivity of the tread, W s^0.5/(m2 K)  @pre the sector touches
+[[nodiscard]] double kept_heat(const ActiveEffect& travelling_contact, double effusivity, SlidingHeat enters,
+                               const TravellingContact& contact, int sector, int sectors);
 
 /// Whether an effect's place goes round the tire: always, or because a case chose it so.
 [[nodiscard]] bool travels(const ActiveEffect& active);

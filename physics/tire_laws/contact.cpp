@@ -33,7 +33,10 @@ double ContactOfHalfSpaces::conductance_at(double since) const {
     return interface_h * left / (1.0 - effusivity_b / (effusivity_a + effusivity_b) * (1.0 - left));
 }
 
-double ContactOfHalfSpaces::kept_heat_at(double since) const {
+double ContactOfHalfSpaces::kept_heat_at(double since, SlidingHeat enters) const {
+    if (enters == SlidingHeat::between) {
+        return 1.0 + conductance_at(since) * 2.0 * std::sqrt(since) * std::numbers::inv_sqrtpi / effusivity_a;
+    }
     const double beta = interface_h * (1.0 / effusivity_a + 1.0 / effusivity_b);
     const double root = beta * std::sqrt(since);
     const double gone = 1.0 - scaled_erfc(root);

@@ -3,7 +3,14 @@
 // (Carslaw & Jaeger 1959, sec. 2.5 and 2.8).
 #pragma once
 
+#include <cstdint>
+
 namespace tiretherm::physics {
+
+/// Where heat of sliding enters: all that counts in the surface of a, the tread; or between the two surfaces, of which each
+/// takes the share that warms both alike, e_a / (e_a + e_b) and e_b / (e_a + e_b) (Charron, Publ. Sci. Tech. Minist. Air
+/// 182, 1943), so that the heat itself drives nothing through the interface.
+enum class SlidingHeat : std::uint8_t { in_tread, between };
 
 /// Two half-spaces that meet for a short time with a conductance between their surfaces: tread and road in a rolling
 /// contact. Carslaw & Jaeger, Conduction of Heat in Solids, 2nd ed. 1959, sec. 2.5 and 2.8.
@@ -29,8 +36,9 @@ struct ContactOfHalfSpaces {
     ///     1 - s + conductance_at theta,   s = e_b / (e_a + e_b) (1 - g) what b takes of it at that moment,
     ///     theta = s / h + (2 sqrt(t/pi) - (1 - g) / beta) / (e_a + e_b) the warming of a by it,   beta = sqrt(tau / t)
     /// From the Laplace transform: flux to b h beta'/(s (sqrt s + beta)), beta' = h / e_a; C&J 1959, appendix V.
+    /// Of heat between the two, per unit that enters a, the exchange is none: 1 + conductance_at 2 sqrt(t/pi) / e_a.
     /// @param since s since they met, >= 0
-    [[nodiscard]] double kept_heat_at(double since) const;
+    [[nodiscard]] double kept_heat_at(double since, SlidingHeat enters = SlidingHeat::in_tread) const;
 };
 
 /// e^(x^2) erfc(x), which stays finite where the two factors do not. @param x >= 0

@@ -26,6 +26,40 @@ int decimals_for(const std::vector<double>& values) {
     return std::clamp(5 - before_point, 1, 4);
 }
 
+/// Which heat of sliding is counted where; empty where nothing slides.
+std::string shares_of_sliding(const RunRecord& run) {
+    const std::vector<physics::ActiveEffect>& effects = run.problem.effects;
+    const auto index_of = [&](std::string_view id) {
+        const auto found = std::ranges::find_if(effects, [&](const auto& active) { return active.effect->id == id; });
+        return static_cast<std::size_t>(found - effects.begin());
+    };
+    const std::size_t sliding = index_of("sliding_friction");
+    if (sliding == effects.size() || run.report.watts[sliding] + run.report.joules[sliding] == 0.0) {
+        return {};
+    }
+    const physics::ActiveEffect& active = effects[sliding];
+    const auto number = static_cast<std::size_t>(physics::find_parameter(*active.effect, "partition"));
+    const bool charm = active.choices[static_cast<std::size_t>(physics::find_choice(*active.effect, "partition"))] == 1;
+    std::string text = charm ? "sliding_friction is the tread's share of the friction power, by the effusivities of tread and "
+                               "road; the road's own share is not in this table"
+                             : fmt::format("sliding_friction is {:g} of the friction power; the other {:g} enters the road "
+                                           "and is not in this table",
+                                           active[number], 1.0 - active[number]);
+    for (const std::string_view road : {"resolved_contact", "travelling_contact", "road_contact"}) {
+        if (index_of(road) == effects.size()) {
+            continue;
+        }
+        if (road == "road_contact") {
+            text += charm || active[number] >= 1.0 ? "; road_contact is what the road takes by its coefficient"
+                                                   : "; road_contact takes heat to the road once more, by its coefficient";
+        } else {
+            text += fmt::format("; {} is what the road takes out of the tread in the contact, heat of sliding included",
+                                road);
+        }
+    }
+    return text;
+}
+
 }  // namespace
 
 Section heat_budget_section(const RunRecord& run) {
@@ -68,6 +102,9 @@ Section heat_budget_section(const RunRecord& run) {
                     std::move(table));
     section.say(fmt::format("energy balance error {:.1e} ({}, relative to all heat exchanged)", report.energy_closure,
                             steady ? "sum" : "stored minus sum"));
+    if (std::string sliding = shares_of_sliding(run); !sliding.empty()) {
+        section.say(std::move(sliding));
+    }
     const std::vector<physics::ActiveEffect>& effects = run.problem.effects;
     for (std::size_t e = 0; e < effects.size(); ++e) {
         const double share = run.problem.symmetry * report.law_watts[e];

@@ -23,6 +23,8 @@ OutputSampler::OutputSampler(const Problem& problem, const Observer& observer, c
       joules_(problem.effects.size()),
       coldest_(problem.effects.size(), std::numeric_limits<double>::infinity()),
       hottest_(problem.effects.size(), -std::numeric_limits<double>::infinity()),
+      layer_extremes_(problem.mesh.layers.size(), LayerExtremes{.coldest = std::numeric_limits<double>::infinity(),
+                                                                .hottest = -std::numeric_limits<double>::infinity()}),
       next_output_(output_time(1)),
       next_field_(problem.settings.start + problem.settings.field_interval) {}
 
@@ -52,6 +54,11 @@ void OutputSampler::watch(Report& report) {
         }
         if (T[n] < report.coldest.temperature) {
             report.coldest = {T[n], stepper_->time(), static_cast<int>(n)};
+        }
+        if (const int layer = problem_->mesh.layer[n]; layer >= 0) {
+            LayerExtremes& of_layer = layer_extremes_[static_cast<std::size_t>(layer)];
+            of_layer.coldest = std::min(of_layer.coldest, T[n]);
+            of_layer.hottest = std::max(of_layer.hottest, T[n]);
         }
     }
     for (std::size_t e = 0; e < problem_->effects.size(); ++e) {
@@ -91,6 +98,10 @@ std::vector<std::string> OutputSampler::range_warnings() const {
                 sentences.push_back(std::move(sentence));
             }
         }
+    }
+    for (std::string& sentence :
+         law_range_warnings(problem_->mesh, stepper_->system().material_model(), layer_extremes_)) {
+        sentences.push_back(std::move(sentence));
     }
     return sentences;
 }
@@ -166,6 +177,10 @@ void OutputSampler::visit(Archive& archive) {
     sensor_outputs_.visit(archive);
     archive(coldest_);
     archive(hottest_);
+    for (LayerExtremes& of_layer : layer_extremes_) {
+        archive(of_layer.coldest);
+        archive(of_layer.hottest);
+    }
 }
 
 }  // namespace tiretherm::solver

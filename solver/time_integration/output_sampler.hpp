@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/time_integration/law_ranges.hpp"
 #include "solver/time_integration/march.hpp"
 #include "solver/time_integration/sensor_outputs.hpp"
 #include "solver/time_integration/stepper.hpp"
@@ -27,7 +28,7 @@ public:
     /// Looks at the state for the extremes; writes them into the report.
     void watch(Report& report);
 
-    /// Range warnings of the effects about the temperatures that their patches saw.
+    /// Range warnings: of the effects about the temperatures that their patches saw, of the materials about their layers'.
     [[nodiscard]] std::vector<std::string> range_warnings() const;
 
     void visit(Archive& archive);
@@ -52,6 +53,7 @@ private:
     std::vector<double> joules_;
     std::vector<double> coldest_;  ///< [n_effects] K, on the patches of an effect with a range warning
     std::vector<double> hottest_;
+    std::vector<LayerExtremes> layer_extremes_;  ///< [n_layers]
     double next_output_;
     double next_field_;
     long outputs_ = 1;  ///< rows at output times so far, the start included

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Heat from the tread to the air: q = lambda_h max(floor, h_forced + 8.59e-11 exp(0.0879 T_surf)) (S_tot - S_cont)
-// (T_air - T_surf) (thesis (31)-(33), (35), errata E4, E9).
+// Heat from the tread to the air: q = lambda_h max(floor, h_forced + h_exp) (S_tot - S_cont) (T_air - T_surf), h_exp =
+// min(8.59e-11 exp(0.0879 T_surf), exponential_limit h_forced) (thesis (31)-(33), (35), errata E4, E9; the bound is ours).
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -25,9 +26,11 @@ enum : std::size_t {
     clamp_high,
     floor_h,
     air_conductivity,
-    air_viscosity
+    air_viscosity,
+    exponential_limit
 };
 enum : std::size_t { exponential };
+enum : int { bounded, unbounded, off };
 
 constexpr std::array parameters{
     ParameterSpec{"lambda_h", "1", 1.0, 0.0, 10.0, "scale of the whole coefficient, the floor included"},
@@ -40,10 +43,16 @@ constexpr std::array parameters{
     ParameterSpec{"floor", "W m-2 K-1", 30.0, 0.0, 1000.0, "natural convection: the sum of (33) never falls below it"},
     ParameterSpec{"air_conductivity", "W m-1 K-1", 0.025, 1e-4, 1.0, "conductivity of air"},
     ParameterSpec{"air_viscosity", "m2 s-1", 1.5e-5, 1e-7, 1e-3, "kinematic viscosity of air"},
+    ParameterSpec{"exponential_limit", "1", 2.0, 0.0, 1e6,
+                  "most that a bounded exponential term adds, over the forced part; assumed"},
 };
-constexpr std::array<std::string_view, 2> on_off{"on", "off"};
-constexpr std::array choices{Choice{"exponential", on_off, "whether the exponential term of (33) is added"}};
+constexpr std::array<std::string_view, 3> ways{"bounded", "on", "off"};
+constexpr std::array choices{
+    Choice{"exponential", ways,
+           "the exponential term of (33): bounded by exponential_limit times the forced part; on, as the thesis has it, "
+           "without bound; or off"}};
 constexpr std::array<std::string_view, 3> reads{"speed", "vertical_load", "air_temperature"};
+constexpr std::array<std::string_view, 2> may_read{"inflation_pressure", "slip_speed"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
 void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
@@ -51,9 +60,10 @@ void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& poi
                                   .exponent = active[exponent],
                                   .air_conductivity = active[air_conductivity],
                                   .air_viscosity = active[air_viscosity]};
-    const double area = point.tire.outer_area() - point.tire.contact_area(point.inputs.vertical_load);
+    const double area = point.tire.outer_area() - point.tire.contact_area(point.inputs);
     out[0] = area;
-    out[1] = area * point.laws.forced * forced(point.tire, point.inputs.speed);
+    const double speed = std::max(std::abs(point.inputs.speed), std::abs(rolling_speed(point.inputs)));
+    out[1] = area * point.laws.forced * forced(point.tire, speed);
     out[2] = point.inputs.air_temperature;
 }
 
@@ -71,11 +81,14 @@ void add_terms(const EvaluationState& m, Terms& terms) {
             const double T = m.temperature[static_cast<std::size_t>(face.node)];
             double h = h_forced;
             double dh_dT = 0.0;
-            if (active.choices[exponential] == 0) {
+            if (active.choices[exponential] != off) {
                 const double held = std::clamp(T, active[clamp_low], active[clamp_high]);
                 const double term = active[exponential_factor] * std::exp(active[exponential_rate] * held);
-                h += term;
-                dh_dT = held == T ? active[exponential_rate] * term : 0.0;
+                const double most = active.choices[exponential] == bounded
+                                        ? active[exponential_limit] * h_forced
+                                        : std::numeric_limits<double>::infinity();
+                h += std::min(term, most);
+                dh_dT = held == T && term < most ? active[exponential_rate] * term : 0.0;
             }
             if (h < active[floor_h]) {
                 h = active[floor_h];
@@ -87,12 +100,12 @@ void add_terms(const EvaluationState& m, Terms& terms) {
     }
 }
 
-/// The exponential was fitted between 0 and 100 degC; beyond, it doubles every 8 K.
+/// The thesis's surfaces were between 15 and 50 degC; beyond, the exponential doubles every 8 K, and nothing stops it.
 std::string range_warning(const ActiveEffect& active, double coldest, double hottest) {
     constexpr double zero_celsius = 273.15;
-    const bool too_hot = hottest > zero_celsius + 100.0 && active[clamp_high] > zero_celsius + 100.0;
-    const bool too_cold = coldest < zero_celsius && active[clamp_low] < zero_celsius;
-    if (active.choices[exponential] != 0 || !(too_hot || too_cold)) {
+    constexpr double known_up_to = zero_celsius + 50.0;
+    const bool too_hot = hottest > known_up_to && active[clamp_high] > known_up_to;
+    if (active.choices[exponential] != unbounded || !too_hot) {
         return {};
     }
     const auto degrees = [](double kelvin) {
@@ -100,8 +113,8 @@ std::string range_warning(const ActiveEffect& active, double coldest, double hot
         return std::abs(celsius) < 1e5 ? fmt::format("{:.1f}", celsius) : fmt::format("{:.3g}", celsius);
     };
     return fmt::format(
-        "air_convection: the outer surface was between {} and {} degC, and the exponential of (33) "
-        "is an extrapolation outside 0 to 100 degC; hold it with clamp_low and clamp_high",
+        "air_convection: the outer surface was between {} and {} degC, and above 50 degC the exponential of (33) is an "
+        "extrapolation that doubles every 8 K; bound it with exponential = \"bounded\", or hold it with clamp_high",
         degrees(coldest), degrees(hottest));
 }
 
@@ -113,15 +126,18 @@ const Effect air_convection{
     .kind = Kind::loss,
     .on = true,
     .equation =
-        "q = lambda_h max(floor, (k_air/L) 0.318 (V L/nu)^0.571 + 8.59e-11 exp(0.0879 T_surf)) "
-        "(S_tot - S_cont) (T_air - T_surf)",
-    .source = "thesis (31)-(33), (35), errata E4 (kelvin), E9 (floor)",
+        "q = lambda_h max(floor, h_forced + min(8.59e-11 exp(0.0879 T_surf), exponential_limit h_forced)) "
+        "(S_tot - S_cont) (T_air - T_surf), h_forced = (k_air/L) 0.318 (V L/nu)^0.571",
+    .source = "thesis (31)-(33), (35), errata E4 (kelvin), E9 (floor); the bound is assumed",
     .meaning =
-        "Heat to the air from the part of the tread that does not touch the road. The exponential term grows "
-        "without bound: outside 273..373 K it is an extrapolation; clamp_low and clamp_high hold it.",
+        "Heat to the air from the part of the tread that does not touch the road. The thesis's exponential term was "
+        "fitted to surfaces of 15 to 50 degC on a rolling tire and doubles every 8 K: at 90 degC it alone would be 6 "
+        "kW/m2K, also in still air. It is therefore bounded by a multiple of the forced part, so that a parked tire keeps "
+        "the floor; exponential = \"on\" is the thesis's own form. h_forced holds for Re of 1e4 to 1e6.",
     .parameters = parameters,
     .choices = choices,
     .reads = reads,
+    .may_read = may_read,
     .needs_tire = true,
     .patches = patches,
     .model =

@@ -42,7 +42,7 @@ void place(const PlacementContext& context, ActiveEffect& active) {
 // (35) with A = 0 makes the mean pressure 1/B whatever the load; here it is taken to follow the load, p/p0 = Fz/Fz0.
 void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
     const double Fz = point.inputs.vertical_load;
-    const double area = point.tire.contact_area(Fz);
+    const double area = point.tire.contact_area(point.inputs);
     out[0] = area > 0.0 ? area * (std::pow(Fz / active[reference], active[exponent]) - 1.0) : 0.0;
     out[1] = out[0] * point.inputs.road_temperature;
 }

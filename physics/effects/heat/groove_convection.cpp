@@ -48,7 +48,7 @@ void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& poi
                                   .air_conductivity = active.weights[2],
                                   .air_viscosity = active.weights[3]};
     const double h = point.laws.forced * forced(point.tire, point.inputs.speed);
-    const double area = point.tire.outer_area() - point.tire.contact_area(point.inputs.vertical_load);
+    const double area = point.tire.outer_area() - point.tire.contact_area(point.inputs);
     out[0] = active[area_share] * efficiency(active, h) * h * area;
     out[1] = out[0] * point.inputs.air_temperature;
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Loss that falls as the gas heats up: SEL' = SEL (T_gas/reference)^-exponent, T_gas of a lumped gas node (ideal gas at
-// constant volume; pressure exponents of SAE J2452).
+// Loss that falls as the gas heats up: SEL' = SEL (p_hot/p)^-exponent, gauge pressures, p_hot of a lumped gas node (ideal
+// gas at constant volume; pressure exponents of SAE J2452). Without a pressure, absolute ones: (T_gas/reference)^-exponent.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -23,7 +24,11 @@ constexpr std::array parameters{
     ParameterSpec{"capacity", "J K-1", 70.0, 1.0, 1e5, "heat capacity of the gas of this effect, at constant volume"},
 };
 constexpr std::array<std::string_view, 1> reads{"air_temperature"};
+constexpr std::array<std::string_view, 1> may_read{"inflation_pressure"};
+constexpr double atmosphere = 101325.0;  // Pa
+enum : std::size_t { to_air, pressure };
 constexpr std::string_view own = "pressure_gas";
+constexpr double least_pressure = 0.1;  ///< of that at the reference: the law knows no flat tire
 
 /// A gas of its own that follows the bulk's mean. The coupling face carries nothing: no heat is taken from the bulk.
 void extend(mesh::Mesh& mesh, ActiveEffect& active) {
@@ -48,12 +53,18 @@ LossFactor scale_loss(const EvaluationState& m) {
     const bool is_user_effect = m.active.nodes.front() == m.active.lumped_nodes.front();
     const int region = m.mesh.find_region(is_user_effect ? own : "gas");
     const double T = m.region_mean[static_cast<std::size_t>(region)];
-    const double value = std::pow(T / m.active[reference], -m.active[exponent]);
-    return {.value = value, .dvalue_dT_mean = -m.active[exponent] / T * value, .region = region};
+    // Gauge pressure over that at the reference temperature, or absolute where none is given; straight in T.
+    const double cold = m.coefficients[pressure];
+    const double per_kelvin = (cold > 0.0 ? (cold + atmosphere) / cold : 1.0) / m.active[reference];
+    const double relative = std::max(least_pressure, 1.0 + per_kelvin * (T - m.active[reference]));
+    const double value = std::pow(relative, -m.active[exponent]);
+    const double slope = relative > least_pressure ? -m.active[exponent] * value / relative * per_kelvin : 0.0;
+    return {.value = value, .dvalue_dT_mean = slope, .region = region};
 }
 
 void evaluate_coefficients(const ActiveEffect& /*active*/, const OperatingPoint& point, std::span<double> out) {
-    out[0] = point.inputs.air_temperature;
+    out[to_air] = point.inputs.air_temperature;
+    out[pressure] = point.inputs.inflation_pressure;
 }
 
 void add_terms(const EvaluationState& m, Terms& terms) {
@@ -61,7 +72,7 @@ void add_terms(const EvaluationState& m, Terms& terms) {
     const int bulk = m.mesh.find_region("bulk");
     terms.exchange(gas, m.active[liner], m.region_mean[static_cast<std::size_t>(bulk)]);
     terms.add_source_derivative(gas, bulk, m.active[liner]);
-    terms.exchange(gas, m.active[rim], m.coefficients[0]);
+    terms.exchange(gas, m.active[rim], m.coefficients[to_air]);
 }
 
 }  // namespace
@@ -71,20 +82,23 @@ const Effect inflation_pressure_rise{
     .id = "inflation_pressure_rise",
     .kind = Kind::source,
     .equation =
-        "SEL' = SEL (T_gas/reference)^-exponent; C dT_gas/dt = liner (T_bulk - T_gas) - rim (T_gas - T_air), "
-        "p/p0 = T_gas/T0",
+        "SEL' = SEL (p_hot/p)^-exponent, p_hot = (p + p_atm) T_gas/reference - p_atm; C dT_gas/dt = liner (T_bulk - T_gas) "
+        "- rim (T_gas - T_air)",
     .source =
         "ideal gas at constant volume; loss ~ p^a of SAE J2452 with a near -0.4 (recalled); conductances and capacity "
         "assumed for a car tire",
     .meaning =
         "Hot gas stiffens the tire: deflection and loss fall over minutes. Its own gas costs the bulk nothing, which "
-        "keeps this cause apart from inner_gas; where inner_gas is on, the temperature of that gas counts.",
+        "keeps this cause apart from inner_gas; where inner_gas is on, the temperature of that gas counts. "
+        "inflation_pressure is that of the gas at `reference`; without it the ratio is that of absolute pressures, "
+        "T_gas/reference. Valid while the gas stays in: a constant mass.",
     .parameters = parameters,
     .reads = reads,
+    .may_read = may_read,
     .needs_tire = true,
     .model =
         HeatEffect{
-            .n_coefficients = 1,
+            .n_coefficients = 2,
             .extend = extend,
             .capacity = capacity,
             .place = place,

@@ -8,6 +8,7 @@
 
 #include "physics/contact/contact_in_revolutions.hpp"
 #include "physics/contact/rolling_contact.hpp"
+#include "physics/contact/tread_effusivity.hpp"
 #include "physics/spread.hpp"
 
 namespace tiretherm::physics {
@@ -19,35 +20,62 @@ using rolling_contact::scale;
 enum : std::size_t { profile };
 
 constexpr std::array tables{contact_profile};
+constexpr std::array<std::string_view, 1> may_read{"inflation_pressure"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
+
+/// Coefficients: the conductance at each effusivity [W/K], and the first of them times the road's temperature [W].
+constexpr std::size_t with_road = most_effusivities;
 
 void place(const PlacementContext& context, ActiveEffect& active) {
     spread_over_patches(context, active, active.tables[profile]);
+    place_effusivities(context, rolling_contact::effusivity_of_road(active), active);
 }
 
 void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
     const Inputs& in = point.inputs;
-    const std::optional<ContactInRevolutions> contact = contact_in_revolutions(active, point.tire, in);
-    out[0] = contact ? active[scale] * contact->mean_conductance() * point.tire.contact_area(in.vertical_load) : 0.0;
-    out[1] = out[0] * in.road_temperature;
+    std::ranges::fill(out, 0.0);
+    for (std::size_t i = 0; i < active.effusivities.size(); ++i) {
+        const std::optional<ContactInRevolutions> contact =
+            contact_in_revolutions(active, active.effusivities[i], point.tire, in);
+        out[i] =
+            contact ? active[scale] * contact->mean_conductance() * point.tire.contact_area(in) : 0.0;
+    }
+    out[with_road] = out[0] * in.road_temperature;
+}
+
+void add_terms(const EvaluationState& m, Terms& terms) {
+    std::array<double, most_effusivities> G{};
+    std::ranges::copy(m.coefficients.first(most_effusivities), G.begin());
+    if (G[0] == 0.0) {
+        return;
+    }
+    // Along a logged series both are averages: this is the road that the conductance saw.
+    const double T_road = m.coefficients[with_road] / G[0];
+    for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
+        const int node = m.active.nodes[i];
+        const EffusivityInterpolation tread(m, node);
+        const double weight = m.active.weights[i];
+        terms.exchange(node, tread.value(G) * weight, T_road, tread.slope(G) * weight);
+    }
 }
 
 }  // namespace
 }  // namespace effects
 
-std::optional<ContactInRevolutions> contact_in_revolutions(const ActiveEffect& active, const Tire& tire,
-                                                           const Inputs& in) {
+std::optional<ContactInRevolutions> contact_in_revolutions(const ActiveEffect& active, double effusivity,
+                                                           const Tire& tire, const Inputs& in) {
     if (!tire.touches(in.vertical_load) || in.speed == 0.0) {
         return std::nullopt;
     }
     const double speed = std::abs(in.speed);
-    return ContactInRevolutions(rolling_contact::half_spaces(active), tire.contact_length(in.vertical_load) / speed,
-                                1.0 / tire.revolutions(speed, in.vertical_load));
+    return ContactInRevolutions(rolling_contact::half_spaces(active, effusivity), tire.contact_length(in) / speed,
+                                1.0 / tire.revolutions(speed, tire.reference_load(in)));
 }
 
-double kept_heat(const ActiveEffect& active, const OperatingPoint& point) {
-    const std::optional<ContactInRevolutions> contact = contact_in_revolutions(active, point.tire, point.inputs);
-    return contact ? std::max(0.0, 1.0 - rolling_contact::scale_of(active) * contact->road_share()) : 1.0;
+double kept_heat(const ActiveEffect& active, double effusivity, SlidingHeat enters, const OperatingPoint& point) {
+    const std::optional<ContactInRevolutions> contact =
+        contact_in_revolutions(active, effusivity, point.tire, point.inputs);
+    return contact ? std::max(0.0, 1.0 - rolling_contact::scale_of(active) * contact->road_share(enters)) : 1.0;
 }
 
 namespace effects {
@@ -66,22 +94,23 @@ const Effect resolved_contact{
     .meaning =
         "Heat to the road as a rolling tread gives it: each place meets fresh road for l/V in every revolution, of "
         "which T_surf is the mean. Of the heat of sliding that enters the tread in the contact it takes a share back "
-        "before the contact ends. 76 W/K at 4 kN and 100 km/h, where the lumped Hc gives 5; nothing at rest. Sensors "
+        "before the contact ends. The tread's effusivity is that of its own k(T) and c(T) at the surface. 76 W/K at 4 kN and 100 km/h, where the lumped Hc gives 5; nothing at rest. Sensors "
         "of the kinds surface_at_entry and surface_at_exit read the flash. A case that switches it on switches "
         "road_contact off.",
     .parameters = rolling_contact::parameters,
     .tables = tables,
     .reads = rolling_contact::reads,
+    .may_read = may_read,
     .instead_of = "road_contact",
     .needs_tire = true,
     .patches = patches,
     .model =
         HeatEffect{
-            .n_coefficients = 2,
+            .n_coefficients = with_road + 1,
             .field = FieldOf::pressure,
             .place = place,
             .evaluate_coefficients = evaluate_coefficients,
-            .add_terms = exchange_by_weights,
+            .add_terms = add_terms,
         },
 };
 

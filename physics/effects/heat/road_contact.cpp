@@ -20,6 +20,7 @@ constexpr std::array parameters{
 };
 constexpr std::array tables{contact_profile};
 constexpr std::array<std::string_view, 2> reads{"vertical_load", "road_temperature"};
+constexpr std::array<std::string_view, 1> may_read{"inflation_pressure"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
 void place(const PlacementContext& context, ActiveEffect& active) {
@@ -27,7 +28,7 @@ void place(const PlacementContext& context, ActiveEffect& active) {
 }
 
 void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
-    out[0] = active[lambda_Hc] * active[Hc] * point.tire.contact_area(point.inputs.vertical_load);
+    out[0] = active[lambda_Hc] * active[Hc] * point.tire.contact_area(point.inputs);
     out[1] = out[0] * point.inputs.road_temperature;
 }
 
@@ -46,6 +47,7 @@ const Effect road_contact{
     .parameters = parameters,
     .tables = tables,
     .reads = reads,
+    .may_read = may_read,
     .needs_tire = true,
     .patches = patches,
     .model =

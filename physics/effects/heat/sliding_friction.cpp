@@ -1,42 +1,56 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Heat of sliding in the contact: q = partition (lambda_x |Fx v_sx| + lambda_y |Fy| |V| tan|alpha|), v_sx = V - R_R
-// Omega (thesis (31)); even around the tire, by a field, or in a travelling contact. Where the contact with the road is
-// resolved, the road takes its share of it back in the contact, which is booked there.
+// Omega (thesis (31)); even around the tire, by a field, or in a travelling contact. The partition is a number, or follows
+// the effusivities of tread and road (Charron 1943). Where the contact with the road is resolved, what the road takes of it
+// back in the contact is booked there.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "physics/contact/contact_in_revolutions.hpp"
+#include "physics/contact/heat_of_sliding.hpp"
+#include "physics/contact/rolling_contact.hpp"
+#include "physics/contact/tread_effusivity.hpp"
 #include "physics/contact/travelling.hpp"
 #include "physics/spread.hpp"
 
-namespace tiretherm::physics::effects {
+namespace tiretherm::physics {
+namespace effects {
 
 namespace {
 
-enum : std::size_t { partition, lambda_x, lambda_y };
-enum : std::size_t { longitudinal, lateral, around };
+enum : std::size_t { partition, lambda_x, lambda_y, road_conductivity, road_capacity };
+enum : std::size_t { longitudinal, lateral, around, shared };
 enum : std::size_t { profile };
-/// Coefficients: what the road takes back [W]; then the heat that stays, of each frame or of each sector.
+enum : int { by_number, charm };
+/// Coefficients, a block for each effusivity: what the road takes back [W]; then the heat that stays, of each frame or of
+/// each sector.
 enum : std::size_t { taken_back, first_heat };
 
 constexpr std::array parameters{
-    ParameterSpec{"partition", "1", 0.6, 0.0, 1.0, "share of the friction power that enters the tire"},
+    ParameterSpec{"partition", "1", 0.6, 0.0, 1.0, "share of the friction power that enters the tire, or \"charm\""},
     ParameterSpec{"lambda_x", "1", 1.0, 0.0, 10.0, "scale of the longitudinal friction power"},
     ParameterSpec{"lambda_y", "1", 1.0, 0.0, 10.0, "scale of the lateral friction power"},
+    rolling_contact::road_conductivity_spec,
+    rolling_contact::road_capacity_spec,
 };
 constexpr std::array<std::string_view, 2> on_off{"on", "off"};
 constexpr std::array<std::string_view, 2> ways_around{"evenly", "in_contact"};
+constexpr std::array<std::string_view, 2> partitions{"number", "charm"};
 constexpr std::array choices{
     Choice{"longitudinal", on_off, "whether longitudinal sliding makes heat (a switch of the thesis)"},
     Choice{"lateral", on_off, "whether lateral sliding makes heat (a switch of the thesis)"},
     Choice{around_key, ways_around, "evenly around the tire, or in the contact as it goes round (travelling_contact)"},
+    Choice{"partition", partitions,
+           "a number; or \"charm\": heat made between two half-spaces enters both by their effusivities, "
+           "e_tread/(e_tread + e_road); of the road, those of the contact that is resolved, or road_conductivity and "
+           "road_capacity"},
 };
 constexpr std::array tables{contact_profile};
 constexpr std::array<std::string_view, 1> reads{"speed"};
-constexpr std::array<std::string_view, 6> may_read{"vertical_load", "slip_angle",         "slip_ratio",
-                                                   "lateral_force", "longitudinal_force", "wheel_angle"};
+constexpr std::array<std::string_view, 7> may_read{
+    "vertical_load", "slip_angle", "slip_ratio", "slip_speed", "lateral_force", "longitudinal_force", "wheel_angle"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
 void place(const PlacementContext& context, ActiveEffect& active) {
@@ -44,6 +58,13 @@ void place(const PlacementContext& context, ActiveEffect& active) {
     active.groups = active.choices[around] == in_contact ? sectors_of(context.mesh, active.nodes) : std::vector<int>{};
     active.road = active.groups.empty() ? -1 : context.index_of("travelling_contact");
     active.road = active.road < 0 ? context.index_of("resolved_contact") : active.road;
+    const double of_road = active.road >= 0
+                               ? rolling_contact::effusivity_of_road(context.effects[static_cast<std::size_t>(active.road)])
+                               : std::sqrt(active[road_conductivity] * active[road_capacity]);
+    place_effusivities(context, of_road, active);
+    if (active.road < 0 && active.choices[shared] == by_number) {
+        active.effusivities.resize(1);  // nothing follows it
+    }
 }
 
 /// Power of sliding in the contact by the thesis's law. W
@@ -52,73 +73,128 @@ double sliding_power(const ActiveEffect& active, const OperatingPoint& point) {
     if (!point.tire.touches(in.vertical_load)) {
         return 0.0;
     }
-    // Sliding speeds of the contact: v_sx = V - R_R Omega = -V slip_ratio, v_sy = V tan(alpha).
-    const double along = std::abs(in.longitudinal_force * in.speed * in.slip_ratio);
+    // Sliding speeds of the contact: v_sx = V - R_R Omega, v_sy = V tan(alpha).
+    const double along = std::abs(in.longitudinal_force * longitudinal_slip_speed(in));
     const double across = std::abs(in.lateral_force * in.speed) * std::tan(std::abs(in.slip_angle));
     return (active.choices[longitudinal] == 0 ? active[lambda_x] * along : 0.0) +
            (active.choices[lateral] == 0 ? active[lambda_y] * across : 0.0);
 }
 
-void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
-    const std::span<double> heat = out.subspan(first_heat);
+SlidingHeat enters(const ActiveEffect& active) {
+    return active.choices[shared] == charm ? SlidingHeat::between : SlidingHeat::in_tread;
+}
+
+/// Fills the block of one effusivity, whose heat holds the friction power, even or by frames. W
+void share_with_road(const ActiveEffect& active, const OperatingPoint& point, double effusivity,
+                     std::span<double> block) {
+    const std::span<double> heat = block.subspan(first_heat);
+    const double of_tread = active.choices[shared] == charm ? effusivity / (effusivity + active.effusivity_of_road)
+                                                            : active[partition];
     // A law may take the share beyond 1, where it says that a term is missing; it never turns heat into cold.
-    double factor = active[partition] * std::max(0.0, point.laws.partition);
-    std::ranges::fill(out, 0.0);
-    heat[0] = 1.0;
-    if (active.field && !active.field->watts.empty()) {
-        active.field->watts_at(point.inputs.time, heat);
-    } else {
-        factor *= sliding_power(active, point);
-        if (active.field) {
-            active.field->shares_at(point.inputs.time, heat);
-        }
-    }
+    const double factor = of_tread * std::max(0.0, point.laws.partition);
     const ActiveEffect* road = active.road >= 0 ? &point.effects[static_cast<std::size_t>(active.road)] : nullptr;
     const bool road_travels = road != nullptr && travels(*road);
-    const double kept_in_the_mean = factor > 0.0 && road != nullptr && !road_travels ? kept_heat(*road, point) : 1.0;
+    const bool any = factor > 0.0 && std::ranges::any_of(heat, [](double watts) { return watts != 0.0; });
+    const double kept_in_the_mean =
+        any && road != nullptr && !road_travels ? kept_heat(*road, effusivity, enters(active), point) : 1.0;
     if (!active.groups.empty()) {
+        const double power = factor * heat[0];
         const TravellingContact contact(point.tire, point.inputs);
         const int sectors = active.groups.back() + 1;
         for (int s = 0; s < sectors; ++s) {
-            const double all = factor * concentration(contact, s, sectors);
-            const double kept = all > 0.0 && road_travels ? kept_heat(*road, contact, s, sectors) : kept_in_the_mean;
+            const double all = power * concentration(contact, s, sectors);
+            const double kept = all > 0.0 && road_travels
+                                    ? kept_heat(*road, effusivity, enters(active), contact, s, sectors)
+                                    : kept_in_the_mean;
             heat[static_cast<std::size_t>(s)] = kept * all;
-            out[taken_back] += (1.0 - kept) * all / sectors;
+            block[taken_back] += (1.0 - kept) * all / sectors;
         }
         return;
     }
     for (double& watts : heat) {
-        out[taken_back] += (1.0 - kept_in_the_mean) * factor * watts;
+        block[taken_back] += (1.0 - kept_in_the_mean) * factor * watts;
         watts *= kept_in_the_mean * factor;
     }
 }
 
-/// The heat that stays in the tread; what the road has taken back is booked as made here and taken there.
-void add_terms(const EvaluationState& m, Terms& terms) {
-    const std::span<const double> heat = m.coefficients.subspan(first_heat);
-    if (m.active.road >= 0) {
-        terms.rebook(static_cast<std::size_t>(m.active.road), -m.coefficients[taken_back]);
+void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
+    std::ranges::fill(out, 0.0);
+    const std::size_t size = out.size() / most_effusivities;
+    const std::span<double> heat = out.subspan(first_heat, size - first_heat);
+    heat[0] = 1.0;
+    if (active.field && !active.field->watts.empty()) {
+        active.field->watts_at(point.inputs.time, heat);
+    } else {
+        if (active.field) {
+            active.field->shares_at(point.inputs.time, heat);
+        }
+        const double power = sliding_power(active, point);
+        for (double& watts : heat) {
+            watts *= power;
+        }
     }
+    for (std::size_t e = active.effusivities.size(); e-- > 0;) {  // the first block holds the power until its turn
+        const std::span<double> block = out.subspan(e * size, size);
+        std::ranges::copy(heat, block.subspan(first_heat).begin());
+        share_with_road(active, point, active.effusivities[e], block);
+    }
+}
+
+/// One coefficient at all effusivities.
+std::array<double, most_effusivities> at_effusivities(std::span<const double> coefficients, std::size_t index) {
+    const std::size_t size = coefficients.size() / most_effusivities;
+    std::array<double, most_effusivities> values{};
+    for (std::size_t e = 0; e < most_effusivities; ++e) {
+        values[e] = coefficients[e * size + index];
+    }
+    return values;
+}
+
+/// The heat that stays in the tread, and what the road has taken back, which is booked as made here and taken there.
+void add_heat(const EvaluationState& m, int node, double weight, std::size_t index, double taken_share, Terms& terms) {
+    const EffusivityInterpolation tread(m, node);
+    const std::array<double, most_effusivities> heat = at_effusivities(m.coefficients, index);
+    if (heat[0] != 0.0) {
+        terms.heat(node, weight * tread.value(heat), weight * tread.slope(heat));
+    }
+    if (m.active.road >= 0 && taken_share != 0.0) {
+        terms.rebook(static_cast<std::size_t>(m.active.road),
+                     -taken_share * tread.value(at_effusivities(m.coefficients, taken_back)));
+    }
+}
+
+void add_terms(const EvaluationState& m, Terms& terms) {
+    const std::vector<int>& nodes = m.active.nodes;
     if (!m.active.groups.empty()) {
-        for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
-            if (const double watts = heat[static_cast<std::size_t>(m.active.groups[i])]; watts != 0.0) {
-                terms.heat(m.active.nodes[i], watts * m.active.weights[i]);
-            }
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            const auto sector = static_cast<std::size_t>(m.active.groups[i]);
+            add_heat(m, nodes[i], m.active.weights[i], first_heat + sector, m.active.weights[i], terms);
         }
         return;
     }
-    for (std::size_t k = 0; k < heat.size(); ++k) {
+    const std::size_t frames = m.active.field ? m.active.field->frames() : 1;
+    for (std::size_t k = 0; k < frames; ++k) {
         const std::vector<double>& weights = m.active.field ? m.active.field->weights[k] : m.active.weights;
-        for (std::size_t i = 0; i < m.active.nodes.size() && heat[k] != 0.0; ++i) {
-            terms.heat(m.active.nodes[i], heat[k] * weights[i]);
-        }
-        if (!m.active.field || k + 1 == m.active.field->frames()) {
-            return;
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            add_heat(m, nodes[i], weights[i], first_heat + k, k == 0 ? weights[i] : 0.0, terms);
         }
     }
 }
 
 }  // namespace
+}  // namespace effects
+
+EnteredHeat heat_of_sliding(const ActiveEffect& sliding, std::span<const double> coefficients, double effusivity) {
+    const EffusivityInterpolation tread(sliding.effusivities, sliding.effusivity_of_road,
+                                        {.value = effusivity, .slope = 0.0});
+    double watts = 0.0;
+    for (std::size_t i = 0; i < coefficients.size() / most_effusivities; ++i) {
+        watts += tread.value(effects::at_effusivities(coefficients, i));
+    }
+    return {.watts = watts, .enters = effects::enters(sliding)};
+}
+
+namespace effects {
 
 extern const Effect sliding_friction;
 const Effect sliding_friction{
@@ -126,13 +202,17 @@ const Effect sliding_friction{
     .kind = Kind::source,
     .on = true,
     .equation = "q = partition (lambda_x |Fx v_sx| + lambda_y |Fy| |V| tan|alpha|) >= 0, v_sx = V - R_R Omega",
-    .source = "thesis (31)",
+    .source =
+        "thesis (31); charm: Charron, Publ. Sci. Tech. Minist. Air 182, 1943, and Carslaw & Jaeger 1959, sec. 2.8; asphalt "
+        "concrete 1.2 W/mK, 2300 kg/m3, 900 J/kgK (quoted)",
     .meaning =
         "Heat of sliding in the contact, into the outer surface. Either sign convention of Fy and the slip "
-        "angle gives the same heat; signals that are not given count as zero. Beside "
-        "resolved_contact, and beside travelling_contact with around = \"in_contact\", the road takes a share of the "
-        "heat "
-        "back in the contact; the heat budget counts that share with the contact's effect. "
+        "angle gives the same heat; signals that are not given count as zero. slip_speed in the place of slip_ratio lets "
+        "a wheel that spins on the spot heat up. The thesis's partition of 0.6 is a fitted number and, beside a contact "
+        "that cools the tread, counts the road's share twice; \"charm\" is the share that two half-spaces take (0.30 to "
+        "0.36 of rubber on asphalt) and belongs beside resolved_contact or travelling_contact (around = \"in_contact\"). "
+        "With a number, the road takes a share of the heat back in such a contact; the heat budget counts that share with "
+        "the contact's effect. "
         "A field of a structural code places it by friction power, or gives its watts; around = \"in_contact\" lets it "
         "go round with travelling_contact.",
     .parameters = parameters,
@@ -144,13 +224,14 @@ const Effect sliding_friction{
     .patches = patches,
     .model =
         HeatEffect{
-            .n_coefficients = 2,
+            .n_coefficients = 2 * most_effusivities,
             .field = FieldOf::friction,
-            .frame_coefficients = most_frames - 1,
+            .frame_coefficients = most_effusivities * (most_frames - 1),
             .place = place,
             .evaluate_coefficients = evaluate_coefficients,
             .add_terms = add_terms,
         },
 };
 
-}  // namespace tiretherm::physics::effects
+}  // namespace effects
+}  // namespace tiretherm::physics

@@ -26,10 +26,15 @@ enum : std::size_t {
     loss_tangent_share,
     belt_edge_gain,
     belt_edge_place,
-    belt_edge_width
+    belt_edge_width,
+    tan_delta_peak,
+    kraus_amplitude,
+    kraus_strain,
+    kraus_exponent,
+    kraus_reference
 };
 enum : std::size_t { temperature };
-enum : std::size_t { profile };
+enum : std::size_t { profile, tan_delta };
 
 constexpr std::array parameters{
     ParameterSpec{"lambda_srf", "1", 1.0, 0.0, 10.0, "scale of the loss in the surface layer, lambda_SELsrf"},
@@ -48,6 +53,15 @@ constexpr std::array parameters{
                   "loss per mass at the belt's edges over that elsewhere, less 1; none in the thesis"},
     ParameterSpec{"belt_edge_place", "1", 0.8, 0.0, 1.0, "where the belt ends, as a share of half the tread's width"},
     ParameterSpec{"belt_edge_width", "m", 0.010, 1e-4, 1.0, "distance over which the excess falls to 1/e"},
+    ParameterSpec{"tan_delta_peak", "K", 265.15, 0.0, 1000.0,
+                  "equivalent temperature of the loss tangent's peak (thesis V), below which it falls as it rose; 0 K "
+                  "lets the Gaussian (49) rise on"},
+    ParameterSpec{"kraus_amplitude", "1", 0.0, 0.0, 100.0,
+                  "how far the loss at kraus_strain rises above that of small strains (Kraus); 0: the strain has no say"},
+    ParameterSpec{"kraus_strain", "1", 0.02, 1e-6, 10.0, "strain of the largest loss modulus, some per cent"},
+    ParameterSpec{"kraus_exponent", "1", 0.6, 0.01, 3.0, "m of Kraus; 0.5 to 0.7 in many compounds (recalled)"},
+    ParameterSpec{"kraus_reference", "1", 0.1, 1e-6, 10.0,
+                  "strain at which the loss tangent was characterised, deflection over section height"},
 };
 constexpr std::array<std::string_view, 2> temperatures{"bulk_mean", "local"};
 constexpr std::array choices{
@@ -56,17 +70,57 @@ constexpr std::array choices{
 constexpr std::array tables{
     Table{"profile", "m", "1",
           "weight of the loss along the meridian, such as the contact pressure, against the arc "
-          "length from the centre plane (negative outboard); without it even"}};
+          "length from the centre plane (negative outboard); without it even"},
+    Table{"tan_delta", "K", "1", "loss tangent at f0 against the temperature, in the place of the Gaussian (49)"}};
 constexpr std::array scopes{Scope::layer, Scope::zone};
 constexpr std::array<std::string_view, 2> reads{"speed", "vertical_load"};
+constexpr std::array<std::string_view, 2> may_read{"inflation_pressure", "slip_speed"};
 
-LossTangent loss_tangent(const ActiveEffect& active) {
-    return {.a = active[tan_delta_a],
-            .b = active[tan_delta_b],
-            .c = active[tan_delta_c],
+constexpr std::array of_compound{tan_delta_a, tan_delta_b, tan_delta_c, tan_delta_peak};
+
+/// That of a layer's compound.
+LossTangent loss_tangent(const ActiveEffect& active, int layer) {
+    return {.a = active.at(tan_delta_a, Scope::layer, layer),
+            .b = active.at(tan_delta_b, Scope::layer, layer),
+            .c = active.at(tan_delta_c, Scope::layer, layer),
             .f0 = active[f0],
             .C1 = active[C1],
-            .C2 = active[C2]};
+            .C2 = active[C2],
+            .peak = active.at(tan_delta_peak, Scope::layer, layer)};
+}
+
+bool has_own_compounds(const ActiveEffect& active) {
+    return !active.tables[tan_delta] && std::ranges::any_of(active.overrides, [](const ActiveEffect::Override& other) {
+        return std::ranges::count(of_compound, other.parameter) > 0;
+    });
+}
+
+/// Loss tangent and its slope at an equivalent temperature. 1, 1/K
+struct TanDelta {
+    double value = 0.0;
+    double slope = 0.0;
+};
+TanDelta tan_delta_at(const ActiveEffect& active, int layer, double T_eq) {
+    if (const std::optional<Curve>& table = active.tables[tan_delta]) {
+        return {.value = table->value(T_eq), .slope = table->slope(T_eq)};
+    }
+    const LossTangent law = loss_tangent(active, layer);
+    const double value = law.value(T_eq);
+    return {.value = value, .slope = value * law.log_slope(T_eq)};
+}
+
+/// How the loss follows the strain, over that at the reference strain: G'' = G''_inf (1 + A 2 (e/e_c)^m / (1 +
+/// (e/e_c)^2m)). Kraus, J. Appl. Polym. Sci.: Appl. Polym. Symp. 39, 1984; Ulmer, Rubber Chem. Technol. 69, 1996.
+double strain_factor(const ActiveEffect& active, const Tire& tire, const Inputs& inputs) {
+    if (active[kraus_amplitude] == 0.0) {
+        return 1.0;
+    }
+    const auto loss = [&](double strain) {
+        const double x = std::pow(strain / active[kraus_strain], active[kraus_exponent]);
+        return 1.0 + active[kraus_amplitude] * 2.0 * x / (1.0 + x * x);
+    };
+    const double deflection = std::max(0.0, tire.unloaded_radius - tire.loaded_radius(inputs));
+    return loss(deflection / tire.section_height) / loss(active[kraus_reference]);
 }
 
 /// Half the width of the tread along the meridian. m
@@ -133,7 +187,7 @@ void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& poi
         active.field->watts_at(in.time, out.size() > framed ? out.subspan(framed, most_frames) : out.first(1));
         return;
     }
-    double power = strain_power(point.tire, in.speed, in.vertical_load) * point.laws.loss;
+    double power = strain_power(point.tire, in) * strain_factor(active, point.tire, in) * point.laws.loss;
     if (active.total) {
         const bool touches = point.tire.touches(in.vertical_load);
         const auto measured = [&](double T) { return touches ? active.total->power(in, T) * point.laws.loss : 0.0; };
@@ -145,8 +199,8 @@ void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& poi
     }
     out[whole] = power;
     if (power > 0.0) {
-        const double frequency = point.tire.revolutions(in.speed, in.vertical_load);
-        out[shifted] = power * (loss_tangent(active).shift(frequency) + point.laws.loss_shift);
+        const double frequency = point.tire.revolutions(in);
+        out[shifted] = power * (loss_tangent(active, 0).shift(frequency) + point.laws.loss_shift);
         out[skewed] = power * point.laws.loss_skew;
     }
     if (out.size() > framed && active.field) {
@@ -157,14 +211,8 @@ void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& poi
     }
 }
 
-/// A loss at a temperature, and its slope. W, W/K
-struct Loss {
-    double value = 0.0;
-    double slope = 0.0;
-};
-
-/// The measured power at the bulk's temperature over that which `whole` stands for.
-Loss relative_measured(const EvaluationState& m, double T_bulk) {
+/// The measured power at the bulk's temperature over that which `whole` stands for, in the place of a loss tangent.
+TanDelta relative_measured(const EvaluationState& m, double T_bulk) {
     const std::vector<double>& at = m.active.total->bulk_temperatures;
     if (at.size() < 2) {
         return {.value = 1.0};
@@ -181,10 +229,10 @@ Loss relative_measured(const EvaluationState& m, double T_bulk) {
 /// Shares a power out by weights; however it is shared, the total is the law's.
 void share_out(const EvaluationState& m, double power, const std::vector<double>& weights, Terms& terms) {
     const auto bulk = m.mesh.find_region("bulk");
-    const LossTangent law = loss_tangent(m.active);
     const double shift = m.coefficients[shifted] / m.coefficients[whole];
     const double skew = m.coefficients[skewed] / m.coefficients[whole];
     const bool local = m.active.choices[temperature] == 1 && !m.active.total;
+    const bool by_layer = has_own_compounds(m.active) && !m.active.total;
     double factor = power;
     for (const LossFactor& f : m.loss_factors) {
         factor *= f.value;
@@ -197,22 +245,26 @@ void share_out(const EvaluationState& m, double power, const std::vector<double>
         kept += weights[i] * std::max(0.0, 1.0 + skew * m.active.skew[i]);
     }
     factor /= skew != 0.0 ? kept : 1.0;
-    const Loss relative = m.active.total ? relative_measured(m, T_bulk)
-                                         : Loss{law.value(T_mean), law.value(T_mean) * law.log_slope(T_mean)};
-    double loss = factor * relative.value;
-    const double slope = factor * relative.slope;
+    TanDelta relative = m.active.total ? relative_measured(m, T_bulk) : tan_delta_at(m.active, 0, T_mean);
+    int layer_of_relative = 0;
     for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
         const int node = m.active.nodes[i];
         const bool at_surface = m.mesh.layer[static_cast<std::size_t>(node)] == 0 && m.mesh.layers.size() > 1;
         const double share =
             weights[i] * std::max(0.0, 1.0 + skew * m.active.skew[i]) * m.active[at_surface ? lambda_srf : lambda_blk];
+        const int layer = m.mesh.layer[static_cast<std::size_t>(node)];
         if (local) {
-            const double T = m.temperature[static_cast<std::size_t>(node)] + shift;
-            loss = factor * law.value(T);
-            terms.heat(node, share * loss, share * loss * law.log_slope(T));
+            relative = tan_delta_at(m.active, layer, m.temperature[static_cast<std::size_t>(node)] + shift);
+        } else if (by_layer && layer != layer_of_relative) {
+            relative = tan_delta_at(m.active, layer, T_mean);
+            layer_of_relative = layer;
+        }
+        const double loss = factor * relative.value;
+        if (local) {
+            terms.heat(node, share * loss, share * factor * relative.slope);
         } else {
             terms.heat(node, share * loss);
-            terms.add_source_derivative(node, bulk, share * slope);
+            terms.add_source_derivative(node, bulk, share * factor * relative.slope);
         }
         for (const LossFactor& f : m.loss_factors) {
             terms.add_source_derivative(node, f.region, share * loss / f.value * f.dvalue_dT_mean);
@@ -247,11 +299,17 @@ const Effect strain_energy_loss{
     .kind = Kind::source,
     .on = true,
     .equation = "SEL = Fz eps (A_CS/A_VC) H tan delta(T_bulk, f) (2 pi R0/l) V/(2 pi R_R)",
-    .source = "thesis (36)-(49), errata E1, E2, E3, E7, E8",
+    .source =
+        "thesis (36)-(49), errata E1, E2, E3, E7, E8; strain: Kraus, J. Appl. Polym. Sci.: Appl. Polym. Symp. 39, 1984; "
+        "pressure: SAE J2452 (exponent recalled)",
     .meaning =
         "Heat of cyclic deformation, shared over the cells by mass and by the weights of layers, zones and the "
         "place along the meridian; however it is shared, the total is the law's. tan delta is taken at the bulk's mean "
-        "temperature unless it is to be local; none at rest or without load. "
+        "temperature unless it is to be local; none at rest or without load. Below tan_delta_peak the loss tangent falls "
+        "again: the Gaussian, fitted above 0 degC, would rise without end in the cold. The loss falls with the inflation "
+        "pressure, (p/reference_pressure)^-pressure_exponent_of_loss of [tire], where the pressure is given (SAE J2452). "
+        "tan_delta_a, _b, _c and _peak may differ by layer, one compound each; Kraus's law lets the loss follow the "
+        "strain. "
         "A field of a structural code may replace the weights, or the loss itself; a drum's table (total) or SAE J2452 "
         "coefficients (coastdown) the total, scaled by the lambdas and by laws that scale the loss.",
     .parameters = parameters,
@@ -259,6 +317,7 @@ const Effect strain_energy_loss{
     .tables = tables,
     .scopes = scopes,
     .reads = reads,
+    .may_read = may_read,
     .needs_tire = true,
     .model =
         HeatEffect{

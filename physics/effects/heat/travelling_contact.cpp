@@ -9,6 +9,7 @@
 
 #include "physics/contact/rolling_contact.hpp"
 #include "physics/contact/travelling.hpp"
+#include "physics/contact/tread_effusivity.hpp"
 #include "physics/spread.hpp"
 
 namespace tiretherm::physics {
@@ -18,11 +19,13 @@ namespace {
 
 enum : std::size_t { profile };
 
-/// Intensities: the road's temperature [K], then what each sector exchanges, per weight [W/K].
+/// Coefficients: the road's temperature [K], then what each sector exchanges, per weight [W/K], at each effusivity.
 enum : std::size_t { road, first_sector };
 
+std::size_t first_of(int sector) { return first_sector + static_cast<std::size_t>(sector) * most_effusivities; }
+
 constexpr std::array tables{contact_profile};
-constexpr std::array<std::string_view, 1> may_read{"wheel_angle"};
+constexpr std::array<std::string_view, 3> may_read{"wheel_angle", "inflation_pressure", "slip_speed"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
 /// Gauss and Legendre's rule of six points on (0, 1). Abramowitz & Stegun 1964, table 25.4.
@@ -38,6 +41,7 @@ constexpr std::array rule{
 void place(const PlacementContext& context, ActiveEffect& active) {
     spread_over_patches(context, active, active.tables[profile]);
     active.groups = sectors_of(context.mesh, active.nodes);
+    place_effusivities(context, rolling_contact::effusivity_of_road(active), active);
 }
 
 /// What follows the time since entry, integrated over the angle of a part of the contact in the root of the time, in which
@@ -62,14 +66,14 @@ void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& poi
     if (!contact.touches()) {
         return;
     }
-    const ContactOfHalfSpaces surfaces = rolling_contact::half_spaces(active);
     // The contact's area is that share of the tread's strip that its length is of the circumference.
-    const double strip = active[rolling_contact::scale] * point.tire.contact_area(in.vertical_load) / contact.length();
+    const double strip = active[rolling_contact::scale] * point.tire.contact_area(in) / contact.length();
     const int sectors = active.groups.empty() ? 1 : active.groups.back() + 1;
     for (int s = 0; s < sectors; ++s) {
         const TravellingContact::Part part = contact.part(s, sectors);
-        if (part.inside) {
-            out[first_sector + static_cast<std::size_t>(s)] =
+        for (std::size_t e = 0; e < active.effusivities.size() && part.inside; ++e) {
+            const ContactOfHalfSpaces surfaces = rolling_contact::half_spaces(active, active.effusivities[e]);
+            out[first_of(s) + e] =
                 sectors == 1
                     ? strip * 2.0 * std::numbers::pi * surfaces.conductance_at(part.from / contact.angular_speed())
                     : strip * sectors *
@@ -80,9 +84,12 @@ void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& poi
 
 void add_terms(const EvaluationState& m, Terms& terms) {
     for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
-        const double G = m.coefficients[first_sector + static_cast<std::size_t>(m.active.groups[i])];
-        if (G > 0.0) {
-            terms.exchange(m.active.nodes[i], G * m.active.weights[i], m.coefficients[road]);
+        std::array<double, most_effusivities> G{};
+        std::ranges::copy(m.coefficients.subspan(first_of(m.active.groups[i]), most_effusivities), G.begin());
+        if (G[0] > 0.0) {
+            const EffusivityInterpolation tread(m, m.active.nodes[i]);
+            const double weight = m.active.weights[i];
+            terms.exchange(m.active.nodes[i], tread.value(G) * weight, m.coefficients[road], tread.slope(G) * weight);
         }
     }
 }
@@ -90,12 +97,13 @@ void add_terms(const EvaluationState& m, Terms& terms) {
 }  // namespace
 }  // namespace effects
 
-double kept_heat(const ActiveEffect& active, const TravellingContact& contact, int sector, int sectors) {
-    const ContactOfHalfSpaces surfaces = rolling_contact::half_spaces(active);
+double kept_heat(const ActiveEffect& active, double effusivity, SlidingHeat enters, const TravellingContact& contact,
+                 int sector, int sectors) {
+    const ContactOfHalfSpaces surfaces = rolling_contact::half_spaces(active, effusivity);
     const TravellingContact::Part part = contact.part(sector, sectors);
-    const double kept = sectors == 1 ? surfaces.kept_heat_at(part.from / contact.angular_speed())
+    const double kept = sectors == 1 ? surfaces.kept_heat_at(part.from / contact.angular_speed(), enters)
                                      : effects::integral(contact, part, [&](double since) {
-                                           return surfaces.kept_heat_at(since);
+                                           return surfaces.kept_heat_at(since, enters);
                                        }) / (part.to - part.from);
     return 1.0 + rolling_contact::scale_of(active) * (kept - 1.0);
 }
@@ -127,8 +135,8 @@ const Effect travelling_contact{
     .model =
         HeatEffect{
             .travels = true,
-            .n_coefficients = 2,
-            .frame_coefficients = most_sectors - 1,
+            .n_coefficients = 1 + most_effusivities,
+            .frame_coefficients = most_effusivities * (most_sectors - 1),
             .place = place,
             .evaluate_coefficients = evaluate_coefficients,
             .add_terms = add_terms,

@@ -16,11 +16,12 @@ enum : std::size_t { gain };
 constexpr std::array parameters{
     ParameterSpec{"gain", "1", 1.0, 0.0, 10.0, "true sliding speed over that of the log", false, 1.0},
 };
-constexpr std::array<std::string_view, 2> may_read{"slip_angle", "slip_ratio"};
+constexpr std::array<std::string_view, 3> may_read{"slip_angle", "slip_ratio", "slip_speed"};
 
 /// On the tangent, not on the angle: the lateral sliding speed V tan(alpha), and with it the heat, take the gain exactly.
 void transform(const ActiveEffect& active, Inputs& inputs) {
     inputs.slip_ratio *= active[gain];
+    inputs.slip_speed *= active[gain];
     inputs.slip_angle = std::atan(active[gain] * std::tan(inputs.slip_angle));
 }
 

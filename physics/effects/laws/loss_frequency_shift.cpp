@@ -21,8 +21,8 @@ constexpr std::array parameters{
 constexpr std::array<std::string_view, 2> reads{"speed", "vertical_load"};
 
 void modify_laws(const ActiveEffect& active, const Tire& tire, const Inputs& inputs, Laws& laws) {
-    if (std::abs(inputs.speed) > standing_speed) {  // below it there is no loss, and no logarithm
-        const double frequency = tire.revolutions(inputs.speed, inputs.vertical_load);
+    if (std::abs(rolling_speed(inputs)) > standing_speed) {  // below it there is no loss, and no logarithm
+        const double frequency = tire.revolutions(inputs);
         laws.loss_shift += active[per_decade] * std::log10(frequency / active[reference]);
     }
 }

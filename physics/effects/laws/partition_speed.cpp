@@ -21,10 +21,10 @@ constexpr std::array parameters{
         false, 0.0},
 };
 constexpr std::array<std::string_view, 1> reads{"speed"};
-constexpr std::array<std::string_view, 2> may_read{"slip_angle", "slip_ratio"};
+constexpr std::array<std::string_view, 3> may_read{"slip_angle", "slip_ratio", "slip_speed"};
 
 void modify_laws(const ActiveEffect& active, const Tire& /*tire*/, const Inputs& inputs, Laws& laws) {
-    const double along = inputs.speed * inputs.slip_ratio;
+    const double along = longitudinal_slip_speed(inputs);
     const double across = inputs.speed * std::tan(inputs.slip_angle);
     laws.partition *= 1.0 + active[slope] * std::hypot(along, across);
 }
@@ -35,7 +35,7 @@ extern const Effect partition_speed;
 const Effect partition_speed{
     .id = "partition_speed",
     .kind = Kind::source,
-    .equation = "partition' = partition (1 + slope v_s), v_s = sqrt((V s)^2 + (V tan alpha)^2)",
+    .equation = "partition' = partition (1 + slope v_s), v_s = sqrt(v_sx^2 + (V tan alpha)^2)",
     .source =
         "a straight line through the partition of moving heat sources: Jaeger, Proc. R. Soc. N.S.W. 76, 1942; Blok, "
         "Proc. Inst. Mech. Eng. 2, 1937",

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Compares the extremes of each layer with the ranges of its laws; layers of one material share a sentence.
+
+#include "solver/time_integration/law_ranges.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "solver/celsius.hpp"
+
+namespace tiretherm::solver {
+
+namespace {
+
+/// Sulphur-cured rubber loses its cross-links: reversion, at 140 to 160 degC within hours (recalled).
+constexpr double reversion = zero_celsius + 150.0;
+constexpr double slack = 1e-6;  // K
+
+}  // namespace
+
+std::vector<std::string> law_range_warnings(const mesh::Mesh& mesh, const physics::MaterialModel& material_model,
+                                            std::span<const LayerExtremes> extremes) {
+    std::vector<std::string> sentences;
+    const auto add = [&](std::string sentence) {
+        if (std::ranges::count(sentences, sentence) == 0) {
+            sentences.push_back(std::move(sentence));
+        }
+    };
+    for (std::size_t layer = 0; layer < extremes.size(); ++layer) {
+        const physics::Material& material = material_model.materials[layer];
+        LayerExtremes all = extremes[layer];
+        for (std::size_t other = 0; other < extremes.size(); ++other) {
+            if (material_model.materials[other] == material) {
+                all.coldest = std::min(all.coldest, extremes[other].coldest);
+                all.hottest = std::max(all.hottest, extremes[other].hottest);
+            }
+        }
+        struct Law {
+            std::string_view what;
+            const physics::Curve& curve;
+        };
+        for (const Law& law : {Law{"conductivity", material.along(mesh::Axis::through)},
+                               Law{"conductivity along the meridian", material.along(mesh::Axis::meridian)},
+                               Law{"conductivity along the circumference", material.along(mesh::Axis::circumference)},
+                               Law{"heat capacity", material.heat_capacity}}) {
+            const auto range = law.curve.range();
+            const bool same = law.what.starts_with("conductivity along") && law.curve == material.along(mesh::Axis::through);
+            if (range && !same && (all.coldest < (*range)[0] - slack || all.hottest > (*range)[1] + slack)) {
+                add(fmt::format("the {} of {} is known from {:.4g} to {:.4g} degC and held beyond; it was between {:.1f} "
+                                "and {:.1f} degC",
+                                law.what, material.name, (*range)[0] - zero_celsius, (*range)[1] - zero_celsius,
+                                all.coldest - zero_celsius, all.hottest - zero_celsius));
+            }
+        }
+    }
+    std::vector<std::string> reverting;
+    double hottest = 0.0;
+    for (std::size_t layer = 0; layer < extremes.size(); ++layer) {
+        if (extremes[layer].hottest > reversion) {
+            reverting.push_back(mesh.layers[layer]);
+            hottest = std::max(hottest, extremes[layer].hottest);
+        }
+    }
+    if (!reverting.empty()) {
+        const double celsius = hottest - zero_celsius;
+        add(fmt::format("{} reached {} degC: above 150 degC vulcanised rubber reverts (its cross-links break), and no law "
+                        "here knows that",
+                        fmt::join(reverting, ", "),
+                        celsius < 1e5 ? fmt::format("{:.1f}", celsius) : fmt::format("{:.3g}", celsius)));
+    }
+    return sentences;
+}
+
+}  // namespace tiretherm::solver
