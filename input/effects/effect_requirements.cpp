@@ -13,6 +13,7 @@
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
 #include "physics/contact/travelling.hpp"
+#include "physics/tire_laws/disk_film.hpp"
 #include "solver/system.hpp"
 
 namespace tiretherm::input {
@@ -21,6 +22,15 @@ namespace {
 
 using physics::ActiveEffect;
 using physics::Effect;
+
+/// Whether a choice of the effect needs what the effect itself does not: a turning tire.
+bool turns(const ActiveEffect& active) { return physics::disk_film::is_chosen(active); }
+
+bool needs(const ActiveEffect& active, std::string_view signal) {
+    const auto reads = active.effect->reads;
+    return std::ranges::find(reads, signal) != reads.end() ||
+           (turns(active) && std::ranges::find(physics::disk_film::reads, signal) != physics::disk_film::reads.end());
+}
 
 bool uses(const Effect& effect, std::string_view signal) {
     const auto lists = {effect.reads, effect.may_read};
@@ -81,6 +91,12 @@ void check_requirements(TomlTable& root, const ActiveEffect& active, const Sourc
                         const ProblemBuilder& builder) {
     const Effect& effect = *active.effect;
     const std::string off = fmt::format("or switch it off: [effects.{}] on = false", effect.id);
+    if (!effect.needs_tire && turns(active) && !builder.has_tire) {
+        root.errors().add(place, fmt::format("the rotating disk of {} needs a tire", effect.id),
+                          fmt::format("add [tire], or write {} = \"{}\"", physics::disk_film::key,
+                                      physics::disk_film::films.front()));
+        return;
+    }
     if (effect.needs_tire && !builder.has_tire) {
         root.errors().add(place, fmt::format("{} needs a tire", effect.id), fmt::format("add [tire], {}", off));
         return;
@@ -158,9 +174,8 @@ void check_signals(TomlTable& root, const ProblemBuilder& builder) {
     for (const physics::Signal& signal : physics::signals()) {
         std::vector<std::string> needing;
         for (const ActiveEffect& active : builder.problem.effects) {
-            const auto reads = active.effect->reads;
-            const bool can_act = builder.has_tire || !active.effect->needs_tire;
-            if (can_act && std::find(reads.begin(), reads.end(), signal.name) != reads.end()) {
+            const bool can_act = builder.has_tire || !(active.effect->needs_tire || turns(active));
+            if (can_act && needs(active, signal.name)) {
                 needing.emplace_back(active.effect->id);
             }
         }
