@@ -142,10 +142,11 @@ inline Inputs rolling() {
             .laser_power = 1.0};
 }
 
-/// An effect to switch on, with the numbers that are not standard.
+/// An effect to switch on, with the numbers and choices that are not standard.
 struct Part {
     std::string_view id;
     std::vector<std::pair<std::string_view, double>> numbers{};
+    std::vector<std::pair<std::string_view, int>> choices{};  ///< key and index of the option
 };
 
 /// Several effects on a bench, asked as the solver asks them; nodes that they append start at 23 C. Two channels: the
@@ -197,6 +198,10 @@ public:
             for (const auto& [key, value] : part.numbers) {
                 assert(find_parameter(*active.effect, key) >= 0);
                 active.parameters[static_cast<std::size_t>(find_parameter(*active.effect, key))] = value;
+            }
+            for (const auto& [key, option] : part.choices) {
+                assert(find_choice(*active.effect, key) >= 0);
+                active.choices[static_cast<std::size_t>(find_choice(*active.effect, key))] = option;
             }
             if (active.effect->sensor_model() != nullptr) {
                 active.channels = {0, 1};
