@@ -2,6 +2,7 @@
 // Heat through the beads into a lumped rim: q = bead (T_rim - T), C dT_rim/dt = bead (T - T_rim) + cooling (T_air -
 // T_rim), or cooled by the film of a rotating disk (Cobb & Saunders 1956). The numbers are assumed.
 
+#include <algorithm>
 #include <array>
 
 #include "physics/spread.hpp"
@@ -43,6 +44,7 @@ void extend(mesh::Mesh& mesh, ActiveEffect& active) {
 double capacity(const ActiveEffect& active, std::size_t /*index*/) { return active[capacity_of_rim]; }
 
 void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
+    std::ranges::fill(out, 0.0);
     out[0] = point.inputs.air_temperature;
     if (disk_film::is_chosen(active)) {
         disk_film::evaluate(active, disk_film::rim_of(point.tire), point, out);
@@ -79,11 +81,11 @@ const Effect rim_conduction{
     .meaning =
         "Heat that leaves through the beads into the rim, which is a node of its own and slow. Where inner_gas is on, "
         "the gas meets this rim. On a mesh without beads it is taken from the inside, on two nodes from the bulk. "
-        "With film = \"rotating_disk\" the rim's cooling follows the speed, and cooling does not count: 12 W/K at 100 "
-        "km/h, 29 W/K at "
-        "200 km/h and 2 W/K at rest for 0.5 m2 on 17 inches, a few kelvin above the air. A smooth disk becomes "
-        "turbulent "
-        "at 91 km/h; spokes and brake do that earlier, for which transition is lowered.",
+        "With film = \"rotating_disk\" the rim's cooling follows the speed and cooling does not count; it needs a "
+        "tire, "
+        "its speed and its load. 10 K above the air 0.5 m2 on 17 inches have 2 W/K at rest, 12 W/K at 100 km/h and 29 "
+        "W/K at 200 km/h. A smooth disk of that size becomes turbulent at 91 km/h; spokes and a brake do that earlier, "
+        "for which transition is lowered, and wind through the wheel is left to disk_scale.",
     .parameters = parameters,
     .choices = choices,
     .reads = reads,

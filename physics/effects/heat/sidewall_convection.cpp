@@ -2,6 +2,7 @@
 // Heat from the sidewalls to the air: q = (conductance + h A) (T_air - T) (Newton's law of cooling), or with the film of
 // a rotating disk (Cobb & Saunders 1956). The thesis's tire has no sidewalls (erratum E16).
 
+#include <algorithm>
 #include <array>
 
 #include "physics/spread.hpp"
@@ -31,6 +32,7 @@ constexpr std::array<std::string_view, 2> patches{"sidewalls", "inside"};
 void place(const PlacementContext& context, ActiveEffect& active) { spread_over_patches(context, active); }
 
 void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
+    std::ranges::fill(out, 0.0);
     out[0] = point.inputs.air_temperature;
     if (disk_film::is_chosen(active)) {
         disk_film::evaluate(active, disk_film::sidewalls_of(point.tire), point, out);
@@ -92,18 +94,17 @@ const Effect sidewall_convection{
         "vertical plate: McAdams, Heat Transmission, 3rd ed. 1954, ch. 7",
     .meaning =
         "Heat that leaves through the sidewalls, which the thesis's tire does not have (erratum E16). Spread by area "
-        "over the sidewalls; on a mesh without them it is taken from the inside, on two nodes from the bulk. With film "
-        "= \"rotating_disk\" the coefficient follows the speed, conductance and h do not count, and where a mesh has "
-        "no "
-        "sidewalls A is 2 pi (R0^2 - (R0 - H)^2), 0.39 m2 of a 225/50 R17. At 60 degC in air of 23 degC that tire has "
-        "1.5 W/K at rest, 9 W/K at 50 km/h, 22 W/K (56 W/m2K) at 100 km/h and 38 W/K at 200 km/h; the constant 15 W/K "
-        "is its film at 71 km/h. Measured on smooth disks up to about Re = 7e5 (recalled), which is 115 km/h; beyond, "
-        "the law is an extrapolation. It knows no travel wind, wheel house or lettering: disk_scale stands for them. A "
-        "plate of the tire's diameter in the travel wind alone would have 63 W/m2K at 100 km/h; wind and rotation do "
-        "not "
-        "simply add (aus der Wiesche, Int. J. Thermal Sciences 46, 2007, 745, abstract). On two nodes the rubber "
-        "between bulk and outer face is not in it: 4.5 mm of 0.29 W/mK make 12 of the 22 W/K. Where natural_convection "
-        "acts on the same patch, the floor at rest is its own.",
+        "over the sidewalls; on a mesh without them it is taken from the inside, on two nodes from the bulk. With "
+        "film = \"rotating_disk\" the coefficient follows the speed and conductance and h do not count; it needs a "
+        "tire, its speed and its load, and where a mesh has no sidewalls A is 2 pi (R0^2 - (R0 - H)^2), 0.39 m2 of a "
+        "225/50 R17. At 60 degC in air of 23 degC that tire has 1.5 W/K at rest, 9 W/K at 50 km/h, 22 W/K (56 W/m2K) "
+        "at 100 km/h and 38 W/K at 200 km/h; the constant 15 W/K is its film at 71 km/h. Measured on smooth disks up "
+        "to about Re = 7e5 (recalled), which is 116 km/h; beyond, the law is an extrapolation. It knows no travel "
+        "wind, wheel house or lettering: disk_scale stands for them. A plate of the tire's diameter in the travel wind "
+        "alone would have 63 W/m2K at 100 km/h; wind and rotation do not simply add (aus der Wiesche, Int. J. Thermal "
+        "Sciences 46, 2007, 745, abstract). On two nodes the rubber between bulk and outer face is not in it: with "
+        "4.5 mm of 0.29 W/mK in series 12 of 22 W/K remain. Where natural_convection acts on the same patch, the floor "
+        "at rest is its own.",
     .parameters = parameters,
     .choices = choices,
     .reads = reads,
