@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -19,6 +21,8 @@
 #include "input/model/reader.hpp"
 #include "input/model/size_limits.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/tire_property_file/tire_size.hpp"
+#include "physics/tire_laws/load_capacity.hpp"
 #include "post/report/table.hpp"
 
 namespace tiretherm::app {
@@ -84,10 +88,49 @@ std::string run_text(const input::MeasuredRun& run) {
                        duration(run.problem.settings));
 }
 
+/// What the service description of the size says beside the loads and speeds of the case; empty without one.
+std::string tire_text(const solver::Problem& problem) {
+    const auto read = input::read_tire_size(problem.tire.name);
+    const auto* size = std::get_if<input::TireSize>(&read);
+    const std::optional<double> load = size != nullptr && size->service ? size->service->load() : std::nullopt;
+    if (!load) {
+        return {};
+    }
+    std::string text = fmt::format("{}: {:.0f} N at {:.0f} kPa", size->text, *load,
+                                   1e-3 * physics::standard_load_pressure);
+    if (const std::optional<double> speed = size->service->speed()) {
+        text += fmt::format(", up to {:.0f} km/h", 3.6 * *speed);
+    }
+    double highest = 0.0;  // of the load over what the tire may carry
+    physics::Inputs there;
+    std::vector<double> times{problem.settings.start};
+    times.insert(times.end(), problem.input_signals.stops().begin(), problem.input_signals.stops().end());
+    times.insert(times.end(), problem.input_signals.samples().begin(), problem.input_signals.samples().end());
+    for (const double t : times) {
+        const physics::Inputs in = problem.input_signals.at(t, solver::JumpSide::after);
+        const double pressure = problem.tire.reference_pressure > 0.0 ? in.inflation_pressure
+                                                                       : physics::standard_load_pressure;
+        const double share = in.vertical_load / physics::load_capacity(*load, std::max(pressure, 1.0));
+        if (share > highest) {
+            highest = share;
+            there = in;
+            there.inflation_pressure = pressure;
+        }
+    }
+    if (highest > 0.0) {
+        text += fmt::format("; {:.0f} N at {:.0f} kPa are {:.0f} % of what it may carry there", there.vertical_load,
+                            1e-3 * there.inflation_pressure, 100.0 * highest);
+    }
+    return text;
+}
+
 void print_text(const Checked& checked) {
     const solver::Problem& problem = checked.problem;
     post::Table table({true, true});
     table.add({"mesh", fmt::format("{} ({})", problem.mesh.kind, fmt::join(problem.mesh.layers, ", "))});
+    if (const std::string tire = tire_text(problem); !tire.empty()) {
+        table.add({"tire", tire});
+    }
     table.add({"effects", fmt::format("{}", fmt::join(effect_names(problem), ", "))});
     table.add({"channels", fmt::format("{}", fmt::join(channel_names(problem), ", "))});
     table.add({"time", duration(problem.settings)});

@@ -102,6 +102,7 @@ void print_one(const physics::Effect& effect) {
     fmt::print("{}", post::wrap(std::string(effect.meaning), 4));
     print_section("Equation", effect.equation);
     print_section("Source", effect.source);
+    print_section("Valid", effect.valid);
     if (!effect.parameters.empty()) {
         post::Table table({true, false, false, false, true, true});
         table.add({"name", "default", "from", "to", "unit", "meaning"});
@@ -137,10 +138,19 @@ void print_one(const physics::Effect& effect) {
 }
 
 Json as_json(const physics::Effect& effect) {
-    Json json{{"name", effect.id},           {"kind", kind_name(effect.kind)},  {"on", effect.on},
-              {"equation", effect.equation}, {"source", effect.source},         {"meaning", effect.meaning},
-              {"parameters", Json::array()}, {"choices", Json::array()},        {"reads", effect.reads},
-              {"patches", effect.patches},   {"needs_tire", effect.needs_tire}, {"from_files", field_text(effect)}};
+    Json json{{"name", effect.id},
+              {"kind", kind_name(effect.kind)},
+              {"on", effect.on},
+              {"equation", effect.equation},
+              {"source", effect.source},
+              {"valid", effect.valid},
+              {"meaning", effect.meaning},
+              {"parameters", Json::array()},
+              {"choices", Json::array()},
+              {"reads", effect.reads},
+              {"patches", effect.patches},
+              {"needs_tire", effect.needs_tire},
+              {"from_files", field_text(effect)}};
     for (const physics::ParameterSpec& p : effect.parameters) {
         json["parameters"].push_back({{"key", p.key},
                                       {"unit", p.unit},
@@ -168,7 +178,7 @@ constexpr std::string_view page_head =
 std::string markdown_of(const physics::Effect& effect) {
     std::string text =
         fmt::format("\n### {}\n\n*{}, {}.* {}\n\n", effect.id, kind_name(effect.kind), origin(effect), effect.meaning);
-    text += fmt::format("    {}\n\nSource: {}\n", effect.equation, effect.source);
+    text += fmt::format("    {}\n\nSource: {}\n\nValid: {}.\n", effect.equation, effect.source, effect.valid);
     if (!effect.parameters.empty()) {
         text += "\n| parameter | default | from | to | unit | meaning |\n|---|---|---|---|---|---|\n";
     }

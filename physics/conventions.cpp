@@ -33,8 +33,8 @@ constexpr std::array table{
         "wheel. Heat takes the magnitude; the longitudinal force of the Magic Formula and of the brush has its sign."},
     Convention{
         &Inputs::slip_speed,
-        "Positive: the tread runs faster backwards than the road under it, as in a wheel that spins. Heat takes the "
-        "magnitude; the Magic Formula's slip ratio is this speed over |V|, at standstill a large one."},
+        "Positive: the tread runs faster backwards than the road under it, as in a wheel that spins. Heat of sliding "
+        "takes the magnitude; the Magic Formula's slip ratio is this speed over |V|, at standstill a large one."},
     Convention{&Inputs::lateral_force,
                "Drawn positive to the left (y). Heat takes the magnitude: either sign gives the same."},
     Convention{

@@ -65,6 +65,7 @@ struct Effect {
     bool on = false;  ///< part of the thesis's model
     std::string_view equation;
     std::string_view source;
+    std::string_view valid{};  ///< where its law and its standard numbers hold, and what is assumed of them
     std::string_view meaning;
     std::span<const ParameterSpec> parameters{};
     std::span<const Choice> choices{};
@@ -125,9 +126,10 @@ struct ActiveEffect {
     std::vector<double> weights;                  ///< filled by `place`: with which share
     std::vector<int> groups;  ///< filled by `place`: where runs of alike places begin in `weights`, and their end
     int road = -1;  ///< filled by `place`: index of the effect through which the road takes heat back; -1: none
-    std::vector<double> effusivities;  ///< filled by `place`: of the tread, at which what happens in the contact is worked out
-    double effusivity_of_road = 0.0;   ///< filled by `place`
-    std::vector<double> skew;  ///< filled by `place`: how far to the outside shoulder, -1 inside to 1 outside
+    std::vector<double>
+        effusivities;  ///< filled by `place`: of the tread, at which what happens in the contact is worked out
+    double effusivity_of_road = 0.0;  ///< filled by `place`
+    std::vector<double> skew;         ///< filled by `place`: how far to the outside shoulder, -1 inside to 1 outside
 
     /// What it is called: its own name, or its effect's.
     [[nodiscard]] std::string_view title() const { return name.empty() ? effect->id : std::string_view(name); }

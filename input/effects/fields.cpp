@@ -122,7 +122,9 @@ void warn_of_idle_keys(const TomlTable& table, const ActiveEffect& active) {
         }
     }
     for (const physics::Choice& choice : active.effect->choices) {
-        warn(choice.key);
+        if (choice.key != "partition") {
+            warn(choice.key);
+        }
     }
 }
 

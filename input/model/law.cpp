@@ -151,6 +151,7 @@ std::optional<Curve> read_law(TomlTable& table, std::string_view key, const Quan
     }
     if (law.has("columns") || law.has("rows")) {
         if (law.has("range")) {
+            law.declare_keys({"range"});
             law.add_error("range", "a table needs no range: it is held beyond its ends", "remove range");
         }
         return read_table(law, quantity_specs::temperature, value);

@@ -235,6 +235,15 @@ std::optional<FreeParameters> resolve_effect(const ParameterPath& path, const Ca
                             : fmt::format("switch it on: add [effects.{}]", id.text));
         return std::nullopt;
     }
+    const int word = physics::find_choice(*effect, key.key);
+    if (number && word >= 0 && active->choices[static_cast<std::size_t>(word)] != 0) {
+        const std::string_view chosen =
+            effect->choices[static_cast<std::size_t>(word)]
+                .options[static_cast<std::size_t>(active->choices[static_cast<std::size_t>(word)])];
+        in.errors.add(key.at, fmt::format("{}.{} is \"{}\" in this case, not a number", effect->id, key.key, chosen),
+                      fmt::format("give [effects.{}] a number to begin with", effect->id));
+        return std::nullopt;
+    }
     return number ? free_number(in, static_cast<std::size_t>(active - on.begin()), *number, key) : std::nullopt;
 }
 

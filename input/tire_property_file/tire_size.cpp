@@ -2,6 +2,7 @@
 // Reads a tire's size, section height = aspect ratio * width, thesis (65).
 #include "input/tire_property_file/tire_size.hpp"
 
+#include <cctype>
 #include <regex>
 
 #include <fmt/format.h>
@@ -17,7 +18,7 @@ constexpr double inch = 0.0254;  // m
 
 std::variant<TireSize, ErrorText> read_tire_size(std::string_view text) {
     static const std::regex pattern(
-        R"(\s*(P|LT|T)?\s*(\d{2,3})\s*/\s*(\d{2,3})\s*-?\s*(?:ZR|R|B|D|-)\s*(\d{2}(?:\.5)?)\s*(C)?(?:\s+.*)?)",
+        R"(\s*(P|LT|T)?\s*(\d{2,3})\s*/\s*(\d{2,3})\s*-?\s*(?:ZR|R|B|D|-)\s*(\d{2}(?:\.5)?)\s*(C)?(?:\s+(?:(\d{2,3})(?:/\d{2,3})?\s*([L-Y])?\b)?.*)?)",
         std::regex::icase);
     TireSize size{.text = std::string(text)};
     std::smatch parts;
@@ -31,6 +32,12 @@ std::variant<TireSize, ErrorText> read_tire_size(std::string_view text) {
     size.section_height = size.width * size.aspect_ratio * 1e-2;
     size.rim_diameter = rim_inches * inch;
     size.light_truck = parts[5].matched || parts[1].length() == 2;
+    if (parts[6].matched) {
+        const char symbol = parts[7].matched ? *parts[7].first : ' ';
+        size.service = physics::ServiceDescription{
+            .load_index = std::stoi(parts[6]),
+            .speed_symbol = static_cast<char>(std::toupper(static_cast<unsigned char>(symbol)))};
+    }
     if (width_mm < 20.0 || size.aspect_ratio < 15.0 || size.aspect_ratio > 110.0 || size.rim_diameter < 0.2) {
         return ErrorText{fmt::format("size is \"{}\": {} mm wide, aspect ratio {} %, rim {} in", text, width_mm,
                                      size.aspect_ratio, parts[4].str()),

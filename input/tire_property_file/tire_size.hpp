@@ -2,11 +2,13 @@
 // The size of a tire as it stands on its sidewall (ISO 4000-1): "225/50 R17".
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 
 #include "input/text/input_error.hpp"
+#include "physics/tire_laws/load_capacity.hpp"
 
 namespace tiretherm::input {
 
@@ -18,6 +20,7 @@ struct TireSize {
     double rim_diameter = 0.0;    ///< m
     double aspect_ratio = 0.0;    ///< %
     bool light_truck = false;     ///< LT before the width or C behind the rim
+    std::optional<physics::ServiceDescription> service{};  ///< what may stand behind: 94H
 
     /// Half the rim and the section height: m, without load.
     [[nodiscard]] double radius() const { return 0.5 * rim_diameter + section_height; }

@@ -48,8 +48,8 @@ bool is_chosen(const ActiveEffect& active) {
 
 void evaluate(const ActiveEffect& active, const Ring& ring, const OperatingPoint& point, std::span<double> out) {
     const Inputs& in = point.inputs;
-    const bool stands = std::abs(in.speed) <= standing_speed;
-    const double turning = stands ? 0.0 : 2.0 * std::numbers::pi * point.tire.revolutions(in.speed, in.vertical_load);
+    const bool stands = std::abs(rolling_speed(in)) <= standing_speed;
+    const double turning = stands ? 0.0 : 2.0 * std::numbers::pi * point.tire.revolutions(in);
     const RotatingDisk disk{.laminar = number(active, its_laminar),
                             .turbulent = number(active, its_turbulent),
                             .transition = number(active, its_transition)};

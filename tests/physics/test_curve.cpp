@@ -62,6 +62,41 @@ TEST(Curve, DerivativesOfTheMeanAreThoseOfADifference) {
     }
 }
 
+// 0.29 at 20 C and 0.95 at 90 C: at -40 C the line is -0.276, held at 20 C it is 0.29; at 200 C it keeps what it has at 120 C,
+// 0.29 + 100 0.66/70 = 1.232857.
+TEST(Curve, IsHeldOutsideItsRange) {
+    const Curve line = Curve::quadratic_about(293.15, 0.29, 0.66 / 70.0, 0.0);
+    const Curve held = line.within(293.15, 393.15);
+    EXPECT_FALSE(line.range());
+    ASSERT_TRUE(held.range());
+    EXPECT_EQ((*held.range())[1], 393.15);
+    EXPECT_LT(line.value(233.15), 0.0);
+    EXPECT_NEAR(held.value(233.15), 0.29, 1e-12);
+    EXPECT_NEAR(held.value(473.15), 1.232857, 1e-6);
+    EXPECT_EQ(held.value(363.15), line.value(363.15));
+    EXPECT_EQ(held.slope(233.15), 0.0);
+    EXPECT_EQ(held.slope(473.15), 0.0);
+    EXPECT_EQ(held.slope(300.0), line.slope(300.0));
+    EXPECT_NEAR(held.minimum(233.15, 473.15), 0.29, 1e-12);
+    EXPECT_FALSE(held == line);
+    EXPECT_TRUE(held.scaled(2.0).range());
+    EXPECT_NEAR(held.scaled(2.0).value(233.15), 0.58, 1e-12);
+    EXPECT_NEAR(held.plus_line(293.15, 0.01).value(473.15), 2.232857, 1e-6);
+    // 60 K at 0.29, 100 K on the line with a mean of 0.7614286, 80 K at 1.2328571.
+    EXPECT_NEAR(held.integral(473.15) - held.integral(233.15), 17.4 + 76.14286 + 98.628571, 1e-5);
+    EXPECT_NEAR(held.integral(233.15), 0.29 * 233.15, 1e-10);
+    EXPECT_NEAR(held.mean(233.15, 473.15).value, 192.171429 / 240.0, 1e-7);
+    constexpr double step = 1e-3;
+    for (const double a : {240.0, 300.0, 420.0}) {
+        const double b = 460.0;
+        const Curve::Mean mean = held.mean(a, b);
+        EXPECT_NEAR(mean.slope_a, (held.mean(a + step, b).value - held.mean(a - step, b).value) / (2.0 * step), 1e-8)
+            << a;
+        EXPECT_NEAR(mean.slope_b, (held.mean(a, b + step).value - held.mean(a, b - step).value) / (2.0 * step), 1e-8)
+            << a;
+    }
+}
+
 TEST(Curve, MinimumLooksInsideTheRange) {
     EXPECT_DOUBLE_EQ(steps.minimum(285.0, 400.0), 1.0);
     EXPECT_DOUBLE_EQ(steps.minimum(301.0, 400.0), 2.0);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The swing of the tread's surface temperature within a revolution, against half-space formulas.
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "physics/contact/contact_in_revolutions.hpp"
@@ -39,8 +41,8 @@ TEST(SensorOutputs, TheTreadsSurfaceSwingsInEveryRevolution) {
     support::switch_on(problem, "resolved_contact");
     first.clear();
     (void)support::run_closed(problem, keep_first);
-    const physics::ContactInRevolutions contact =
-        *physics::contact_in_revolutions(problem.effects.back(), problem.tire, problem.input_signals.constants());
+    const physics::ContactInRevolutions contact = *physics::contact_in_revolutions(
+        problem.effects.back(), std::sqrt(0.29 * 1.98e6), problem.tire, problem.input_signals.constants());
     EXPECT_EQ(first[0], 333.15);
     EXPECT_NEAR(first[1] - first[0], (first[0] - 296.15) * contact.at_entry(), 1e-9);
     EXPECT_NEAR(first[2] - first[0], (first[0] - 296.15) * contact.at_exit(), 1e-9);

@@ -99,8 +99,8 @@ TEST(TravellingContact, AgreesWithTheContactAveragedOverItsRevolutions) {
     Problem averaged = tread("resolved_contact", 3.0, 2);
     averaged.settings.tolerance = 0.0001;
     const Revolution slow = last_revolution(averaged);
-    const physics::ContactInRevolutions contact =
-        *physics::contact_in_revolutions(averaged.effects.back(), averaged.tire, averaged.input_signals.constants());
+    const physics::ContactInRevolutions contact = *physics::contact_in_revolutions(
+        averaged.effects.back(), std::sqrt(0.29 * 1.98e6), averaged.tire, averaged.input_signals.constants());
     const double above = slow.mean - road;
     EXPECT_GT(brute.entry - brute.exit, 10.0) << "the surface swings in each revolution";
     EXPECT_NEAR(brute.mean, slow.mean, 0.1);

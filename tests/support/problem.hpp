@@ -60,6 +60,14 @@ inline void switch_on(solver::Problem& problem, std::string_view id, Numbers num
     switch_on(problem, *effect, numbers, patches);
 }
 
+/// Takes another option of a choice of the effect that was switched on last.
+inline void choose(solver::Problem& problem, std::string_view key, int option) {
+    physics::ActiveEffect& active = problem.effects.back();
+    const int choice = physics::find_choice(*active.effect, key);
+    ASSERT_GE(choice, 0) << active.effect->id << " has no choice " << key;
+    active.choices[static_cast<std::size_t>(choice)] = option;
+}
+
 inline const physics::Signal& signal(std::string_view name) { return *physics::find_signal(name); }
 
 inline void hold(solver::Problem& problem, std::string_view name, double value) {

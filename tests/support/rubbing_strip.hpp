@@ -17,6 +17,7 @@ struct RubbingStrip {
     double road_capacity = 2.07e6;
     double interface_h = 2.5e4;  ///< W/(m2 K)
     double heat = 0.0;           ///< W/m2 into the tread's side of the interface, in the contact
+    double road_heat = 0.0;      ///< the same into the road's side
     double thickness = 0.01;     ///< of the tread, whose far side is insulated
     double start = 37.0;         ///< of the tread
     double duration = 0.0;       ///< of a contact
@@ -35,21 +36,24 @@ struct RubbingStrip {
 
 namespace rubbing {
 
-/// Cells in a row from the deepest of the tread, over the surface of the tread (no capacity) to the deepest of the road.
+/// Cells in a row from the deepest of the tread, over the surfaces of tread and road (no capacity) to the deepest of the
+/// road.
 struct Row {
     std::vector<double> capacity;  ///< J/(m2 K)
     std::vector<double> G;         ///< W/(m2 K), from each to the next
-    std::size_t surface = 0;       ///< the tread's surface; the road's first cell is the next
+    std::size_t surface = 0;       ///< the tread's; the road's is the next
 
     /// One stage: solves capacity (T - known)/s = heat balance of T by Thomas's algorithm. @param T out
-    void solve(double s, const std::vector<double>& known, double heat, bool touching, std::vector<double>& T) const {
+    void solve(double s, const std::vector<double>& known, double heat, double road_heat, bool touching,
+               std::vector<double>& T) const {
         const std::size_t n = touching ? capacity.size() : surface + 1;
         std::vector<double> up(n);
         for (std::size_t i = 0; i < n; ++i) {
             const double below = i > 0 ? G[i - 1] : 0.0;
             const double above = i + 1 < n ? G[i] : 0.0;
             double diagonal = capacity[i] / s + below + above;
-            double right = capacity[i] / s * known[i] + (i == surface && touching ? heat : 0.0);
+            double right = capacity[i] / s * known[i];
+            right += touching && i == surface ? heat : touching && i == surface + 1 ? road_heat : 0.0;
             if (i > 0) {
                 diagonal -= below * up[i - 1];
                 right += below * T[i - 1];
@@ -86,7 +90,9 @@ inline RubbingStrip::Turn RubbingStrip::last_of(int turns, int steps) const {
     }
     row.surface = row.capacity.size();
     row.capacity.push_back(0.0);
-    row.G.push_back(1.0 / (1.0 / interface_h + 0.5 * road[0] / road_k));
+    row.G.push_back(interface_h);
+    row.capacity.push_back(0.0);
+    row.G.push_back(road_k / (0.5 * road[0]));
     for (std::size_t i = 0; i < road.size(); ++i) {
         row.capacity.push_back(road_capacity * road[i]);
         row.G.push_back(i + 1 < road.size() ? road_k / (0.5 * (road[i] + road[i + 1])) : 0.0);
@@ -100,12 +106,12 @@ inline RubbingStrip::Turn RubbingStrip::last_of(int turns, int steps) const {
     const double gamma = 1.0 - std::sqrt(0.5);
     const auto step = [&](double dt, bool touching) {
         const double before = T[row.surface];
-        row.solve(gamma * dt, T, heat, touching, middle);
+        row.solve(gamma * dt, T, heat, road_heat, touching, middle);
         for (std::size_t i = 0; i < T.size(); ++i) {
             known[i] = T[i] + (1.0 - gamma) / gamma * (middle[i] - T[i]);
         }
         const double drop = middle[row.surface] - middle[row.surface + 1];
-        row.solve(gamma * dt, known, heat, touching, T);
+        row.solve(gamma * dt, known, heat, road_heat, touching, T);
         if (touching) {
             turn.to_road +=
                 dt * row.G[row.surface] * ((1.0 - gamma) * drop + gamma * (T[row.surface] - T[row.surface + 1]));

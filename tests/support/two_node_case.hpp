@@ -24,6 +24,7 @@ inline solver::Problem two_node_problem(const TwoNodeThesis& thesis) {
     switch_on(problem, "sliding_friction",
               {{"partition", thesis.hpc}, {"lambda_x", thesis.lambda_x}, {"lambda_y", thesis.lambda_y}});
     switch_on(problem, "air_convection", {{"lambda_h", thesis.lambda_h}});
+    choose(problem, "exponential", 1);  // (33) as printed
     switch_on(problem, "road_contact", {{"lambda_Hc", thesis.lambda_Hc}});
     read(problem, "surface_temperature", problem.mesh.regions[0].mean);
     read(problem, "bulk_temperature", problem.mesh.regions[1].mean);

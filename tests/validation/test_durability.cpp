@@ -60,7 +60,7 @@ struct LinearisedGain {
     std::string name;
     double belt_edge = 0.0;   ///< degC, hottest
     double whole_tire = 0.0;  ///< degC
-    double passing = 0.0;     ///< min, of 110 degC at the belt edge; NaN: never
+    double passing = 0.0;     ///< min, of 110 degC at the belt edge
 };
 
 class Durability : public testing::TestWithParam<LinearisedGain> {};
@@ -72,21 +72,17 @@ TEST_P(Durability, CaseDoesAsItsPageSays) {
     EXPECT_EQ(histories.all[0].critical().name, "belt edge");
     EXPECT_NEAR(histories.hottest(0), promise.belt_edge, 0.06);
     EXPECT_NEAR(histories.hottest(1), promise.whole_tire, 0.06);
-    if (std::isnan(promise.passing)) {
-        EXPECT_TRUE(std::isnan(histories.passing(0)));
-    } else {
-        EXPECT_NEAR(histories.passing(0), promise.passing, 0.15);
-    }
+    EXPECT_NEAR(histories.passing(0), promise.passing, 0.15);
     EXPECT_LE(histories.energy_closure, 1e-10);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, Durability,
-                         testing::Values(LinearisedGain{"fmvss_139_high_speed", 113.4, 115.8, 272.1},
-                                         LinearisedGain{"fmvss_139_endurance", 115.5, 117.7, 600.2},
-                                         LinearisedGain{"fmvss_139_low_pressure", 120.1, 122.3, 4.8},
-                                         LinearisedGain{"un_r30_load_speed", 112.3, 115.0, 34.5},
-                                         LinearisedGain{"sae_j1561_step_speed", 108.2, 110.6, std::nan("")},
-                                         LinearisedGain{"sae_j1561_standing_wave", 109.8, 112.2, std::nan("")}),
+                         testing::Values(LinearisedGain{"fmvss_139_high_speed", 112.5, 114.8, 276.4},
+                                         LinearisedGain{"fmvss_139_endurance", 114.0, 116.2, 601.0},
+                                         LinearisedGain{"fmvss_139_low_pressure", 117.8, 120.0, 5.1},
+                                         LinearisedGain{"un_r30_load_speed", 110.2, 112.8, 44.9},
+                                         LinearisedGain{"sae_j1561_step_speed", 112.1, 114.8, 34.9},
+                                         LinearisedGain{"sae_j1561_standing_wave", 113.6, 116.4, 33.1}),
                          [](const auto& promise) { return promise.param.name; });
 
 // Cells halved in both directions, 6 144 of them, in the steady state of the last step: the hot spot moves by less than
@@ -172,10 +168,30 @@ TEST(DurabilityStudy, DrawsWhatTheCaseSaysIsUncertain) {
     }
 }
 
-// On from 180 km/h by 10 km/h every 10 min, the belt edge passes 110 degC at 190 km/h, as un_r30_load_speed does with the
-// same load, pressure and room.
+// A softer tire loses more and runs hotter: the whole tire's hottest place in the test of UN R30, as `study` finds it in
+// cases/studies/un_r30_pressure.toml. Numbers of this program.
+TEST(DurabilityPressure, HotSpotFallsWithThePressure) {
+    const Written written;
+    for (const auto& [pressure, hottest] : {std::pair{"120 kPa", 127.3}, {"220 kPa", 116.9}, {"350 kPa", 109.0}}) {
+        const Histories histories =
+            run(written.add("pressure.toml", "include = [\"" + file("un_r30_load_speed").string() +
+                                                 "\"]\n[drive]\ninflation_pressure = \"" + pressure + "\"\n"));
+        ASSERT_EQ(histories.all.size(), 2U);
+        EXPECT_NEAR(histories.hottest(1), hottest, 0.1) << pressure;
+    }
+}
+
+// Broken off at 190 km/h and run on by 10 km/h every 10 min, the belt edge passes 110 degC at 200 km/h, when the whole test does.
 TEST(DurabilityFurther, StepSpeedTestGoesOnToWhereTheBeltEdgePasses) {
-    const std::filesystem::path path = file("sae_j1561_step_speed");
+    const Written written;
+    const std::filesystem::path path = written.add(
+        "short.toml", "include = [\"" + file("sae_j1561_step_speed").string() + R"("]
+[[drive.schedule]]
+columns = ["time [min]", "speed [km/h]"]
+rows = [[0, 170], [10, 170], [10, 180], [20, 180], [20, 190], [30, 190]]
+[time]
+end = "30 min"
+)");
     const HotSpotCase asked = *HotSpotCase::read(path);
     const solver::Problem problem = *read_case(path).problem;
     const ContinuedSchedule further =
@@ -188,8 +204,8 @@ TEST(DurabilityFurther, StepSpeedTestGoesOnToWhereTheBeltEdgePasses) {
         return now.time < 4000.0;
     });
     const double passed = solver::passing_time(history.time(), history.temperature(), zero + 110.0);
-    EXPECT_NEAR(passed / minute, 54.4, 0.15);
-    EXPECT_NEAR(further.problem->input_signals.at(passed, solver::JumpSide::before).speed * 3.6, 190.0, 1e-6);
+    EXPECT_NEAR(passed / minute, 34.9, 0.15);
+    EXPECT_NEAR(further.problem->input_signals.at(passed, solver::JumpSide::before).speed * 3.6, 200.0, 1e-6);
 }
 
 }  // namespace tiretherm::input

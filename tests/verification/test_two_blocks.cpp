@@ -43,6 +43,9 @@ solver::Problem blocks(double k, int cells) {
     for (const std::string_view id :
          {"conduction", "strain_energy_loss", "sliding_friction", "air_convection", "road_contact"}) {
         support::switch_on(problem, id);
+        if (id == "air_convection") {
+            support::choose(problem, "exponential", 1);  // as the two nodes have it
+        }
     }
     support::read(problem, "surface_temperature", mesh::over_cells(problem.mesh, 0));
     support::read(problem, "bulk_temperature", mesh::over_cells(problem.mesh, 1));

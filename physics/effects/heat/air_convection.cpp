@@ -47,10 +47,10 @@ constexpr std::array parameters{
                   "most that a bounded exponential term adds, over the forced part; assumed"},
 };
 constexpr std::array<std::string_view, 3> ways{"bounded", "on", "off"};
-constexpr std::array choices{
-    Choice{"exponential", ways,
-           "the exponential term of (33): bounded by exponential_limit times the forced part; on, as the thesis has it, "
-           "without bound; or off"}};
+constexpr std::array choices{Choice{
+    "exponential", ways,
+    "the exponential term of (33): bounded by exponential_limit times the forced part; on, as the thesis has it, "
+    "without bound; or off"}};
 constexpr std::array<std::string_view, 3> reads{"speed", "vertical_load", "air_temperature"};
 constexpr std::array<std::string_view, 2> may_read{"inflation_pressure", "slip_speed"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
@@ -84,9 +84,8 @@ void add_terms(const EvaluationState& m, Terms& terms) {
             if (active.choices[exponential] != off) {
                 const double held = std::clamp(T, active[clamp_low], active[clamp_high]);
                 const double term = active[exponential_factor] * std::exp(active[exponential_rate] * held);
-                const double most = active.choices[exponential] == bounded
-                                        ? active[exponential_limit] * h_forced
-                                        : std::numeric_limits<double>::infinity();
+                const double most = active.choices[exponential] == bounded ? active[exponential_limit] * h_forced
+                                                                           : std::numeric_limits<double>::infinity();
                 h += std::min(term, most);
                 dh_dT = held == T && term < most ? active[exponential_rate] * term : 0.0;
             }
@@ -129,10 +128,14 @@ const Effect air_convection{
         "q = lambda_h max(floor, h_forced + min(8.59e-11 exp(0.0879 T_surf), exponential_limit h_forced)) "
         "(S_tot - S_cont) (T_air - T_surf), h_forced = (k_air/L) 0.318 (V L/nu)^0.571",
     .source = "thesis (31)-(33), (35), errata E4 (kelvin), E9 (floor); the bound is assumed",
+    .valid =
+        "Re of 1e4 to 1e6, where (32) was fitted on rolling tires (thesis); the exponential from 15 to 50 degC of the "
+        "surface; air at 20 degC and atmospheric pressure",
     .meaning =
         "Heat to the air from the part of the tread that does not touch the road. The thesis's exponential term was "
         "fitted to surfaces of 15 to 50 degC on a rolling tire and doubles every 8 K: at 90 degC it alone would be 6 "
-        "kW/m2K, also in still air. It is therefore bounded by a multiple of the forced part, so that a parked tire keeps "
+        "kW/m2K, also in still air. It is therefore bounded by a multiple of the forced part, so that a parked tire "
+        "keeps "
         "the floor; exponential = \"on\" is the thesis's own form. h_forced holds for Re of 1e4 to 1e6.",
     .parameters = parameters,
     .choices = choices,

@@ -123,6 +123,7 @@ const Effect conduction{
     .on = true,
     .equation = "q = -k(T) grad T inside the layers; (T_b - T_s) k(T_b)/dZ S_tot across a link",
     .source = "Fourier; thesis (31)(34)",
+    .valid = "where k(T) and c(T) of the materials are known: give them a range",
     .meaning = "Heat conducted between cells. The laws k(T) and c(T) belong to the materials of the layers.",
     .model =
         HeatEffect{

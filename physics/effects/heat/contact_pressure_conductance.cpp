@@ -65,6 +65,9 @@ const Effect contact_pressure_conductance{
     .kind = Kind::loss,
     .equation = "q = lambda_Hc Hc S_cont ((Fz/reference)^exponent - 1) (T_road - T_surf)",
     .source = "conductance of a contact ~ p^0.95: Cooper, Mikic & Yovanovich, Int. J. Heat Mass Transfer 12, 1969",
+    .valid =
+        "rough surfaces pressed together elastically or plastically, p/H below 0.01; rubber on asphalt lies at its "
+        "edge",
     .meaning =
         "Corrects road_contact for a coefficient that grows with the pressure, taken as proportional to the load. "
         "Negative below the reference load, nothing without road_contact or when surface and road are equal.",

@@ -42,6 +42,9 @@ const Effect cornering_loss{
     .kind = Kind::source,
     .equation = "q = coefficient Fy^2 V",
     .source = "energy of lateral deformation times the loss tangent, this file; the thesis leaves it out (chapter V)",
+    .valid =
+        "slip angles of some degrees, where the force still follows the deflection; its one number is an order of "
+        "magnitude, to be fitted",
     .meaning =
         "Work of deforming the tire sideways at every pass through the contact: heat in the bulk as soon as there is a "
         "lateral force, before anything slides. Part of what rolling resistance pays for.",

@@ -78,6 +78,9 @@ const Effect groove_convection{
     .kind = Kind::loss,
     .equation = "q = area_share eta h_forced (S_tot - S_cont) (T_air - T_surf), eta = tanh(mL)/(mL), m^2 = 2 h/(k b)",
     .source = "straight fin: Incropera & DeWitt, Fundamentals of Heat and Mass Transfer, ch. 3; thesis (32), (35)",
+    .valid =
+        "straight blocks whose tops are as warm as the tread's surface, film and conductivity even over them; the "
+        "sizes are those of a car tire's blocks, assumed",
     .meaning =
         "The walls of the grooves, which the thesis leaves out: more area for the forced part of the convection, less "
         "effective as the blocks cool towards their tops. Nothing at rest.",

@@ -82,11 +82,13 @@ const Effect inflation_pressure_rise{
     .id = "inflation_pressure_rise",
     .kind = Kind::source,
     .equation =
-        "SEL' = SEL (p_hot/p)^-exponent, p_hot = (p + p_atm) T_gas/reference - p_atm; C dT_gas/dt = liner (T_bulk - T_gas) "
+        "SEL' = SEL (p_hot/p)^-exponent, p_hot = (p + p_atm) T_gas/reference - p_atm; C dT_gas/dt = liner (T_bulk - "
+        "T_gas) "
         "- rim (T_gas - T_air)",
     .source =
         "ideal gas at constant volume; loss ~ p^a of SAE J2452 with a near -0.4 (recalled); conductances and capacity "
         "assumed for a car tire",
+    .valid = "a constant mass and volume of gas; pressures of 0.5 to 1.7 times the cold one, of J2452's tests",
     .meaning =
         "Hot gas stiffens the tire: deflection and loss fall over minutes. Its own gas costs the bulk nothing, which "
         "keeps this cause apart from inner_gas; where inner_gas is on, the temperature of that gas counts. "

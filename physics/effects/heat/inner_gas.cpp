@@ -60,6 +60,9 @@ const Effect inner_gas{
     .kind = Kind::loss,
     .equation = "C dT_gas/dt = liner (T_liner - T_gas) - rim (T_gas - T_rim); the tire loses liner (T_liner - T_gas)",
     .source = "lumped gas, ideal and at constant volume; the conductances are assumed, this file",
+    .valid =
+        "a gas that is mixed by the rolling, of one temperature; the conductances are of a car tire at road speeds, to "
+        "be fitted",
     .meaning =
         "Heat that crosses the cavity from the inner liner to the rim through the gas, a node of its own. The rim "
         "stands "

@@ -86,6 +86,7 @@ const Effect laser{
     .kind = Kind::source,
     .equation = "q = absorptivity P / (pi radius^2) on a disc, or 2 absorptivity P/(pi w^2) exp(-2 r^2/w^2)",
     .source = "thesis III.1.1 (spot of 1 cm2, 0 to 3 W)",
+    .valid = "rubber that does not char: below some 200 degC",
     .meaning =
         "Light of a laser absorbed about x = y = 0 of the outer surface. The part of the spot outside the mesh "
         "is lost: a quarter of a specimen takes a quarter of the power.",

@@ -86,6 +86,7 @@ const Effect natural_convection{
     .source =
         "simplified laminar relations for air at atmospheric pressure: McAdams, Heat Transmission, 3rd ed. 1954, "
         "ch. 7; Churchill & Chu, Int. J. Heat Mass Transfer 18, 1975, 1049",
+    .valid = "surfaces 5 to 100 K above the air, laminar (Gr Pr of 1e4 to 1e9); at rest",
     .meaning = "Buoyant air on a tire or specimen at rest; grows weakly with the temperature difference.",
     .parameters = parameters,
     .choices = choices,

@@ -45,6 +45,9 @@ const Effect radiation{
     .kind = Kind::loss,
     .equation = "q = eps sigma A (T_air^4 - T_surf^4)",
     .source = "Stefan-Boltzmann law, grey surface in large surroundings at air temperature",
+    .valid =
+        "opaque grey surfaces, emissivity 0.9 to 0.95 for rubber (recalled), in surroundings that are large and as "
+        "warm as the air",
     .meaning = "Heat radiated to surroundings at the temperature of the air; counts where convection is weak.",
     .parameters = parameters,
     .reads = reads,

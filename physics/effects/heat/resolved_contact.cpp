@@ -37,8 +37,7 @@ void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& poi
     for (std::size_t i = 0; i < active.effusivities.size(); ++i) {
         const std::optional<ContactInRevolutions> contact =
             contact_in_revolutions(active, active.effusivities[i], point.tire, in);
-        out[i] =
-            contact ? active[scale] * contact->mean_conductance() * point.tire.contact_area(in) : 0.0;
+        out[i] = contact ? active[scale] * contact->mean_conductance() * point.tire.contact_area(in) : 0.0;
     }
     out[with_road] = out[0] * in.road_temperature;
 }
@@ -91,10 +90,14 @@ const Effect resolved_contact{
         "Carslaw & Jaeger 1959, sec. 2.8 and 2.9, summed over the revolutions (DLMF 25.11); interface: Miller, NASA TN "
         "D-8161, 1976 (quoted by others, a lower limit); "
         "asphalt concrete 1.2 W/mK, 2300 kg/m3, 900 J/kgK (quoted)",
+    .valid =
+        "l/V below 0.3 of a revolution, penetration far below the tread's thickness: from some 5 km/h on; a dry road "
+        "of which the tire meets fresh places",
     .meaning =
         "Heat to the road as a rolling tread gives it: each place meets fresh road for l/V in every revolution, of "
         "which T_surf is the mean. Of the heat of sliding that enters the tread in the contact it takes a share back "
-        "before the contact ends. The tread's effusivity is that of its own k(T) and c(T) at the surface. 76 W/K at 4 kN and 100 km/h, where the lumped Hc gives 5; nothing at rest. Sensors "
+        "before the contact ends. The tread's effusivity is that of its own k(T) and c(T) at the surface. 76 W/K at 4 "
+        "kN and 100 km/h, where the lumped Hc gives 5; nothing at rest. Sensors "
         "of the kinds surface_at_entry and surface_at_exit read the flash. A case that switches it on switches "
         "road_contact off.",
     .parameters = rolling_contact::parameters,

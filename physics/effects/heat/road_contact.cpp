@@ -41,6 +41,9 @@ const Effect road_contact{
     .on = true,
     .equation = "q = lambda_Hc Hc S_cont(Fz) (T_road - T_surf)",
     .source = "thesis (31)(35)",
+    .valid =
+        "the loads and the one tire of the thesis; an Hc of a tire that does not roll underestimates a rolling contact "
+        "by 10 to 20 times",
     .meaning =
         "Heat to the road through a contact that is smeared over the circumference: Hc is a lumped share of "
         "area, not the coefficient inside a rolling contact.",

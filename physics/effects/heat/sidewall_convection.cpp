@@ -92,6 +92,9 @@ const Effect sidewall_convection{
         "Newton's law of cooling; rotating disk in air: Cobb & Saunders, Proc. R. Soc. A 236, 1956, 343 (means 0.36 "
         "Re^0.5 and 0.015 Re^0.8, of which the latter is the local 0.0195 Re_r^0.8; transition at 2.4e5; recalled); "
         "vertical plate: McAdams, Heat Transmission, 3rd ed. 1954, ch. 7",
+    .valid =
+        "with constants at the speed at which they were taken, 100 km/h for the standard value (assumed); the disk: "
+        "smooth, in air at rest, Re up to 7e5 (recalled)",
     .meaning =
         "Heat that leaves through the sidewalls, which the thesis's tire does not have (erratum E16). Spread by area "
         "over the sidewalls; on a mesh without them it is taken from the inside, on two nodes from the bulk. With "

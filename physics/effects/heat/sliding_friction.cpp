@@ -11,8 +11,8 @@
 #include "physics/contact/contact_in_revolutions.hpp"
 #include "physics/contact/heat_of_sliding.hpp"
 #include "physics/contact/rolling_contact.hpp"
-#include "physics/contact/tread_effusivity.hpp"
 #include "physics/contact/travelling.hpp"
+#include "physics/contact/tread_effusivity.hpp"
 #include "physics/spread.hpp"
 
 namespace tiretherm::physics {
@@ -49,8 +49,8 @@ constexpr std::array choices{
 };
 constexpr std::array tables{contact_profile};
 constexpr std::array<std::string_view, 1> reads{"speed"};
-constexpr std::array<std::string_view, 7> may_read{
-    "vertical_load", "slip_angle", "slip_ratio", "slip_speed", "lateral_force", "longitudinal_force", "wheel_angle"};
+constexpr std::array<std::string_view, 7> may_read{"vertical_load", "slip_angle",         "slip_ratio", "slip_speed",
+                                                   "lateral_force", "longitudinal_force", "wheel_angle"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
 void place(const PlacementContext& context, ActiveEffect& active) {
@@ -58,9 +58,9 @@ void place(const PlacementContext& context, ActiveEffect& active) {
     active.groups = active.choices[around] == in_contact ? sectors_of(context.mesh, active.nodes) : std::vector<int>{};
     active.road = active.groups.empty() ? -1 : context.index_of("travelling_contact");
     active.road = active.road < 0 ? context.index_of("resolved_contact") : active.road;
-    const double of_road = active.road >= 0
-                               ? rolling_contact::effusivity_of_road(context.effects[static_cast<std::size_t>(active.road)])
-                               : std::sqrt(active[road_conductivity] * active[road_capacity]);
+    const double of_road =
+        active.road >= 0 ? rolling_contact::effusivity_of_road(context.effects[static_cast<std::size_t>(active.road)])
+                         : std::sqrt(active[road_conductivity] * active[road_capacity]);
     place_effusivities(context, of_road, active);
     if (active.road < 0 && active.choices[shared] == by_number) {
         active.effusivities.resize(1);  // nothing follows it
@@ -88,8 +88,8 @@ SlidingHeat enters(const ActiveEffect& active) {
 void share_with_road(const ActiveEffect& active, const OperatingPoint& point, double effusivity,
                      std::span<double> block) {
     const std::span<double> heat = block.subspan(first_heat);
-    const double of_tread = active.choices[shared] == charm ? effusivity / (effusivity + active.effusivity_of_road)
-                                                            : active[partition];
+    const double of_tread =
+        active.choices[shared] == charm ? effusivity / (effusivity + active.effusivity_of_road) : active[partition];
     // A law may take the share beyond 1, where it says that a term is missing; it never turns heat into cold.
     const double factor = of_tread * std::max(0.0, point.laws.partition);
     const ActiveEffect* road = active.road >= 0 ? &point.effects[static_cast<std::size_t>(active.road)] : nullptr;
@@ -203,15 +203,24 @@ const Effect sliding_friction{
     .on = true,
     .equation = "q = partition (lambda_x |Fx v_sx| + lambda_y |Fy| |V| tan|alpha|) >= 0, v_sx = V - R_R Omega",
     .source =
-        "thesis (31); charm: Charron, Publ. Sci. Tech. Minist. Air 182, 1943, and Carslaw & Jaeger 1959, sec. 2.8; asphalt "
+        "thesis (31); charm: Charron, Publ. Sci. Tech. Minist. Air 182, 1943, and Carslaw & Jaeger 1959, sec. 2.8; "
+        "asphalt "
         "concrete 1.2 W/mK, 2300 kg/m3, 900 J/kgK (quoted)",
+    .valid =
+        "0.6 of the partition: the thesis's fits; charm: half-spaces, a dry road, penetration far below the tread's "
+        "thickness",
     .meaning =
         "Heat of sliding in the contact, into the outer surface. Either sign convention of Fy and the slip "
-        "angle gives the same heat; signals that are not given count as zero. slip_speed in the place of slip_ratio lets "
-        "a wheel that spins on the spot heat up. The thesis's partition of 0.6 is a fitted number and, beside a contact "
-        "that cools the tread, counts the road's share twice; \"charm\" is the share that two half-spaces take (0.30 to "
-        "0.36 of rubber on asphalt) and belongs beside resolved_contact or travelling_contact (around = \"in_contact\"). "
-        "With a number, the road takes a share of the heat back in such a contact; the heat budget counts that share with "
+        "angle gives the same heat; signals that are not given count as zero. slip_speed in the place of slip_ratio "
+        "lets "
+        "a wheel that spins on the spot heat up. The thesis's partition of 0.6 is a fitted number and, beside a "
+        "contact "
+        "that cools the tread, counts the road's share twice; \"charm\" is the share that two half-spaces take (0.30 "
+        "to "
+        "0.36 of rubber on asphalt) and belongs beside resolved_contact or travelling_contact (around = "
+        "\"in_contact\"). "
+        "With a number, the road takes a share of the heat back in such a contact; the heat budget counts that share "
+        "with "
         "the contact's effect. "
         "A field of a structural code places it by friction power, or gives its watts; around = \"in_contact\" lets it "
         "go round with travelling_contact.",

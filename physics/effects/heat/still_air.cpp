@@ -38,6 +38,7 @@ const Effect still_air{
     .kind = Kind::loss,
     .equation = "q = h A (T_air - T_surf)",
     .source = "Newton's law of cooling; thesis III.1.1 (specimen at rest)",
+    .valid = "a film that does not depend on temperature; 5 to 15 W/m2K for rest",
     .meaning = "Heat to air at rest from named patches, each with its own coefficient if wanted.",
     .parameters = parameters,
     .reads = reads,

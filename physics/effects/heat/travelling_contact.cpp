@@ -119,6 +119,7 @@ const Effect travelling_contact{
         "interface_h "
         "of which the cells are one",
     .source = "Carslaw & Jaeger 1959, sec. 2.8 and 2.9; numbers as of resolved_contact",
+    .valid = "as resolved_contact; outer cells below 0.02 mm at 100 km/h",
     .meaning =
         "Heat to the road, revolution by revolution: every sector of a ring, or a column of layers or a section as the "
         "rubber at one angle, meets fresh road once a turn. Needs outer cells of some hundredths of a millimetre and "

@@ -29,6 +29,7 @@ const Effect uniform_source{
     .kind = Kind::source,
     .equation = "q = power_density V_cell",
     .source = "definition; used by reference problems",
+    .valid = "everywhere: a definition",
     .meaning = "The same heat per volume everywhere, for problems with an exact solution.",
     .parameters = parameters,
     .model = HeatEffect{.add_terms = add_terms},

@@ -37,6 +37,7 @@ const Effect user_heat_source{
     .kind = Kind::source,
     .equation = "q = watts s(t), s the signal that it follows",
     .source = "definition: what the user, or a diagnosis, found",
+    .valid = "what its user knows of it",
     .meaning =
         "Heat of the user's own, written [[source]] in a case: in named parts of the mesh, following any logged "
         "signal. "

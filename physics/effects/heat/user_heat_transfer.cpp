@@ -47,6 +47,7 @@ const Effect user_heat_transfer{
     .kind = Kind::loss,
     .equation = "q = conductance s(t) (T_surroundings(t) - T), s the signal that it follows",
     .source = "definition: what the user, or a diagnosis, found",
+    .valid = "what its user knows of it",
     .meaning =
         "An exchange of heat of the user's own, written [[exchange]] in a case: of named parts of the mesh with the "
         "air "

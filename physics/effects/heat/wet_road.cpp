@@ -46,6 +46,9 @@ const Effect wet_road{
     .kind = Kind::loss,
     .equation = "q = wet rho d W V (heated c_w + evaporated L) (T_road - T_surf)",
     .source = "enthalpy balance of the film, this file; latent heat of water at 20 degC",
+    .valid =
+        "films of 0.05 to 1 mm that do not lift the tire (no aquaplaning); the shares that are heated and that "
+        "evaporate are assumed, to be fitted",
     .meaning =
         "Water that the tire heats and partly evaporates, at the road's temperature when they meet. Follows the flag "
         "`wet` and the speed; the surface falls as a step when the rain begins.",

@@ -30,6 +30,7 @@ const Effect air_temperature_drift{
     .kind = Kind::input,
     .equation = "T_air = logged + rate t, t since the run's start",
     .source = "definition; the thesis holds the air at one temperature (hypotheses of chapter V)",
+    .valid = "drifts that are straight in time over the run",
     .meaning =
         "Air around the tire that warms or cools beside the log, as in a wheelhouse or a closed hall. Every loss to "
         "the "

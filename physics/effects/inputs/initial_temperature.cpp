@@ -35,6 +35,7 @@ const Effect initial_temperature{
     .kind = Kind::state,
     .equation = "T(0) = stated + offset in the layers named",
     .source = "definition",
+    .valid = "layers that start even",
     .meaning =
         "Layers that start elsewhere than stated, such as a tire that soaked in the sun. What it changes decays with "
         "the time constants and leaves nothing. Without an offset it does nothing.",

@@ -32,6 +32,7 @@ const Effect laser_absorptivity{
     .kind = Kind::input,
     .equation = "P = factor exp(-fall t) logged, t since the run's start",
     .source = "definition; the values for carbon-black rubber are recalled",
+    .valid = "0.85 to 0.97 for carbon-black rubber (recalled)",
     .meaning =
         "Light that the rubber reflects, and a laser whose power sags: front and back of a specimen fall by the same "
         "share and the time constant stays.",

@@ -26,6 +26,7 @@ const Effect load_input_gain{
     .kind = Kind::input,
     .equation = "Fz = gain logged",
     .source = "definition",
+    .valid = "errors in proportion to the load, some per cent",
     .meaning =
         "A load cell, or a load distribution, that is off by a factor: strain-energy loss, contact and radii follow.",
     .parameters = parameters,

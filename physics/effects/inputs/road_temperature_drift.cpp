@@ -30,6 +30,7 @@ const Effect road_temperature_drift{
     .kind = Kind::input,
     .equation = "T_road = logged + rate t, t since the run's start",
     .source = "definition; the thesis holds the track at one temperature (hypotheses of chapter V)",
+    .valid = "drifts that are straight in time over the run",
     .meaning =
         "A track or drum that warms or cools beside the log: the sun, or the tire's own heat on a drum. Without a "
         "rate it does nothing.",

@@ -33,6 +33,7 @@ const Effect slip_input_gain{
     .kind = Kind::input,
     .equation = "slip ratio = gain logged, tan(alpha) = gain tan(logged)",
     .source = "definition; thesis (31): the friction heat is proportional to both",
+    .valid = "errors in proportion to the slip; slip angles below 25 degrees",
     .meaning =
         "Slip that was logged too small or too large by a factor: the heat of sliding takes the same factor, forces "
         "and all other heat are as logged. From temperatures it cannot be told from the partition or lambda_y.",

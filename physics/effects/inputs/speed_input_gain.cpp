@@ -26,6 +26,7 @@ const Effect speed_input_gain{
     .kind = Kind::input,
     .equation = "V = gain logged",
     .source = "definition",
+    .valid = "errors in proportion to the speed, some per cent",
     .meaning =
         "A speed that is off by a factor, such as one taken from a wheel of another radius: convection, loss and "
         "friction follow, each by its own law of speed.",

@@ -42,6 +42,7 @@ const Effect belt_anisotropy{
     .kind = Kind::property,
     .equation = "k_meridian' = meridian k_meridian, k_circumference' = circumference k_circumference",
     .source = "rule of mixtures for steel cords in rubber; the numbers are recalled",
+    .valid = "layers of cords that lie in one plane; 1.5 to 5 times along steel cords (recalled)",
     .meaning =
         "Cords carry heat along the belt better than through it: name the belt in `layers`. A laser spot turns oval on "
         "the back, and peaks across the tread are blunted.",

@@ -33,6 +33,8 @@ const Effect camber_asymmetry{
     .kind = Kind::source,
     .equation = "share of the loss: inside shoulder 1 - c gamma, outside shoulder 1 + c gamma, straight between",
     .source = "geometry of a leaning band, this file; thesis VI: the inside shoulder runs 15 K above the outside one",
+    .valid =
+        "camber of some degrees; the gain is of the order of the thesis's 15 K between the shoulders, to be fitted",
     .meaning =
         "Camber loads one shoulder more than the other: with the top leaning inboard (negative camber) the inside one. "
         "The total stays. A mesh without shoulders does not show it.",

@@ -30,6 +30,7 @@ const Effect drum_curvature{
     .kind = Kind::source,
     .equation = "SEL' = SEL sqrt(1 + R0 curvature), curvature = 1/R_drum",
     .source = "correction between drums of ISO 28580, taken to a flat road (recalled, not read)",
+    .valid = "drums of 1 m radius and more, tires of half their radius and less",
     .meaning =
         "A drum bends the contact more than a flat road: the loss is higher by one factor, 17 to 18 % on a drum of "
         "1.7 m diameter.",

@@ -30,6 +30,7 @@ const Effect laser_spot_size{
     .kind = Kind::input,
     .equation = "radius = scale radius of the laser effect",
     .source = "definition; thesis III.1.1 states a spot of 1 cm2",
+    .valid = "spots of 0.5 to 2 times the stated radius",
     .meaning =
         "A spot that is wider or narrower than stated, at the same power. The laser effect reads it when it places "
         "its light: the front shows it, the back hardly.",

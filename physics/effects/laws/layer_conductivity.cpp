@@ -45,6 +45,7 @@ const Effect layer_conductivity{
     .kind = Kind::property,
     .equation = "k'(T) = scale (k(T) + slope k(reference) (T - reference))",
     .source = "definition; thesis (34)",
+    .valid = "0.5 to 2 times what is printed of a compound; a slope over some 100 K",
     .meaning =
         "A layer that conducts better or worse than stated, or changes otherwise with temperature; on two nodes the "
         "link between them. The ratio of back to front shows it, and with a slope the ratio of two powers.",

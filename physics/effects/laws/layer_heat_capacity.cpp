@@ -31,6 +31,7 @@ const Effect layer_heat_capacity{
     .kind = Kind::property,
     .equation = "c'(T) = scale c(T)",
     .source = "definition; thesis (34)",
+    .valid = "0.8 to 1.25 times 1800 J/kgK for filled rubber (recalled)",
     .meaning =
         "A layer that stores more or less heat than stated: every time constant in it changes, no steady state does.",
     .parameters = parameters,

@@ -33,6 +33,7 @@ const Effect load_exponent_of_loss{
     .kind = Kind::source,
     .equation = "SEL' = SEL (Fz/reference)^exponent",
     .source = "definition; thesis VI.1 over-estimates one tire at low load and under-estimates it at high",
+    .valid = "0.5 to 1.5 times the reference load; exponents of 0 to 1 beside the law's own",
     .meaning =
         "Loss that grows with the load otherwise than the law has it: (43) with (37), (44) and (57) makes it nearly "
         "proportional to Fz, measured tires lie between Fz and Fz^2.",

@@ -35,6 +35,7 @@ const Effect loss_frequency_shift{
     .kind = Kind::source,
     .equation = "T_eq' = T_eq + per_decade log10(f/reference)",
     .source = "definition, beside thesis (48): universal WLF constants are only a first guess for a filled compound",
+    .valid = "one or two decades about the frequency of the characterisation; -20 to 20 K a decade",
     .meaning =
         "A time-temperature shift that is wrong: the loss tangent at a given temperature changes with the logarithm of "
         "the speed. None at the frequency of the characterisation, none where there is no loss.",

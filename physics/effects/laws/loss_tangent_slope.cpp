@@ -34,6 +34,7 @@ const Effect loss_tangent_slope{
     .kind = Kind::source,
     .equation = "tan delta' = tan delta exp(slope (T_bulk - reference))",
     .source = "definition; with the constants of thesis (49) d ln(tan delta)/dT is about -1.4 %/K",
+    .valid = "some 50 K about the reference; -0.02 to 0.02 1/K",
     .meaning =
         "A compound whose loss falls faster or slower with temperature than its Gaussian says: more heat on one side "
         "of "

@@ -39,6 +39,7 @@ const Effect partition_speed{
     .source =
         "a straight line through the partition of moving heat sources: Jaeger, Proc. R. Soc. N.S.W. 76, 1942; Blok, "
         "Proc. Inst. Mech. Eng. 2, 1937",
+    .valid = "sliding speeds up to some m/s, over which a straight line stands for the root of the Peclet number",
     .meaning =
         "The tire's share of the friction heat changes with the sliding speed. The line is not clamped above: a share "
         "beyond 1 says that a term is missing. Without a slope it does nothing.",

@@ -37,6 +37,7 @@ const Effect standing_wave{
     .kind = Kind::source,
     .equation = "SEL' = SEL (1 + gain max(0, V - critical_speed)^2)",
     .source = "parabola from the critical speed on; the wave: Turner, Rubber Chem. Technol. 27, 1954 (recalled)",
+    .valid = "up to some 40 km/h above the critical speed; the gain is assumed, to be fitted",
     .meaning =
         "Above a critical speed the tread leaves the contact as a wave that stands behind it and the loss runs away. "
         "Nothing below. The wave heats the shoulders first; here the excess is spread as the loss is.",

@@ -70,6 +70,7 @@ const Effect tread_wear{
     .kind = Kind::property,
     .equation = "w = 1 - depth/thickness of the outer layer: mass w, conductance across w, through 1/w",
     .source = "geometry; time constants of conduction shrink as w^2",
+    .valid = "wear that is even; up to the depth of the grooves, some 8 mm",
     .meaning =
         "A tread that has lost rubber, spread evenly over the outer layer, the same during the whole run. The layer "
         "takes its smaller share of the strain-energy loss by mass; the law of the total is that of the new tire.",

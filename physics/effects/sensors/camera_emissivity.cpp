@@ -43,6 +43,7 @@ const Effect camera_emissivity{
     .kind = Kind::sensor,
     .equation = "reading^4 = e T^4 + (1 - e) T_air^4, kelvin, T_air as logged, or the temperature that is stated",
     .source = "Stefan-Boltzmann law, grey surface, all wavelengths",
+    .valid = "emissivity 0.9 to 0.98 for rubber (recalled); cameras of 8 to 14 um that are read as black",
     .meaning =
         "A camera that takes rubber for black sees the surroundings in it: it reads too low above their temperature, "
         "too "

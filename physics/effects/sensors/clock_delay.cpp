@@ -28,6 +28,7 @@ const Effect clock_delay{
     .kind = Kind::sensor,
     .equation = "reading(t) = value(t - delay)",
     .source = "definition",
+    .valid = "delays that stay the same through a run",
     .meaning =
         "A logger whose clock is late or early against that of the inputs, by 0.1 to 1 s when two loggers are put "
         "together by hand. Without a delay it does nothing.",

@@ -30,6 +30,7 @@ const Effect pressure_reading_speed{
     .kind = Kind::sensor,
     .equation = "reading = p/(1 + kappa V^2)",
     .source = "definition: a membrane that the wheel's rotation loads with V^2; the number is assumed",
+    .valid = "sensors on the rim, up to 300 km/h; the number is assumed, to be fitted",
     .meaning =
         "A pressure sensor on the rim that reads lower the faster the wheel turns, at once and by the square of the "
         "speed. For channels of pressure.",

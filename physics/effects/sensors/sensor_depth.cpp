@@ -28,6 +28,7 @@ const Effect sensor_depth{
     .kind = Kind::sensor,
     .equation = "z = stated + offset",
     .source = "definition",
+    .valid = "some mm; where the field is straight over them",
     .meaning =
         "A probe that sits deeper or shallower than stated, for channels that read at a point: what it changes follows "
         "the heat flux and vanishes in a soaked tire. Without an offset it does nothing.",

@@ -32,6 +32,7 @@ const Effect sensor_gain{
     .kind = Kind::sensor,
     .equation = "reading = value + excess (value - reference), reference 25 degC",
     .source = "definition",
+    .valid = "errors in proportion, some per cent",
     .meaning =
         "A temperature channel that is right at the temperature of its calibration and off in proportion beyond. "
         "Without an excess it does nothing.",

@@ -29,6 +29,7 @@ const Effect sensor_lag{
     .kind = Kind::sensor,
     .equation = "tau dT_m/dt = T - T_m, T_m(0) = T(0)",
     .source = "first-order sensor",
+    .valid = "one time constant, 0.1 to 60 s",
     .meaning =
         "A sensor that is slow: it reads too low while the tire heats, too high while it cools, and right when nothing "
         "changes.",

@@ -30,6 +30,7 @@ const Effect sensor_offset{
     .kind = Kind::sensor,
     .equation = "reading = value + kelvin",
     .source = "definition; a Pt100 changes by 0.385 ohm/K (IEC 60751)",
+    .valid = "some kelvin, the same through a run",
     .meaning =
         "A temperature channel that is off by the same amount from the first moment on, such as a resistance "
         "thermometer with long leads. Without kelvin it does nothing.",

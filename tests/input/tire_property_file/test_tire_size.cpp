@@ -40,6 +40,17 @@ TEST(TireSize, LightTruckTiresAreMarked) {
     EXPECT_TRUE(read("LT265/70 R17").light_truck);
 }
 
+TEST(TireSize, ServiceDescriptionMayStandBehind) {
+    EXPECT_FALSE(read("225/50 R17").service);
+    ASSERT_TRUE(read("225/50 R17 94H").service);
+    EXPECT_EQ(read("225/50 R17 94H").service->load_index, 94);
+    EXPECT_EQ(read("225/50 R17 94H").service->speed_symbol, 'H');
+    EXPECT_EQ(read("265/65 R16C 112/110R").service->load_index, 112);
+    EXPECT_EQ(read("265/65 R16C 112/110R").service->speed_symbol, 'R');
+    EXPECT_EQ(read("225/50 R17 94").service->speed_symbol, ' ');
+    EXPECT_FALSE(read("225/50 R17 XL").service);
+}
+
 TEST(TireSize, OtherTextsAreRefusedWithAnExample) {
     for (const std::string_view text :
          {"", "225", "225/50", "225/50 X17", "22.5/50 R17", "225/500 R17", "225/50 R170"}) {

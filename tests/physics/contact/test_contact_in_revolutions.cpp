@@ -232,4 +232,23 @@ TEST(ContactInRevolutions, FlashesAsHeatedCellsDoAndTheRoadTakesItsShare) {
     }
 }
 
+// Heat between the two surfaces warms both alike while they touch: of a tread that has forgotten the last turn nothing goes
+// through the interface, and its exit is 2 sqrt(t/pi)/e_a above by 1 W/m2 in it. In turns what is left of earlier ones is
+// what the road takes of a tread that is so much warmer when it comes: to first order its share of a warm start, conductance
+// times the warmth 1.46 t_c/(e_a sqrt(pi P)) that is missing below the mean, with the other sign.
+TEST(ContactInRevolutions, HeatBetweenTheSurfacesDrivesNothingThroughThem) {
+    const double duration = 3.48e-3;
+    const double a = tread_on_road.effusivity_a;
+    const ContactInRevolutions rare(tread_on_road, duration, 1e9 * duration);
+    EXPECT_NEAR(rare.road_share(SlidingHeat::between), 0.0, 1e-4);
+    EXPECT_NEAR(rare.heated_at_exit(1.0, SlidingHeat::between) * a / (2.0 * std::sqrt(duration / std::numbers::pi)),
+                1.0, 1e-3);
+    const double period = 0.0731;
+    const ContactInRevolutions rolling(tread_on_road, duration, period);
+    const double below = -1.46035 * duration / (a * std::sqrt(std::numbers::pi * period));  // K m2/W
+    const double first_order = rolling.mean_conductance() * below;
+    EXPECT_NEAR(rolling.road_share(SlidingHeat::between) / first_order, 1.0, 0.1);
+    EXPECT_LT(std::abs(rolling.road_share(SlidingHeat::between)), 0.3 * rolling.road_share());
+}
+
 }  // namespace tiretherm::physics

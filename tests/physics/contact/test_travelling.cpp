@@ -168,6 +168,13 @@ TEST(ContactOfHalfSpaces, KeepsWhatTheRoadDoesNotTakeOfTheHeatOfSliding) {
     EXPECT_EQ(surfaces.kept_heat_at(0.0), 1.0);
 }
 
+// Heat between the two: cells that show its warmth 2 sqrt(t/pi)/e_a would give conductance_at of that to the road, and nothing
+// goes there. 2 sqrt(0.003/pi)/757.8 = 8.155e-5 K m2/W.
+TEST(ContactOfHalfSpaces, GivesNothingAwayOfHeatBetweenTheTwo) {
+    const double expected = 1.0 + surfaces.conductance_at(3e-3) * 8.1556e-5 * 757.76 / surfaces.effusivity_a;
+    EXPECT_NEAR(surfaces.kept_heat_at(3e-3, SlidingHeat::between), expected, 1e-4);
+}
+
 // Sectors pass what a column keeps, on the mean over the contact, and the heat budget counts the rest with the road: at every
 // angle, wherever the sectors' borders lie. 1164.1 W as above.
 TEST(SlidingFriction, OnARingLosesToTheRoadWhatAColumnDoes) {

@@ -33,6 +33,8 @@ TEST_P(EveryEffect, SaysWhatItIs) {
         EXPECT_TRUE(std::regex_search(std::string(effect.source), std::regex("thesis \\((3[1-9]|4[0-9])\\)")))
             << effect.source;
     }
+    EXPECT_FALSE(effect.source.empty());
+    EXPECT_GE(effect.valid.size(), 10U) << "the range in which it holds";
     std::set<std::string_view> keys;
     for (const ParameterSpec& parameter : effect.parameters) {
         EXPECT_TRUE(keys.insert(parameter.key).second) << parameter.key << " is there twice";

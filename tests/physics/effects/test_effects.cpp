@@ -84,11 +84,12 @@ TEST(SlidingFrictionEffect, DoesNotCareForTheSignConvention) {
 TEST(SlidingFrictionEffect, SwitchesEachDirectionOff) {
     const Bench bench = two_nodes();
     ActiveEffect effect = bench.active("sliding_friction");
-    effect.choices = {1, 0};
+    effect.choices[0] = 1;
     EXPECT_NEAR(bench.watts(effect, rolling()), 0.6 * 1940.04, 0.01);
-    effect.choices = {0, 1};
+    effect.choices[0] = 0;
+    effect.choices[1] = 1;
     EXPECT_NEAR(bench.watts(effect, rolling()), 0.6 * 138.889, 0.01);
-    effect.choices = {1, 1};
+    effect.choices[0] = 1;
     EXPECT_EQ(bench.watts(effect, rolling()), 0.0);
 }
 
@@ -135,12 +136,36 @@ TEST(AirConvectionEffect, ClampHoldsTheExponential) {
     bench.T[0] = 420.0;
     ActiveEffect effect = bench.active("air_convection");
     effect.parameters[static_cast<std::size_t>(find_parameter(*effect.effect, "clamp_high"))] = 373.15;
+    effect.choices = {1};
     const double held = 8.59e-11 * std::exp(0.0879 * 373.15);
     ActiveEffect off = effect;
-    off.choices = {1};
+    off.choices = {2};
     const double area = bench.tire.outer_area() - 2.333e-6 * 4000.0;
     EXPECT_NEAR(bench.said(effect, rolling(), bench.T).node_G[0] - bench.said(off, rolling(), bench.T).node_G[0],
                 held * area, 1e-9 * held);
+}
+
+// Forced 64.8 W/m2K at 100 km/h: the exponential adds 129.6 at most, which it would pass at 319 K; at 363.15 K the thesis's own
+// form has 8.59e-11 exp(31.921) = 6.28e3. At rest nothing is forced, and the floor stays.
+TEST(AirConvectionEffect, ExponentialIsBoundedByTheForcedPart) {
+    Bench bench = two_nodes();
+    bench.T[0] = 363.15;
+    const double area = bench.tire.outer_area() - 2.333e-6 * 4000.0;
+    const double L = 1.0 / (1.0 / 0.6616 + 1.0 / 0.225);
+    const double forced = 0.025 / L * 0.318 * std::pow(100.0 / 3.6 * L / 1.5e-5, 0.571);
+    ActiveEffect effect = bench.active("air_convection");
+    EXPECT_NEAR(bench.said(effect, rolling(), bench.T).node_G[0], 3.0 * forced * area, 1e-9);
+    EXPECT_EQ(bench.said(effect, rolling(), bench.T).node_slope[0], 0.0);
+    Inputs parked = rolling();
+    parked.speed = 0.0;
+    EXPECT_NEAR(bench.said(effect, parked, bench.T).node_G[0], 30.0 * area, 1e-9);
+    effect.choices = {1};
+    EXPECT_NEAR(bench.said(effect, parked, bench.T).node_G[0] / area, 6.28e3, 0.02e3);
+    const HeatEffect& heat = *effect.effect->heat_effect();
+    EXPECT_NE(heat.range_warning(effect, 290.0, 330.0), "") << "57 degC, and no bound";
+    EXPECT_EQ(heat.range_warning(effect, 290.0, 320.0), "");
+    effect.choices = {0};
+    EXPECT_EQ(heat.range_warning(effect, 290.0, 363.0), "");
 }
 
 TEST(RoadContactEffect, IsHcTimesTheContactArea) {

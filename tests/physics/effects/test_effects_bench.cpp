@@ -124,8 +124,11 @@ std::array<double, 2> integrate(const Truth& truth) {
 std::array<double, 2> simulate(const std::vector<Part>& extensions) {
     Bench bench = two_nodes();
     bench.T = {296.15, 298.15};
-    std::vector<Part> parts{
-        {"conduction"}, {"strain_energy_loss"}, {"sliding_friction"}, {"air_convection"}, {"road_contact"}};
+    std::vector<Part> parts{{"conduction"},
+                            {"strain_energy_loss"},
+                            {"sliding_friction"},
+                            {"air_convection", {}, {{"exponential", 1}}},
+                            {"road_contact"}};
     parts.insert(parts.end(), extensions.begin(), extensions.end());
     solver::Problem problem = Whole::problem_of(bench, parts);
     for (ActiveEffect& active : problem.effects) {

@@ -77,6 +77,28 @@ TEST(LossTangent, FallsBy1Point37PercentPerKelvin) {
     EXPECT_NEAR(law.log_slope(328.0), std::log(law.value(328.0 + step) / law.value(328.0 - step)) / (2.0 * step), 1e-9);
 }
 
+// The Gaussian of the thesis rises below its characterisation, to b = -4989 K; rubber has a peak at -8 degC. At 0 degC and above
+// the Gaussian stands; at the peak it is that of 269.15 K, 4 K above it; 30 K below the peak that of 30 K above.
+TEST(LossTangent, PeaksAtMinusEightDegreesAndFallsInTheCold) {
+    const LossTangent law;
+    const LossTangent gaussian{.peak = 0.0};
+    for (const double T : {273.15, 293.15, 353.15}) {
+        EXPECT_EQ(law.value(T), gaussian.value(T)) << T;
+        EXPECT_EQ(law.log_slope(T), gaussian.log_slope(T)) << T;
+    }
+    EXPECT_EQ(law.value(265.15), gaussian.value(269.15));
+    EXPECT_EQ(law.log_slope(265.15), 0.0);
+    EXPECT_NEAR(law.value(235.15), gaussian.value(295.15), 1e-12);
+    EXPECT_GT(law.log_slope(235.15), 0.0);
+    EXPECT_GT(gaussian.value(235.15), 1.5 * law.value(235.15));
+    for (double T = 225.15; T < 300.0; T += 3.7) {
+        const double difference = (std::log(law.value(T + 1e-3)) - std::log(law.value(T - 1e-3))) / 2e-3;
+        EXPECT_NEAR(law.log_slope(T), difference, 1e-6) << T;
+    }
+    const LossTangent own_peak{.a = 0.6, .b = 280.0, .c = 40.0};
+    EXPECT_NEAR(own_peak.value(250.0), 0.6 * std::exp(-0.5625), 1e-12) << "a Gaussian whose own peak lies above";
+}
+
 TEST(StrainEnergyLoss, EqualsTheComputedWatts) {
     // Independent evaluations of (36)-(49) with the errata, rounded to 1 W.
     EXPECT_NEAR(loss(4000.0, 100.0, 50.0), 1204.0, 1.0);
