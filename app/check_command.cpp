@@ -73,6 +73,7 @@ struct Checked {
     std::vector<std::string> warnings;
     std::vector<input::MeasuredRun> runs{};  ///< of --data; empty without
     std::vector<std::string> names{};        ///< of the case's own runs
+    std::vector<input::PlySummary> plies{};  ///< materials of cords in rubber
 };
 
 /// "run1.csv: 2401 samples of surface and bulk, 0 s to 2400 s".
@@ -124,12 +125,36 @@ std::string tire_text(const solver::Problem& problem) {
     return text;
 }
 
+/// "22.6 GPa", "13.8 MPa".
+std::string modulus_text(double pascal) {
+    return pascal < 1e9 ? fmt::format("{:.3g} MPa", pascal * 1e-6) : fmt::format("{:.3g} GPa", pascal * 1e-9);
+}
+
+/// "belt: 11.3 % cords; at 20 degC 0.313 W/mK through, 1.09 along the meridian, 5.09 around the circumference; ...".
+std::string ply_text(const input::PlySummary& ply) {
+    constexpr double celsius_zero = 273.15;
+    std::string text = fmt::format(
+        "{}: {:.3g} % cords; at {:.6g} degC {:.3g} W/mK through, {:.3g} along the meridian, {:.3g} around the "
+        "circumference",
+        ply.material, ply.cord_share * 100.0, ply.temperature - celsius_zero, ply.through, ply.meridian,
+        ply.circumference);
+    if (ply.lamina) {
+        text += fmt::format("; moduli of one ply {} along its cords, {} across, {} around the circumference",
+                            modulus_text(ply.lamina->E1), modulus_text(ply.lamina->E2),
+                            modulus_text(ply.modulus_circumference));
+    }
+    return text;
+}
+
 void print_text(const Checked& checked) {
     const solver::Problem& problem = checked.problem;
     post::Table table({true, true});
     table.add({"mesh", fmt::format("{} ({})", problem.mesh.kind, fmt::join(problem.mesh.layers, ", "))});
     if (const std::string tire = tire_text(problem); !tire.empty()) {
         table.add({"tire", tire});
+    }
+    for (const input::PlySummary& ply : checked.plies) {
+        table.add({"plies", ply_text(ply)});
     }
     table.add({"effects", fmt::format("{}", fmt::join(effect_names(problem), ", "))});
     table.add({"channels", fmt::format("{}", fmt::join(channel_names(problem), ", "))});
@@ -172,6 +197,19 @@ void print_json(const Checked& checked) {
                 {"memory_bytes", size.memory}}},
               {"warnings", checked.warnings},
               {"mistakes", Json::array()}};
+    for (const input::PlySummary& ply : checked.plies) {
+        json["plies"].push_back({{"material", ply.material},
+                                 {"cord_share", ply.cord_share},
+                                 {"temperature", ply.temperature},
+                                 {"conductivity_through", ply.through},
+                                 {"conductivity_meridian", ply.meridian},
+                                 {"conductivity_circumference", ply.circumference}});
+        if (ply.lamina) {
+            json["plies"].back().update({{"modulus_along", ply.lamina->E1},
+                                         {"modulus_across", ply.lamina->E2},
+                                         {"modulus_circumference", ply.modulus_circumference}});
+        }
+    }
     for (const input::MeasuredRun& run : checked.runs) {
         Json measured = Json::array();
         for (const input::MeasuredSeries& series : run.series) {
@@ -202,7 +240,7 @@ int check(const Options& options) {
                           options.json);
             return Exit::input_error;
         }
-        print({*reading.problem, reading.warnings, {}, reading.runs}, options.json);
+        print({*reading.problem, reading.warnings, {}, reading.runs, reading.plies}, options.json);
         return Exit::done;
     }
     input::ExperimentReading reading =
@@ -214,7 +252,11 @@ int check(const Options& options) {
     }
     std::vector<std::string> warnings = std::move(reading.warnings);
     std::ranges::move(reading.data_warnings, std::back_inserter(warnings));
-    print({reading.experiment->runs.front().problem, std::move(warnings), reading.experiment->runs}, options.json);
+    print({.problem = reading.experiment->runs.front().problem,
+           .warnings = std::move(warnings),
+           .runs = reading.experiment->runs,
+           .plies = reading.plies},
+          options.json);
     return Exit::done;
 }
 

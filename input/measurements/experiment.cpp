@@ -47,6 +47,7 @@ ExperimentReading read_experiment(const std::filesystem::path& file, const std::
     reading.warnings = unique(errors.warnings());
     reading.files = errors.files();
     reading.data_warnings = std::move(runs.data_warnings);
+    reading.plies = std::move(runs.plies);
     if (reading.errors.empty()) {
         reading.experiment = std::move(runs.experiment);
     }

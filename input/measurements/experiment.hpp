@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "input/materials/ply_summary.hpp"
 #include "input/text/input_error.hpp"
 #include "physics/camera.hpp"
 #include "solver/sensitivity/free_parameter.hpp"
@@ -86,6 +87,7 @@ struct ExperimentReading {
     std::vector<std::string> warnings;
     std::vector<std::string> data_warnings;  ///< what is suspicious about the data, a sentence each
     std::vector<std::string> files{};        ///< all that were read: the case, what it includes, logs, frames, tables
+    std::vector<PlySummary> plies{};         ///< materials of cords in rubber that layers are made of
 };
 
 /// Whether measured values are required.

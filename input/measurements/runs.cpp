@@ -117,6 +117,11 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
             read_diagnose(root, builder.problem, into.experiment);
             into.problem = builder.problem;
             into.limits = builder.limits;
+            for (const Stock& stock : builder.stock) {
+                if (stock.ply && stock.used) {
+                    into.plies.push_back(summary_of(*stock.ply, stock.material));
+                }
+            }
         }
         run.problem = std::move(builder.problem);
         into.experiment.runs.push_back(std::move(run));

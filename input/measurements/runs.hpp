@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "input/materials/ply_summary.hpp"
 #include "input/measurements/experiment.hpp"
 #include "input/model/size_limits.hpp"
 #include "input/toml/document.hpp"
@@ -18,6 +19,7 @@ struct Runs {
     Experiment experiment;
     std::vector<std::string> data_warnings;
     SizeLimits limits;
+    std::vector<PlySummary> plies{};  ///< materials of cords in rubber that layers are made of
 
     /// The problem of a run by its name; of the first where that is empty or unknown.
     [[nodiscard]] const solver::Problem& problem_of(const std::string& run) const;

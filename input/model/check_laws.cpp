@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks that conductivity and heat capacity are positive at all temperatures of the case; warns of trouble
-// between -40 and 200 degC and of unused materials.
+// Checks that conductivity and heat capacity are positive at all temperatures of the case; warns of trouble between -40
+// and 200 degC, of unused materials and of cords that the mesh cannot show.
 
 #include <algorithm>
 
@@ -90,6 +90,20 @@ void check_law(InputErrors& errors, const Curve& law, const std::string& what, s
     }
 }
 
+/// The effect is for belts whose material does not know its cords.
+void warn_of_second_anisotropy(InputErrors& errors, const solver::Problem& problem, const Stock& stock) {
+    for (const physics::ActiveEffect& active : problem.effects) {
+        const bool acts = std::ranges::any_of(active.layers, [&](int layer) {
+            return problem.materials[static_cast<std::size_t>(layer)].name == stock.material.name;
+        });
+        if (acts && active.effect->id == "belt_anisotropy") {
+            errors.warn(stock.ply->place, fmt::format("belt_anisotropy multiplies the conductivities of {} along the "
+                                                      "belt, which follow from its cords already",
+                                                      stock.material.name));
+        }
+    }
+}
+
 }  // namespace
 
 void check_laws(TomlTable& root, const ProblemBuilder& builder) {
@@ -117,6 +131,10 @@ void check_laws(TomlTable& root, const ProblemBuilder& builder) {
         check(material.along(mesh::Axis::meridian), "conductivity_meridian", "conductivity along the meridian");
         check(material.along(mesh::Axis::circumference), "conductivity_circumference",
               "conductivity along the circumference");
+        if (stock.ply) {
+            check_cord_rubber(*stock.ply, material.name, builder.problem.mesh, root.errors());
+            warn_of_second_anisotropy(root.errors(), builder.problem, stock);
+        }
     }
     const TomlValue* link = root.content().find("mesh")->find("link_conductivity");
     if (link != nullptr && !builder.problem.link_laws.empty()) {

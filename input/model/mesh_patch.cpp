@@ -83,6 +83,11 @@ std::vector<mesh::Layer> read_stack(TomlTable& mesh, ProblemBuilder& builder,
             }
             const physics::Material* material = read_material(table, "material", builder);
             complete = complete && material != nullptr;
+            for (const Stock& stock : builder.stock) {
+                if (&stock.material == material && stock.ply && table.has("thickness")) {
+                    check_thickness(*stock.ply, layer.thickness, table);
+                }
+            }
             builder.problem.materials.push_back(material != nullptr ? *material : physics::Material{});
             for (const mesh::Layer& other : stack) {
                 if (other.name == layer.name && !layer.name.empty()) {

@@ -12,6 +12,7 @@
 
 #include "input/cameras/camera.hpp"
 #include "input/effects/user_signals.hpp"
+#include "input/materials/cord_rubber.hpp"
 #include "input/model/size_limits.hpp"
 #include "input/toml/toml_table.hpp"
 #include "mesh/builders.hpp"
@@ -25,7 +26,8 @@ namespace tiretherm::input {
 struct Stock {
     physics::Material material;
     const TomlValue* table = nullptr;
-    bool used = false;
+    std::optional<CordRubberPly> ply{};  ///< of cords in rubber: its conductivities follow from them
+    bool used = false;                   ///< a layer is made of it, or plies are whose rubber it is
 };
 
 /// An input that the file of a measured run gives.

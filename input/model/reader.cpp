@@ -100,6 +100,7 @@ Reading read_case(const fs::path& file, const std::string* text, const std::stri
         }
         problem = runs.problem_of(run);
         reading.limits = runs.limits;
+        reading.plies = runs.plies;
     }
     reading.errors = errors.in_order();
     reading.warnings = unique(errors.warnings());

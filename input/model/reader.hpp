@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "input/materials/ply_summary.hpp"
 #include "input/model/size_limits.hpp"
 #include "input/text/input_error.hpp"
 #include "solver/problem.hpp"
@@ -24,6 +25,7 @@ struct Reading {
     std::vector<std::string> runs{};    ///< names of the case's [[run]] tables; empty without any
     std::string run{};                  ///< of them that which the problem is
     SizeLimits limits{};
+    std::vector<PlySummary> plies{};  ///< materials of cords in rubber that layers are made of
 };
 
 /// Reads a case file with all that it includes and mentions. Never throws on account of what a user wrote.

@@ -114,6 +114,36 @@ Knots read_knots(TomlTable& table) {
     return table.errors().count() == before ? knots : Knots{};
 }
 
+namespace {
+
+/// What follows from cords and rubber is not free by itself, and would not follow a rubber that a fit changes.
+/// @returns false after an error
+bool may_be_free(const CaseAsRead& in, const LocatedString& name, const LocatedString& law) {
+    for (const Stock& stock : in.builder.stock) {
+        if (!stock.ply) {
+            continue;
+        }
+        const bool follows = law.text == "conductivity" || stock.ply->capacity;
+        if (stock.material.name == name.text && follows) {
+            in.errors.add(law.place, fmt::format("the {} of {} follows from its cords and rubber", law.text, name.text),
+                          law.text == "conductivity"
+                              ? "free a factor on it: effect = \"layer_conductivity\", key = \"scale\""
+                              : "give the material a density and a heat_capacity of its own");
+            return false;
+        }
+        if (stock.ply->rubber == name.text && follows && stock.used) {
+            in.errors.add(law.place,
+                          fmt::format("the {} of {} is also in the plies of {}, which would not follow it in a fit",
+                                      law.text, name.text, stock.material.name),
+                          "name another material, with the same numbers, as the rubber of the plies");
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
 std::optional<FreeParameters> resolve_material(const ParameterPath& path, const CaseAsRead& in, const Knots& knots) {
     const LocatedString& name = path.keys[1];
     const LocatedString& law = path.keys[2];
@@ -125,6 +155,9 @@ std::optional<FreeParameters> resolve_material(const ParameterPath& path, const 
         return std::nullopt;
     }
     if (law.text.empty() || blank.layers.empty()) {
+        return std::nullopt;
+    }
+    if (!may_be_free(in, name, law)) {
         return std::nullopt;
     }
     const bool conducts = law.text == "conductivity";

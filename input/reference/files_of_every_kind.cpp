@@ -21,6 +21,32 @@ name = "rubber"
 density = "1100 kg/m3"
 heat_capacity = { through = [["20 degC", "1800 J/kgK"], ["90 degC", "1900 J/kgK"]] }
 conductivity = { columns = ["temperature [degC]", "k [W/mK]"], rows = [[20, 0.29], [90, 0.95]] }
+[[material]]
+name = "belt"
+[material.cord_rubber]
+rubber = "rubber"
+cord_diameter = "0.4 mm"
+ends = "800 1/m"
+thickness = "1 mm"
+angle = "22 deg"
+cord_conductivity = "50 W/mK"
+cord_density = "7850 kg/m3"
+cord_heat_capacity = "470 J/kgK"
+[[material]]
+name = "carcass"
+density = "1200 kg/m3"
+heat_capacity = "1600 J/kgK"
+[material.cord_rubber]
+rubber = "rubber"
+cord_diameter = "0.4 mm"
+ends = "800 1/m"
+thickness = "1 mm"
+angle = "90 deg"
+cord_conductivity = "1 W/mK"
+cord_modulus = "10 GPa"
+cord_poisson = 0.4
+rubber_modulus = "10 MPa"
+rubber_poisson = 0.5
 [drive]
 vertical_load = "4000 N"
 speed = "100 km/h"

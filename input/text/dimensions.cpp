@@ -51,7 +51,7 @@ constexpr std::array names{
     Named{"J K-1", "a heat capacity", "70 J/K"},
     Named{"m2 s-1", "a diffusivity or kinematic viscosity", "1.5e-5 m2/s"},
     Named{"K-1", "a rate per kelvin", "0.01 1/K"},
-    Named{"m-1", "a curvature", "0.5 1/m"},
+    Named{"m-1", "a curvature or a number per length", "0.5 1/m"},
     Named{"radian-1", "a rate per angle", "10 1/rad"},
     Named{"J kg-1", "a specific energy", "2.45e6 J/kg"},
     Named{"J m-3 K-1", "a heat capacity per volume", "2e6 J/m3K"},

@@ -105,6 +105,26 @@ TEST(Check, SoundCaseIsToldInAFewLines) {
     EXPECT_EQ(json["cells"], 2);
 }
 
+TEST(Check, SaysWhatCordsAndRubberMake) {
+    // By hand in the head of the case: V = 0.112957, k2 = 0.312957, k1 sin^2 + k2 cos^2 = 1.09272, 5.08983 W/mK;
+    // E1 = V 200 GPa + (1 - V) 10 MPa = 22.6002 GPa, E2 = 10 MPa (1 + 2 V)/(1 - V) = 13.8202 MPa. At 22 degrees with
+    // s^2 c^2 = 0.120638, G12 = 3.33333 MPa (1 + V)/(1 - V) = 4.1822 MPa (to 1e-4): 1/E = 0.120638/4.1822 + 0.019693/13.8202
+    // + 0.000033 - 0.000005 = 0.030299 1/MPa: 33.0 MPa.
+    const std::string cords = TIRETHERM_SOURCE_DIR "/cases/section/4000N_100kmh_cords.toml";
+    const Call check = call("check " + cords);
+    EXPECT_NE(
+        check.out.find("plies     steel belt: 11.3 % cords; at 20 degC 0.313 W/mK through, 1.09 along the meridian, "
+                       "5.09 around the circumference; moduli of one ply 22.6 GPa along its cords, 13.8 MPa across, "
+                       "33 MPa around the circumference\n"),
+        std::string::npos)
+        << check.out;
+    const Json json = Json::parse(call("check --json " + cords).out);
+    ASSERT_EQ(json["plies"].size(), 2U);
+    EXPECT_EQ(json["plies"][1]["material"], "textile carcass");
+    EXPECT_NEAR(json["plies"][1]["conductivity_meridian"].get<double>(), 0.463825, 1e-6);
+    EXPECT_NEAR(json["plies"][0]["modulus_along"].get<double>(), 22.6002e9, 1e5);
+}
+
 TEST(Check, RunsNothing) {
     const sample::Scratch scratch;
     EXPECT_EQ(call("check " + two_node, scratch.path()).exit_code, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cross-section of cases/section/common.toml written a second time from its page and the thesis: explicit steps on a
+// The cross-section of cases/section/common.toml, and that with a belt and a carcass of cords, written a second time from its page and the thesis: explicit steps on a
 // grid of its own, without code of the program.
 #pragma once
 
@@ -20,10 +20,11 @@ namespace tiretherm::support {
 class SectionThesis {
 public:
     /// Layers alone: the crown without neighbours, sidewalls, gas and rim. `one_rubber` has 0.29 W/mK everywhere.
-    enum class Kind { section, crown_alone, one_rubber };
+    /// `section_of_cords` has the belt and the carcass of cases/section/4000N_100kmh_cords.toml.
+    enum class Kind { section, section_of_cords, crown_alone, one_rubber };
 
     SectionThesis(Kind kind, double start) : gas(start), rim(start), kind_(kind) {
-        if (kind != Kind::section) {
+        if (!is_section()) {
             add_column(TwoNodeThesis::W, 0.0, true, start);
         } else {
             for (const auto& [from, to, n, tread] :
@@ -38,12 +39,13 @@ public:
 
     /// One step of the length that is stable up to 1.1 W/mK.   @param in its scales and inputs   @param camber rad
     void step(const TwoNodeThesis& in, double camber) {
-        const double total_mass = sum([](const Column& c) { return c.area * c.thickness(); });
+        // In cubic metres of the thesis's rubber.
+        const double total_mass = sum([&](const Column& c) { return c.area * weight(c); });
         const double tread_area = sum([](const Column& c) { return c.tread ? c.area : 0.0; });
         const double wall_area = sum([](const Column& c) { return c.tread ? 0.0 : c.area; });
         const double inner_area = sum([](const Column& c) { return c.area; });
         const double lean = 10.0 * camber;
-        const double mean_side = sum([](const Column& c) { return c.area * c.thickness() * side(c); }) / total_mass;
+        const double mean_side = sum([&](const Column& c) { return c.area * weight(c) * side(c); }) / total_mass;
         const double loss = in.SEL(bulk()) / total_mass;  // W a m3
         const double slide =
             in.Fz > 0.0 ? std::abs(in.Fx * in.V * in.kappa) + std::abs(in.Fy * in.V * std::tan(in.alpha)) : 0.0;
@@ -56,7 +58,7 @@ public:
         for (Column& c : columns_) {
             std::vector<double>& q = watts.emplace_back(c.T.size(), 0.0);
             for (std::size_t j = 0; j < c.T.size(); ++j) {
-                q[j] += loss * (1.0 + lean * (side(c) - mean_side)) * c.area * c.thick[j];
+                q[j] += loss * (1.0 + lean * (side(c) - mean_side)) * c.area * c.thick[j] * material(c, j).density;
                 if (j + 1 < c.T.size()) {
                     const double G = c.area / (0.5 * c.thick[j] / k(c, j) + 0.5 * c.thick[j + 1] / k(c, j + 1));
                     const double flow = G * (c.T[j] - c.T[j + 1]);
@@ -75,7 +77,7 @@ public:
             }
             q[top] += under * c.area * (c.surface - c.T[top]);
             const double above = k(c, 0) / (0.5 * c.thick[0]);
-            const double film = kind_ == Kind::section ? 9.0 / inner_area : 0.0;
+            const double film = is_section() ? 9.0 / inner_area : 0.0;
             c.liner = (above * c.T[0] + film * gas) / (above + film);
             q[0] += above * c.area * (c.liner - c.T[0]);
             to_gas += film * c.area * (c.liner - gas);
@@ -91,7 +93,8 @@ public:
             double end_b = b.thick[0];
             while (j < a.T.size() && m < b.T.size()) {
                 const double end = std::min(end_a, end_b);
-                const double G = around * (end - reached) / (0.5 * a.length / k(a, j) + 0.5 * b.length / k(b, m));
+                const double G =
+                    around * (end - reached) / (0.5 * a.length / along(a, j) + 0.5 * b.length / along(b, m));
                 watts[i][j] -= G * (a.T[j] - b.T[m]);
                 watts[i + 1][m] += G * (a.T[j] - b.T[m]);
                 reached = end;
@@ -105,13 +108,13 @@ public:
                 }
             }
         }
-        if (kind_ == Kind::section) {  // 1 W/K through both beads, shared by thickness
+        if (is_section()) {  // 1 W/K through both beads, shared by thickness
             for (const std::size_t i : {std::size_t{0}, columns_.size() - 1}) {
                 const Column& c = columns_[i];
                 for (std::size_t j = 0; j < c.T.size(); ++j) {
                     const double area = 2.0 * TwoNodeThesis::pi * c.radius * c.thick[j];
                     const double bead = 0.5 * c.thick[j] / c.thickness();
-                    const double flow = (c.T[j] - rim) / (1.0 / bead + 0.5 * c.length / (k(c, j) * area));
+                    const double flow = (c.T[j] - rim) / (1.0 / bead + 0.5 * c.length / (along(c, j) * area));
                     watts[i][j] -= flow;
                     to_rim += flow;
                 }
@@ -119,7 +122,9 @@ public:
         }
         for (std::size_t i = 0; i < columns_.size(); ++i) {
             for (std::size_t j = 0; j < columns_[i].T.size(); ++j) {
-                columns_[i].T[j] += seconds * watts[i][j] / (heat_per_volume * columns_[i].area * columns_[i].thick[j]);
+                const Column& c = columns_[i];
+                columns_[i].T[j] +=
+                    seconds * watts[i][j] / (heat_per_volume * material(c, j).capacity * c.area * c.thick[j]);
             }
         }
         const double gas_to_rim = 4.0 * (gas - rim);
@@ -219,18 +224,49 @@ private:
         const Column& c = columns_[column];
         return (k(c, 9) * c.T[9] + k(c, 10) * c.T[10]) / (k(c, 9) + k(c, 10));
     }
-    [[nodiscard]] double outermost() const { return kind_ == Kind::section ? 0.008 : 0.0018; }
+    [[nodiscard]] double outermost() const { return is_section() ? 0.008 : 0.0018; }
     /// 1 at the middle of the outside shoulder and beyond, -1 inside.
     static double side(const Column& c) { return std::clamp(-c.middle / 0.09, -1.0, 1.0); }
-    /// K1 of the rubber and K2 of what is below, W/mK: straight lines through 20 and 90 degC.
-    [[nodiscard]] double k(const Column& c, std::size_t j) const {
+    /// Density and heat capacity per volume over those of the thesis's rubber; conductivities, W/mK.
+    struct Material {
+        double density = 1.0;
+        double capacity = 1.0;
+        double through = 0.0;
+        double along = 0.0;  ///< the meridian
+    };
+    /// Skim rubber of 0.25 W/mK. Steel cords of 50 W/mK at 22 degrees, V = 800 pi 0.424^2/4 / 1000 = 0.1129566:
+    /// k1 = 5.869590, k2 = 0.25 (50.25 + 49.75 V)/(50.25 - 49.75 V) = 0.312957, k1 sin^2 + k2 cos^2 = 1.092720;
+    /// V 7850 + (1 - V) 1100 = 1862.457 kg/m3, V 7850 470 + (1 - V) 1100 1800 = 2173099 J/m3K.
+    static Material belt() { return {1862.457 / 1100.0, 2173099.0 / 1980000.0, 0.312957, 1.092720}; }
+    /// Polyester along the meridian, 1 and 0.2 W/mK, V = 1000 pi 0.66^2/4 / 1200 = 0.2850995: k1 = 0.463825,
+    /// k2 = 0.25 (0.45 - 0.05 V)/(0.45 + 0.05 V) = 0.234647; V 1380 + (1 - V) 1100 = 1179.828 kg/m3,
+    /// V 1380 1200 + (1 - V) 1100 1800 = 1887628 J/m3K.
+    static Material carcass() { return {1179.828 / 1100.0, 1887628.0 / 1980000.0, 0.234647, 0.463825}; }
+
+    /// K1 of the rubber and K2 of what is below, straight lines through 20 and 90 degC; of cords, those above.
+    [[nodiscard]] Material material(const Column& c, std::size_t j) const {
         if (kind_ == Kind::one_rubber) {
-            return 0.29;
+            return {.through = 0.29, .along = 0.29};
         }
         const bool below = j < (c.tread ? 20U : 10U);
+        if (kind_ == Kind::section_of_cords && below && j >= 4U) {  // 0.8 mm of liner lie inside
+            return j < 10U ? carcass() : belt();
+        }
         const double share = (c.T[j] - 293.15) / 70.0;
-        return below ? 0.060 + 0.015 * share : 0.29 + 0.66 * share;
+        const double k = below ? 0.060 + 0.015 * share : 0.29 + 0.66 * share;
+        return {.through = k, .along = k};
     }
+    [[nodiscard]] double k(const Column& c, std::size_t j) const { return material(c, j).through; }
+    [[nodiscard]] double along(const Column& c, std::size_t j) const { return material(c, j).along; }
+    /// Thickness of the thesis's rubber that weighs as much as a column. m
+    [[nodiscard]] double weight(const Column& c) const {
+        double all = 0.0;
+        for (std::size_t j = 0; j < c.thick.size(); ++j) {
+            all += c.thick[j] * material(c, j).density;
+        }
+        return all;
+    }
+    [[nodiscard]] bool is_section() const { return kind_ == Kind::section || kind_ == Kind::section_of_cords; }
     template <class Of>
     [[nodiscard]] double sum(const Of& of) const {
         double all = 0.0;

@@ -70,7 +70,9 @@ std::pair<double, double> two_nodes_after(const solver::Problem& problem) {
 
 /// The section from the case's first temperature to its end; gas and rim begin at that of the air.
 support::SectionThesis section_after(const solver::Problem& problem) {
-    support::SectionThesis thesis(support::SectionThesis::Kind::section, problem.initial.at(0));
+    using Kind = support::SectionThesis::Kind;
+    const bool of_cords = problem.name.ends_with("_cords");
+    support::SectionThesis thesis(of_cords ? Kind::section_of_cords : Kind::section, problem.initial.at(0));
     thesis.gas = thesis.rim = inputs_of(problem, problem.settings.start, problem.settings.start + step).T_air;
     for (double t = problem.settings.start; t < problem.settings.end - 0.5 * step; t += step) {
         const double camber = problem.input_signals.at(t + 0.5 * step, solver::JumpSide::after).camber;

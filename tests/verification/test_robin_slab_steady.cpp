@@ -1,41 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Steady slab between two surroundings: exact surface temperatures for any number of cells.
 
-#include <array>
-
 #include "tests/support/problem.hpp"
+#include "tests/support/surroundings.hpp"
 
 namespace tiretherm {
 namespace {
 
 constexpr double area = 0.5;
-
-/// Surroundings of a patch with a temperature of their own, which still_air (one air for all) does not offer.
-constexpr std::array surroundings_parameters{
-    physics::ParameterSpec{"h", "W m-2 K-1", 10.0, 0.0, 1e9, "coefficient"},
-    physics::ParameterSpec{"T", "K", 293.15, 0.0, 1e4, "temperature of the surroundings"},
-};
-
-void add_terms_of_surroundings(const physics::EvaluationState& m, physics::Terms& terms) {
-    for (const int patch : m.active.patches) {
-        for (const mesh::PatchFace& face : m.mesh.patches[static_cast<std::size_t>(patch)].faces) {
-            terms.exchange(face.node, m.active[0] * face.area, m.active[1]);
-        }
-    }
-}
-
-const physics::Effect surroundings{.id = "surroundings",
-                                   .kind = physics::Kind::loss,
-                                   .on = false,
-                                   .equation = "q = h A (T_env - T)",
-                                   .source = "this test",
-                                   .meaning = "surroundings with their own temperature",
-                                   .parameters = surroundings_parameters,
-                                   .choices = {},
-                                   .reads = {},
-                                   .needs_tire = false,
-                                   .patches = {},
-                                   .model = physics::HeatEffect{.add_terms = add_terms_of_surroundings}};
 
 TEST(RobinSlab, SurfaceSettlesAt333K) {
     // 1/12.5 outside, 0.012/0.3 in the rubber, 1/25 inside: 0.08 + 0.04 + 0.04 = 0.16 m2K/W between 293.15 and 373.15
@@ -47,8 +19,8 @@ TEST(RobinSlab, SurfaceSettlesAt333K) {
         problem.mesh = mesh::build(mesh::Layers{.area = area, .stack = {{"rubber", 0.012, cells, 2.0}}});
         problem.materials = {support::material(0.3, 1100.0, 1800.0)};
         support::switch_on(problem, "conduction");
-        support::switch_on(problem, surroundings, {{"h", 12.5}, {"T", 293.15}}, {"outside"});
-        support::switch_on(problem, surroundings, {{"h", 25.0}, {"T", 373.15}}, {"inside"});
+        support::switch_on(problem, support::surroundings, {{"h", 12.5}, {"T", 293.15}}, {"outside"});
+        support::switch_on(problem, support::surroundings, {{"h", 25.0}, {"T", 373.15}}, {"inside"});
         support::start_at(problem, 300.0);
         problem.settings.steady = true;
         support::read(problem, "outside", mesh::over_patch(problem.mesh, 0));
