@@ -97,8 +97,8 @@ std::string tire_text(const solver::Problem& problem) {
     if (!load) {
         return {};
     }
-    std::string text = fmt::format("{}: {:.0f} N at {:.0f} kPa", size->text, *load,
-                                   1e-3 * physics::standard_load_pressure);
+    std::string text =
+        fmt::format("{}: {:.0f} N at {:.0f} kPa", size->text, *load, 1e-3 * physics::standard_load_pressure);
     if (const std::optional<double> speed = size->service->speed()) {
         text += fmt::format(", up to {:.0f} km/h", 3.6 * *speed);
     }
@@ -109,8 +109,8 @@ std::string tire_text(const solver::Problem& problem) {
     times.insert(times.end(), problem.input_signals.samples().begin(), problem.input_signals.samples().end());
     for (const double t : times) {
         const physics::Inputs in = problem.input_signals.at(t, solver::JumpSide::after);
-        const double pressure = problem.tire.reference_pressure > 0.0 ? in.inflation_pressure
-                                                                       : physics::standard_load_pressure;
+        const double pressure =
+            problem.tire.reference_pressure > 0.0 ? in.inflation_pressure : physics::standard_load_pressure;
         const double share = in.vertical_load / physics::load_capacity(*load, std::max(pressure, 1.0));
         if (share > highest) {
             highest = share;

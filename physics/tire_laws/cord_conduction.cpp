@@ -32,6 +32,9 @@ Curve affine(double offset, double factor, const Curve& law) {
 /// Temperatures at which to keep a function of a law: even steps, and the places where the law is bent.
 std::vector<double> temperatures_of(const Curve& law) {
     std::vector<double> T(law.table_x().begin(), law.table_x().end());
+    if (const auto range = law.range()) {
+        T.insert(T.end(), range->begin(), range->end());
+    }
     for (double even = lowest; even <= highest; even += step) {
         T.push_back(even);
     }

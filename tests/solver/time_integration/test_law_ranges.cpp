@@ -67,11 +67,11 @@ TEST(LawRanges, AreWatchedThroughARun) {
     support::hold(problem, "air_temperature", 293.15);
     support::start_at(problem, zero + 160.0);
     problem.settings.end = 10000.0;
-    const Report report = run(problem);
+    const Report report = run(problem, {});
     ASSERT_EQ(report.warnings.size(), 1U);
     EXPECT_NE(report.warnings.front().find("160.0 degC"), std::string::npos) << report.warnings.front();
     support::start_at(problem, zero + 140.0);
-    EXPECT_TRUE(run(problem).warnings.empty());
+    EXPECT_TRUE(run(problem, {}).warnings.empty());
 }
 
 }  // namespace tiretherm::solver
