@@ -34,6 +34,7 @@ struct Options {
     unsigned threads = 0;
     bool json = false;
     bool markdown = false;
+    bool inputs = false;
 };
 
 using Clock = std::chrono::steady_clock;
@@ -96,10 +97,12 @@ int validate(const Options& options) {
                                              .seconds = std::chrono::duration<double>(Clock::now() - begin).count(),
                                              .energy_closure = results.energy_closure,
                                              .warnings = warnings};
-    if (options.markdown) {
+    if (options.markdown && options.inputs) {
+        fmt::print("{}", post::validation_inputs_markdown(record));
+    } else if (options.markdown) {
         fmt::print("{}", post::validation_markdown(record));
     } else {
-        print_report(post::validation_report(record), options.json);
+        print_report(post::validation_report(record, options.inputs), options.json);
     }
     const bool failed = std::any_of(results.failures.begin(), results.failures.end(),
                                     [](const std::string& failure) { return !failure.empty(); });
@@ -124,8 +127,11 @@ void add_validate_command(CLI::App& program, int& exit_code) {
         ->check(CLI::Range(1, 1024));
     command->add_flag("--json", options->json, "One JSON object instead of the table");
     command->add_flag("--markdown", options->markdown, "The table for a README")->excludes("--json");
+    command->add_flag("--inputs", options->inputs,
+                      "Also the inputs of the experiments, and what those that are not printed change");
     command->footer(
-        "u is the standard uncertainty of a measured number; a model is within it up to 2 u.\n"
+        "u is the standard uncertainty of a measured number and of what the source does not print; a model is within\n"
+        "it up to 2 u. A number whose verdict depends on what is not printed is not decidable.\n"
         "What a table may say is described in cases/README.md.\n\n"
         "Exit code: 0 done, whatever the verdicts; 1 an error in the call, the table or a case; 2 a run failed;\n"
         "130 interrupted.\n\n"

@@ -40,7 +40,29 @@ ModelValue model_value(const input::Expression& expression, const RunResults& re
     return found;
 }
 
-ValidationRow row_of(const input::ValidationNumber& number, const RunResults& results) {
+InputEffect input_effect(const input::NumberInput& of_number, const input::ValidationInput& input,
+                         const RunResults& results, const solver::ShownUnit& unit) {
+    InputEffect effect{.name = input.name,
+                       .meaning = input.meaning,
+                       .standing = input::standing_names[static_cast<std::size_t>(input.standing)],
+                       .inferred_from_it = of_number.inferred_from_it,
+                       .value = input.value,
+                       .ends = input.ends,
+                       .unit = input.unit,
+                       .numbers = input.numbers,
+                       .at_ends = std::vector<std::vector<std::optional<double>>>(input::n_models)};
+    for (const auto& models : of_number.at_ends) {
+        for (std::size_t m = 0; m < input::n_models; ++m) {
+            if (models[m]) {
+                effect.at_ends[m].push_back(model_value(*models[m], results, unit).value);
+            }
+        }
+    }
+    return effect;
+}
+
+/// @param table its inputs
+ValidationRow row_of(const input::ValidationNumber& number, const input::Validation& table, const RunResults& results) {
     const solver::ShownUnit unit = unit_of(number);
     ValidationRow row{.id = number.id,
                       .what = number.what,
@@ -51,12 +73,16 @@ ValidationRow row_of(const input::ValidationNumber& number, const RunResults& re
                       .high = unit.value(number.high),
                       .uncertainty = unit.difference(number.total_uncertainty()),
                       .parts = {},
-                      .models = {}};
+                      .models = {},
+                      .inputs = {}};
     for (const auto& [name, part] : number.uncertainty) {
         row.parts.emplace_back(name, unit.difference(part));
     }
     for (const std::optional<input::Expression>& expression : number.models) {
         row.models.push_back(expression ? model_value(*expression, results, unit) : ModelValue{});
+    }
+    for (const input::NumberInput& input : number.inputs) {
+        row.inputs.push_back(input_effect(input, table.inputs[input.input], results, unit));
     }
     return row;
 }
@@ -66,7 +92,7 @@ ValidationRow row_of(const input::ValidationNumber& number, const RunResults& re
 std::vector<ValidationRow> validation_rows(const input::Validation& table, const RunResults& results) {
     std::vector<ValidationRow> rows;
     for (const input::ValidationNumber& number : table.numbers) {
-        rows.push_back(row_of(number, results));
+        rows.push_back(row_of(number, table, results));
     }
     return rows;
 }

@@ -4,6 +4,7 @@
 #include "diagnosis/validation/validation_runs.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <mutex>
 #include <numeric>
 
@@ -43,7 +44,9 @@ RunResults run_all(const std::vector<input::ValidationRun>& runs, unsigned threa
         const solver::RunEnd run_end =
             solver::run_to_end(problem, [&](const solver::Snapshot& snapshot) { results.traces[run].take(snapshot); });
         if (!run_end.failure.empty()) {
-            results.failures[run] = fmt::format("{}: {}", problem.name, run_end.failure);
+            const std::string& changed = runs[run].changed;
+            results.failures[run] =
+                fmt::format("{}{}: {}", problem.name, changed.empty() ? "" : ", " + changed, run_end.failure);
         }
         const std::lock_guard lock(talk);
         if (run_end.failure.empty()) {
@@ -55,8 +58,11 @@ RunResults run_all(const std::vector<input::ValidationRun>& runs, unsigned threa
         progress(++done);
     };
     solver::in_parallel(order.size(), work, threads);
+    // What a case says with an input at an end of its range it mostly says as it is, too.
     for (const std::vector<std::string>& of_run : warnings) {
-        results.warnings.insert(results.warnings.end(), of_run.begin(), of_run.end());
+        std::ranges::copy_if(of_run, std::back_inserter(results.warnings), [&](const std::string& warning) {
+            return std::ranges::find(results.warnings, warning) == results.warnings.end();
+        });
     }
     return results;
 }

@@ -378,6 +378,36 @@ to = "600 W/m2K"
 )";
 
 constexpr std::string_view table = R"(
+[[input]]
+name = "air"
+meaning = "of the hall"
+standing = "assumed"
+keys = ["drive.air_temperature"]
+cases = ["two_node"]
+adds_keys = true
+value = "23 degC"
+range = ["20 degC", "26 degC"]
+[[input]]
+name = "warm-up"
+meaning = "its length"
+standing = "assumed"
+between = [["0 s", "10 s"]]
+value = "10 s"
+range = ["5 s", "20 s"]
+[[input]]
+name = "pace"
+meaning = "of the road"
+standing = "inferred"
+signal = "speed"
+value = "100 km/h"
+range = ["80 km/h", "120 km/h"]
+[[input]]
+name = "share"
+meaning = "of saturation"
+standing = "assumed"
+reads = "time_to"
+value = 0.95
+range = [0.9, 0.98]
 [[number]]
 id = "M1"
 what = "bulk"
@@ -387,6 +417,8 @@ value = "50 degC"
 uncertainty = "3 K"
 source = "here"
 minus = { at = "0 s" }
+inputs = ["air"]
+inferred_from_it = ["pace"]
 [[number]]
 id = "M2"
 what = "bulk"

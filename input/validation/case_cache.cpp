@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads each case of a validation table once and collects the errors and warnings of all cases.
+// Reads each case of a validation table once, and once for each end of an input that changes it; collects the errors and
+// warnings of all.
 
 #include <algorithm>
 #include <system_error>
 
 #include <fmt/format.h>
 
+#include "input/measurements/runs.hpp"
 #include "input/model/reader.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/validation/validation_reader.hpp"
@@ -47,9 +49,87 @@ std::optional<std::size_t> CaseCache::find(const std::string& path, const Source
     warnings_.insert(warnings_.end(), reading.warnings.begin(), reading.warnings.end());
     if (reading.problem) {
         index = runs_.size();
-        runs_.push_back({.file = file, .problem = std::move(*reading.problem)});
+        runs_.push_back({.file = file, .changed = {}, .problem = std::move(*reading.problem)});
     }
     return index;
+}
+
+bool CaseCache::is_case(std::size_t index, std::string_view name) const {
+    const std::string path = runs_[index].file.generic_string();
+    const std::string wanted = (folder_ / name).lexically_normal().generic_string();
+    return path == wanted || path == wanted + ".toml" || std::ranges::any_of(model_names, [&](std::string_view model) {
+               return path == fmt::format("{}_{}.toml", wanted, model);
+           });
+}
+
+void CaseCache::check_names(const std::vector<LocatedString>& names, InputErrors& errors) const {
+    for (const LocatedString& name : names) {
+        const fs::path path = (folder_ / name.text).lexically_normal();
+        std::error_code error;
+        const auto is_file = [&](const std::string& ending) {
+            return fs::is_regular_file(path.generic_string() + ending, error);
+        };
+        const bool known =
+            is_file("") || is_file(".toml") || std::ranges::any_of(model_names, [&](std::string_view model) {
+                return is_file(fmt::format("_{}.toml", model));
+            });
+        if (!known) {
+            errors.add(name.place, fmt::format("there is no case {}", name.text),
+                       neighbour(path.generic_string() + ".toml"));
+        }
+    }
+}
+
+bool CaseCache::acts(const InputDefinition& input, std::size_t index, InputErrors& errors) {
+    const bool belongs = input.cases.empty() || std::ranges::any_of(input.cases, [&](const LocatedString& name) {
+                             return is_case(index, name.text);
+                         });
+    if (!belongs) {
+        return false;
+    }
+    const fs::path& file = runs_[index].file;
+    const auto [known, is_new] =
+        acts_.try_emplace(fmt::format("{}\n{}", input.shown.name, file.generic_string()), false);
+    if (is_new) {
+        InputErrors unheard;
+        const std::optional<TomlValue> document = read_document(file, unheard);
+        const InputTrace trace = document ? find_in_case(input, *document) : InputTrace{};
+        known->second = trace.acts;
+        if (!trace.other_value.empty()) {
+            errors.add(
+                input.place,
+                fmt::format("the value is {}, but {} has {}", input.shown.value, case_name(file), trace.other_value),
+                "let value be that of the cases, or name those that have it: cases = [\"...\"]");
+        }
+    }
+    return known->second;
+}
+
+std::optional<std::size_t> CaseCache::at_end(const InputDefinition& input, std::size_t end, std::size_t index,
+                                             const InputErrors& errors) {
+    const fs::path file = runs_[index].file;
+    const std::string changed = fmt::format("{} = {}", input.shown.name, input.shown.ends[end]);
+    const auto known = known_.find(fmt::format("{}\n{}", file.generic_string(), changed));
+    if (known != known_.end()) {
+        return known->second;
+    }
+    std::optional<std::size_t>& found = known_[fmt::format("{}\n{}", file.generic_string(), changed)];
+    InputErrors own = errors;  // knows the files: values of the table stand in the case
+    const std::size_t before = own.count();
+    std::optional<TomlValue> document = read_document(file, own);
+    if (!document) {
+        return std::nullopt;
+    }
+    change_case(input, end, *document, own);
+    solver::Problem problem = read_runs(*document, case_name(file), {}, ReadMode::measured, own).problem;
+    if (own.count() > before) {
+        const std::vector<InputError> all = own.in_order();
+        errors_.insert(errors_.end(), all.begin(), all.end());
+        return std::nullopt;
+    }
+    found = runs_.size();
+    runs_.push_back({.file = file, .changed = changed, .problem = std::move(problem)});
+    return found;
 }
 
 void CaseCache::append_messages(ValidationReading& reading) const {

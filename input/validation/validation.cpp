@@ -21,21 +21,6 @@ double read(const Difference& difference, const std::vector<Trace>& traces) {
     return read(difference.of, traces) - (difference.minus ? read(*difference.minus, traces) : 0.0);
 }
 
-/// Every readout of an expression, for its run to be asked or changed.
-template <typename OneExpression, typename Visit>
-void visit_readouts(OneExpression& expression, const Visit& visit) {
-    const auto both = [&](auto& difference) {
-        visit(difference.of);
-        if (difference.minus) {
-            visit(*difference.minus);
-        }
-    };
-    both(expression.of);
-    if (expression.over) {
-        both(*expression.over);
-    }
-}
-
 bool has(const std::vector<std::string>& words, const std::string& word) {
     return std::find(words.begin(), words.end(), word) != words.end();
 }
@@ -81,18 +66,24 @@ std::vector<std::string> Validation::keep(const std::vector<std::string>& wanted
     std::vector<std::size_t> renumbered(runs.size(), unused);
     std::vector<ValidationRun> kept;
     for (ValidationNumber& number : numbers) {
-        for (std::optional<Expression>& expression : number.models) {
-            if (!expression) {
-                continue;
-            }
-            visit_readouts(*expression, [&](Readout& readout) {
-                std::size_t& place = renumbered[readout.run];
-                if (place == unused) {
-                    place = kept.size();
-                    kept.push_back(std::move(runs[readout.run]));
+        const auto renumber = [&](std::array<std::optional<Expression>, n_models>& models) {
+            for (std::optional<Expression>& expression : models) {
+                if (!expression) {
+                    continue;
                 }
-                readout.run = place;
-            });
+                visit_readouts(*expression, [&](Readout& readout) {
+                    std::size_t& place = renumbered[readout.run];
+                    if (place == unused) {
+                        place = kept.size();
+                        kept.push_back(std::move(runs[readout.run]));
+                    }
+                    readout.run = place;
+                });
+            }
+        };
+        renumber(number.models);
+        for (NumberInput& input : number.inputs) {
+            std::ranges::for_each(input.at_ends, renumber);
         }
     }
     runs = std::move(kept);
@@ -107,9 +98,17 @@ ValidationReading read_validation(const std::filesystem::path& file) {
         TomlTable root(*document, "the table", errors);
         root.declare_keys({"include", "unset"});
         validation.title = root.text("title").value_or("Validation");
+        std::vector<InputDefinition> inputs;
+        root.each("input", [&](TomlTable& table) {
+            inputs.push_back(read_input(table, inputs));
+            cache.check_names(inputs.back().cases, errors);
+        });
         root.each(
-            "number", [&](TomlTable& table) { validation.numbers.push_back(read_number(table, cache)); },
+            "number", [&](TomlTable& table) { validation.numbers.push_back(read_number(table, inputs, cache)); },
             Need::required);
+        for (const InputDefinition& input : inputs) {
+            validation.inputs.push_back(input.shown);
+        }
     }
     ValidationReading reading{.table = std::nullopt, .errors = errors.in_order(), .warnings = errors.warnings()};
     cache.append_messages(reading);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Validation table: measured numbers, [[number]], and how each is read from the two-node and the section model.
+// Validation table: measured numbers, [[number]], how each is read from the two-node and the section model, and what of
+// the experiment the source does not print, [[input]].
 #pragma once
 
 #include <array>
@@ -50,6 +51,35 @@ struct Expression {
 /// What kind of number it is: its unit and its scale follow.
 enum class Meaning : std::uint8_t { value, difference, ratio, time };
 
+/// Where the value of an input of an experiment comes from.
+enum class Standing : std::uint8_t {
+    printed,   ///< in the source
+    inferred,  ///< from other numbers of the source
+    assumed    ///< the source says nothing
+};
+inline constexpr std::array<std::string_view, 3> standing_names{"printed", "inferred", "assumed"};
+
+/// An input of an experiment, as its table has it: a value of a case, the length of a part of a test, or how a measured
+/// number is to be read.
+struct ValidationInput {
+    std::string name;
+    std::string meaning;
+    Standing standing = Standing::printed;
+    std::string value;              ///< "30 s", as the cases have it
+    std::vector<std::string> ends;  ///< of its range; other words where it is no number; empty of a printed one
+    std::string unit;               ///< of the numbers
+    std::vector<double> numbers;    ///< the ends in that unit; empty where they are words
+};
+
+/// An input that a number depends on.
+struct NumberInput {
+    std::size_t input = 0;          ///< index into Validation::inputs
+    bool inferred_from_it = false;  ///< from this very number, which therefore cannot judge a model
+    /// How the number is read where the input is at an end of its range [ends][models]; empty of a printed input, and
+    /// where the input does not act on a model.
+    std::vector<std::array<std::optional<Expression>, n_models>> at_ends;
+};
+
 /// One number that was measured.
 struct ValidationNumber {
     std::string id;      ///< of the experiment: "M4"
@@ -62,21 +92,24 @@ struct ValidationNumber {
     double high = std::numeric_limits<double>::infinity();      ///< an open end is infinite
     std::vector<std::pair<std::string, double>> uncertainty;    ///< SI, standard, independent parts by name
     std::array<std::optional<Expression>, n_models> models;  ///< how it is read; empty where a model has no such thing
+    std::vector<NumberInput> inputs;
 
     /// Root of the sum of squares of the parts; 0 where there is none.
     [[nodiscard]] double total_uncertainty() const;
 };
 
-/// A case that numbers are read from.
+/// A case that numbers are read from, as it is or with one input at an end of its range.
 struct ValidationRun {
     std::filesystem::path file;
+    std::string changed;  ///< "ramp = 300 s"; empty: as it is
     solver::Problem problem;
 };
 
 struct Validation {
     std::string title;
     std::vector<ValidationNumber> numbers;
-    std::vector<ValidationRun> runs;  ///< each case once
+    std::vector<ValidationInput> inputs;
+    std::vector<ValidationRun> runs;  ///< each case once, and once for each end of an input that changes it
 
     /// Leaves the numbers of some experiments and the runs that they need.
     /// @returns the ids that no number has

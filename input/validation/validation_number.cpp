@@ -96,7 +96,7 @@ void read_measured(TomlTable& table, const QuantitySpec& spec, ValidationNumber&
 
 }  // namespace
 
-ValidationNumber read_number(TomlTable& table, CaseCache& cache) {
+ValidationNumber read_number(TomlTable& table, const std::vector<InputDefinition>& inputs, CaseCache& cache) {
     ValidationNumber number;
     number.id = table.text("id", Need::required).value_or("");
     number.what = table.text("what", Need::required).value_or("");
@@ -109,6 +109,7 @@ ValidationNumber read_number(TomlTable& table, CaseCache& cache) {
         table.declare_keys({"value", "range", "above", "below", "uncertainty"});
     }
     number.source = table.text("source", number.is_measured ? Need::required : Need::optional).value_or("");
+    number.inputs = read_number_inputs(table, inputs, evaluation, cache);
     number.models = std::move(evaluation.models);
     return number;
 }

@@ -14,9 +14,14 @@ using namespace diagnosis;  // whose results are rendered here
 namespace {
 
 constexpr const char* legend =
-    "Off: model less measured, to the nearest end of a range. u: standard uncertainty of the measured number. Bias: "
-    "mean "
-    "of off over the temperatures that all models give; scatter: standard deviation about it, beyond what u explains.";
+    "Off: model less measured, to the nearest end of a range. In brackets: from where to where the inputs that the "
+    "source "
+    "does not print move the number. u: standard uncertainty of the measured number and of these inputs. Not "
+    "decidable: "
+    "the verdict depends on such an input, or one was inferred from this very number; these numbers count nowhere "
+    "below. "
+    "Bias: mean of off over the temperatures that can be decided for all models; scatter: standard deviation about it, "
+    "beyond what u explains.";
 
 int decimals(const std::string& unit) {
     if (unit == "1") {
@@ -49,10 +54,23 @@ std::string measured_text(const ValidationRow& row, const char* plus_minus) {
            spread;
 }
 
-/// A value with the decimals of its unit; "failed", or empty where the model has no such number.
+/// "+3.2", "-3.2", "0.0".
+std::string signed_number(const ValidationRow& row, double change) {
+    const std::string text = number(row, change);
+    return (change > 0.0 && text.find_first_of("123456789") != std::string::npos ? "+" : "") + text;
+}
+
+/// A value with the decimals of its unit, and in brackets the range that unknown inputs leave; "failed", or empty where
+/// the model has no such number.
 Cell value_cell(const ValidationRow& row, std::size_t model) {
     const ModelValue& found = row.models[model];
-    return right(found.value ? number(row, *found.value) : found.applicable ? "failed" : "");
+    if (!found.value) {
+        return right(found.applicable ? "failed" : "");
+    }
+    const Reach by_inputs = reach(row, model);
+    const std::string low = number(row, *found.value - by_inputs.down);
+    const std::string high = number(row, *found.value + by_inputs.up);
+    return right(number(row, *found.value) + (low == high ? "" : fmt::format(" ({} to {})", low, high)));
 }
 
 /// "+3.2"; empty where there is no difference.
@@ -89,15 +107,47 @@ Value model_data(const ValidationRow& row, std::size_t model) {
     data.set("value", found.value);
     if (const std::optional<double> off = difference(row, model)) {
         data.set("difference", *off);
+        const Reach by_inputs = reach(row, model);
+        data.set("low", *found.value - by_inputs.down);
+        data.set("high", *found.value + by_inputs.up);
         if (row.uncertainty > 0.0) {
-            data.set("in_uncertainties", *off / row.uncertainty);
+            data.set("uncertainty", total_uncertainty(row, model));
+            data.set("in_uncertainties", *off / total_uncertainty(row, model));
         }
+        data.set("decidable", judge(row, model) != Judgement::not_decidable);
         data.set("verdict", verdict(row, model));
     }
     if (!found.failure.empty()) {
         data.set("error", found.failure);
     }
     return data;
+}
+
+/// What the inputs of a number are, with the number at the ends of their ranges.
+Value input_data(const ValidationRecord& record, const ValidationRow& row) {
+    Value::List list;
+    for (const InputEffect& input : row.inputs) {
+        Value data{{"name", input.name},
+                   {"meaning", input.meaning},
+                   {"standing", std::string(input.standing)},
+                   {"inferred_from_it", input.inferred_from_it},
+                   {"value", input.value}};
+        Value models;
+        for (std::size_t m = 0; m < record.models.size(); ++m) {
+            if (input.at_ends[m].empty()) {
+                continue;
+            }
+            Value of_model{{"at_ends", Value(input.at_ends[m])}};
+            of_model.set("sensitivity", sensitivity(input, m));
+            models.set(record.models[m].key, std::move(of_model));
+        }
+        if (!input.ends.empty()) {
+            data.set("range", Value(input.ends));
+            data.set("models", std::move(models));
+        }
+        list.push_back(std::move(data));
+    }
+    return Value(std::move(list));
 }
 
 DataTable numbers(const ValidationRecord& record) {
@@ -119,6 +169,7 @@ DataTable numbers(const ValidationRecord& record) {
             models.set(record.models[m].key, model_data(row, m));
         }
         cells.push_back(data_only("models", std::move(models)));
+        cells.push_back(data_only("inputs", input_data(record, row)));
         table.add(std::move(cells));
     }
     return table;
@@ -132,7 +183,8 @@ DataTable::Row figure_row(const std::string& name, const ModelFigures& f) {
             page_only("rms K", right(any ? fmt::format("{:.1f}", f.rms) : "-")),
             page_only("scatter K", right(any ? fmt::format("{:.1f}", f.scatter) : "-")),
             page_only("within 2 u", right(any ? fmt::format("{} of {}", f.within, f.temperatures) : "-")),
-            page_only("orders that hold", right(f.orders > 0 ? fmt::format("{} of {}", f.holding, f.orders) : "-"))};
+            page_only("orders that hold", right(f.orders > 0 ? fmt::format("{} of {}", f.holding, f.orders) : "-")),
+            page_only("not decidable", right(fmt::format("{}", f.not_decidable)))};
 }
 
 DataTable figure_table(const ValidationRecord& record) {
@@ -140,7 +192,7 @@ DataTable figure_table(const ValidationRecord& record) {
     for (std::size_t m = 0; m < record.models.size(); ++m) {
         const ModelFigures common = figures(record, m, true);
         const ModelFigures all = figures(record, m, false);
-        if (common.temperatures + common.orders > 0) {
+        if (common.temperatures + common.orders + common.not_decidable > 0) {
             table.add(figure_row(record.models[m].name, common));
         }
         if (all.temperatures != common.temperatures || all.orders != common.orders) {
@@ -151,8 +203,86 @@ DataTable figure_table(const ValidationRecord& record) {
 }
 
 Value figure_data(const ModelFigures& f) {
-    return {{"temperatures", f.temperatures}, {"bias", f.bias},     {"rms", f.rms},        {"scatter", f.scatter},
-            {"within_2u", f.within},          {"orders", f.orders}, {"holding", f.holding}};
+    return {{"temperatures", f.temperatures},
+            {"bias", f.bias},
+            {"rms", f.rms},
+            {"scatter", f.scatter},
+            {"within_2u", f.within},
+            {"orders", f.orders},
+            {"holding", f.holding},
+            {"not_decidable", f.not_decidable}};
+}
+
+/// Every input once, in the order in which the numbers name them.
+DataTable input_table(const ValidationRecord& record) {
+    DataTable table;
+    std::set<std::string> known;
+    for (const ValidationRow& row : record.rows) {
+        for (const InputEffect& input : row.inputs) {
+            if (known.insert(input.name).second) {
+                table.add({page_only("input", input.name), page_only("standing", std::string(input.standing)),
+                           page_only("value", input.value),
+                           page_only("range", fmt::format("{}", fmt::join(input.ends, ", "))),
+                           page_only("meaning", input.meaning)});
+            }
+        }
+    }
+    return table;
+}
+
+/// " K" of a temperature, of which a sensitivity is for a difference.
+std::string step_unit(const InputEffect& input) {
+    return input.unit.empty() ? "" : input.unit == "degC" ? " K" : " " + input.unit;
+}
+
+/// "ramp 0.0 to +13.7 (0.051 for 1 s)": how unknown inputs change what a model gives.
+std::string changes(const ValidationRow& row, std::size_t model) {
+    std::vector<std::string> words;
+    for (const InputEffect& input : row.inputs) {
+        const std::optional<double>& value = row.models[model].value;
+        if (!value || input.at_ends[model].empty()) {
+            continue;
+        }
+        std::vector<std::string> ends;
+        bool changes_it = false;
+        for (const std::optional<double>& end : input.at_ends[model]) {
+            ends.push_back(end ? signed_number(row, *end - *value) : "failed");
+            changes_it = changes_it || ends.back().find_first_of("123456789f") != std::string::npos;
+        }
+        const std::optional<double> slope = changes_it ? sensitivity(input, model) : std::nullopt;
+        words.push_back(
+            fmt::format("{} {}", input.name, changes_it ? fmt::format("{}", fmt::join(ends, " to ")) : "0") +
+            (slope ? fmt::format(" ({:.2g} for 1{})", *slope, step_unit(input)) : ""));
+    }
+    return fmt::format("{}", fmt::join(words, "; "));
+}
+
+std::string names(const ValidationRow& row, std::string_view standing) {
+    std::vector<std::string> found;
+    for (const InputEffect& input : row.inputs) {
+        if (input.standing == standing) {
+            found.push_back(input.name);
+        }
+    }
+    return fmt::format("{}", fmt::join(found, ", "));
+}
+
+/// For each number its printed inputs, and what the others change.
+DataTable change_table(const ValidationRecord& record) {
+    DataTable table;
+    for (const ValidationRow& row : record.rows) {
+        if (row.inputs.empty()) {
+            continue;
+        }
+        DataTable::Row cells{page_only("", row.id), page_only("what", row.what),
+                             page_only("printed", names(row, "printed")), page_only("inferred", names(row, "inferred")),
+                             page_only("assumed", names(row, "assumed"))};
+        for (std::size_t m = 0; m < record.models.size(); ++m) {
+            cells.push_back(page_only(record.models[m].name + ", change", changes(row, m)));
+        }
+        table.add(std::move(cells));
+    }
+    return table;
 }
 
 Section failures(const ValidationRecord& record) {
@@ -170,7 +300,7 @@ Section failures(const ValidationRecord& record) {
 
 }  // namespace
 
-Report validation_report(const ValidationRecord& record) {
+Report validation_report(const ValidationRecord& record, bool with_inputs) {
     DataTable of_numbers = numbers(record);
     Value summary;
     for (std::size_t m = 0; m < record.models.size(); ++m) {
@@ -185,6 +315,18 @@ Report validation_report(const ValidationRecord& record) {
     of_models.gap();
     of_models.say(legend);
     report.add(std::move(of_models));
+    if (DataTable inputs = input_table(record); with_inputs && !inputs.empty()) {
+        report.add(Section("Inputs of the experiments", std::move(inputs)));
+        Section effect("Change at the ends of the ranges of inputs");
+        for (const ValidationRow& row : record.rows) {
+            for (std::size_t m = 0; m < record.models.size(); ++m) {
+                if (const std::string words = changes(row, m); !words.empty()) {
+                    effect.item(fmt::format("{} {}, {}: {}", row.id, row.what, record.models[m].name, words));
+                }
+            }
+        }
+        report.add(std::move(effect));
+    }
     report.add("Warnings", "warnings", record.warnings);
     report.add(failures(record));
     Section cost("");
@@ -207,6 +349,10 @@ std::string validation_markdown(const ValidationRecord& record) {
         table.add(std::move(cells));
     }
     return markdown_text(table) + "\n" + markdown_text(figure_table(record));
+}
+
+std::string validation_inputs_markdown(const ValidationRecord& record) {
+    return markdown_text(input_table(record)) + "\n" + markdown_text(change_table(record));
 }
 
 }  // namespace tiretherm::post

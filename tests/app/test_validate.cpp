@@ -46,6 +46,26 @@ uncertainty = "2 K"
 source = "a page"
 )";
 
+/// The load of the light case is not known: at one end of its range it is that of the heavy one.
+const std::string unknown_load = R"([[input]]
+name = "load"
+meaning = "not printed"
+standing = "assumed"
+keys = ["drive.vertical_load"]
+value = "4000 N"
+range = ["4000 N", "7000 N"]
+[[number]]
+id = "light"
+what = "bulk"
+files = { two_node = ")" + folder +
+                                 R"(4000N_100kmh.toml" }
+channel = "bulk_temperature"
+value = "70 degC"
+uncertainty = "2 K"
+source = "a page"
+inputs = ["load"]
+)";
+
 /// A table with a case that the solver cannot carry to its end, beside one that it can.
 const std::string burning = numbers + R"([[number]]
 id = "fire"
@@ -77,6 +97,27 @@ TEST(Validate, TellsEachNumberBesideItsModelAndRunsEachCaseOnce) {
     EXPECT_TRUE(json["numbers"][1]["models"]["section"].is_null());
     EXPECT_LT(json["energy_closure"], 1e-10);
     EXPECT_NE(call("validate --markdown table.toml", scratch.path()).out.find("| 50.0 ± 2.0 °C | 64.0 |"),
+              std::string::npos);
+}
+
+// An independent integration gives 64.0 degC at 4000 N and 80.6 degC at 7000 N: 16.6 K over 3000 N, 0.0055 K/N. Measured
+// are 70 +- 2 degC, whose limits of 66 and 74 degC lie between.
+TEST(Validate, NumberIsSimulatedAtBothEndsOfAnUnknownInput) {
+    const sample::Scratch scratch;
+    post::replace_file(scratch / "table.toml", unknown_load);
+    const Json json = Json::parse(call("validate --json table.toml", scratch.path()).out);
+    EXPECT_EQ(json["runs"], 3);
+    const Json& bulk = json["numbers"][0]["models"]["two_node"];
+    EXPECT_NEAR(bulk["low"].get<double>(), 64.0, 0.06);
+    EXPECT_NEAR(bulk["high"].get<double>(), 80.6, 0.06);
+    EXPECT_EQ(bulk["verdict"], "not decidable (load)");
+    EXPECT_NEAR(json["numbers"][0]["inputs"][0]["models"]["two_node"]["sensitivity"].get<double>(), 16.6 / 3000.0,
+                5e-5);
+    const Call page = call("validate --inputs table.toml", scratch.path());
+    EXPECT_EQ(page.exit_code, 0);
+    EXPECT_NE(page.out.find("load 0.0 to +16."), std::string::npos) << page.out;
+    EXPECT_NE(call("validate --inputs --markdown table.toml", scratch.path())
+                  .out.find("| load | assumed | 4000 N | 4000 N, 7000 N |"),
               std::string::npos);
 }
 

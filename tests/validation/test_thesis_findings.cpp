@@ -35,8 +35,8 @@ TEST_P(Finding, PanicStopLeavesTheBulk) {
     EXPECT_GT(stop.at("surface_temperature", 1208.0), stop.at("surface_temperature", 1205.0) + 5.0);
 }
 
-// M12 against M11: 30 s up to 6 deg of slip lift the bulk by more than a sweep of 60 s to 0.4 g does. (How little of
-// the measured 15 K there is stands in the table.)
+// M12 against M11: 30 s up to 6 deg of slip lift the bulk by more than a sweep of 60 s to 0.4 g does. (The
+// measured 15 K cannot be judged: how long the ramp takes is not printed.)
 TEST_P(Finding, RampSteerLiftsTheBulkMoreThanASweep) {
     const Experiment ramp = run("handling/steering_pad");
     const Experiment sweep = run("handling/sine_sweep");

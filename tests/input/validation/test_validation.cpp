@@ -156,8 +156,9 @@ TEST(ShippedValidation, ExampleOfTheReadmeIsSound) {
     const ValidationReading reading = read_validation(written.add("table.toml", table));
     ASSERT_TRUE(reading.table.has_value())
         << render(Reading{.problem = {}, .errors = reading.errors, .warnings = reading.warnings});
-    EXPECT_NEAR(reading.table->numbers.at(0).total_uncertainty(), std::sqrt(13.0), 1e-12);
-    EXPECT_EQ(reading.table->runs.size(), 2U);
+    EXPECT_NEAR(reading.table->numbers.at(0).total_uncertainty(), std::sqrt(5.0), 1e-12);
+    // Both models: as they are, and with two lengths of the ramp.
+    EXPECT_EQ(reading.table->runs.size(), 6U);
 }
 
 }  // namespace tiretherm::input
