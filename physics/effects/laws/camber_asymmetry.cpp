@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Property modifier: camber moves loss between the shoulders, 1 - c gamma at the inside and 1 + c gamma at the outside
-// one (geometry of a leaning band, derived in this file; thesis VI).
+// one (geometry of a leaning band, derived in this file; thesis IV.1.1).
 
 #include <array>
 
@@ -32,7 +32,8 @@ const Effect camber_asymmetry{
     .id = "camber_asymmetry",
     .kind = Kind::source,
     .equation = "share of the loss: inside shoulder 1 - c gamma, outside shoulder 1 + c gamma, straight between",
-    .source = "geometry of a leaning band, this file; thesis VI: the inside shoulder runs 15 K above the outside one",
+    .source =
+        "geometry of a leaning band, this file; thesis IV.1.1: the inside shoulder runs 15 K above the outside one",
     .valid =
         "camber of some degrees; the gain is of the order of the thesis's 15 K between the shoulders, to be fitted",
     .meaning =
