@@ -8,8 +8,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "physics/tire_laws/scaled_tire.hpp"
-
 namespace tiretherm::physics {
 
 namespace {
@@ -61,10 +59,12 @@ double Tire::revolutions(double speed, double vertical_load) const {
 }
 
 double Tire::vertical_stiffness(double pressure) const {
-    return physics::vertical_stiffness({.width = width,
-                                        .section_height = section_height,
-                                        .rim_diameter = 2.0 * (unloaded_radius - section_height),
-                                        .inflation_pressure = std::max(0.0, pressure)});
+    constexpr double newton_per_metre = 9.80665e3;  // of 1 kg/mm
+    const double p = std::max(0.0, pressure) * 1e-3;
+    const double W = width * 1e3;
+    const double D = 2e3 * (unloaded_radius - section_height);  // of the rim, mm
+    const double A = 100.0 * section_height / width;
+    return newton_per_metre * (0.00028 * p * std::sqrt((1.03 - 0.004 * A) * W * (W * A / 50.0 + D)) + 3.45);
 }
 
 double Tire::reference_load(const Inputs& inputs) const {

@@ -10,8 +10,8 @@
 #include "physics/contact/contact_in_revolutions.hpp"
 #include "physics/contact/heat_of_sliding.hpp"
 #include "physics/contact/rolling_contact.hpp"
-#include "physics/contact/tread_effusivity.hpp"
 #include "physics/contact/travelling.hpp"
+#include "physics/contact/tread_effusivity.hpp"
 #include "physics/tire_laws/rolling_resistance.hpp"
 #include "solver/celsius.hpp"
 #include "solver/problem.hpp"
@@ -64,10 +64,9 @@ double loaded_radius(const SensorMoment& now) { return tire_of(now).loaded_radiu
 
 double cornering_stiffness(const SensorMoment& now) {
     const Handling& handling = now.problem.handling;
-    return handling.lambda_CP *
-           physics::cornering_stiffness(handling.modulus, tire_of(now), tire_of(now).reference_load(now.inputs),
-                                        now.followed)
-               .value;
+    return handling.lambda_CP * physics::cornering_stiffness(handling.modulus, tire_of(now),
+                                                             tire_of(now).reference_load(now.inputs), now.followed)
+                                    .value;
 }
 
 double lambda_Tb(const SensorMoment& now) {

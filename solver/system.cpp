@@ -134,7 +134,8 @@ physics::EvaluationState System::evaluation_state(std::size_t e, std::span<const
             .temperature = T,
             .region_mean = means,
             .active = active,
-            .coefficients = n > 0 && !coefficients.empty() ? coefficients.subspan(first_coefficient_[e], n) : std::span<const double>(),
+            .coefficients = n > 0 && !coefficients.empty() ? coefficients.subspan(first_coefficient_[e], n)
+                                                           : std::span<const double>(),
             .loss_factors = loss_factors_};
 }
 

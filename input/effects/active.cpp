@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "input/model/law.hpp"
 #include "input/text/quantity_specs.hpp"
@@ -43,6 +45,23 @@ bool is_choice(TomlTable& table, const Effect& effect, std::string_view key) {
     const TomlValue* value = choice >= 0 && table.has(key) ? table.value(key) : nullptr;
     return value != nullptr && value->kind == TomlValue::Kind::text &&
            std::ranges::count(effect.choices[static_cast<std::size_t>(choice)].options.subspan(1), value->text) > 0;
+}
+
+/// A word where a number or a word of the choice that goes by the same key is wanted. @returns whether it was refused
+bool refuse_word(TomlTable& table, const Effect& effect, std::string_view key) {
+    const int choice = physics::find_choice(effect, key);
+    const TomlValue* value = choice >= 0 && table.has(key) ? table.value(key) : nullptr;
+    if (value == nullptr || value->kind != TomlValue::Kind::text || value->text.empty() ||
+        std::isalpha(static_cast<unsigned char>(value->text.front())) == 0) {
+        return false;
+    }
+    std::vector<std::string> words;
+    for (const std::string_view word : effect.choices[static_cast<std::size_t>(choice)].options.subspan(1)) {
+        words.push_back(fmt::format("\"{}\"", word));
+    }
+    table.add_error(key, fmt::format("{} is \"{}\"", key, value->text),
+                    fmt::format("write a number, or {}", fmt::join(words, ", ")));
+    return true;
 }
 
 /// A list of parts of the mesh: `patches` or `layers`.
@@ -140,10 +159,10 @@ ActiveEffect read_active(TomlTable& table, const Effect& effect, const ProblemBu
     ActiveEffect active = physics::activate(effect, builder.problem.mesh);
     for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
         const ParameterSpec& parameter = effect.parameters[i];
-        active.parameters[i] = is_choice(table, effect, parameter.key)
-                                   ? parameter.standard
-                                   : table.quantity(parameter.key, quantity_specs::of(parameter))
-                                         .value_or(parameter.standard);
+        active.parameters[i] =
+            is_choice(table, effect, parameter.key) || refuse_word(table, effect, parameter.key)
+                ? parameter.standard
+                : table.quantity(parameter.key, quantity_specs::of(parameter)).value_or(parameter.standard);
     }
     for (std::size_t i = 0; i < effect.choices.size(); ++i) {
         const std::string_view key = effect.choices[i].key;

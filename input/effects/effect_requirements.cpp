@@ -149,24 +149,27 @@ void warn_of_doubles(TomlTable& root, const ProblemBuilder& builder) {
 
 void warn_of_two_shares(TomlTable& root, const ProblemBuilder& builder) {
     const std::vector<ActiveEffect>& effects = builder.problem.effects;
-    const auto sliding = std::ranges::find_if(effects, [](const ActiveEffect& a) { return a.effect->id == "sliding_friction"; });
+    const auto sliding =
+        std::ranges::find_if(effects, [](const ActiveEffect& a) { return a.effect->id == "sliding_friction"; });
     if (sliding == effects.end() || !gives_slip(builder)) {
         return;
     }
     const double share = (*sliding)[static_cast<std::size_t>(physics::find_parameter(*sliding->effect, "partition"))];
-    const bool by_number = sliding->choices[static_cast<std::size_t>(physics::find_choice(*sliding->effect, "partition"))] == 0;
+    const bool by_number =
+        sliding->choices[static_cast<std::size_t>(physics::find_choice(*sliding->effect, "partition"))] == 0;
     const std::string_view taking = physics::travels(*sliding) ? "travelling_contact" : "resolved_contact";
     const bool resolved = std::ranges::any_of(effects, [&](const ActiveEffect& a) { return a.effect->id == taking; });
     if (by_number && resolved && share > 0.0 && share < 1.0) {
         const TomlValue* tables = root.content().find("effects");
         const TomlValue* own = tables->find("sliding_friction");
         const TomlValue* key = own != nullptr ? own->find("partition") : nullptr;
-        root.errors().warn(key != nullptr ? key->place : tables->find(taking)->place,
-                           fmt::format("partition = {:g} gives the road {:g} of the heat of sliding, and {} lets the road "
-                                       "take a share of the rest in the contact: the road's share counts twice; write "
-                                       "[effects.sliding_friction] partition = \"charm\", or 1 for heat that is made in "
-                                       "the tread",
-                                       share, 1.0 - share, taking));
+        root.errors().warn(
+            key != nullptr ? key->place : tables->find(taking)->place,
+            fmt::format("partition = {:g} gives the road {:g} of the heat of sliding, and {} lets the road "
+                        "take a share of the rest in the contact: the road's share counts twice; write "
+                        "[effects.sliding_friction] partition = \"charm\", or 1 for heat that is made in "
+                        "the tread",
+                        share, 1.0 - share, taking));
     }
 }
 
@@ -223,8 +226,9 @@ void warn_of_unread_signals(TomlTable& root, const ProblemBuilder& builder) {
         }
     }
     if (!read_by_sensors.empty()) {
-        root.errors().warn(root.place("drive"), fmt::format("no heat follows {}: {} alone {} it", listed(read_by_sensors),
-                                                            listed(sensors), sensors.size() == 1 ? "reads" : "read"));
+        root.errors().warn(root.place("drive"),
+                           fmt::format("no heat follows {}: {} alone {} it", listed(read_by_sensors), listed(sensors),
+                                       sensors.size() == 1 ? "reads" : "read"));
     }
     if (!unread.empty()) {
         root.errors().warn(root.place("drive"), fmt::format("no active effect and no sensor uses {}", listed(unread)));

@@ -8,6 +8,7 @@
 #include "input/spreadsheet/sheet_body.hpp"
 #include "input/text/units.hpp"
 #include "input/toml/toml_text.hpp"
+#include "physics/curve.hpp"
 
 namespace tiretherm::input {
 
@@ -24,7 +25,9 @@ struct Standard {
 };
 constexpr std::array standards{
     Standard{"heat_capacity", "\"1800 J/kgK\"", "the thesis's constant, V.1.2", "J/kgK"},
-    Standard{"conductivity", "{ at = \"20 degC\", value = \"0.29 W/mK\", slope = \"0.00943 W/mK/K\" }",
+    Standard{"conductivity",
+             "{ at = \"20 degC\", value = \"0.29 W/mK\", slope = \"0.00943 W/mK/K\", "
+             "range = [\"20 degC\", \"120 degC\"] }",
              "not printed in the thesis: the line through its 0.29 W/mK at 20 degC and 0.95 W/mK at 90 degC", "W/mK"},
 };
 
@@ -99,25 +102,32 @@ void add_sheet_law(const SheetContent& content, std::string_view law, SheetBody&
                                   "the thesis does not say on which scale: degrees Celsius, as in its other sheets",
                                   std::string(found.scale_parameter->sheet), std::string(found.scale_parameter->name)});
     }
+    const std::string base = law == "conductivity" ? "W m-1 K-1" : "J kg-1 K-1";
+    const auto si = [&](const SheetValue* value, const std::string& unit) {
+        if (value == nullptr) {
+            return 0.0;
+        }
+        const auto known = conversion(value->unit, unit, Scale::difference);
+        const auto* to = std::get_if<Conversion>(&known);
+        return to != nullptr ? to->to_si(value->number) : value->number;
+    };
+    const double a_si = si(A, base + " K-2");
+    const double b_si = si(B, base + " K-1");
+    const double c_si = si(C, base);
+    // The thesis's own K1 turns negative below -10.8 degC; where it was measured the range changes nothing.
+    const bool is_positive =
+        physics::Curve::quadratic_about(kelvin ? 0.0 : zero, c_si, b_si, a_si).minimum(zero - 40.0, zero + 200.0) > 0.0;
+    const std::string_view range = is_positive ? std::string_view() : R"(, range = ["20 degC", "120 degC"])";
     if (!kelvin || !varies) {
-        entry.lines = {fmt::format("{{ at = \"0 degC\", value = {}, slope = {}, curvature = {} }}", text(2, C->number),
-                                   text(1, b), text(0, a))};
+        entry.lines = {fmt::format("{{ at = \"0 degC\", value = {}, slope = {}, curvature = {}{} }}",
+                                   text(2, C->number), text(1, b), text(0, a), range)};
     } else {
         // About 0 degC, which is the same parabola; a law about 0 K would be warned of in every run.
         const std::string per(standard.unit);
-        const auto si = [&](const SheetValue* value, const std::string& unit) {
-            return value == nullptr
-                       ? 0.0
-                       : std::get<Conversion>(conversion(value->unit, unit, Scale::difference)).to_si(value->number);
-        };
-        const std::string base = law == "conductivity" ? "W m-1 K-1" : "J kg-1 K-1";
-        const double a_si = si(A, base + " K-2");
-        const double b_si = si(B, base + " K-1");
-        const double c_si = si(C, base);
-        entry.lines = {fmt::format("{{ at = \"0 degC\", value = {}, slope = {}, curvature = {} }}",
+        entry.lines = {fmt::format("{{ at = \"0 degC\", value = {}, slope = {}, curvature = {}{} }}",
                                    toml_text::quantity(c_si + zero * (b_si + zero * a_si), per),
                                    toml_text::quantity(b_si + 2.0 * zero * a_si, per + "/K"),
-                                   toml_text::quantity(a_si, per + "/K2"))};
+                                   toml_text::quantity(a_si, per + "/K2"), range)};
     }
     entry.places = {C->place};
     entry.remark = fmt::format("{}: coefficients A, B, C", found.parameters[2]->sheet);

@@ -18,7 +18,7 @@ constexpr double inch = 0.0254;  // m
 
 std::variant<TireSize, ErrorText> read_tire_size(std::string_view text) {
     static const std::regex pattern(
-        R"(\s*(P|LT|T)?\s*(\d{2,3})\s*/\s*(\d{2,3})\s*-?\s*(?:ZR|R|B|D|-)\s*(\d{2}(?:\.5)?)\s*(C)?(?:\s+(?:(\d{2,3})(?:/\d{2,3})?\s*([L-Y])?\b)?.*)?)",
+        R"(\s*(P|LT|T)?\s*(\d{2,3})\s*/\s*(\d{2,3})\s*-?\s*(?:ZR|R|B|D|-)\s*(\d{2}(?:\.5)?)\s*(C)?(?:\s+(?:(\d{2,3})(?:/\d{2,3})?\s*([A-Y])?\b)?.*)?)",
         std::regex::icase);
     TireSize size{.text = std::string(text)};
     std::smatch parts;

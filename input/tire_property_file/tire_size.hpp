@@ -14,12 +14,12 @@ namespace tiretherm::input {
 
 /// Width in mm / section height in % of it, R, diameter of the rim in inches; with or without what sidewalls add.
 struct TireSize {
-    std::string text;             ///< as written
-    double width = 0.0;           ///< m
-    double section_height = 0.0;  ///< m
-    double rim_diameter = 0.0;    ///< m
-    double aspect_ratio = 0.0;    ///< %
-    bool light_truck = false;     ///< LT before the width or C behind the rim
+    std::string text;                                      ///< as written
+    double width = 0.0;                                    ///< m
+    double section_height = 0.0;                           ///< m
+    double rim_diameter = 0.0;                             ///< m
+    double aspect_ratio = 0.0;                             ///< %
+    bool light_truck = false;                              ///< LT before the width or C behind the rim
     std::optional<physics::ServiceDescription> service{};  ///< what may stand behind: 94H
 
     /// Half the rim and the section height: m, without load.

@@ -33,9 +33,7 @@ inline constexpr std::array<std::string_view, 3> reads{"speed", "vertical_load",
 
 /// @param effusivity of the tread, W s^0.5/(m2 K)
 [[nodiscard]] inline ContactOfHalfSpaces half_spaces(const ActiveEffect& active, double effusivity) {
-    return {.interface_h = active[interface_h],
-            .effusivity_a = effusivity,
-            .effusivity_b = effusivity_of_road(active)};
+    return {.interface_h = active[interface_h], .effusivity_a = effusivity, .effusivity_b = effusivity_of_road(active)};
 }
 
 }  // namespace tiretherm::physics::rolling_contact

@@ -5,8 +5,8 @@
 
 #include "mesh/mesh.hpp"
 #include "physics/effect.hpp"
-#include "physics/tire_laws/contact.hpp"
 #include "physics/tire.hpp"
+#include "physics/tire_laws/contact.hpp"
 
 namespace tiretherm::physics {
 

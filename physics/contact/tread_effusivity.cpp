@@ -22,7 +22,8 @@ double share(double effusivity, double of_road) { return effusivity / (effusivit
 TreadEffusivity effusivity(const Material& material, double T) {
     const Curve& k = material.along(mesh::Axis::through);
     const double value = std::sqrt(k.value(T) * material.density * material.heat_capacity.value(T));
-    const double log_slope = k.slope(T) / k.value(T) + material.heat_capacity.slope(T) / material.heat_capacity.value(T);
+    const double log_slope =
+        k.slope(T) / k.value(T) + material.heat_capacity.slope(T) / material.heat_capacity.value(T);
     return {.value = value, .slope = 0.5 * value * log_slope};
 }
 
@@ -73,10 +74,10 @@ EffusivityInterpolation::EffusivityInterpolation(std::span<const double> effusiv
 }
 
 EffusivityInterpolation::EffusivityInterpolation(const EvaluationState& state, int node)
-    : EffusivityInterpolation(state.active.effusivities, state.active.effusivity_of_road,
-                              state.active.effusivities.size() < most_effusivities
-                                  ? TreadEffusivity{}
-                                  : effusivity(state.material_at(node),
-                                               state.temperature[static_cast<std::size_t>(node)])) {}
+    : EffusivityInterpolation(
+          state.active.effusivities, state.active.effusivity_of_road,
+          state.active.effusivities.size() < most_effusivities
+              ? TreadEffusivity{}
+              : effusivity(state.material_at(node), state.temperature[static_cast<std::size_t>(node)])) {}
 
 }  // namespace tiretherm::physics

@@ -2,17 +2,14 @@
 // Scales the thesis's tire, its laws (35), (37), (57) and (62), by radius, stiffness and inflation.
 #include "physics/tire_laws/scaled_tire.hpp"
 
-#include <cmath>
-
 namespace tiretherm::physics {
 
 double vertical_stiffness(const TireOutline& outline) {
-    constexpr double newton_per_metre = 9.80665e3;  // of 1 kg/mm
-    const double p = outline.inflation_pressure * 1e-3;
-    const double W = outline.width * 1e3;
-    const double D = outline.rim_diameter * 1e3;
-    const double A = 100.0 * outline.section_height / outline.width;
-    return newton_per_metre * (0.00028 * p * std::sqrt((1.03 - 0.004 * A) * W * (W * A / 50.0 + D)) + 3.45);
+    Tire tire;
+    tire.width = outline.width;
+    tire.section_height = outline.section_height;
+    tire.unloaded_radius = 0.5 * outline.rim_diameter + outline.section_height;
+    return tire.vertical_stiffness(outline.inflation_pressure);
 }
 
 Tire scaled_tire(const TireOutline& outline) {

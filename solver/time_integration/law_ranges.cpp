@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,6 +19,11 @@ namespace {
 /// Sulphur-cured rubber loses its cross-links: reversion, at 140 to 160 degC within hours (recalled).
 constexpr double reversion = zero_celsius + 150.0;
 constexpr double slack = 1e-6;  // K
+
+std::string degrees(double kelvin) {
+    const double celsius = kelvin - zero_celsius;
+    return std::abs(celsius) < 1e5 ? fmt::format("{:.1f}", celsius) : fmt::format("{:.3g}", celsius);
+}
 
 }  // namespace
 
@@ -47,12 +53,14 @@ std::vector<std::string> law_range_warnings(const mesh::Mesh& mesh, const physic
                                Law{"conductivity along the circumference", material.along(mesh::Axis::circumference)},
                                Law{"heat capacity", material.heat_capacity}}) {
             const auto range = law.curve.range();
-            const bool same = law.what.starts_with("conductivity along") && law.curve == material.along(mesh::Axis::through);
+            const bool same =
+                law.what.starts_with("conductivity along") && law.curve == material.along(mesh::Axis::through);
             if (range && !same && (all.coldest < (*range)[0] - slack || all.hottest > (*range)[1] + slack)) {
-                add(fmt::format("the {} of {} is known from {:.4g} to {:.4g} degC and held beyond; it was between {:.1f} "
-                                "and {:.1f} degC",
-                                law.what, material.name, (*range)[0] - zero_celsius, (*range)[1] - zero_celsius,
-                                all.coldest - zero_celsius, all.hottest - zero_celsius));
+                add(fmt::format(
+                    "the {} of \"{}\" is known from {:.4g} to {:.4g} degC and held beyond; it was between {} and "
+                    "{} degC",
+                    law.what, material.name, (*range)[0] - zero_celsius, (*range)[1] - zero_celsius,
+                    degrees(all.coldest), degrees(all.hottest)));
             }
         }
     }
@@ -65,11 +73,10 @@ std::vector<std::string> law_range_warnings(const mesh::Mesh& mesh, const physic
         }
     }
     if (!reverting.empty()) {
-        const double celsius = hottest - zero_celsius;
-        add(fmt::format("{} reached {} degC: above 150 degC vulcanised rubber reverts (its cross-links break), and no law "
-                        "here knows that",
-                        fmt::join(reverting, ", "),
-                        celsius < 1e5 ? fmt::format("{:.1f}", celsius) : fmt::format("{:.3g}", celsius)));
+        add(fmt::format(
+            "{} reached {} degC: above 150 degC vulcanised rubber reverts (its cross-links break), and no law "
+            "here knows that",
+            fmt::join(reverting, ", "), degrees(hottest)));
     }
     return sentences;
 }

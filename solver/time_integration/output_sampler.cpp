@@ -73,6 +73,12 @@ void OutputSampler::watch(Report& report) {
                 hottest_[e] = std::max(hottest_[e], T[static_cast<std::size_t>(face.node)]);
             }
         }
+        for (const LayerExtremes& of_layer : layer_extremes_) {
+            if (active.patches.empty()) {
+                coldest_[e] = std::min(coldest_[e], of_layer.coldest);
+                hottest_[e] = std::max(hottest_[e], of_layer.hottest);
+            }
+        }
     }
     if (report.channel_final.empty()) {
         begin_sensor_outputs();

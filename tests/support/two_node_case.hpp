@@ -20,7 +20,9 @@ inline solver::Problem two_node_problem(const TwoNodeThesis& thesis) {
     problem.link_laws = {physics::Curve::quadratic_about(293.15, thesis.k_20, thesis.k_per_K, thesis.k_per_K2)};
     switch_on(problem, "conduction");
     switch_on(problem, "strain_energy_loss",
-              {{"lambda_srf", thesis.lambda_SELsrf}, {"lambda_blk", thesis.lambda_SELblk}});
+              {{"lambda_srf", thesis.lambda_SELsrf},
+               {"lambda_blk", thesis.lambda_SELblk},
+               {"tan_delta_peak", 0.0}});  // (49) as printed
     switch_on(problem, "sliding_friction",
               {{"partition", thesis.hpc}, {"lambda_x", thesis.lambda_x}, {"lambda_y", thesis.lambda_y}});
     switch_on(problem, "air_convection", {{"lambda_h", thesis.lambda_h}});

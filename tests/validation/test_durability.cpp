@@ -184,8 +184,8 @@ TEST(DurabilityPressure, HotSpotFallsWithThePressure) {
 // Broken off at 190 km/h and run on by 10 km/h every 10 min, the belt edge passes 110 degC at 200 km/h, when the whole test does.
 TEST(DurabilityFurther, StepSpeedTestGoesOnToWhereTheBeltEdgePasses) {
     const Written written;
-    const std::filesystem::path path = written.add(
-        "short.toml", "include = [\"" + file("sae_j1561_step_speed").string() + R"("]
+    const std::filesystem::path path =
+        written.add("short.toml", "include = [\"" + file("sae_j1561_step_speed").string() + R"("]
 [[drive.schedule]]
 columns = ["time [min]", "speed [km/h]"]
 rows = [[0, 170], [10, 170], [10, 180], [20, 180], [20, 190], [30, 190]]

@@ -93,7 +93,9 @@ const Effect inflation_pressure_rise{
         "Hot gas stiffens the tire: deflection and loss fall over minutes. Its own gas costs the bulk nothing, which "
         "keeps this cause apart from inner_gas; where inner_gas is on, the temperature of that gas counts. "
         "inflation_pressure is that of the gas at `reference`; without it the ratio is that of absolute pressures, "
-        "T_gas/reference. Valid while the gas stays in: a constant mass.",
+        "T_gas/reference. A pressure that was measured on the hot tire has the rise in it: the laws of [tire] follow "
+        "it by "
+        "themselves, and this effect stays off.",
     .parameters = parameters,
     .reads = reads,
     .may_read = may_read,

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <numeric>
 
 #include "physics/contact/contact_in_revolutions.hpp"
 #include "physics/contact/heat_of_sliding.hpp"
@@ -150,33 +152,44 @@ std::array<double, most_effusivities> at_effusivities(std::span<const double> co
     return values;
 }
 
-/// The heat that stays in the tread, and what the road has taken back, which is booked as made here and taken there.
-void add_heat(const EvaluationState& m, int node, double weight, std::size_t index, double taken_share, Terms& terms) {
-    const EffusivityInterpolation tread(m, node);
-    const std::array<double, most_effusivities> heat = at_effusivities(m.coefficients, index);
-    if (heat[0] != 0.0) {
-        terms.heat(node, weight * tread.value(heat), weight * tread.slope(heat));
+/// What the road has taken back of the heat in a block, over what stays; nothing where nothing stays.
+std::array<double, most_effusivities> taken_over_kept(std::span<const double> coefficients) {
+    const std::size_t size = coefficients.size() / most_effusivities;
+    std::array<double, most_effusivities> ratio{};
+    for (std::size_t e = 0; e < most_effusivities; ++e) {
+        const std::span<const double> block = coefficients.subspan(e * size, size);
+        const double kept = std::accumulate(block.begin() + first_heat, block.end(), 0.0);
+        ratio[e] = kept > 0.0 ? block[taken_back] / kept : 0.0;
     }
-    if (m.active.road >= 0 && taken_share != 0.0) {
-        terms.rebook(static_cast<std::size_t>(m.active.road),
-                     -taken_share * tread.value(at_effusivities(m.coefficients, taken_back)));
-    }
+    return ratio;
 }
 
 void add_terms(const EvaluationState& m, Terms& terms) {
-    const std::vector<int>& nodes = m.active.nodes;
-    if (!m.active.groups.empty()) {
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            const auto sector = static_cast<std::size_t>(m.active.groups[i]);
-            add_heat(m, nodes[i], m.active.weights[i], first_heat + sector, m.active.weights[i], terms);
+    const bool by_sectors = !m.active.groups.empty();
+    const std::size_t frames = m.active.field && !by_sectors ? m.active.field->frames() : 1;
+    std::array<double, most_effusivities> ratio = taken_over_kept(m.coefficients);
+    if (by_sectors) {  // each has its own power, a mean over the sectors is taken
+        for (double& one : ratio) {
+            one *= m.active.groups.back() + 1;
         }
-        return;
     }
-    const std::size_t frames = m.active.field ? m.active.field->frames() : 1;
     for (std::size_t k = 0; k < frames; ++k) {
-        const std::vector<double>& weights = m.active.field ? m.active.field->weights[k] : m.active.weights;
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            add_heat(m, nodes[i], weights[i], first_heat + k, k == 0 ? weights[i] : 0.0, terms);
+        const std::vector<double>& weights =
+            m.active.field && !by_sectors ? m.active.field->weights[k] : m.active.weights;
+        for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
+            const int node = m.active.nodes[i];
+            const std::size_t of = by_sectors ? static_cast<std::size_t>(m.active.groups[i]) : k;
+            const std::array<double, most_effusivities> heat = at_effusivities(m.coefficients, first_heat + of);
+            if (heat[0] == 0.0) {
+                continue;
+            }
+            const EffusivityInterpolation tread(m, node);
+            terms.heat(node, weights[i] * tread.value(heat), weights[i] * tread.slope(heat));
+            if (m.active.road >= 0) {  // booked as made here and taken there
+                std::array<double, most_effusivities> taken{};
+                std::ranges::transform(heat, ratio, taken.begin(), std::multiplies<>());
+                terms.rebook(static_cast<std::size_t>(m.active.road), -weights[i] * tread.value(taken));
+            }
         }
     }
 }

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "physics/spread.hpp"
 #include "physics/tire_laws/measured_loss.hpp"
 
@@ -292,6 +294,20 @@ void add_terms(const EvaluationState& m, Terms& terms) {
     }
 }
 
+/// Below its peak the loss tangent is a mirror image.
+std::string range_warning(const ActiveEffect& active, double coldest, double /*hottest*/) {
+    const bool mirrors = !active.tables[tan_delta] && !active.total && active[tan_delta_peak] > active[tan_delta_b];
+    if (!mirrors || coldest >= active[tan_delta_peak]) {
+        return {};
+    }
+    constexpr double zero_celsius = 273.15;
+    return fmt::format(
+        "strain_energy_loss: the tire was as cold as {:.1f} degC; below {:.4g} degC the loss tangent is the mirror "
+        "image of "
+        "what it is above, not measured; give a table tan_delta of the compound",
+        coldest - zero_celsius, active[tan_delta_peak] - zero_celsius);
+}
+
 }  // namespace
 
 extern const Effect strain_energy_loss;
@@ -337,6 +353,7 @@ const Effect strain_energy_loss{
             .place = place,
             .evaluate_coefficients = evaluate_coefficients,
             .add_terms = add_terms,
+            .range_warning = range_warning,
         },
 };
 

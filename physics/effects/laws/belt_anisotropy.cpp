@@ -45,7 +45,8 @@ const Effect belt_anisotropy{
     .valid = "layers of cords that lie in one plane; 1.5 to 5 times along steel cords (recalled)",
     .meaning =
         "Cords carry heat along the belt better than through it: name the belt in `layers`. A laser spot turns oval on "
-        "the back, and peaks across the tread are blunted. A material with `[material.cord_rubber]` has its cords already.",
+        "the back, and peaks across the tread are blunted. A material with `[material.cord_rubber]` has its cords "
+        "already.",
     .parameters = parameters,
     .scopes = scopes,
     .needs_grid = true,

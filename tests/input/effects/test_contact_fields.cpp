@@ -65,6 +65,11 @@ double channel(const solver::Problem& problem, const solver::Report& report, std
     return report.channel_final[static_cast<std::size_t>(found - problem.channels.begin())] - zero;
 }
 
+/// The thesis's share of 0.6 in the place of that of the effusivities.
+void take_number(physics::ActiveEffect& sliding) {
+    sliding.choices[static_cast<std::size_t>(physics::find_choice(*sliding.effect, "partition"))] = 0;
+}
+
 }  // namespace
 
 // With TIRETHERM_WRITE_FIELDS set the files are written; otherwise those of the library must be these.
@@ -121,20 +126,28 @@ TEST(ContactFields, WattsAreTheSlidingPowerOfTheBrush) {
 TEST(ContactFields, CorneringWarmsTheOutsideShoulderMore) {
     const solver::Problem problem = read("cornering");
     const solver::Report report = run(problem);
-    EXPECT_NEAR(channel(problem, report, "outside_shoulder_bulk_temperature"), 52.1, 0.06);
-    EXPECT_NEAR(channel(problem, report, "inside_shoulder_bulk_temperature"), 48.6, 0.06);
-    // 3000 N 27.78 m/s tan(4 deg) = 5827 W of sliding, 0.6 of it into the tire, whatever the shape.
+    EXPECT_NEAR(channel(problem, report, "outside_shoulder_bulk_temperature"), 52.4, 0.06);
+    EXPECT_NEAR(channel(problem, report, "inside_shoulder_bulk_temperature"), 48.9, 0.06);
+    // 3000 N 27.78 m/s tan(4 deg) = 5827 W of sliding, whatever the shape. Of it the tread takes e/(e + 1576): 0.325 at 20 degC,
+    // 0.29 W/mK and e = 758, 0.45 at 75 degC, 0.81 W/mK and e = 1265.
+    const double sliding = 3000.0 / 3.6 * 100.0 * std::tan(4.0 * std::numbers::pi / 180.0);
     const auto friction = static_cast<std::size_t>(&effect(problem, "sliding_friction") - problem.effects.data());
-    EXPECT_NEAR(report.watts[friction], 0.6 * 3000.0 / 3.6 * 100.0 * std::tan(4.0 * std::numbers::pi / 180.0), 1e-8);
+    EXPECT_GT(report.watts[friction] / sliding, 0.325);
+    EXPECT_LT(report.watts[friction] / sliding, 0.45);
+    solver::Problem of_thesis = problem;
+    take_number(of_thesis.effects[friction]);
+    EXPECT_NEAR(run(of_thesis).watts[friction], 0.6 * sliding, 1e-8);
 }
 
 TEST(ContactFields, RampGivesTheFilesWatts) {
-    const solver::Problem problem = read("ramp");
-    const solver::Report report = run(problem);
-    EXPECT_NEAR(channel(problem, report, "surface_temperature"), 45.4, 0.06);
-    EXPECT_NEAR(channel(problem, report, "outside_shoulder_bulk_temperature"), 46.2, 0.06);
+    solver::Problem problem = read("ramp");
+    const solver::Report shipped = run(problem);
+    EXPECT_NEAR(channel(problem, shipped, "surface_temperature"), 50.65, 0.06);
+    EXPECT_NEAR(channel(problem, shipped, "outside_shoulder_bulk_temperature"), 47.3, 0.06);
     const physics::ActiveEffect& active = effect(problem, "sliding_friction");
     const auto friction = static_cast<std::size_t>(&active - problem.effects.data());
+    take_number(problem.effects[friction]);
+    const solver::Report report = run(problem);
     EXPECT_NEAR(report.watts[friction], 0.6 * active.field->watts.back(), 1e-9);
     // Straight between the frames of 0, 10, ... 60 s, then held to 300 s: the trapezia, to round-off of the run's steps.
     double joules = 240.0 * active.field->watts.back();

@@ -136,9 +136,9 @@ layer = "bulk"
     const physics::ActiveEffect& friction = problem.effects[2];
     const physics::ActiveEffect& air = problem.effects[3];
     EXPECT_EQ(friction.effect->id, "sliding_friction");
-    EXPECT_EQ(friction.choices, (std::vector<int>{1, 0, 0}));
+    EXPECT_EQ(friction.choices, (std::vector<int>{1, 0, 0, 0}));
     EXPECT_EQ(air.effect->id, "air_convection");
-    EXPECT_EQ(air.choices, std::vector<int>{1});
+    EXPECT_EQ(air.choices, std::vector<int>{2});
     EXPECT_DOUBLE_EQ(air.parameters[0], 1.1);
     // R0 of the size alone: half of 17 in and the section's height, 215.9 + 112.5 mm.
     EXPECT_NEAR(problem.tire.unloaded_radius, 0.3284, 1e-12);

@@ -77,8 +77,10 @@ TEST(TireRanges, InputsThatOnlySensorsReadAreTold) {
     const std::string inner =
         "[effects.inner_gas]\n[effects.strain_energy_loss]\non = false\n[effects.air_convection]\non = "
         "false\n[effects.road_contact]\non = false\n";
-    const std::string said = warning(inner + "[drive]\ninflation_pressure = \"230 kPa\"\n" + sensor);
-    expect_in(said, "pressure alone reads");
+    const Reading said = read(inner + "[drive]\ninflation_pressure = \"230 kPa\"\n" + sensor);
+    ASSERT_EQ(said.warnings.size(), 2U) << render(said);
+    expect_in(render(said), "no heat follows inflation_pressure: pressure alone reads it");
+    expect_in(render(said), "no active effect and no sensor uses road_temperature");
 }
 
 TEST(TireRanges, LawIsReadWithItsRange) {

@@ -73,7 +73,10 @@ std::set<std::string> keys_expected(const SheetParameter& parameter) {
                            : parameter.name.ends_with('B') ? ".slope"
                                                            : ".value")};
         case SheetUse::scale:  // the parabola is written about 0 degC either way; its curvature is the same
-            return {law + ".value", law + ".slope"};
+            // The conductivity of the sheet is negative at -40 degC and held below 20 degC; in kelvin it is positive.
+            return parameter.key == "conductivity"
+                       ? std::set<std::string>{law + ".value", law + ".slope", law + ".range"}
+                       : std::set<std::string>{law + ".value", law + ".slope"};
         case SheetUse::sensor:
             return {"sensor.name", "sensor.kind"};
         default:

@@ -142,8 +142,10 @@ TEST(SheetValues, LawInKelvinIsTheSameParabola) {
     const SheetCase made = sheets::convert(texts);
     ASSERT_TRUE(made.errors.empty()) << sheets::report(made);
     const solver::Problem problem = sheets::read(made);
-    EXPECT_NEAR(problem.link_laws[0].value(zero), 0.12, 1e-12);
+    EXPECT_NEAR(problem.link_laws[0].value(zero + 30.0), 0.369, 1e-12);
     EXPECT_NEAR(problem.link_laws[0].value(zero + 50.0), 0.545, 1e-12);
+    // -0.184 W/mK at -40 degC: it is held below 20 degC, where it has 0.284.
+    EXPECT_NEAR(problem.link_laws[0].value(zero - 40.0), 0.284, 1e-12);
 }
 
 TEST(SheetValues, EachFormatGivesTheSameCase) {

@@ -69,6 +69,18 @@ TEST(StrainEnergyLoss, FallsBelowItsPeak) {
     EXPECT_NEAR(loss_of(loss, bench, at_f0) / cold, 1.0, 1e-9);
 }
 
+TEST(StrainEnergyLoss, SaysWhereTheColdBranchCounts) {
+    const Bench bench = two_nodes();
+    ActiveEffect loss = bench.active("strain_energy_loss");
+    const auto warning = [&](double coldest) {
+        return loss.effect->heat_effect()->range_warning(loss, coldest, 330.0);
+    };
+    EXPECT_EQ(warning(266.0), "");
+    EXPECT_NE(warning(243.15).find("as cold as -30.0 degC; below -8 degC"), std::string::npos) << warning(243.15);
+    set(loss, "tan_delta_peak", 0.0);
+    EXPECT_EQ(warning(243.15), "") << "the Gaussian alone was asked for";
+}
+
 // 4 kN deflect the tire by 16.8 mm, 0.14933 of its section's height; 8 kN by twice that. With an amplitude of 2, e_c 0.02 and m
 // 0.6: (0.14933/0.02)^0.6 = 3.3410, 1 + 4 3.3410/(1 + 11.1623) = 2.09881; at 0.29867 5.0642, 1 + 20.257/26.6457 = 1.76024; at the
 // reference of 0.1 2.6265, 1 + 10.506/7.8986 = 2.33012.

@@ -39,9 +39,9 @@ TEST(LawRanges, SaysWhatWasLeftAndHowFar) {
         {zero - 30.0, zero + 90.0}, {zero + 20.0, zero + 131.5}, {zero, zero + 100.0}};
     const std::vector<std::string> said = law_range_warnings(made.mesh, made.model, outside);
     ASSERT_EQ(said.size(), 1U) << "two layers of one material share a sentence, three directions alike as well";
-    EXPECT_EQ(
-        said.front(),
-        "the conductivity of rubber is known from 20 to 120 degC and held beyond; it was between -30.0 and 131.5 degC");
+    EXPECT_EQ(said.front(),
+              "the conductivity of \"rubber\" is known from 20 to 120 degC and held beyond; it was between -30.0 and "
+              "131.5 degC");
 }
 
 TEST(LawRanges, SaysThatRubberReverts) {
