@@ -88,9 +88,9 @@ struct Tire {
 /// Loss tangent of the compound: a Gaussian of an equivalent temperature that WLF shifts with frequency.
 ///     T_eq = T + C2 log10(f/f0) / (C1 - log10(f/f0)),   tan delta = a exp(-((T_eq - b)/c)^2)
 /// thesis (48)(49), errata E1 (kelvin), E7 (sign)
-/// Below 265 K and that the Gaussian would go on rising towards b. Rubber's loss peaks near its glass transition instead:
-/// below the peak at 265.15 K it falls as it rose, and within 8 K of the peak a parabola joins the two branches smoothly.
-/// Where the Gaussian itself peaks at b > that, it has its own peak.
+/// In the cold the Gaussian alone would go on rising. Rubber's loss has a peak near its glass transition instead: below
+/// the peak at 265.15 K it falls as it rose, and within 8 K of the peak a parabola joins the two branches smoothly. A
+/// Gaussian with b above that temperature has a peak of its own and stays as it is.
 struct LossTangent {
     double a = 2.14e15;
     double b = -4989.0;  ///< K

@@ -84,9 +84,8 @@ private:
     NoiseEstimate noise_;
 };
 
-/// The same experiment with steps whose local error is 1 mK at most, as small as the noise of a mean over a thousand
-/// readings: with the 10 mK of a run, two nodes end up to 21 mK beside their own solution, which a fit takes into its
-/// numbers.
+/// The same experiment with steps whose local error is 1 mK at most. The 10 mK of a run leave as much in the temperatures,
+/// which a fit takes into its numbers.
 [[nodiscard]] input::Experiment with_fine_steps(input::Experiment experiment);
 
 /// The unit in which a number is measured against the data: its prior's standard deviation, or its size.

@@ -104,8 +104,8 @@ void warn_of_second_anisotropy(InputErrors& errors, const solver::Problem& probl
     }
 }
 
-/// Shares of the reference pressure between which Rhyne's stiffness and SAE J2452 were fitted, recalled: 140 to 370 kPa of
-/// tires inflated to 220 kPa.
+/// Shares of the reference pressure between which Rhyne's stiffness and the exponent of SAE J2452 are taken to hold, assumed:
+/// 110 to 370 kPa of tires inflated to 220 kPa.
 constexpr double least_pressure = 0.5;
 constexpr double most_pressure = 1.7;
 /// Of the section's height; beyond it the sidewalls fold and the rim comes near the road.

@@ -22,8 +22,8 @@ namespace tiretherm::physics {
 /// The last term is what earlier revolutions left: the sum of 1/sqrt(pi (t-s+kP)) over all of them, less its mean, which
 /// is the flow through the tread that the slow field carries. Heat g of sliding that enters the tread's surface in the
 /// contact warms it there, by the same two integrals of g over e_a, which stand on the right-hand side beside D: the road
-/// takes a part of g back before the contact ends. Of heat that enters between the surfaces, the part in the road's warms
-/// it by as much as the contact's own part in the tread's: the term of earlier revolutions alone stays. Derived from Carslaw & Jaeger 1959, sec. 2.9 (flux into a half-space)
+/// takes a part of g back before the contact ends. Heat between the surfaces warms both
+/// alike in the contact, so that the two integrals over it cancel and the term of earlier revolutions alone stays. Derived from Carslaw & Jaeger 1959, sec. 2.9 (flux into a half-space)
 /// and Hurwitz's zeta function (DLMF 25.11).
 class ContactInRevolutions {
 public:
