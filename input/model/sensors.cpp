@@ -62,7 +62,9 @@ Where read_quantity(TomlTable& sensor, const solver::QuantityDescription& quanti
                          "add [tire]");
     }
     for (const std::string_view signal : quantity.signals) {
-        if (!builder.given.contains(signal)) {
+        const bool is_given =
+            builder.given.contains(signal) || (signal == "slip_ratio" && builder.given.contains("slip_speed"));
+        if (!is_given) {
             sensor.add_error("kind", fmt::format("{} follows {}, which [drive] lacks", quantity.kind, signal),
                              fmt::format("add {} to [drive]", signal));
         }

@@ -110,4 +110,15 @@ TEST(TireRanges, ShareOfTheRoadThatCountsTwiceIsTold) {
     EXPECT_TRUE(read(slides + "partition = 1.0\n").warnings.empty()) << "heat that is made in the tread";
 }
 
+// Either of the two gives the slip along the heading; what is left to be said is that there is no property file.
+TEST(TireRanges, SensorOfTheMagicFormulaTakesASlipSpeedToo) {
+    const std::string sensor = "[[sensor]]\nname = \"Fx\"\nkind = \"longitudinal_force\"\n";
+    expect_in(render(read(sensor)), "longitudinal_force follows slip_ratio, which [drive] lacks");
+    for (const char* slip : {"slip_ratio = 0.05\n", "slip_speed = \"1 m/s\"\n"}) {
+        const Reading reading = read(std::string("[drive]\n") + slip + sensor);
+        ASSERT_EQ(reading.errors.size(), 1U) << render(reading);
+        expect_in(render(reading), "the tire has no property file");
+    }
+}
+
 }  // namespace tiretherm::input
