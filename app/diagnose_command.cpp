@@ -14,10 +14,15 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
+#include "app/diagnose_table.hpp"
 #include "app/failure.hpp"
 #include "app/measured_call.hpp"
 #include "app/messages.hpp"
+#include "diagnosis/by_run/run_verdicts.hpp"
 #include "diagnosis/compare/camera_rings.hpp"
+#include "diagnosis/fit/fit.hpp"
+#include "diagnosis/observations/thinning.hpp"
+#include "input/validation/validation.hpp"
 #include "post/diagnosis/diagnosis_report.hpp"
 #include "solver/sensitivity/kept_results.hpp"
 #include "solver/stop_signal.hpp"
@@ -26,8 +31,53 @@ namespace tiretherm::app {
 
 namespace {
 
-int diagnose(const MeasuredCall& call) {
+struct Options : MeasuredCall {
+    std::optional<double> time_limit;  ///< s
+    bool by_run = false;               ///< each run alone, too, however long that takes
+    bool no_by_run = false;            ///< neither: where that is quick
+};
+
+/// Each run alone, where there are several and nobody has asked for an end; or why not.
+diagnosis::RunVerdicts diagnosed_by_run(const Options& call, const input::Experiment& experiment,
+                                        const diagnosis::Diagnosis& all, const diagnosis::DiagnosisOptions& options) {
+    if (experiment.runs.size() < 2 || call.no_by_run) {
+        return {};
+    }
+    if (!all.stopped.empty() || solver::stop_requested()) {
+        return {.runs = {}, .left_out = "No run was diagnosed alone: it was stopped."};
+    }
+    if (!call.by_run && all.seconds > diagnosis::longest_before_by_run) {
+        return {.runs = {},
+                .left_out = "No run was diagnosed alone, because all together took long; --by-run does it."};
+    }
+    return diagnosis::diagnose_by_run(experiment, options);
+}
+
+/// The same runs on a richer mesh, where the program can make one of the case's.
+std::optional<input::Experiment> on_layers(const MeasuredCall& call, const input::Experiment& experiment,
+                                           double thickness) {
+    input::ExperimentReading reading =
+        input::read_experiment(call.case_file, call.data_files(), input::ReadMode::measured, {.layers = thickness});
+    const auto& problem = experiment.runs.front().problem;
+    if (!reading.experiment || reading.experiment->parameters.size() != experiment.parameters.size() ||
+        reading.experiment->runs.front().problem.channels.size() != problem.channels.size()) {
+        return std::nullopt;
+    }
+    return diagnosis::with_free_conductivity(diagnosis::with_fine_steps(std::move(*reading.experiment)));
+}
+
+int diagnose(const Options& call, const TableOptions& of_table) {
+    if (call.time_limit && !(*call.time_limit > 0.0)) {
+        report_error(fmt::format("the time limit is {} s", *call.time_limit), "give more than 0 s", call.json);
+        return Exit::input_error;
+    }
     solver::install_stop_handlers();
+    if (call.time_limit) {
+        solver::stop_after(*call.time_limit);
+    }
+    if (input::is_validation_table(call.case_file)) {
+        return diagnose_table(call, of_table);
+    }
     const std::optional<input::ExperimentReading> reading = read_measured(call, "nothing was diagnosed");
     if (!reading || !has_free_parameters(call, *reading->experiment)) {
         return Exit::input_error;
@@ -42,20 +92,53 @@ int diagnose(const MeasuredCall& call) {
     const auto journal = open_journal(call, *folder, "diagnose", reading->files);
     const solver::UseOfKeptResults kept(*journal);
     std::vector<std::string> remarks;
-    const input::Experiment experiment = diagnosis::in_rings(*reading->experiment, remarks);
+    const diagnosis::Thinned thinned = diagnosis::thinned(diagnosis::in_rings(*reading->experiment, remarks));
+    const input::Experiment& experiment = thinned.experiment;
     const diagnosis::Observations observations = diagnosis::observe(experiment);
     // A grid has an error of its own, which a finer one shows; lumps are what they are.
     std::optional<input::Experiment> finer;
     if (!experiment.runs.front().problem.mesh.is_lumped()) {
-        finer = input::read_experiment(call.case_file, call.data_files(), input::ReadMode::measured, 2).experiment;
+        finer = input::read_experiment(call.case_file, call.data_files(), input::ReadMode::measured, {.finer = 2})
+                    .experiment;
         if (finer) {
             std::vector<std::string> same;
             finer = diagnosis::in_rings(std::move(*finer), same);
+            take_values(thinned, *finer);
+        }
+    }
+    diagnosis::DiagnosisOptions options{.finer = finer ? &*finer : nullptr};
+    std::optional<input::Experiment> much_finer;
+    constexpr int times = 4;
+    const mesh::Mesh& mesh = experiment.runs.front().problem.mesh;
+    constexpr int few_nodes = 60;
+    if (finer && mesh.n_nodes <= few_nodes) {
+        much_finer =
+            input::read_experiment(call.case_file, call.data_files(), input::ReadMode::measured, {.finer = times})
+                .experiment;
+        if (much_finer) {
+            std::vector<std::string> same;
+            much_finer = diagnosis::with_fine_steps(diagnosis::in_rings(std::move(*much_finer), same));
+            take_values(thinned, *much_finer);
+            options.much_finer.push_back({.name = fmt::format("{} times as many cells", times),
+                                          .experiment = &*much_finer,
+                                          .change = {.finer = times}});
+        }
+    }
+    std::optional<input::Experiment> layers;
+    if (const auto thickness = input::thickness_as_layers(experiment.runs.front().problem)) {
+        layers = on_layers(call, experiment, *thickness);
+        if (layers) {
+            take_values(thinned, *layers);
+            options.richer.push_back({.name = "layers", .experiment = &*layers, .change = {.layers = *thickness}});
         }
     }
     SimulationCount count(call.json);
-    const diagnosis::Diagnosis result =
-        diagnosis::diagnose(experiment, observations, {.finer = finer ? &*finer : nullptr, .progress = count.shown()});
+    options.progress = count.stages();
+    const diagnosis::Diagnosis result = diagnosis::diagnose(experiment, observations, options);
+    diagnosis::RunVerdicts by_run;
+    if (result.status.ok()) {
+        by_run = diagnosed_by_run(call, experiment, result, options);
+    }
     count.wipe();
     if (!result.status.ok()) {
         return report_failure(call, result.status, *folder, *journal, "nothing was diagnosed");
@@ -66,8 +149,10 @@ int diagnose(const MeasuredCall& call) {
                                  .case_file = call.case_file,
                                  .data = call.data_files(),
                                  .warnings = remarks,
-                                 .findings = reading->data_warnings};
+                                 .findings = reading->data_warnings,
+                                 .by_run = std::move(by_run)};
     std::ranges::copy(reading->warnings, std::back_inserter(record.warnings));
+    std::ranges::copy(thinned.remarks, std::back_inserter(record.findings));
     const auto files = write_measured(call, *folder, names, [&](const std::filesystem::path& stage) {
         return post::write_diagnosis(record, stage, folder->path());
     });
@@ -75,7 +160,8 @@ int diagnose(const MeasuredCall& call) {
         return Exit::input_error;
     }
     print_report(post::diagnosis_report(record, *files), call.json);
-    return Exit::done;
+    const bool complete = result.stopped.empty() && !record.by_run.are_cut_short();
+    return complete || solver::is_time_up() ? Exit::done : Exit::interrupted;
 }
 
 }  // namespace
@@ -83,27 +169,57 @@ int diagnose(const MeasuredCall& call) {
 void add_diagnose_command(CLI::App& program, int& exit_code) {
     CLI::App* command = program.add_subcommand(
         "diagnose", "What a model gets wrong in measured runs, its cause, and what mending gains");
-    const auto call = std::make_shared<MeasuredCall>();
+    const auto call = std::make_shared<Options>();
     add_measured_options(*command, *call, "[[run]] and [[parameter]]",
                          "files of an earlier diagnosis there are replaced. Default: out/<case name>");
     add_fresh_option(*command, call->fresh);
+    command
+        ->add_option("--time-limit", call->time_limit,
+                     "Seconds of wall time after which the best answer so far is given; Ctrl-C does the same")
+        ->option_text("SECONDS");
+    CLI::Option* by_run = command->add_flag(
+        "--by-run", call->by_run,
+        "Each of several runs alone as well, however long that takes. Default: where all together took up to 60 s");
+    command->add_flag("--no-by-run", call->no_by_run, "No run alone")->excludes(by_run);
+    const auto of_table = std::make_shared<TableOptions>();
+    command->add_option("--model", of_table->model, "Of a table: the model that is diagnosed. Default: two_node")
+        ->option_text("two_node|section")
+        ->check(CLI::IsMember({"two_node", "section"}));
+    command
+        ->add_option("--threads", of_table->threads,
+                     "Of a table: runs at a time. Default: as many as the machine can do")
+        ->option_text("N")
+        ->check(CLI::Range(1, 1024));
+    command->add_flag("--markdown", of_table->markdown, "Of a table: the page for a README")->excludes("--json");
     command->footer(
         "The free numbers of the case are fitted; what is left is compared with every effect of the catalogue that is\n"
         "not in the model (or those of [diagnose] candidates), alone and in pairs, and with heat that no effect is.\n"
         "The answer is a set: one cause is named, several that the data cannot tell apart are all listed.\n"
         "A camera is taken as the means of three rings about the spot.\n"
+        "Dense logs are thinned to some 1500 values a sensor and run, by means over blocks; the page says how far.\n"
+        "Each of several runs is diagnosed alone, too: what only one shows is a fault of that run.\n"
+        "Columns that the model does not use may be causes where they drive the tire, or as [diagnose] signals and "
+        "ignore "
+        "say.\n"
+        "CASE may also be a table of measured numbers over many experiments, as `validate` reads it. Then additions "
+        "to\n"
+        "one model (effects, numbers, the other mesh, unprinted inputs, instruments) are judged by experiments that "
+        "took\n"
+        "no part in fitting them. Its file is diagnosis.json.\n"
         "Differences are simulated - measured.\n"
         "Files: diagnosis.json, extended.toml (the case with the cause switched on, where there is one),\n"
         "residuals.csv (a row for each sample), residuals.png, missing_heat.csv and .png (heat that windows of the "
         "runs lack).\n\n"
-        "The files appear together at the end. A diagnosis that was interrupted or killed goes on when the same call "
+        "The files appear together at the end, also after Ctrl-C or --time-limit: they then hold the best answer so "
+        "far.\n"
+        "A diagnosis that was killed goes on when the same call "
         "is\n"
         "made again: its simulations are kept in the hidden folder .tiretherm until then.\n\n"
         "Exit code: 0 done, whatever the answer; 1 an error in the call, the case or the data; 2 the solver failed;\n"
         "130 interrupted.\n\n"
         "Example:\n"
         "  tiretherm diagnose cases/practice/two_node_bench.toml --data run1.csv --data run2.csv --out /tmp/bench");
-    command->callback([call, &exit_code] { exit_code = diagnose(*call); });
+    command->callback([call, of_table, &exit_code] { exit_code = diagnose(*call, *of_table); });
 }
 
 }  // namespace tiretherm::app

@@ -117,8 +117,8 @@ int identify(const Options& options) {
     // Thousands of pixels see the discretisation error of the grid, which a finer one shows.
     std::optional<input::Experiment> finer;
     if (!observations.images.empty()) {
-        finer =
-            input::read_experiment(options.case_file, options.data_files(), input::ReadMode::measured, 2).experiment;
+        finer = input::read_experiment(options.case_file, options.data_files(), input::ReadMode::measured, {.finer = 2})
+                    .experiment;
     }
     SimulationCount count(options.json);
     const diagnosis::Identification result = diagnosis::identify(
@@ -168,6 +168,9 @@ void add_identify_command(CLI::App& program, int& exit_code) {
     command->footer(
         "All runs and channels are fitted at once. The noise of each channel, correlated and white, is estimated from\n"
         "what no number can explain. A number that the data do not see is named as such.\n"
+        "Findings say which numbers are not as expected, and why: far off what was known before, at a size that no "
+        "tire\n"
+        "has (tiretherm effects NAME), or doubtful because an error of the model may pass for noise.\n"
         "Of a camera's frames every pixel is taken, and what the grid and the steps make of them is corrected.\n"
         "A plan takes every sensor with a standard_deviation, at the times of the runs' files or of [time] output.\n"
         "Files: identified.toml (the case with the fitted values), identify.csv (a row for each sample);\n"

@@ -48,19 +48,44 @@ bool has_free_parameters(const MeasuredCall& call, const input::Experiment& expe
     return false;
 }
 
-SimulationCount::SimulationCount(bool json) : watched_(on_terminal(stdout) && on_terminal(stderr) && !json) {}
+SimulationCount::SimulationCount(bool json) : quiet_(json), watched_(on_terminal(stdout) && on_terminal(stderr)) {}
 
-std::function<void(long)> SimulationCount::shown() const {
-    if (!watched_) {
+std::function<void(long)> SimulationCount::shown() {
+    if (quiet_ || !watched_) {
         return nullptr;
     }
-    return [](long simulations) { fmt::print(stderr, "\r{} simulations ", simulations); };
+    return [this](long simulations) { show("", simulations); };
+}
+
+std::function<void(const std::string&, long)> SimulationCount::stages() {
+    if (quiet_) {
+        return nullptr;
+    }
+    return [this](const std::string& doing, long simulations) { show(doing, simulations); };
+}
+
+void SimulationCount::show(const std::string& doing, long simulations) {
+    constexpr auto tenth = std::chrono::milliseconds(100);
+    const Clock::time_point now = Clock::now();
+    if (now - written_ < (watched_ ? Clock::duration(tenth) : Clock::duration(std::chrono::minutes(1)))) {
+        return;
+    }
+    written_ = now;
+    const double seconds = std::chrono::duration<double>(now - begun_).count();
+    const std::string text =
+        fmt::format("{}{} simulations, {:.0f} s", doing.empty() ? "" : doing + ", ", simulations, seconds);
+    if (watched_) {
+        fmt::print(stderr, "\r{:<79.79}", text);
+        stands_ = true;
+    } else {
+        fmt::print(stderr, "{}\n", text);
+    }
 }
 
 void SimulationCount::wipe() {
-    if (watched_) {
-        fmt::print(stderr, "\r{:20}\r", "");
-        watched_ = false;
+    if (stands_) {
+        fmt::print(stderr, "\r{:79}\r", "");
+        stands_ = false;
     }
 }
 

@@ -2,6 +2,7 @@
 // Options and steps that compare, identify and diagnose share: case file, measured data, output directory and --json.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -42,7 +43,8 @@ void add_measured_options(CLI::App& command, MeasuredCall& call, const char* cas
 /// Whether the case has any parameter to fit; reports it when not.
 [[nodiscard]] bool has_free_parameters(const MeasuredCall& call, const input::Experiment& experiment);
 
-/// Counts simulations for a person who waits. Quiet unless both streams are terminals and no JSON is wanted.
+/// Says what is being done and counts simulations for a person who waits: one line that is rewritten on a terminal, a line a
+/// minute where stderr goes into a file or a pipe. Quiet where JSON is wanted.
 class SimulationCount {
 public:
     explicit SimulationCount(bool json);
@@ -50,11 +52,21 @@ public:
     SimulationCount(const SimulationCount&) = delete;
     SimulationCount& operator=(const SimulationCount&) = delete;
 
-    [[nodiscard]] std::function<void(long)> shown() const;  ///< empty when quiet
+    [[nodiscard]] std::function<void(long)> shown();  ///< empty when quiet
+    /// The same with what is being done.
+    [[nodiscard]] std::function<void(const std::string&, long)> stages();
     void wipe();
 
 private:
+    using Clock = std::chrono::steady_clock;
+
+    void show(const std::string& doing, long simulations);
+
+    bool quiet_;
     bool watched_;
+    bool stands_ = false;  ///< a line on the terminal
+    Clock::time_point begun_ = Clock::now();
+    Clock::time_point written_ = Clock::now();
 };
 
 /// Simulations that an interrupted call of the same kind has kept; tells of them.

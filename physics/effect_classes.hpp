@@ -87,6 +87,8 @@ enum class ChannelsOf : std::uint8_t { anything, temperature, temperature_at_poi
 /// Corrects the inputs of a moment, or the state at the start of a run, before anything else sees them.
 struct InputCorrection {
     void (*transform)(const ActiveEffect& active, Inputs& inputs) = nullptr;
+    /// By how much the log of a signal is late: what happens at t stands in it at t + delay. @returns s; 0: not at all
+    double (*delay)(const ActiveEffect& active, const Signal& signal) = nullptr;
     /// @param temperature [n_nodes] K
     void (*start)(const ActiveEffect& active, const mesh::Mesh& mesh, std::span<double> temperature) = nullptr;
 };

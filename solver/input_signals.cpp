@@ -59,6 +59,26 @@ void InputSignals::add_break_times(std::vector<double> times) { merge(stops_, st
 
 void InputSignals::add_sample_times(std::vector<double> times) { merge(samples_, std::move(times)); }
 
+void InputSignals::advance(const physics::Signal& signal, double delay) {
+    for (Series& series : series_) {
+        if (series.signal != &signal) {
+            continue;
+        }
+        if (series.logged) {
+            const Series late = series;
+            for (std::size_t i = 0; i < series.time.size(); ++i) {
+                const bool second = i > 0 && series.time[i] == series.time[i - 1];
+                series.value[i] = late.at(series.time[i] + delay, second ? JumpSide::after : JumpSide::before);
+            }
+        } else {
+            for (double& t : series.time) {
+                t -= delay;
+            }
+            add_break_times(series.time);
+        }
+    }
+}
+
 bool InputSignals::gives(const physics::Signal& signal) const {
     return std::find(given_.begin(), given_.end(), &signal) != given_.end();
 }

@@ -36,6 +36,10 @@ public:
     /// log: those of a user's signal, or of a field that follows time. @param times s
     void add_sample_times(std::vector<double> times);
 
+    /// Takes what a series says a time later, now: of a log that is late. A log is read off at its own samples, between them by
+    /// straight lines; the points of a schedule move. @param delay s; negative: the log is early
+    void advance(const physics::Signal& signal, double delay);
+
     /// The run's start, from which effects that drift count. @param t s
     void start_at(double t) { start_ = t; }
 

@@ -9,8 +9,13 @@ namespace tiretherm::solver {
 /// From now on Ctrl-C (SIGINT) and SIGTERM request a regular end; the second signal ends the program at once.
 void install_stop_handlers();
 
-/// Whether the user has asked for an end.
+/// Whether the user has asked for an end, or the time is up.
 [[nodiscard]] bool stop_requested();
+
+/// From so many seconds on, counted from now, an end counts as asked for. @param seconds of wall time; infinite: never
+void stop_after(double seconds);
+/// Whether the time of `stop_after` is up and no signal came.
+[[nodiscard]] bool is_time_up();
 
 /// The user has asked for an end: leaves a computation of many simulations, whose caller says what it was.
 class Interrupted : public std::exception {

@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
 #include "diagnosis/assess/diagnosis_state.hpp"
 #include "diagnosis/detect/discretisation_error.hpp"
+#include "diagnosis/findings/parameter_findings.hpp"
 #include "diagnosis/fit/fit.hpp"
 #include "solver/stop_signal.hpp"
 
@@ -72,19 +74,99 @@ Diagnosis cannot_tell(Diagnosis result, const input::Experiment& experiment, con
     return result;
 }
 
+/// What the parameters of the base fit say, where nothing is added to the model.
+std::vector<std::string> findings_of(const input::Experiment& experiment, const Refit& base) {
+    const Eigen::VectorXd deviations = base.deviations();
+    std::vector<FittedParameter> fitted;
+    std::vector<double> before;
+    for (std::size_t j = 0; j < experiment.parameters.size(); ++j) {
+        const auto i = static_cast<Eigen::Index>(j);
+        fitted.push_back({.value = base.values[i], .standard_deviation = deviations[i], .at_bound = base.at_bound[j]});
+        before.push_back(solver::value_of(experiment.runs.front().problem, experiment.parameters[j]));
+    }
+    return parameter_findings(experiment, fitted, before);
+}
+
+/// Searches causes and says what they are worth. Where the model has errors of its own, or what the likelihood named does not
+/// predict better, the search is by prediction.
+/// @param coarse the grid is too coarse for the likelihood to be asked
+void find_causes(DiagnosisState& state, const DiagnosisOptions& choice, Diagnosis& result, const char*& stage,
+                 bool coarse) {
+    result.remarks = untried(*state.score_data.experiment);
+    const bool can_leave_out = !state.score_data.observations->channels.empty() && choice.measure_gain;
+    stage = "search of causes";
+    // The base is the experiment's own, whatever mesh is taken later.
+    const input::Experiment& experiment = *state.score_data.experiment;
+    const Refit base = state.score_data.base;
+    if (can_leave_out && (coarse || has_model_error(state.score_data))) {
+        search_beside_model_error(state, choice.richer);
+    } else {
+        search_hypotheses(state);
+        const bool is_plausible = state.set.empty() || std::ranges::any_of(state.set, &FittedHypothesis::plausible);
+        if (can_leave_out && (state.something_left || !is_plausible || !unknown_source_predicts(state))) {
+            search_for_more(state, choice.richer);
+        }
+    }
+    report(state, result);
+    result.base = base.simulated;
+    result.values = base.values;
+    for (const std::string& finding : findings_of(experiment, base)) {
+        result.remarks.push_back("without any cause, " + finding);
+    }
+    stage = "search of missing heat";
+    estimate_missing_heat(state, result);
+    if (can_leave_out) {
+        stage = "test of the gain on data that were left out";
+        measure_gain(state, result);
+    }
+    describe_model_error(state, result);
+    if (choice.plan_next) {
+        stage = "plan of the next experiment";
+        state.score_data.say("planning an experiment that would tell more");
+        plan_next(state, result);
+    }
+    result.simulations = state.score_data.simulations;
+}
+
+/// The best answer that there is when the work is stopped: nothing more is simulated.
+void finish_early(DiagnosisState& state, const char* stage, Diagnosis& result) {
+    const ScoreTestData& score_data = state.score_data;
+    result.stopped = stage;
+    if (result.base.size() > 0) {  // reported; what was not yet tested on data that were left out is not proven
+        if (!result.gain.measured && (result.verdict == Verdict::named || result.verdict == Verdict::confounded)) {
+            result.verdict = Verdict::partial;
+        }
+        return;
+    }
+    take_what_was_found(state);
+    report(state, result);
+    result.base = score_data.base.simulated;
+    result.reason = "";
+    if (result.hypotheses.empty()) {
+        result.verdict = Verdict::cannot_tell;
+        std::string first;
+        for (const std::size_t k : by_score(score_data, 3)) {
+            first += (first.empty() ? "" : ", ") + name_of(score_data.candidates[k], *score_data.experiment);
+        }
+        result.reason = fmt::format("it was stopped during the {}.{}", stage,
+                                    first.empty() ? "" : fmt::format(" Likeliest so far, not fitted: {}.", first));
+    } else {
+        result.verdict = Verdict::partial;
+    }
+}
+
 /// @param stage out: what is being done
 void diagnose(const input::Experiment& experiment, const Observations& observations, const DiagnosisOptions& choice,
-              Diagnosis& result, const char*& stage) {
+              DiagnosisState& state, Observations& corrected, const input::Experiment& fine, Diagnosis& result,
+              const char*& stage) {
     result.reason = too_little(experiment, observations);
     if (!result.reason.empty()) {
         result = cannot_tell(std::move(result), experiment, observations);
         return;
     }
-    const input::Experiment fine = with_fine_steps(experiment);
-    DiagnosisState state;
     state.score_data = prepare_score_tests(fine, observations, candidates_of(fine, fine.candidates), choice.progress);
     result.status = state.score_data.status;
-    Observations corrected = observations;
+    corrected = observations;
     bool is_coarse = false;
     if (result.status.ok() && !observations.channels.empty()) {
         stage = "estimate of the grid's error";
@@ -98,6 +180,23 @@ void diagnose(const input::Experiment& experiment, const Observations& observati
             is_coarse = result.numerical_error_sigma > too_coarse;
         }
     }
+    if (result.status.ok() && is_coarse && !choice.much_finer.empty()) {
+        // A correction that is as large as this is none, and a finer grid needs none.
+        state.score_data.take_observations(observations);
+        DiagnosisOptions finer = choice;
+        std::ranges::copy(choice.much_finer, std::back_inserter(finer.richer));
+        find_causes(state, finer, result, stage, true);
+        is_coarse = state.mesh.empty();
+        if (!is_coarse) {
+            result.numerical_error_sigma = 0.0;
+            return;
+        }
+        const double sigma = result.numerical_error_sigma;
+        const solver::Status status = result.status;
+        result = Diagnosis();
+        result.status = status;
+        result.numerical_error_sigma = sigma;
+    }
     if (result.status.ok() && is_coarse) {
         result.base = result.extended = state.score_data.base.simulated;
         result.values = state.score_data.base.values;
@@ -105,19 +204,7 @@ void diagnose(const input::Experiment& experiment, const Observations& observati
         result.simulations = state.score_data.simulations;
         result.verdict = Verdict::cannot_tell;
     } else if (result.status.ok()) {
-        stage = "search of causes";
-        search_hypotheses(state);
-        report(state, result);
-        stage = "search of missing heat";
-        estimate_missing_heat(state, result);
-        if (choice.measure_gain) {
-            stage = "test of the gain on data that were left out";
-            measure_gain(state, result);
-        }
-        if (choice.plan_next) {
-            stage = "plan of the next experiment";
-            plan_next(state, result);
-        }
+        find_causes(state, choice, result, stage, false);
     }
 }
 
@@ -135,6 +222,8 @@ std::string_view word_of(Verdict verdict) {
             return "consistent";
         case Verdict::cannot_tell:
             return "cannot_tell";
+        case Verdict::partial:
+            return "partial";
     }
     return "";
 }
@@ -143,11 +232,18 @@ Diagnosis diagnose(const input::Experiment& experiment, const Observations& obse
                    const DiagnosisOptions& choice) {
     const auto begin = std::chrono::steady_clock::now();
     Diagnosis result;
+    const input::Experiment fine = with_fine_steps(experiment);
+    Observations corrected;
+    DiagnosisState state;
     const char* stage = "fit and the score tests of the candidates";
     try {
-        diagnose(experiment, observations, choice, result, stage);
+        diagnose(experiment, observations, choice, state, corrected, fine, result, stage);
     } catch (const solver::Interrupted&) {
-        result.status = {solver::Outcome::stopped, fmt::format("stopped during the {}", stage)};
+        if (state.score_data.threshold > 0.0) {
+            finish_early(state, stage, result);
+        } else {
+            result.status = {solver::Outcome::stopped, fmt::format("stopped during the {}", stage)};
+        }
     }
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return result;

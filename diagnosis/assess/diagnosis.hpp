@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,8 +11,9 @@
 
 #include <Eigen/Core>
 
-#include "diagnosis/fit/observations.hpp"
+#include "diagnosis/detect/score_test_data.hpp"
 #include "diagnosis/noise/noise_estimate.hpp"
+#include "diagnosis/observations/observations.hpp"
 #include "input/measurements/experiment.hpp"
 #include "solver/status.hpp"
 #include "solver/user_effect.hpp"
@@ -21,11 +21,12 @@
 namespace tiretherm::diagnosis {
 
 enum class Verdict : std::uint8_t {
-    named,       ///< one hypothesis is left, a cause or a pair of causes
-    confounded,  ///< several hypotheses that these data cannot tell apart
-    unknown,     ///< something is missing that the catalogue does not have
-    consistent,  ///< nothing significant is left
-    cannot_tell  ///< the grid, the steps or the data are too poor
+    named,        ///< one hypothesis is left, a cause or a pair of causes
+    confounded,   ///< several hypotheses that these data cannot tell apart
+    unknown,      ///< something is missing that the catalogue does not have
+    consistent,   ///< nothing significant is left
+    cannot_tell,  ///< the grid, the steps or the data are too poor
+    partial  ///< the largest improvement that there is: it leaves an error of the model, or is not proven by prediction
 };
 [[nodiscard]] std::string_view word_of(Verdict verdict);
 
@@ -50,8 +51,9 @@ struct Cause {
     double gain = 0.0;         ///< log likelihood ratio over the model without it
     double probability = 0.0;  ///< among the single hypotheses, before the data all alike
     bool in_set = false;
-    int rank = 0;         ///< 1: the most likely
-    std::string bound{};  ///< what to say when a number ended at its bound
+    int rank = 0;               ///< 1: the most likely
+    std::string bound{};        ///< what to say when a number ended at its bound
+    std::string implausible{};  ///< what to say when a number lies outside its plausible range
 };
 
 /// Heat that no effect of the catalogue explains: where it enters and which signal it follows.
@@ -71,6 +73,30 @@ struct UnknownSource {
     std::vector<std::string> alike{};  ///< other places and signals that do as well, "place, signal"
 };
 
+/// What a channel's readings differ from the extended model by beyond the sensor's noise.
+struct ModelError {
+    std::size_t channel = 0;  ///< index into Problem::channels
+    double size = 0.0;        ///< SI, rms beyond the noise
+    double time_scale = 0.0;  ///< s, over which it forgets itself
+};
+
+/// A free number of the case in the extended model, with the interval that the errors of the model leave.
+struct FreeNumber {
+    std::string name;
+    std::string unit;
+    double value = 0.0;
+    double low = 0.0;  ///< 95 %
+    double high = 0.0;
+};
+
+/// What adding a hypothesis removes of the error on data that were left out.
+struct HeldOutGain {
+    std::vector<std::size_t> causes;  ///< indices into Diagnosis::causes
+    double removed = 0.0;             ///< share of the mean square, mean over channels
+    double low = 0.0;                 ///< 95 %
+    double high = 0.0;
+};
+
 /// What a channel gains by the extension.
 struct ChannelGain {
     std::size_t channel = 0;   ///< index into Problem::channels
@@ -87,8 +113,12 @@ struct Gain {
     double removable_removed = 0.0;  ///< 1 - (MSE after - sigma^2) / (MSE before - sigma^2)
     double low = 0.0;                ///< 95 %
     double high = 0.0;
-    double log_e = 0.0;      ///< natural logarithm of the e-value over the held-out runs
-    bool confirmed = false;  ///< e-value of 100 and more
+    double log_e = 0.0;        ///< natural logarithm of the odds of the predictions; below zero when they got worse
+    bool confirmed = false;    ///< odds of 100 and more, the error falls in every fold and its interval is above zero
+    double removed = 0.0;      ///< share of the mean square, noise included, mean over the channels
+    double removed_low = 0.0;  ///< 95 %
+    double removed_high = 0.0;
+    std::string over{};  ///< the model that it is measured against: "the case fitted with white noise"
 };
 
 /// An experiment that would tell what these data do not.
@@ -135,7 +165,11 @@ struct Diagnosis {
     std::vector<ChannelGain> channels;
     Gain gain;
     double numerical_error_sigma = 0.0;
-    std::vector<Noise> noise;  ///< [Observations::channels]
+    std::vector<Noise> noise;                 ///< [Observations::channels]
+    std::vector<ModelError> model_error;      ///< of channels that have one
+    std::vector<FreeNumber> free_numbers;     ///< of the extended model, or of the base where there is none
+    std::vector<HeldOutGain> held_out_gains;  ///< what was tested on data that were left out, the largest first
+    std::string stopped;                      ///< what was being done when time ran out; empty: it came to its end
     std::vector<std::string> remarks;
     Eigen::VectorXd values;    ///< [n_parameters] of the base fit
     Eigen::VectorXd base;      ///< [n_rows] SI, simulated with the fitted base model
@@ -143,10 +177,18 @@ struct Diagnosis {
     /// The base experiment with the best hypothesis switched on, its numbers free after the experiment's own; nothing
     /// where nothing is to be switched on.
     std::optional<input::Experiment> extended_model;
-    Eigen::VectorXd extended_values;                          ///< [n_parameters of extended_model] as fitted
+    input::MeshChange extended_mesh{};  ///< of the case, where the extended model has a richer one
+    Eigen::VectorXd extended_values;    ///< [n_parameters of extended_model] as fitted
     std::vector<solver::UserEffect> extended_user_effects{};  ///< user effects that the case itself lacks
     long simulations = 0;
     double seconds = 0.0;
+};
+
+/// The same experiment on a richer mesh: what a coarse one gets wrong is a cause, too.
+struct RicherModel {
+    std::string name;  ///< "layers"
+    const input::Experiment* experiment = nullptr;
+    input::MeshChange change{};  ///< that makes it of the experiment's mesh
 };
 
 struct DiagnosisOptions {
@@ -155,7 +197,10 @@ struct DiagnosisOptions {
     /// changes is taken for the grid's error and corrected.
     const input::Experiment* finer = nullptr;
     bool plan_next = true;
-    std::function<void(long simulations)> progress{};
+    std::vector<RicherModel> richer{};  ///< the same experiment on richer meshes, that coarseness may be a cause
+    /// On grids that are finer than `finer`, taken only where the grid is too coarse to diagnose the data.
+    std::vector<RicherModel> much_finer{};
+    Progress progress{};
 };
 
 /// Fits the base model, estimates the discretisation error and the noise, and looks for what explains the rest.

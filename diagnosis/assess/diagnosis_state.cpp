@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
 #include "input/parameters/parameter_path.hpp"
+#include "physics/plausible_ranges.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -106,6 +108,10 @@ Cause describe_cause(const DiagnosisState& found, const FittedHypothesis& one, s
     cause.gain = one.gain;
     if (one.fit.at_bound[static_cast<std::size_t>(j)]) {
         cause.bound = "at its bound: what lies beyond was not tried";
+    } else if (const physics::PlausibleRange* range = physics::plausible_range(*candidate.effect, candidate.parameter);
+               range != nullptr && !physics::is_plausible(*range, one.fit.values[j])) {
+        cause.implausible = fmt::format("implausible: {:.3g} to {:.3g} is what is known ({}); {}", range->low,
+                                        range->high, range->source, range->why);
     }
     return cause;
 }
@@ -133,10 +139,26 @@ void describe_causes(const DiagnosisState& found, Diagnosis& into) {
     for (const FittedHypothesis* one : found.set) {
         describe(*one, true);
     }
+    if (!found.mesh.empty() && !into.hypotheses.empty()) {
+        into.hypotheses.front().insert(into.hypotheses.front().begin(), into.causes.size());
+        into.causes.push_back({.id = "mesh", .place = found.mesh, .in_set = true, .rank = 1});
+        described.push_back(static_cast<std::size_t>(-1));
+    }
+    for (const std::string& mesh : found.other_meshes) {
+        if (mesh != found.mesh && !into.hypotheses.empty()) {
+            into.hypotheses.push_back({into.causes.size()});
+            into.causes.push_back({.id = "mesh", .place = mesh, .in_set = true});
+            described.push_back(static_cast<std::size_t>(-1));
+            into.causes.back().rank = static_cast<int>(described.size());
+        }
+    }
     for (const FittedHypothesis& one : found.singles) {
         if (one.sound) {
             describe(one, false);
         }
+    }
+    if (found.search) {
+        return;  // ranked by what they predict, not by their likelihood
     }
     double sum = 0.0;
     for (const FittedHypothesis* one : found.set) {
@@ -172,6 +194,30 @@ void find_limits(const DiagnosisState& found, Diagnosis& into) {
              // Data may ask for more than is allowed: both ends are then the bound.
              .low = std::clamp(middle - spread, candidate.low, candidate.high),
              .high = std::clamp(middle + spread, candidate.low, candidate.high)});
+    }
+}
+
+/// What was tested on data that were left out, and what was put aside.
+void describe_search(const PredictionSearch& search, const DiagnosisState& found, Diagnosis& into) {
+    std::ranges::copy(search.remarks, std::back_inserter(into.remarks));
+    const auto add = [&](std::size_t hypothesis, const PredictionGain& gain) {
+        if (hypothesis < into.hypotheses.size()) {
+            into.held_out_gains.push_back(
+                {.causes = into.hypotheses[hypothesis], .removed = gain.removed, .low = gain.low, .high = gain.high});
+        }
+    };
+    if (!search.accepted.empty()) {
+        add(0, search.gain);
+    }
+    for (std::size_t i = 1; i < found.set.size(); ++i) {
+        add(i, search.alternatives[i - 1].gain);
+    }
+    if (search.accepted.empty() && found.verdict == Verdict::cannot_tell) {
+        into.reason = fmt::format(
+            "the model has an error beyond the sensors' noise, and nothing that was tried predicts data that were left "
+            "out "
+            "better beyond chance; the best removes {:.0f} % of the mean square.",
+            100.0 * search.largest_gain);
     }
 }
 
@@ -212,6 +258,9 @@ void report(const DiagnosisState& found, Diagnosis& into) {
             "counts: it is in no verdict",
             fmt::join(names, " and ")));
     }
+    if (found.search) {
+        describe_search(*found.search, found, into);
+    }
     if (found.something_left) {
         into.remarks.emplace_back("something significant is left beside it: there is more than one thing missing");
     }
@@ -226,6 +275,7 @@ void report(const DiagnosisState& found, Diagnosis& into) {
     if (best != nullptr && !is_event) {
         into.extended_model = best->model;
         into.extended_values = best->fit.values;
+        into.extended_mesh = found.change;
         if (found.verdict == Verdict::unknown) {
             into.extended_user_effects = {user_effect(found.score_data, found.unknown.term, 0)};
         }

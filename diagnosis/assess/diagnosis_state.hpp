@@ -3,10 +3,13 @@
 // and the verdict.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "diagnosis/assess/diagnosis.hpp"
 #include "diagnosis/assess/fitted_hypothesis.hpp"
+#include "diagnosis/assess/prediction_search.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -30,6 +33,10 @@ struct DiagnosisState {
     std::vector<const FittedHypothesis*> set;  ///< hypotheses that stand, the most likely first; point into the lists
     bool unknown_stands = false;               ///< the unknown source explains the data about as well as the set
     bool something_left = false;               ///< beside the best hypothesis
+    std::optional<PredictionSearch> search;    ///< where the model has errors of its own
+    input::MeshChange change{};                ///< that makes the mesh
+    std::string mesh{};                        ///< richer than the experiment's, that was taken; empty: none
+    std::vector<std::string> other_meshes{};   ///< that predict better, too
 
     /// The hypothesis that the model is extended with; null where there is none.
     [[nodiscard]] const FittedHypothesis* best() const;
@@ -38,9 +45,30 @@ struct DiagnosisState {
 /// Looks for hypotheses and decides between them: nothing, one cause, two causes, an unknown source.
 void search_hypotheses(DiagnosisState& state);
 
-/// Measures the gain run by run: each run in turn takes no part in choosing, sizing and fitting, and is then predicted from
-/// the others, with how it started from itself. To first order about the two fitted models.
-void measure_gain(const DiagnosisState& state, Diagnosis& into);
+/// Whether the residuals hold more than the sensors' noise whatever the candidates explain: noise far above the data sheet's,
+/// or without one as slow as is allowed.
+[[nodiscard]] bool has_model_error(const ScoreTestData& score_data);
+
+/// Searches causes by what they predict, on richer meshes as well, and takes what is found as the verdict.
+void search_beside_model_error(DiagnosisState& state, const std::vector<RicherModel>& richer);
+
+/// False where heat that no effect is was found by its likelihood, and data that were left out are predicted no better with it.
+[[nodiscard]] bool unknown_source_predicts(DiagnosisState& state);
+/// Where something is left beside what was found by its likelihood: takes what a search by prediction finds, if that predicts
+/// better; otherwise what was found stays, as the largest part of what is missing.
+void search_for_more(DiagnosisState& state, const std::vector<RicherModel>& richer);
+
+/// Takes the causes that a search by prediction has accepted so far as the verdict.
+void take_what_was_found(DiagnosisState& state);
+/// Candidates with the largest scores, one of each cause. @returns indices into ScoreTestData::candidates
+[[nodiscard]] std::vector<std::size_t> by_score(const ScoreTestData& score_data, std::size_t most);
+
+/// Measures the gain run by run: each run in turn takes no part in sizing and fitting, and is then predicted from the
+/// others, with how it started from itself. A verdict that the prediction does not bear out becomes `partial`.
+void measure_gain(DiagnosisState& state, Diagnosis& into);
+
+/// What is left of each channel beyond its noise, and the free numbers with the intervals that this leaves them.
+void describe_model_error(const DiagnosisState& state, Diagnosis& into);
 
 /// Simulates manoeuvres of a menu and says by how many standard deviations each would separate the likeliest
 /// hypotheses.

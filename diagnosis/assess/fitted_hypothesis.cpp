@@ -21,6 +21,8 @@ constexpr std::size_t most_singles = 8;
 /// Single numbers leave few directions, in which many causes look alike: what is not tried would be missing from the set.
 constexpr std::size_t most_singles_of_numbers = 24;
 constexpr std::size_t most_pairs = 8;
+/// Of a curved cause.
+constexpr std::size_t most_starts = 4;
 
 double largest(const Scores& scores, const Eigen::VectorXi& sign, const std::vector<std::size_t>& but,
                const std::vector<Candidate>& candidates) {
@@ -155,8 +157,7 @@ Eigen::Index FittedHypothesis::number_of(std::size_t i) const {
     return fit.values.size() - n_held - n + static_cast<Eigen::Index>(i);
 }
 
-FittedHypothesis fit_hypothesis(ScoreTestData& score_data, const std::vector<std::size_t>& candidates,
-                                const std::vector<double>& amplitudes) {
+FittedHypothesis unfitted(const ScoreTestData& score_data, const std::vector<std::size_t>& candidates) {
     FittedHypothesis one;
     one.candidates = candidates;
     std::vector<Candidate> on;
@@ -171,6 +172,16 @@ FittedHypothesis fit_hypothesis(ScoreTestData& score_data, const std::vector<std
         free_held(one.model, on[i], one.model.parameters[first + i].effect);
     }
     one.n_held = static_cast<Eigen::Index>(one.model.parameters.size() - first - on.size());
+    return one;
+}
+
+FittedHypothesis fit_hypothesis(ScoreTestData& score_data, const std::vector<std::size_t>& candidates,
+                                const std::vector<double>& amplitudes) {
+    FittedHypothesis one = unfitted(score_data, candidates);
+    std::vector<Candidate> on;
+    for (const std::size_t k : candidates) {
+        on.push_back(score_data.candidates[k]);
+    }
     Eigen::VectorXd from(static_cast<Eigen::Index>(on.size()));
     for (std::size_t i = 0; i < on.size(); ++i) {
         from[static_cast<Eigen::Index>(i)] = start(on[i], amplitudes[i]);
@@ -180,6 +191,11 @@ FittedHypothesis fit_hypothesis(ScoreTestData& score_data, const std::vector<std
         one.sound = one.fit.values[one.number_of(i)] != on[i].absent;
     }
     one.admissible = one.sound && are_all_needed(one, on);
+    for (std::size_t i = 0; one.sound && i < on.size(); ++i) {
+        const auto [low, high] = plausible_bounds(on[i]);
+        const double value = one.fit.values[one.number_of(i)];
+        one.plausible = one.plausible && low <= value && value <= high;
+    }
     one.rest_is_insignificant = one.rest_is_insignificant && one.admissible;
     return one;
 }
@@ -230,17 +246,51 @@ FittedHypothesis fit_unknown_source(ScoreTestData& score_data, std::size_t term,
 
 std::vector<FittedHypothesis> fit_single_causes(ScoreTestData& score_data) {
     std::vector<LinearisedGain> estimates;
+    std::vector<LinearisedGain> curved;  // with numbers that are held on trial: each trial is a start of its own
     const Scores& scores = score_data.scores;
     for (std::size_t k = 0; k < score_data.candidates.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
         const double z = admitted(scores.z[i], score_data.sign[i]);
         if (z > 0.0) {
-            take(estimates, {.candidates = {k}, .amplitudes = {scores.amplitude(i)}, .gain = 0.5 * z * z},
-                 score_data.candidates);
+            LinearisedGain estimate{.candidates = {k}, .amplitudes = {scores.amplitude(i)}, .gain = 0.5 * z * z};
+            if (!score_data.candidates[k].held.empty()) {
+                curved.push_back(estimate);
+            }
+            take(estimates, std::move(estimate), score_data.candidates);
         }
     }
     keep_likely(estimates, score_data.observations->channels.empty() ? most_singles_of_numbers : most_singles);
-    return fit_all(score_data, estimates);
+    const auto known = [&](std::size_t cause, const auto& list) {
+        return std::ranges::any_of(list, [&](const LinearisedGain& one) {
+            return score_data.candidates[one.candidates.front()].cause == cause;
+        });
+    };
+    // A likely cause that is curved is fitted from its best trials, not from the best alone.
+    std::ranges::sort(curved, std::greater{}, &LinearisedGain::gain);
+    std::vector<LinearisedGain> starts;
+    for (const LinearisedGain& one : curved) {
+        const std::size_t cause = score_data.candidates[one.candidates.front()].cause;
+        const bool is_best = std::ranges::any_of(
+            estimates, [&](const LinearisedGain& other) { return other.candidates.front() == one.candidates.front(); });
+        if (known(cause, estimates) && !is_best && starts.size() + 1 < most_starts) {
+            starts.push_back(one);
+        }
+    }
+    std::vector<FittedHypothesis> found = fit_all(score_data, estimates);
+    for (FittedHypothesis& again : fit_all(score_data, starts)) {
+        const auto same = std::ranges::find_if(found, [&](const FittedHypothesis& one) {
+            return score_data.candidates[one.candidates.front()].cause ==
+                   score_data.candidates[again.candidates.front()].cause;
+        });
+        const bool better = same != found.end() && again.sound &&
+                            (!same->sound || (again.admissible && !same->admissible) ||
+                             (again.admissible == same->admissible && again.gain > same->gain));
+        if (better) {
+            *same = std::move(again);
+        }
+    }
+    std::ranges::stable_sort(found, std::greater{}, &FittedHypothesis::gain);
+    return found;
 }
 
 std::vector<FittedHypothesis> fit_cause_pairs(ScoreTestData& score_data, double least_gain) {

@@ -22,6 +22,7 @@ struct FittedHypothesis {
     bool sound = false;                  ///< the fit ended, with every number on the side that physics allows
     /// Sound, no cause at the bound of what is plausible, and none that would hardly be missed: it may be in a verdict.
     bool admissible = false;
+    bool plausible = true;  ///< every size is one that an engineer would believe: otherwise it is never alone in a set
 
     Eigen::Index n_held = 0;  ///< numbers that causes hold on trial, free after all others
 
@@ -29,6 +30,8 @@ struct FittedHypothesis {
     [[nodiscard]] Eigen::Index number_of(std::size_t i) const;
 };
 
+/// Causes switched on, their numbers free, not fitted yet.
+[[nodiscard]] FittedHypothesis unfitted(const ScoreTestData& score_data, const std::vector<std::size_t>& candidates);
 /// Switches causes on and fits. @param amplitudes where their numbers start
 [[nodiscard]] FittedHypothesis fit_hypothesis(ScoreTestData& score_data, const std::vector<std::size_t>& candidates,
                                               const std::vector<double>& amplitudes);

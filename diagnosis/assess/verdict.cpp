@@ -219,6 +219,10 @@ void search_hypotheses(DiagnosisState& state) {
         look(state);
     }
     decide(state);
+    const bool any_plausible = std::ranges::any_of(state.set, &FittedHypothesis::plausible);
+    if (!state.set.empty() && !any_plausible) {
+        state.verdict = Verdict::partial;  // nothing else explains the data, and it is said to be implausible
+    }
 }
 
 }  // namespace tiretherm::diagnosis

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/fit/images.hpp"
+#include "diagnosis/observations/images.hpp"
 
 namespace tiretherm::diagnosis {
 

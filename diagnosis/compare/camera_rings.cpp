@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "diagnosis/fit/images.hpp"
+#include "diagnosis/observations/images.hpp"
 #include "physics/camera.hpp"
 #include "solver/sensitivity/prediction.hpp"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "diagnosis/detect/candidates.hpp"
+#include "physics/plausible_ranges.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -17,6 +18,16 @@ double start_of_own_nodes(const solver::Problem& problem) {
 }
 
 }  // namespace
+
+std::pair<double, double> plausible_bounds(const Candidate& candidate) {
+    const physics::PlausibleRange* range = physics::plausible_range(*candidate.effect, candidate.parameter);
+    if (range == nullptr) {
+        return {candidate.low, candidate.high};
+    }
+    // Of an effect that is on the case's own number counts as plausible.
+    return {std::clamp(std::min(range->low, candidate.absent), candidate.low, candidate.high),
+            std::clamp(std::max(range->high, candidate.absent), candidate.low, candidate.high)};
+}
 
 physics::ActiveEffect active_at(const Candidate& candidate, const mesh::Mesh& mesh, double value) {
     physics::ActiveEffect active = physics::activate(*candidate.effect, mesh);

@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-#include "diagnosis/fit/observations.hpp"
+#include "diagnosis/observations/observations.hpp"
 #include "input/measurements/experiment.hpp"
 
 namespace tiretherm::diagnosis {
@@ -31,8 +31,8 @@ struct SourceSignal {
     std::vector<std::vector<double>> value;  ///< [n_runs][n], linear between
     double largest = 0.0;                    ///< absolute value over all runs
 };
-/// Inputs and products of them, and the columns that the model does not use. Those that never change are left out but
-/// for "1".
+/// Inputs and products of them, and the columns that the model does not use and that may be causes
+/// (UnusedSignal::may_be_cause). Those that never change are left out but for "1".
 /// @param all otherwise a few that stand for the rest
 [[nodiscard]] std::vector<SourceSignal> source_signals_of(const input::Experiment& experiment, bool all);
 

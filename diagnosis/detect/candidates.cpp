@@ -57,7 +57,7 @@ bool is_seen(const mesh::Mesh& mesh, const solver::Channel& channel) {
                        return face.node == channel.where.nodes[i];
                    });
         });
-        if (!on_surface && channel.where.weights[i] != 0.0) {
+        if (!on_surface && std::abs(channel.where.weights[i]) > 1e-9) {
             return false;
         }
     }
@@ -147,11 +147,25 @@ bool is_chosen(const std::vector<std::string>& chosen, const Effect& effect, std
            });
 }
 
-/// The sensors that an effect may act on, one by one; a camera's rings are one sensor. What lies in the surface and not in
-/// the device, as its emissivity does, is common to all that look at surfaces: they are the last, together.
-std::vector<std::vector<int>> sensors_read(const Effect& effect, const solver::Problem& problem,
+/// The sensors that an effect may act on: those of one instrument together, which have a clock, a lens and an amplifier in
+/// common, then one by one; a camera's rings are one sensor. What lies in the surface and not in the device, as its
+/// emissivity does, is common to all that look at surfaces: they are the last, together.
+std::vector<std::vector<int>> sensors_read(const Effect& effect, const input::Experiment& experiment,
                                            const std::vector<int>& measured) {
+    const solver::Problem& problem = experiment.runs.front().problem;
     std::vector<std::vector<int>> sensors;
+    for (const input::Instrument& instrument : experiment.instruments) {
+        std::vector<int> common;
+        for (const std::size_t channel : instrument.channels) {
+            if (std::ranges::find(measured, static_cast<int>(channel)) != measured.end() &&
+                can_read(effect, problem, problem.channels[channel])) {
+                common.push_back(static_cast<int>(channel));
+            }
+        }
+        if (common.size() > 1 && std::ranges::find(sensors, common) == sensors.end()) {
+            sensors.push_back(std::move(common));
+        }
+    }
     std::vector<int> all;
     for (const int channel : measured) {
         if (!can_read(effect, problem, problem.channels[static_cast<std::size_t>(channel)])) {
@@ -168,10 +182,25 @@ std::vector<std::vector<int>> sensors_read(const Effect& effect, const solver::P
             all.push_back(of);
         }
     }
-    if (effect.sensor_model()->sees_surfaces_only && sensors.size() > 1) {
+    if (effect.sensor_model()->sees_surfaces_only && sensors.size() > 1 &&
+        std::ranges::find(sensors, all) == sensors.end()) {
         sensors.push_back(all);
     }
     return sensors;
+}
+
+/// Whether a parameter's input is logged and changes: the delay of any other does nothing. True of any other effect.
+bool is_delayed(const input::Experiment& experiment, const Effect& effect, std::size_t parameter) {
+    if (effect.input_correction() == nullptr || effect.input_correction()->delay == nullptr) {
+        return true;
+    }
+    const physics::Signal* signal = physics::find_signal(effect.parameters[parameter].key);
+    return std::ranges::any_of(experiment.runs, [&](const input::MeasuredRun& run) {
+        return std::ranges::any_of(run.problem.input_signals.series(), [&](const solver::Series& series) {
+            return series.signal == signal && series.logged &&
+                   std::ranges::adjacent_find(series.value, std::ranges::not_equal_to{}) != series.value.end();
+        });
+    });
 }
 
 void add_all(std::vector<Candidate>& all, const input::Experiment& experiment, const Effect& effect,
@@ -187,13 +216,16 @@ void add_all(std::vector<Candidate>& all, const input::Experiment& experiment, c
         if (std::isnan(parameter.absent) || !is_chosen(chosen, effect, p)) {
             continue;
         }
+        if (!is_delayed(experiment, effect, p)) {
+            continue;
+        }
         const Candidate plain{.effect = &effect,
                               .parameter = p,
                               .absent = parameter.absent,
                               .low = parameter.low,
                               .high = parameter.high};
         if (effect.sensor_model() != nullptr) {
-            for (const std::vector<int>& sensors : sensors_read(effect, problem, channels)) {
+            for (const std::vector<int>& sensors : sensors_read(effect, experiment, channels)) {
                 Candidate one = plain;
                 one.channels = sensors;
                 add(all, one);
@@ -235,7 +267,46 @@ void add_numbers(std::vector<Candidate>& all, const input::Experiment& experimen
     }
 }
 
+/// Why an effect that is listed gives no candidate.
+std::string why_untried(const input::Experiment& experiment, const Effect& effect) {
+    const solver::Problem& problem = experiment.runs.front().problem;
+    if (effect.sensor_model() != nullptr) {
+        return effect.sensor_model()->sees_surfaces_only ? "no measured sensor sees nothing but a surface"
+                                                         : "no measured sensor is of its kind";
+    }
+    if (is_on(problem, effect)) {
+        return "it is on, and its parameters are free or differ from place to place";
+    }
+    if (effect.needs_grid && problem.mesh.is_lumped()) {
+        return "it needs a grid, and the mesh is of lumps";
+    }
+    for (const std::string_view signal : effect.reads) {
+        for (const input::MeasuredRun& run : experiment.runs) {
+            if (!run.problem.input_signals.gives(*physics::find_signal(signal))) {
+                return fmt::format("it needs {}, which {} does not give", signal, run.name);
+            }
+        }
+    }
+    return "the mesh, the tire or the runs have nothing that it acts on";
+}
+
 }  // namespace
+
+std::vector<std::string> untried(const input::Experiment& experiment) {
+    std::vector<std::string> said;
+    const std::vector<Candidate> candidates = candidates_of(experiment, experiment.candidates);
+    for (const std::string& name : experiment.candidates) {
+        const std::optional<input::CatalogueEntry> entry = input::find_in_catalogue(name);
+        const bool tried = std::ranges::any_of(candidates, [&](const Candidate& candidate) {
+            return entry && entry->includes(*candidate.effect, candidate.parameter);
+        });
+        if (!tried) {
+            said.push_back(fmt::format("{} is listed in [diagnose] candidates and was not tried: {}", name,
+                                       entry ? why_untried(experiment, *entry->effect) : "there is no such effect"));
+        }
+    }
+    return said;
+}
 
 std::vector<Candidate> candidates_of(const input::Experiment& experiment, const std::vector<std::string>& chosen) {
     const std::vector<int> channels = measured_channels(experiment);
@@ -262,8 +333,14 @@ std::string sensors_of(const Candidate& candidate, const solver::Problem& proble
             names.push_back(std::move(name));
         }
     }
-    if (names.size() > 1) {
+    if (names.size() > 1 && candidate.effect->sensor_model()->sees_surfaces_only) {
         return fmt::format("all {} sensors of surfaces", names.size());
+    }
+    if (names.size() == 2) {
+        return fmt::format("{} and {}", names.front(), names.back());
+    }
+    if (names.size() > 1) {
+        return fmt::format("{} to {} ({} sensors)", names.front(), names.back(), names.size());
     }
     return names.empty() ? std::string() : names.front();
 }

@@ -49,6 +49,12 @@ struct Candidate {
 [[nodiscard]] std::vector<Candidate> candidates_of(const input::Experiment& experiment,
                                                    const std::vector<std::string>& chosen);
 
+/// What is said of effects that the case lists and that cannot act on it, or that no sensor sees: a sentence each.
+[[nodiscard]] std::vector<std::string> untried(const input::Experiment& experiment);
+
+/// Where a candidate's number is expected to lie, within what the effect allows (physics::plausible_range). @returns low, high
+[[nodiscard]] std::pair<double, double> plausible_bounds(const Candidate& candidate);
+
 /// The effect as it is switched on at a value of the candidate's number.
 [[nodiscard]] physics::ActiveEffect active_at(const Candidate& candidate, const mesh::Mesh& mesh, double value);
 /// What a sensor's effect acts on: "bulk_temperature", "all 8 sensors of surfaces"; empty for any other effect.

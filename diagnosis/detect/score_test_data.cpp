@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
 #include <Eigen/Eigenvalues>
 
 namespace tiretherm::diagnosis {
@@ -111,8 +112,13 @@ Scores scores_against(const Refit& model, const Eigen::MatrixXd& columns) {
 void ScoreTestData::count(long more) {
     simulations += more;
     if (progress) {
-        progress(simulations);
+        progress(doing, simulations);
     }
+}
+
+void ScoreTestData::say(std::string what) {
+    doing = std::move(what);
+    count(0);
 }
 
 Scores ScoreTestData::scores_after(const Refit& model) const { return scores_against(model, columns); }
@@ -161,9 +167,10 @@ void ScoreTestData::take_noise(Covariance found, Refit refitted) {
 }
 
 ScoreTestData prepare_score_tests(const input::Experiment& experiment, const Observations& observations,
-                                  std::vector<Candidate> candidates, std::function<void(long)> progress) {
+                                  std::vector<Candidate> candidates, Progress progress) {
     ScoreTestData score_data;
     score_data.progress = std::move(progress);
+    score_data.say("fitting the case as it is");
     score_data.experiment = &experiment;
     score_data.observations = &observations;
     Fit fit(experiment, observations);
@@ -187,14 +194,17 @@ ScoreTestData prepare_score_tests(const input::Experiment& experiment, const Obs
         score_data.sign[static_cast<Eigen::Index>(k)] =
             candidate.absent == candidate.low ? 1 : (candidate.absent == candidate.high ? -1 : 0);
     }
+    score_data.say(fmt::format("signatures of {} candidates", score_data.candidates.size()));
     const input::Experiment still = frozen(score_data, fit.simulator(), score_data.base.values);
     take_signatures(still, fit.now().simulated, score_data);
+    score_data.say("responses to unknown heat");
     std::vector<solver::Problem> problems;
     for (const input::MeasuredRun& run : still.runs) {
         problems.push_back(run.problem);
     }
     score_data.unknowns = candidate_sources_of(experiment, observations, problems, score_data.steps, windows);
     score_data.count(fit.simulator().simulations());
+    score_data.say("estimating the noise");
     settle(score_data);
     return score_data;
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -14,6 +15,9 @@
 #include "diagnosis/fit/refit.hpp"
 
 namespace tiretherm::diagnosis {
+
+/// Told what is being done, and how many runs were simulated so far.
+using Progress = std::function<void(const std::string& doing, long simulations)>;
 
 /// Score tests of a fitted model against measured data: the noise, and the signature of every effect that may be
 /// missing.
@@ -41,9 +45,12 @@ struct ScoreTestData {
     std::vector<Pair> pairs;
     double pair_threshold = 0.0;
     long simulations = 0;
-    std::function<void(long simulations)> progress{};  ///< called as they are counted
+    Progress progress{};
+    std::string doing{};
 
     void count(long more);
+    /// Says what is being done from now on.
+    void say(std::string what);
     /// Scores of the candidates and of the unknown sources against another model.
     [[nodiscard]] Scores scores_after(const Refit& model) const;
     [[nodiscard]] Scores unknown_scores_after(const Refit& model) const;
@@ -60,7 +67,6 @@ struct ScoreTestData {
 /// Fits the base model with the noise that is most likely whatever is missing, and takes every signature.
 /// @param experiment, observations live longer  @param candidates causes that may be missing
 [[nodiscard]] ScoreTestData prepare_score_tests(const input::Experiment& experiment, const Observations& observations,
-                                                std::vector<Candidate> candidates,
-                                                std::function<void(long simulations)> progress = {});
+                                                std::vector<Candidate> candidates, Progress progress = {});
 
 }  // namespace tiretherm::diagnosis

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Signals that an unknown heat source may follow: inputs, products of inputs, and columns of the log that the model
-// does not use.
+// Signals that an unknown heat source may follow: inputs, products of inputs, and those columns of the log that the model
+// does not use and that drive the tire: what the tire does in return is no cause.
 
 #include <algorithm>
 #include <array>
@@ -106,7 +106,9 @@ std::vector<SourceSignal> source_signals_of(const input::Experiment& experiment,
         }
     }
     for (const input::UnusedSignal& signal : experiment.runs.front().unused) {
-        add(signal.name, input::base_unit(signal.unit));
+        if (signal.may_be_cause) {
+            add(signal.name, input::base_unit(signal.unit));
+        }
     }
     return signals;
 }

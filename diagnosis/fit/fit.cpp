@@ -60,6 +60,36 @@ input::Experiment with_fine_steps(input::Experiment experiment) {
     return experiment;
 }
 
+input::Experiment with_free_conductivity(input::Experiment experiment) {
+    constexpr double room = 293.15;  // K
+    const solver::Problem& problem = experiment.runs.front().problem;
+    const physics::Curve& law = problem.materials.front().along(mesh::Axis::through);
+    const double value = law.value(room);
+    solver::FreeParameter number{.name = problem.materials.front().name + ".conductivity at 20 degC",
+                                 .unit = "W m-1 K-1",
+                                 .kind = solver::FreeParameter::Kind::conductivity,
+                                 .layers = {},
+                                 .knots = {room},
+                                 .nodes = {},
+                                 .prior = value,
+                                 .standard_deviation = 0.5 * value,
+                                 .low = 0.1 * value,
+                                 .high = 5.0 * value};
+    for (std::size_t layer = 0; layer < problem.materials.size(); ++layer) {
+        if (problem.materials[layer].along(mesh::Axis::through) == law) {
+            number.layers.push_back(static_cast<int>(layer));
+        }
+    }
+    const bool is_free = std::ranges::any_of(experiment.parameters, [](const solver::FreeParameter& one) {
+        return one.kind == solver::FreeParameter::Kind::conductivity ||
+               one.kind == solver::FreeParameter::Kind::link_conductivity;
+    });
+    if (!is_free) {
+        experiment.parameters.push_back(std::move(number));
+    }
+    return experiment;
+}
+
 Fit::Fit(const input::Experiment& experiment, const Observations& observations)
     : experiment_(experiment),
       observations_(observations),

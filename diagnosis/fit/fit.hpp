@@ -9,8 +9,8 @@
 #include <Eigen/Core>
 
 #include "diagnosis/fit/least_squares.hpp"
-#include "diagnosis/fit/observations.hpp"
 #include "diagnosis/noise/noise_estimate.hpp"
+#include "diagnosis/observations/observations.hpp"
 #include "input/measurements/experiment.hpp"
 
 namespace tiretherm::diagnosis {
@@ -87,6 +87,10 @@ private:
 /// The same experiment with steps whose local error is 1 mK at most. The 10 mK of a run leave as much in the temperatures,
 /// which a fit takes into its numbers.
 [[nodiscard]] input::Experiment with_fine_steps(input::Experiment experiment);
+
+/// The same experiment with one more number: the conductivity of the outermost layer's material, and of all layers that share
+/// its law. The link of two lumps stands for a path of its own, and its law says little of the rubber that takes its place.
+[[nodiscard]] input::Experiment with_free_conductivity(input::Experiment experiment);
 
 /// The unit in which a number is measured against the data: its prior's standard deviation, or its size.
 [[nodiscard]] Eigen::VectorXd scales_of(const input::Experiment& experiment, const Eigen::VectorXd& values);

@@ -56,17 +56,21 @@ Fitted assess_parameter(const Fit& fit, Eigen::Index j, double deviation, bool s
     return one;
 }
 
+/// Whether a fit has left a channel alone that the case had right: what its numbers cannot explain it takes for noise.
+bool is_given_up(const ChannelFit& fit) { return fit.rmse_after > worse * fit.rmse_before; }
+
 /// What is to be said where a fit takes an error of the model for noise; empty where it has not.
 std::string given_up_sentence(const ChannelFit& fit, const solver::Channel& channel) {
     const double stated = fit.stated;
-    if (fit.rmse_after > worse * fit.rmse_before) {
+    if (is_given_up(fit)) {
         return fmt::format(
             "{}: its rms rose with the fit, from {:.2g} to {:.2g} {}: a missing effect passes for slow noise, and the "
             "numbers and intervals are not to be trusted; see compare, and fit with noise = "
             "\"white\" beside it",
             fit.name, fit.rmse_before, fit.rmse_after, solver::unit_of(channel.quantity));
     }
-    if (fit.noise.white_share < 1.0 && stated > 0.0 && fit.samples > many && fit.noise.sigma > swollen * stated) {
+    if (fit.noise.white_share < 1.0 && stated > 0.0 && fit.samples > many && fit.noise.sigma > swollen * stated &&
+        fit.noise.sigma <= far_above_data_sheet * stated) {  // beyond that `cautions` says it
         return fmt::format(
             "{}: its noise is {:.1f} times what the sensor is said to have: part of it may be a missing effect",
             fit.name, fit.noise.sigma / stated);
@@ -97,6 +101,8 @@ std::string_view word_of(Identifiability identifiability) {
     switch (identifiability) {
         case Identifiability::determined:
             return "determined";
+        case Identifiability::doubtful:
+            return "doubtful";
         case Identifiability::with_prior:
             return "with prior";
         case Identifiability::prior_only:
@@ -165,6 +171,7 @@ void assess_channels(const Fit& fit, Identification& into) {
             if (std::string caution = given_up_sentence(found, channel); !caution.empty()) {
                 found.cautions.push_back(std::move(caution));
             }
+            found.is_in_doubt = is_in_doubt(found.noise, found.found, found.stated) || is_given_up(found);
         }
         into.channels.push_back(std::move(found));
     }

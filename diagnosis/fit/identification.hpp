@@ -11,8 +11,8 @@
 
 #include <Eigen/Core>
 
-#include "diagnosis/fit/observations.hpp"
 #include "diagnosis/noise/noise_estimate.hpp"
+#include "diagnosis/observations/observations.hpp"
 #include "input/measurements/experiment.hpp"
 
 namespace tiretherm::diagnosis {
@@ -20,6 +20,7 @@ namespace tiretherm::diagnosis {
 /// What the data say of a number.
 enum class Identifiability : std::uint8_t {
     determined,      ///< its interval comes from the data
+    doubtful,        ///< likewise, but what is left may be an error of the model that passes for noise
     with_prior,      ///< from the data and from what was known before, both
     prior_only,      ///< the data do not see it: the interval is the one known before
     not_determined,  ///< the data do not see it and nothing was known before: there is no interval
@@ -61,6 +62,7 @@ struct ChannelFit {
     Noise noise;
     ChannelNoise found;
     std::vector<std::string> cautions;
+    bool is_in_doubt = false;  ///< its noise may be an error of the model: see is_in_doubt
 };
 
 /// A single number's fit.
@@ -80,10 +82,14 @@ struct Identification {
     std::vector<ChannelFit> channels;
     std::vector<NumberFit> numbers;
     std::vector<std::string> non_smooth_parameters;  ///< numbers at a switch or a clamp
-    Eigen::VectorXd before;                          ///< [n_rows] SI, simulated with the case's values
-    Eigen::VectorXd after;                           ///< [n_rows] SI
-    double misfit = 0.0;                             ///< sum of the squared whitened residuals
-    double freedom = 0.0;                            ///< rows less what the numbers take of them
+    std::vector<std::string> findings;               ///< what the fitted parameters say of the model, a sentence each
+    /// Relative fall of the rms on data that were left out, where white noise predicts better and its fit was kept; otherwise 0.
+    double white_noise_gain = 0.0;
+    double widened = 1.0;    ///< factor on all intervals, where the noise of a channel is in doubt
+    Eigen::VectorXd before;  ///< [n_rows] SI, simulated with the case's values
+    Eigen::VectorXd after;   ///< [n_rows] SI
+    double misfit = 0.0;     ///< sum of the squared whitened residuals
+    double freedom = 0.0;    ///< rows less what the numbers take of them
     bool converged = false;
     int iterations = 0;
     long simulations = 0;

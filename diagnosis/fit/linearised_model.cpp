@@ -18,18 +18,6 @@ LinearisedModel linearise(const Refit& fit, const Observations& observations) {
             .known = fit.known};
 }
 
-LinearisedModel with_column(LinearisedModel model, const Eigen::VectorXd& whitened, const Eigen::VectorXd& raw) {
-    const Eigen::Index n = model.slopes.cols();
-    model.slopes.conservativeResize(Eigen::NoChange, n + 1);
-    model.raw.conservativeResize(Eigen::NoChange, n + 1);
-    model.slopes.col(n) = whitened;
-    model.raw.col(n) = raw;
-    model.precision.conservativeResize(n + 1);
-    model.known.conservativeResize(n + 1);
-    model.precision[n] = model.known[n] = 0.0;
-    return model;
-}
-
 Eigen::VectorXd solve(const LinearisedModel& model, const RowIndices& rows, const Eigen::VectorXd& precision,
                       const Eigen::VectorXd& pull) {
     const Eigen::MatrixXd S = model.slopes(rows, Eigen::all);

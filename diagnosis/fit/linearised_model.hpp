@@ -8,11 +8,9 @@
 #include <Eigen/Core>
 
 #include "diagnosis/fit/refit.hpp"
+#include "diagnosis/observations/observation_subset.hpp"
 
 namespace tiretherm::diagnosis {
-
-/// Some rows of the data.
-using RowIndices = std::vector<Eigen::Index>;
 
 /// A fitted model, linearised: what it leaves, and how its numbers would change that.
 struct LinearisedModel {
@@ -24,9 +22,6 @@ struct LinearisedModel {
     Eigen::VectorXd known;      ///< [n]
 };
 [[nodiscard]] LinearisedModel linearise(const Refit& fit, const Observations& observations);
-/// The linearised model with one more number, of a signature taken at the base model.
-[[nodiscard]] LinearisedModel with_column(LinearisedModel model, const Eigen::VectorXd& whitened,
-                                          const Eigen::VectorXd& raw);
 
 /// Least squares of some rows and of what was known.
 /// @param pull [n] of what was known  @returns [n] the step from where the model was linearised

@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "diagnosis/fit/observations.hpp"
+#include "diagnosis/observations/observations.hpp"
 #include "input/measurements/experiment.hpp"
 
 namespace tiretherm::diagnosis {

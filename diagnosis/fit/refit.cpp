@@ -12,7 +12,6 @@ namespace tiretherm::diagnosis {
 
 namespace {
 
-constexpr int most_iterations = 12;
 constexpr int most_halvings = 6;
 /// Of any number, in standard deviations: what is left to gain is the square of it.
 constexpr double settled = 0.05;
@@ -110,10 +109,11 @@ Eigen::VectorXd Refit::deviations() const {
     return found;
 }
 
-Refit refit(Fit& fit) {
+Refit refit(Fit& fit, int most) {
     Refit at;
     look(fit, at);
-    for (at.iterations = 0; at.iterations < most_iterations; ++at.iterations) {
+    at.at_bound.assign(static_cast<std::size_t>(at.values.size()), false);
+    for (at.iterations = 0; at.iterations < most; ++at.iterations) {
         const Eigen::VectorXd downhill =
             at.slopes.transpose() * at.residual + at.precision.cwiseSqrt().cwiseProduct(at.known);
         find_bounds(fit, downhill, at);

@@ -32,7 +32,7 @@ struct Refit {
 
 /// Gauss and Newton's method within the bounds, halving a step that makes things worse. Data that are nearly linear in
 /// the numbers need three or four predictions.
-/// @param fit at values where the model runs, with the noise taken
-[[nodiscard]] Refit refit(Fit& fit);
+/// @param fit at values where the model runs, with the noise taken  @param most iterations; 0: as it stands, linearised
+[[nodiscard]] Refit refit(Fit& fit, int most = 12);
 
 }  // namespace tiretherm::diagnosis

@@ -14,8 +14,13 @@ namespace tiretherm::diagnosis {
 
 namespace {
 
-constexpr double far_above = 3.0;  ///< data sheets
-constexpr double alike = 2.0;      ///< ratio of two times that are as good as the same
+constexpr double alike = 2.0;  ///< ratio of two times that are as good as the same
+/// Samples from which a noise far above the data sheet is no accident of the estimate.
+constexpr Eigen::Index many = 100;
+
+bool is_at_longest_correlation(const Noise& noise, const ChannelNoise& found) {
+    return noise.correlation_time > 0.99 * found.longest_correlation;
+}
 
 /// 12 s, 3.4 min, 1.2 h
 std::string duration(double seconds) {
@@ -26,6 +31,16 @@ std::string duration(double seconds) {
 }
 
 }  // namespace
+
+bool is_in_doubt(const Noise& noise, const ChannelNoise& found, double data_sheet) {
+    if (found.source != NoiseSource::estimated) {
+        return false;
+    }
+    const bool is_slowest = noise.correlation_time > 0.0 && is_at_longest_correlation(noise, found);
+    const bool is_too_large =
+        data_sheet > 0.0 && found.samples > many && noise.sigma > far_above_data_sheet * data_sheet;
+    return is_slowest || is_too_large;
+}
 
 std::vector<std::string> cautions(const std::string& channel, const std::string& unit, const Noise& noise,
                                   const ChannelNoise& found, double data_sheet,
@@ -44,7 +59,7 @@ std::vector<std::string> cautions(const std::string& channel, const std::string&
                         channel, found.samples, noise.sigma, unit));
         return said;
     }
-    if (data_sheet > 0.0 && noise.sigma > far_above * data_sheet) {
+    if (data_sheet > 0.0 && noise.sigma > far_above_data_sheet * data_sheet) {
         said.push_back(
             fmt::format("{}: the noise of {:.3g} {} is {:.1f} times what the data sheet says ({:.3g} {}): either the "
                         "sensor is worse than that, or an error of the model is taken for noise",
@@ -62,7 +77,7 @@ std::vector<std::string> cautions(const std::string& channel, const std::string&
             break;
         }
     }
-    if (noise.correlation_time > 0.99 * found.longest_correlation) {
+    if (is_at_longest_correlation(noise, found)) {
         said.push_back(
             fmt::format("{}: the noise's correlation time reached its upper limit, {} or a tenth of the longest run: a "
                         "drift of the "

@@ -61,6 +61,14 @@ struct NoiseEstimate {
 /// noise, and a tenth of the longest run, above which nothing tells them from the model's own slow errors.
 [[nodiscard]] NoiseEstimate estimate_noise(const NoiseProblem& problem);
 
+/// Noise beyond so many times the data sheet's standard deviation is not the sensor's alone.
+inline constexpr double far_above_data_sheet = 3.0;
+
+/// Whether an estimated noise may be an error of the model: its correlation time ended at the upper limit, or it is far
+/// above the data sheet in a channel of more than 100 samples. Noise that was not estimated is not in doubt.
+/// @param data_sheet standard deviation, in the channel's unit; 0: not stated
+[[nodiscard]] bool is_in_doubt(const Noise& noise, const ChannelNoise& found, double data_sheet);
+
 /// What is to be said about a channel's noise, a sentence each: far above the data sheet, as slow as the tire, as slow
 /// as is allowed, or not estimated at all.
 /// @param thermal_times s, time constants of the tire that the channel sees

@@ -63,6 +63,17 @@ def exam(entry, sources, run):
             "singles_sizes": total("size")}
 
 
+def exam_dirty(entry, sources, run):
+    """Shares, verdicts and gains of the exam on dirty data, as tests/hidden_effects/dirty_exam sums them up."""
+    script, *words = entry["record"].split()
+    result = sources.scratch / "exam_dirty.json"
+    run([str(ROOT / script), *words, "--program", str(sources.program), "--maker",
+         str(sources.tests / "truths" / "make_dirty_sets"), "--json", str(result)], ROOT)
+    found = json.loads(result.read_text())
+    del found["rows"]
+    return found
+
+
 def coverage(entry, sources, run):
     """How many intervals hold the truth, from the rows that the long tests print (tests/support/coverage.hpp)."""
     text = run([str(sources.tests / "test_hidden_effects"), "--gtest_filter=*RecoveryLong.*"], sources.tests)

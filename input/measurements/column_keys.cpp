@@ -22,6 +22,7 @@ void ColumnKeys::read(TomlTable& table) {
     read_words(table.subtable("columns"), names_);
     read_words(table.subtable("units"), units_);
     read_words(table.subtable("unit_names"), unit_names_);
+    keep_suspicious_ = table.flag("keep_suspicious");
     has_ignored_ = table.has("ignore");
     for (LocatedString& word : table.texts("ignore")) {
         ignored_.push_back({.column = std::move(word), .value = {}});
@@ -30,6 +31,10 @@ void ColumnKeys::read(TomlTable& table) {
     for (LocatedString& word : table.texts("hold")) {
         held_.push_back({.column = std::move(word), .value = {}});
     }
+}
+
+bool ColumnKeys::keeps_suspicious() const {
+    return keep_suspicious_.value_or(shared_ != nullptr && shared_->keeps_suspicious());
 }
 
 ColumnKeys::Key* ColumnKeys::find(std::vector<Key>& keys, const std::string& word) {

@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -19,8 +21,9 @@ struct Rule {
     std::string (*look)(const Recording& recording, const RecordedColumn& column);
     bool ends = false;  ///< the rules after it are skipped when it has found something
 };
-constexpr std::array rules{Rule{find_frozen, true}, Rule{find_stuck}, Rule{find_outliers}, Rule{find_unit_slip, true},
-                           Rule{find_unusual}};
+constexpr std::array rules{Rule{find_frozen, true},    Rule{find_dead, true}, Rule{find_resampled},
+                           Rule{find_clipped},         Rule{find_stuck},      Rule{find_outliers},
+                           Rule{find_unit_slip, true}, Rule{find_unusual}};
 
 double quantile(std::vector<double> values, double share) {
     const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
@@ -93,10 +96,43 @@ std::vector<std::string> find_suspicious(const Recording& recording) {
             }
         }
     }
-    if (const std::string switched = find_switched(recording); !switched.empty()) {
-        sentences.push_back(fmt::format("{}: {}", recording.file, switched));
+    for (const std::string& sentence : {find_stuck_together(recording), find_switched(recording)}) {
+        if (!sentence.empty()) {
+            sentences.push_back(fmt::format("{}: {}", recording.file, sentence));
+        }
     }
     return sentences;
+}
+
+void leave_out_unusable(const Recording& recording, MeasuredRun& run) {
+    if (recording.keep_suspicious) {
+        return;
+    }
+    for (const RecordedColumn& column : recording.columns) {
+        if (column.is_input || column.value.empty()) {
+            continue;
+        }
+        MeasuredSeries& series = run.series[column.series];
+        series.frozen = !find_frozen(recording, column).empty() || !find_dead(recording, column).empty();
+        std::vector<bool> kept(column.value.size(), true);
+        for (const Stretch& stretch : unusable_stretches(recording, column)) {
+            std::fill_n(kept.begin() + static_cast<std::ptrdiff_t>(stretch.first), stretch.length, false);
+        }
+        const Resampling resampling = resampling_of(column);
+        for (std::size_t i = 0; i < kept.size(); ++i) {
+            kept[i] = kept[i] && i % resampling.ratio == resampling.first;
+        }
+        if (std::ranges::none_of(kept, std::identity{})) {
+            continue;  // a column without a value is no finding but a mistake; the sentences say what is wrong
+        }
+        for (std::size_t i = 0; i < kept.size(); ++i) {
+            if (!kept[i]) {
+                const auto at = std::ranges::lower_bound(run.time, column.time[i]);
+                series.value[static_cast<std::size_t>(at - run.time.begin())] =
+                    std::numeric_limits<double>::quiet_NaN();
+            }
+        }
+    }
 }
 
 }  // namespace tiretherm::input

@@ -3,10 +3,13 @@
 // they look at.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "input/measurements/experiment.hpp"
 #include "input/text/units.hpp"
 #include "physics/signals.hpp"
 
@@ -41,6 +44,7 @@ struct Recording {
     std::vector<double> time;  ///< s, of all samples
     std::string time_unit;     ///< as written
     std::vector<RecordedColumn> columns;
+    bool keep_suspicious = false;  ///< what looks unusable counts all the same
 
     [[nodiscard]] const RecordedColumn* find(std::string_view name) const;  ///< null when the file does not have it
 };
@@ -55,6 +59,32 @@ struct Recording {
 [[nodiscard]] std::string find_switched(const Recording& recording);
 [[nodiscard]] std::string find_stuck(const Recording& recording, const RecordedColumn& column);
 [[nodiscard]] std::string find_frozen(const Recording& recording, const RecordedColumn& column);
+/// A sensor that has two values in all, while others move.
+[[nodiscard]] std::string find_dead(const Recording& recording, const RecordedColumn& column);
+[[nodiscard]] std::string find_clipped(const Recording& recording, const RecordedColumn& column);
+/// Sensors that stand still in the same samples; the whole sentence but for the file's name.
+[[nodiscard]] std::string find_stuck_together(const Recording& recording);
+[[nodiscard]] std::string find_resampled(const Recording& recording, const RecordedColumn& column);
+
+/// Samples of a sensor, one after another.
+struct Stretch {
+    std::size_t first = 0;  ///< index into RecordedColumn::value
+    std::size_t length = 0;
+};
+/// What of a sensor is stuck, clipped or dropped to a rail so surely that it is left out.
+[[nodiscard]] std::vector<Stretch> unusable_stretches(const Recording& recording, const RecordedColumn& column);
+/// Of a column that was brought to a higher rate: one sample of so many is a measured value.
+struct Resampling {
+    enum class How : std::uint8_t { none, held, linear, smooth };
+    How how = How::none;
+    std::size_t ratio = 1;
+    std::size_t first = 0;  ///< measured sample, and every ratio-th from it on
+};
+[[nodiscard]] Resampling resampling_of(const RecordedColumn& column);
+
+/// Leaves out of a run what its sensors did not measure, each of it found by the functions above: sensors that are frozen or
+/// dead count as frozen, samples that are stuck, clipped or between the measured ones become missing.
+void leave_out_unusable(const Recording& recording, MeasuredRun& run);
 [[nodiscard]] std::string find_outliers(const Recording& recording, const RecordedColumn& column);
 [[nodiscard]] std::string find_unit_slip(const Recording& recording, const RecordedColumn& column);
 [[nodiscard]] std::string find_unusual(const Recording& recording, const RecordedColumn& column);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads the case file with its runs; a caller that needs a finer grid lets it multiply the cell counts of [mesh].
+// Reads the case file with its runs; a caller that needs another grid lets it change [mesh].
 
 #include "input/measurements/experiment.hpp"
 
@@ -8,32 +8,15 @@
 
 namespace tiretherm::input {
 
-namespace {
-
-/// Multiplies every number of cells in a table and in the lists within it.
-void refine(TomlValue& table, int finer) {
-    for (Entry& entry : table.entries) {
-        if (entry.key.ends_with("cells") && entry.value.kind == TomlValue::Kind::integer) {
-            entry.value.number *= finer;
-        }
-        refine(entry.value, finer);
-    }
-    for (TomlValue& item : table.items) {
-        refine(item, finer);
-    }
-}
-
-}  // namespace
-
 ExperimentReading read_experiment(const std::filesystem::path& file, const std::vector<std::filesystem::path>& data,
-                                  ReadMode mode, int finer) {
+                                  ReadMode mode, const MeshChange& change) {
     InputErrors errors;
     ExperimentReading reading;
     Runs runs;
     if (std::optional<TomlValue> document = read_document(file, errors)) {
         for (Entry& entry : document->entries) {
-            if (entry.key == "mesh" && finer > 1) {
-                refine(entry.value, finer);
+            if (entry.key == "mesh") {
+                change_mesh(entry.value, change);
             }
         }
         runs = read_runs(*document, case_name(file), data, mode, errors);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "input/materials/ply_summary.hpp"
+#include "input/parameters/mesh_change.hpp"
 #include "input/text/input_error.hpp"
 #include "physics/camera.hpp"
 #include "solver/sensitivity/free_parameter.hpp"
@@ -31,11 +32,32 @@ struct MeasuredNumber {
     std::string source;
 };
 
+/// What a column that the model does not use is, by its name, its unit and its course in all runs. A drive alone may be a
+/// cause: unknown heat or the error of a sensor may follow it.
+enum class ColumnKind : std::uint8_t {
+    drive,                ///< what acts on the tire from outside: a throttle, a brake, the temperature of a brake disc
+    temperature_of_tire,  ///< a temperature of the tire, or what moves like one: an effect of the heat
+    copy,                 ///< of an input, a sensor or another column, perhaps scaled or shifted
+    result,               ///< what somebody has computed
+    clock,                ///< a time, a counter, a lap's number, a distance or a coordinate
+    constant              ///< it never changes
+};
+
 /// A column of the file that the model does not use.
 struct UnusedSignal {
     std::string name;
     std::string unit;           ///< as the file writes it
     std::vector<double> value;  ///< [n_times] in that unit; NaN where it is missing
+    ColumnKind kind = ColumnKind::drive;
+    std::string reason{};      ///< why it is of this kind or is left out, the rest of a sentence about it; may be empty
+    bool may_be_cause = true;  ///< a diagnosis tries it: a drive, unless [diagnose] says otherwise
+};
+
+/// Sensors that are read by one camera, array, logger or amplifier: what is wrong with it is wrong with all of them.
+struct Instrument {
+    std::string name;
+    std::vector<std::size_t> channels;  ///< indices into Problem::channels, two at least, each measured in some run
+    bool assumed = false;               ///< by names and places of the sensors; the case does not say it
 };
 
 /// What a camera gave: images of a surface, whose pixels are means over nodes of it.
@@ -74,10 +96,11 @@ struct MeasuredRun {
 struct Experiment {
     std::vector<MeasuredRun> runs;
     std::vector<solver::FreeParameter>
-        parameters;                         ///< those of one run say which; indices hold for every run's problem
-    std::string noise = "correlated";       ///< model of the noise: "correlated" (AR(1) + white) or "white"
-    bool robust = false;                    ///< outliers count less (Huber)
+        parameters;                    ///< those of one run say which; indices hold for every run's problem
+    std::string noise = "correlated";  ///< model of the noise: "correlated" (AR(1) + white), "white" or "automatic"
+    bool robust = false;               ///< outliers count less (Huber)
     std::vector<std::string> candidates{};  ///< effects (or "effect.key") that a diagnosis may name; empty: all
+    std::vector<Instrument> instruments{};  ///< those of the case first, then those that are assumed
 };
 
 /// An experiment that has been read. There is one exactly when there is no error.
@@ -98,9 +121,9 @@ enum class ReadMode : std::uint8_t {
 
 /// Reads a case with its [[run]] tables and [[parameter]] tables, all files that they mention included.
 /// @param data files of runs that take the place of the case's own; their columns have standard names
-/// @param finer every row of cells has this many times as many, to see what the grid's error is
+/// @param change of the mesh, to see what the grid's error is
 [[nodiscard]] ExperimentReading read_experiment(const std::filesystem::path& file,
                                                 const std::vector<std::filesystem::path>& data = {},
-                                                ReadMode mode = ReadMode::measured, int finer = 1);
+                                                ReadMode mode = ReadMode::measured, const MeshChange& change = {});
 
 }  // namespace tiretherm::input

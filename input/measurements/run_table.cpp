@@ -51,13 +51,14 @@ RunTable read_run(TomlTable& table) {
     RunTable run{.table = &table.content(), .place = table.place(), .name = {}};
     const std::optional<std::string> file = table.text("file");
     table.declare_keys({"name", "drive", "initial", "time", "measured", "columns", "units", "unit_names", "ignore",
-                        "hold", "from", "to"});
+                        "hold", "keep_suspicious", "from", "to"});
     if (file) {
         run.place = table.place("file");
         const fs::path beside = fs::path(table.errors().file(run.place.file)).parent_path();
         run.file = (beside / *file).lexically_normal();
     } else {
-        for (const std::string_view key : {"columns", "units", "unit_names", "ignore", "hold", "from", "to"}) {
+        for (const std::string_view key :
+             {"columns", "units", "unit_names", "ignore", "hold", "keep_suspicious", "from", "to"}) {
             if (table.has(key)) {
                 table.add_error(key, fmt::format("{} speaks of a file, and the run has none", key),
                                 "add file = \"....csv\"");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tables [[run]] and [data]: file, time window, camera frames, and the keys `columns`, `units`, `unit_names`, `ignore` and
-// `hold` for columns.
+// Tables [[run]] and [data]: file, time window, camera frames, and the keys `columns`, `units`, `unit_names`, `ignore`,
+// `hold` and `keep_suspicious` for columns.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@
 
 namespace tiretherm::input {
 
-/// What a case says about the columns of a file: the keys `columns`, `units`, `unit_names`, `ignore` and `hold`. Those of
+/// What a case says about the columns of a file: the keys `columns`, `units`, `unit_names`, `ignore`, `hold` and `keep_suspicious`. Those of
 /// [data] count for every file; what a run says itself wins: column by column, and for `ignore` and `hold` as a whole.
 class ColumnKeys {
 public:
@@ -32,6 +32,8 @@ public:
     [[nodiscard]] bool ignores(const std::string& heading);
     /// Whether a signal, by the name that the model knows, keeps each value until the next sample.
     [[nodiscard]] bool holds(const std::string& name);
+    /// Whether samples count that look stuck, clipped or interpolated: `keep_suspicious`.
+    [[nodiscard]] bool keeps_suspicious() const;
     /// When a file could not be opened, it is not known which keys are wrong.
     void allow_unknown_keys();
     /// Every key must be a column of some file; of those that [data] has for [[run]] it is a warning.
@@ -56,6 +58,7 @@ private:
     std::vector<Key> held_;
     bool has_ignored_ = false;  ///< the key is there, and be it empty
     bool has_held_ = false;
+    std::optional<bool> keep_suspicious_;
     std::set<std::string> headings_;  ///< of all files
     bool unknown_keys_allowed_ = false;
     std::shared_ptr<ColumnKeys> shared_;

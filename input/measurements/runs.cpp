@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "input/cameras/frames.hpp"
+#include "input/columns/instruments.hpp"
 #include "input/effects/user_effects.hpp"
 #include "input/measurements/run_readings.hpp"
 #include "input/model/probes.hpp"
@@ -72,6 +73,7 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
     const std::vector<std::string> followed = followed_names(document);
     const std::vector<std::string> run_names = measured ? names_of(tables) : std::vector<std::string>{};
     std::deque<TomlValue> documents;  // the builders point into them
+    SignalChoice signals;
     for (const RunTable& table : tables) {
         TomlValue& merged = documents.emplace_back(document);
         if (table.table != nullptr) {
@@ -89,20 +91,17 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
         TomlTable root(merged, "the case", errors);
         root.declare_keys({"include", "unset"});
         read_tables(root, builder);
-        root.declare_keys({"run", "data", "parameter", "identify", "diagnose", "critical", "uncertain"});
+        root.declare_keys({"run", "data", "parameter", "identify", "diagnose", "instrument", "critical", "uncertain"});
         MeasuredRun run;
         run.name = table.name;
         run.file = table.file ? table.file->generic_string() : "";
         if (file) {
             read_series(*file, builder, errors, run);
             read_unused(*file, builder.problem.settings, errors, run);
-            const Recording recording = recording_of(*file, builder, run);
+            Recording recording = recording_of(*file, builder, run);
+            recording.keep_suspicious = table.keys->keeps_suspicious();
             std::ranges::move(find_suspicious(recording), std::back_inserter(into.data_warnings));
-            for (const RecordedColumn& column : recording.columns) {
-                if (!column.is_input && !find_frozen(recording, column).empty()) {
-                    run.series[column.series].frozen = true;
-                }
-            }
+            leave_out_unusable(recording, run);
         }
         read_numbers(builder, merged, table, errors, run);
         read_frames(table, builder, errors, run, into.data_warnings);
@@ -114,7 +113,8 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
             read_identify(root, into.experiment);
             static_cast<void>(read_critical(root, builder.problem, builder.has_mesh));
             static_cast<void>(read_uncertain(root));
-            read_diagnose(root, builder.problem, into.experiment);
+            signals = read_diagnose(root, builder.problem, into.experiment);
+            into.experiment.instruments = read_instruments(root, builder.problem);
             into.problem = builder.problem;
             into.limits = builder.limits;
             for (const Stock& stock : builder.stock) {
@@ -130,6 +130,11 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
         table.keys->report_unknown_columns(errors);
     }
     warn_of_shared_numbers(document, tables, into.experiment, errors);
+    if (errors.count() == 0) {
+        classify_unused(into.experiment.runs);
+        into.experiment.instruments = measured_instruments(into.experiment.instruments, into.experiment.runs);
+    }
+    choose_signals(signals, into.experiment.runs, errors);
     return into;
 }
 

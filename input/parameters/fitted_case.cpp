@@ -195,6 +195,13 @@ std::string fitted_case(const FittedCase& fitted, const fs::path& folder) {
     const TomlValue original = read_document(fitted.original, errors).value_or(TomlValue{});
     TomlValue over = table_value();
     toml_text::add(over, "include", list_value({toml_text::path_value(fitted.original, folder)}));
+    if (const TomlValue* mesh = original.find("mesh");
+        mesh != nullptr && (fitted.mesh.layers > 0.0 || fitted.mesh.finer > 1)) {
+        toml_text::add(over, "unset", toml_text::texts_value({"mesh"}));
+        TomlValue changed = *mesh;
+        change_mesh(changed, fitted.mesh);
+        toml_text::add(over, "mesh", std::move(changed));
+    }
     lay_effects_over(over, *fitted.before, *fitted.fitted, fitted.parameters, fitted.user_effects);
     lay_laws_over(over, fitted, original);
     lay_runs_over(over, fitted, original, folder);

@@ -336,15 +336,13 @@ void read_parameters(TomlTable& root, const ProblemBuilder& builder, const std::
 }
 
 void read_identify(TomlTable& root, Experiment& into) {
-    constexpr std::array<std::string_view, 2> models{"correlated", "white"};
+    constexpr std::array<std::string_view, 3> models{"automatic", "correlated", "white"};
     TomlTable table = root.subtable("identify");
-    if (const auto noise = table.choice("noise", models)) {
-        into.noise = models[*noise];
-    }
+    into.noise = models[table.choice("noise", models).value_or(0)];
     into.robust = table.flag("robust").value_or(into.robust);
 }
 
-void read_diagnose(TomlTable& root, const solver::Problem& problem, Experiment& into) {
+SignalChoice read_diagnose(TomlTable& root, const solver::Problem& problem, Experiment& into) {
     TomlTable table = root.subtable("diagnose");
     std::vector<std::string> known;
     for (const physics::Effect* effect : physics::catalogue()) {
@@ -368,6 +366,7 @@ void read_diagnose(TomlTable& root, const solver::Problem& problem, Experiment& 
             into.candidates.push_back(entry->text());
         }
     }
+    return read_signal_choice(table);
 }
 
 }  // namespace tiretherm::input

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "input/columns/column_kinds.hpp"
 #include "input/measurements/experiment.hpp"
 #include "input/model/problem_builder.hpp"
 
@@ -19,7 +20,9 @@ void read_parameters(TomlTable& root, const ProblemBuilder& builder, const std::
 
 /// The table [identify]: how the noise is modelled.
 void read_identify(TomlTable& root, Experiment& into);
-/// [diagnose]: which effects a diagnosis may name. @param problem the case's, whose effects are on
-void read_diagnose(TomlTable& root, const solver::Problem& problem, Experiment& into);
+/// [diagnose]: which effects a diagnosis may name, and which columns it may take for causes.
+/// @param problem the case's, whose effects are on
+/// @returns the columns as the case names them: which there are is known when all runs have been read
+SignalChoice read_diagnose(TomlTable& root, const solver::Problem& problem, Experiment& into);
 
 }  // namespace tiretherm::input

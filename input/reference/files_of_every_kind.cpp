@@ -108,6 +108,9 @@ path = "log.csv"
 name = "point"
 kind = "point"
 depth = "10 mm"
+[[instrument]]
+name = "amplifier"
+sensors = ["point", "strip"]
 [[sensor]]
 name = "strip"
 kind = "strip"

@@ -13,6 +13,13 @@ void Trace::take(const solver::Snapshot& snapshot) {
     value_.insert(value_.end(), snapshot.channels.begin(), snapshot.channels.end());
 }
 
+void Trace::correct(std::size_t channel, double factor, double about, double offset) {
+    for (std::size_t row = 0; row < rows(); ++row) {
+        double& value = value_[row * width_ + channel];
+        value = about + factor * (value - about) + offset;
+    }
+}
+
 double Trace::at(std::size_t channel, double t) const {
     const auto above = static_cast<std::size_t>(std::upper_bound(time_.begin(), time_.end(), t) - time_.begin());
     const auto value = [&](std::size_t row) { return value_[row * width_ + channel]; };

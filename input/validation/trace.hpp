@@ -34,6 +34,8 @@ public:
     [[nodiscard]] std::size_t rows() const { return time_.size(); }
     /// @pre rows() > 0  @returns in the channel's unit; s for time_to
     [[nodiscard]] double read(std::size_t channel, const Window& window) const;
+    /// Lets a channel read about + factor (value - about) + offset, as an instrument that is wrong by these does.
+    void correct(std::size_t channel, double factor, double about, double offset);
 
 private:
     [[nodiscard]] double at(std::size_t channel, double t) const;

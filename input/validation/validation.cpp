@@ -90,6 +90,12 @@ std::vector<std::string> Validation::keep(const std::vector<std::string>& wanted
     return unknown;
 }
 
+bool is_validation_table(const std::filesystem::path& file) {
+    InputErrors unheard;
+    const std::optional<TomlValue> document = read_document(file, unheard);
+    return document && document->find("number") != nullptr;
+}
+
 ValidationReading read_validation(const std::filesystem::path& file) {
     InputErrors errors;
     CaseCache cache(file.parent_path());

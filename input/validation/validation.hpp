@@ -88,10 +88,11 @@ struct ValidationNumber {
     Meaning meaning = Meaning::value;
     solver::Quantity quantity = solver::Quantity::temperature;  ///< of the channel
     bool is_measured = false;                                   ///< false: only shown
-    double low = -std::numeric_limits<double>::infinity();      ///< SI, measured; equal to high for a single number
-    double high = std::numeric_limits<double>::infinity();      ///< an open end is infinite
-    std::vector<std::pair<std::string, double>> uncertainty;    ///< SI, standard, independent parts by name
-    std::array<std::optional<Expression>, n_models> models;  ///< how it is read; empty where a model has no such thing
+    bool about_the_model = false;  ///< the source says it of its own model: no property of the tire
+    double low = -std::numeric_limits<double>::infinity();    ///< SI, measured; equal to high for a single number
+    double high = std::numeric_limits<double>::infinity();    ///< an open end is infinite
+    std::vector<std::pair<std::string, double>> uncertainty;  ///< SI, standard, independent parts by name
+    std::array<std::optional<Expression>, n_models> models;   ///< how it is read; empty where a model has no such thing
     std::vector<NumberInput> inputs;
 
     /// Root of the sum of squares of the parts; 0 where there is none.
@@ -128,5 +129,8 @@ struct ValidationReading {
 /// Reads a table file and every case that it names. Never throws on account of what a user wrote.
 /// @errors std::runtime_error when the units' data base is not installed
 [[nodiscard]] ValidationReading read_validation(const std::filesystem::path& file);
+
+/// Whether a file is a table of measured numbers, and not a case: it has [[number]]. False for what cannot be read.
+[[nodiscard]] bool is_validation_table(const std::filesystem::path& file);
 
 }  // namespace tiretherm::input

@@ -108,6 +108,7 @@ ValidationNumber read_number(TomlTable& table, const std::vector<InputDefinition
     } else {
         table.declare_keys({"value", "range", "above", "below", "uncertainty"});
     }
+    number.about_the_model = table.flag("about_the_model").value_or(false);
     number.source = table.text("source", number.is_measured ? Need::required : Need::optional).value_or("");
     number.inputs = read_number_inputs(table, inputs, evaluation, cache);
     number.models = std::move(evaluation.models);

@@ -1,82 +1,52 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Collocation in y = sqrt(t/t_c) with a flux that is linear in each of 24 pieces, Abel integrals in closed form, and
-// earlier revolutions by the Taylor series of zeta(1/2, 1 + x).
+// Earlier revolutions see only a few moments of the flux of a contact: their term is a polynomial in both times. What is
+// left to solve is a small system in these moments, between fluxes of contacts without memory.
 
 #include "physics/contact/contact_in_revolutions.hpp"
 
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 
 #include <Eigen/LU>
+
+#include "physics/contact/fresh_fluxes.hpp"
 
 namespace tiretherm::physics {
 
 namespace {
 
-/// Of the contact, evenly spaced in the square root of time, in which the flux is smooth.
-constexpr int n_pieces = 24;
-using Vector = Eigen::Matrix<double, n_pieces + 1, 1>;
-using Square = Eigen::Matrix<double, n_pieces + 1, n_pieces + 1>;
+using Memory = Eigen::Matrix<double, n_moments, n_moments>;
 
-double node(int j) { return static_cast<double>(j) / n_pieces; }
-
-/// int of 2 y / sqrt(x^2 - y^2) and of 2 y^2 / sqrt(x^2 - y^2) up to y.
-struct Abel {
-    double zeroth = 0.0;
-    double first = 0.0;
-};
-Abel abel_up_to(double y, double x) {
-    const double root = std::sqrt(std::max(0.0, x * x - y * y));
-    return {.zeroth = -2.0 * root, .first = x * x * std::asin(std::min(1.0, y / x)) - y * root};
-}
-
-/// What a flux that is straight in y = sqrt(t/t_c) between its nodes amounts to, whatever the contact.
-struct Weights {
-    /// Row i: int_0^t q(s) / sqrt(pi (t-s)) ds at t = t_c node(i)^2, over sqrt(t_c / pi).
-    Square abel = Square::Zero();
-    /// int_0^t_c q ds, over t_c: of hat functions in 2 y dy.
-    Vector mean = Vector::Zero();
-
-    Weights() {
-        constexpr double width = 1.0 / n_pieces;
-        for (int j = 0; j < n_pieces; ++j) {
-            mean[j] += width * (node(j) + width / 3.0);
-            mean[j + 1] += width * (node(j) + 2.0 * width / 3.0);
-            for (int i = j + 1; i <= n_pieces; ++i) {
-                const Abel from = abel_up_to(node(j), node(i));
-                const Abel to = abel_up_to(node(j + 1), node(i));
-                const double zeroth = to.zeroth - from.zeroth;
-                const double first = to.first - from.first;
-                abel(i, j) += (node(j + 1) * zeroth - first) * n_pieces;
-                abel(i, j + 1) += (first - node(j) * zeroth) * n_pieces;
-            }
-        }
-    }
-};
-
-/// Taylor's series of zeta(1/2, 1 + x) about x = 0, whose terms fall by x: d/da zeta(s, a) = -s zeta(s+1, a).
+/// zeta(1/2, 1 + (u - v) x) = sum_jk u^j M_jk v^k for |u|, |v| <= 1/2, by Taylor's series about u = v, of which
+/// d/da zeta(s, a) = -s zeta(s+1, a) gives the terms, and the binomial of each (u - v)^n.
 class PastContacts {
 public:
     PastContacts() {
-        double factor = 1.0;
-        for (std::size_t n = 0; n < terms_.size(); ++n) {
-            const double s = 0.5 + static_cast<double>(n);
-            terms_[n] = factor * hurwitz_zeta(s, 1.0);
-            factor *= -s / static_cast<double>(n + 1);
+        double term = 1.0;  // (-1)^n s (s+1) ... (s+n-1) / n! at s = 1/2
+        for (int n = 0; n <= 2 * (n_moments - 1); ++n) {
+            const double s = 0.5 + n;
+            double binomial = 1.0;  // n over j, with the sign of v^(n-j)
+            for (int j = n; j >= 0; --j) {
+                if (j < n_moments && n - j < n_moments) {
+                    terms_(j, n - j) = term * hurwitz_zeta(s, 1.0) * binomial;
+                }
+                binomial *= -static_cast<double>(j) / (n - j + 1);
+            }
+            term *= -s / (n + 1);
         }
     }
-    [[nodiscard]] double operator()(double x) const {
-        double sum = 0.0;
-        for (std::size_t n = terms_.size(); n-- > 0;) {
-            sum = sum * x + terms_[n];
+    /// @param x share of a contact in a revolution
+    [[nodiscard]] Memory operator()(double x) const {
+        Moments powers;
+        powers[0] = 1.0;
+        for (int k = 1; k < n_moments; ++k) {
+            powers[k] = powers[k - 1] * x;
         }
-        return sum;
+        return terms_.cwiseProduct(powers * powers.transpose());
     }
 
 private:
-    std::array<double, 14> terms_{};  // 1e-8 of it are left at x = 0.3, the largest share of a revolution
+    Memory terms_ = Memory::Zero();
 };
 
 }  // namespace
@@ -100,39 +70,48 @@ double hurwitz_zeta(double s, double a) {
     return sum;
 }
 
+// With w the moments of the flux and M the matrix of earlier revolutions, these warm the tread's surface by
+// past P M w, P the powers of u. A flux that is driven by D = F - past M w, with F the drives of the right-hand side, is
+// h (fresh fluxes) D, and its moments close the system (1 + h past m M) w = h m F, m the moments of the fresh fluxes.
 ContactInRevolutions::ContactInRevolutions(const ContactOfHalfSpaces& contact, double duration, double period) {
-    static const Weights weights;
     static const PastContacts past_contacts;
-    const double share = duration / period;
-    Square past;
-    for (int i = 0; i <= n_pieces; ++i) {
-        for (int j = 0; j <= n_pieces; ++j) {
-            past(i, j) = weights.mean[j] * past_contacts((node(i) * node(i) - node(j) * node(j)) * share);
-        }
-    }
-    const Square abel = std::sqrt(duration * std::numbers::inv_pi) * weights.abel;
-    past *= duration / std::sqrt(std::numbers::pi * period);
+    constexpr int n_sides = 3;  // the difference D; heat into the tread; heat between the surfaces
+    const double h = contact.interface_h;
     const double a = 1.0 / contact.effusivity_a;
-    const Square system =
-        Square(Square::Identity()) / contact.interface_h + (a + 1.0 / contact.effusivity_b) * abel + a * past;
-    const Square tread = a * (abel + past);  // the tread's surface above its mean, by the flux into it
-    Eigen::Matrix<double, n_pieces + 1, 3> right;
-    right.col(0) = Vector::Ones();
-    right.col(1) = tread.rowwise().sum();
-    right.col(2) = a * past.rowwise().sum();
-    const Eigen::Matrix<double, n_pieces + 1, 3> flux = system.partialPivLu().solve(right);
-    mean_ = weights.mean.dot(flux.col(0));
-    entry_ = -tread.row(0).dot(flux.col(0));
-    exit_ = -tread.row(n_pieces).dot(flux.col(0));
-    entry_alone_ = tread.row(0).sum();
-    exit_alone_ = tread.row(n_pieces).sum();
-    const auto taken = [&](int column) {
-        return Taken{.road_share = weights.mean.dot(flux.col(column)),
-                     .entry_cooled = tread.row(0).dot(flux.col(column)),
-                     .exit_cooled = tread.row(n_pieces).dot(flux.col(column))};
-    };
-    in_tread_ = taken(1);
-    between_ = taken(2);
+    const double root = std::sqrt(duration * std::numbers::inv_pi);
+    const FreshFluxes fresh = FreshFluxes::at(h * (a + 1.0 / contact.effusivity_b) * root);
+    const Memory past = a * duration / std::sqrt(std::numbers::pi * period) * past_contacts(duration / period);
+    const Moments past_of_even = past * moments_of_even_flux();
+
+    Eigen::Matrix<double, n_drives, n_sides> driven = Eigen::Matrix<double, n_drives, n_sides>::Zero();
+    driven(0, 0) = 1.0;
+    driven.col(1).head<n_moments>() = past_of_even;
+    driven(n_moments, 1) = a * root;
+    driven.col(2).head<n_moments>() = past_of_even;
+    Memory system = Memory::Identity();
+    system.noalias() += h * fresh.moments.leftCols<n_moments>().lazyProduct(past);
+    const Eigen::PartialPivLU<Memory> factor(system);
+    Eigen::Matrix<double, n_moments, n_sides> moments;
+    Eigen::Matrix<double, n_moments, n_sides> warmed;
+    for (int side = 0; side < n_sides; ++side) {  // one by one, which Eigen unrolls
+        moments.col(side) = factor.solve(h * (fresh.moments * driven.col(side)));
+        warmed.col(side) = past * moments.col(side);
+    }
+    driven.topRows<n_moments>() -= warmed;
+
+    // The tread's surface above its mean: by earlier revolutions alone at the entry, and by this contact at the exit.
+    const Drives& first = drives_at_entry();
+    const Drives& last = drives_at_exit();
+    const Eigen::Matrix<double, n_sides, 1> at_entry = warmed.transpose() * first.head<n_moments>();
+    const Eigen::Matrix<double, n_sides, 1> at_exit =
+        warmed.transpose() * last.head<n_moments>() + a * root * h * driven.transpose() * fresh.abel_at_exit;
+    mean_ = moments(0, 0);
+    entry_ = -at_entry[0];
+    exit_ = -at_exit[0];
+    entry_alone_ = first.head<n_moments>().dot(past_of_even);
+    exit_alone_ = last.head<n_moments>().dot(past_of_even) + a * root * last[n_moments];
+    in_tread_ = {.road_share = moments(0, 1), .entry_cooled = at_entry[1], .exit_cooled = at_exit[1]};
+    between_ = {.road_share = moments(0, 2), .entry_cooled = at_entry[2], .exit_cooled = at_exit[2]};
 }
 
 }  // namespace tiretherm::physics

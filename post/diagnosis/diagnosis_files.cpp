@@ -90,7 +90,8 @@ std::string extended_toml(const DiagnosisRecord& record, const std::filesystem::
                                .parameters = model.parameters,
                                .runs = std::move(runs),
                                .remarks = std::move(remarks),
-                               .user_effects = record.result.extended_user_effects},
+                               .user_effects = record.result.extended_user_effects,
+                               .mesh = record.result.extended_mesh},
                               directory);
 }
 

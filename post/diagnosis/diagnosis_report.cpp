@@ -9,6 +9,8 @@
 #include "post/diagnosis/diagnosis_report.hpp"
 #include "post/diagnosis/diagnosis_sentences.hpp"
 #include "post/diagnosis/residual_breakdown.hpp"
+#include "post/diagnosis/run_verdicts.hpp"
+#include "post/diagnosis/unused_columns.hpp"
 #include "post/report/number_text.hpp"
 #include "post/report/table.hpp"
 #include "solver/channel_unit.hpp"
@@ -54,7 +56,7 @@ Section interpretation(const DiagnosisRecord& record) {
         if (!cause.in_set) {
             continue;
         }
-        Section part(name_of(cause), {meaning_of(cause), cause.bound});
+        Section part(name_of(cause), {meaning_of(cause), cause.bound, cause.implausible});
         for (const ConfoundedGroup* group : confounded_groups_of(cause.id)) {
             part.say(fmt::format("Confounded with {}. What separates them: {}.", others_of(*group, cause.id),
                                  group->separated));
@@ -131,6 +133,7 @@ Value causes_data(const Diagnosis& result) {
                         {"in_set", cause.in_set},
                         {"rank", cause.rank},
                         {"bound", text_or_null(cause.bound)},
+                        {"implausible", text_or_null(cause.implausible)},
                         {"meaning", meaning_of(cause)}});
     }
     return list;
@@ -227,13 +230,16 @@ Section gain_section(const Diagnosis& result, DataTable table) {
     }
     section.add(std::move(table));
     if (gain.measured) {
+        const double decades = gain.log_e / std::log(10.0);
         section.say(fmt::format(
-            "On {} that took no part in naming or fitting, {:.0f} % of the error that a model could remove "
-            "is removed (95 %: {:.0f} to {:.0f} %); {}.",
+            "On {} that took no part in fitting, {:.0f} % of the error that a model could remove (mean square) is "
+            "removed "
+            "(95 %: {:.0f} to {:.0f} %){}; {}.",
             gain.within_run ? "blocks of the run" : "runs", 100.0 * gain.removable_removed, 100.0 * gain.low,
-            100.0 * gain.high,
-            gain.confirmed ? fmt::format("confirmed there, at odds of 10^{:.0f}", gain.log_e / std::log(10.0))
-                           : "detected, but not confirmed there"));
+            100.0 * gain.high, gain.over.empty() ? "" : ", measured against " + gain.over,
+            gain.confirmed ? fmt::format("confirmed there, at odds of {}",
+                                         decades > 6.0 ? "more than 10^6" : fmt::format("10^{:.0f}", decades))
+                           : "not confirmed there"));
     }
     return section;
 }
@@ -243,6 +249,10 @@ Value gain_data(const Gain& gain) {
             {"low", where(gain.measured, gain.low)},
             {"high", where(gain.measured, gain.high)},
             {"confirmed", gain.confirmed},
+            {"error_removed", where(gain.measured, gain.removed)},
+            {"error_removed_low", where(gain.measured, gain.removed_low)},
+            {"error_removed_high", where(gain.measured, gain.removed_high)},
+            {"over", text_or_null(gain.over)},
             {"within_run", gain.within_run},
             {"log_e", where(gain.measured, gain.log_e)}};
 }
@@ -269,6 +279,45 @@ Section missing_heat_section(const DiagnosisRecord& record) {
         "The heat that is missing in a window if all else is as in the base model; all windows are listed in "
         "missing_heat.csv. A large sigma here is no verdict: there are many windows.");
     return section;
+}
+
+/// What is left beyond the sensors' noise.
+DataTable model_error(const DiagnosisRecord& record) {
+    DataTable table;
+    for (const ModelError& error : record.result.model_error) {
+        const solver::Channel& channel = record.experiment.runs.front().problem.channels[error.channel];
+        const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
+        table.add({{"channel", "channel", channel.name},
+                   page_only("unit", unit_of(channel)),
+                   {"beyond the noise, rms", "size", shown("{:.2g}", unit.difference(error.size))},
+                   {"forgets itself in s", "time_scale", shown("{:.2g}", error.time_scale)}});
+    }
+    return table;
+}
+
+DataTable free_numbers(const Diagnosis& result) {
+    DataTable table;
+    for (const FreeNumber& one : result.free_numbers) {
+        const double half = 0.5 * (one.high - one.low);
+        table.add({{"number", "name", one.name},
+                   {"unit", "unit", {slashed_unit(one.unit), unit_or_dash(one.unit), false}},
+                   {"fitted", "value", {one.value, to_its_digits(one.value, half)}},
+                   {"95 % from", "low", {one.low, to_its_digits(one.low, half)}},
+                   {"to", "high", {one.high, to_its_digits(one.high, half)}}});
+    }
+    return table;
+}
+
+Value held_out_data(const Diagnosis& result) {
+    Value::List list;
+    for (const HeldOutGain& one : result.held_out_gains) {
+        Value::List ids;
+        for (const std::size_t cause : one.causes) {
+            ids.push_back(result.causes[cause].id);
+        }
+        list.push_back({{"causes", ids}, {"error_removed", one.removed}, {"low", one.low}, {"high", one.high}});
+    }
+    return list;
 }
 
 DataTable noise(const DiagnosisRecord& record) {
@@ -300,6 +349,8 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
     DataTable of_limits = limits(result);
     DataTable of_channels = channels(record);
     DataTable of_noise = noise(record);
+    DataTable of_error = model_error(record);
+    DataTable of_numbers = free_numbers(result);
     Report report{.title = record.experiment.runs.front().problem.title};
     report.lead = {fmt::format("{}, {} values, {}; {} simulations, {} s", plural(record.experiment.runs.size(), "run"),
                                grouped(static_cast<double>(record.observations.measured.size())),
@@ -317,15 +368,36 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
                    {"gain", gain_data(result.gain)},
                    {"limits", of_limits.data()},
                    {"numerical_error_sigma", result.numerical_error_sigma},
-                   {"noise", of_noise.data()}};
-    report.add(Section("Verdict", {reason_of(record)}));
+                   {"noise", of_noise.data()},
+                   {"model_error", of_error.data()},
+                   {"free_numbers", of_numbers.data()},
+                   {"held_out_gains", held_out_data(result)},
+                   {"columns", unused_columns_table(record.experiment).data()},
+                   {"runs", run_verdicts_data(record)},
+                   {"stopped", text_or_null(result.stopped)}};
+    Section verdict("Verdict", {reason_of(record)});
+    for (std::string& sentence : certainty_of(record)) {
+        verdict.say(std::move(sentence));
+    }
+    if (!result.stopped.empty()) {
+        verdict.say(fmt::format("It was stopped during the {}: this is the best answer so far.", result.stopped));
+    }
+    report.add(std::move(verdict));
     report.add(interpretation(record));
+    report.add(run_verdicts_section(record));
+    if (!of_error.empty()) {
+        Section of_error_section("Error of the model that is left", std::move(of_error));
+        of_error_section.say(
+            "These differences are no noise of the sensors. The intervals of all numbers are widened by them.");
+        report.add(std::move(of_error_section));
+    }
     report.add(next_section(result));
     report.add(residual_breakdown(record));
     report.add(missing_heat_section(record));
     report.add(causes_section(result));
     report.add(Section("Upper limits (95 %)", std::move(of_limits)));
     report.add(gain_section(result, std::move(of_channels)));
+    report.add(Section("Free numbers", std::move(of_numbers)));
     Section of_noise_section = Section("Noise", std::move(of_noise));
     if (!result.noise.empty() && result.numerical_error_sigma > 0.0) {
         of_noise_section.say(
@@ -333,6 +405,7 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
                         result.numerical_error_sigma));
     }
     report.add(std::move(of_noise_section));
+    report.add(unused_columns_section(record.experiment));
     report.add("Remarks", "remarks", result.remarks);
     report.add("Findings about the data", "findings", record.findings);
     report.add("Warnings", "warnings", record.warnings);

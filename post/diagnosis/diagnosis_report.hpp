@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "diagnosis/assess/diagnosis.hpp"
+#include "diagnosis/by_run/run_verdicts.hpp"
 #include "post/report/report.hpp"
 
 namespace tiretherm::post {
@@ -20,6 +21,7 @@ struct DiagnosisRecord {
     std::vector<std::filesystem::path> data;  ///< runs that were given beside the case
     std::vector<std::string> warnings;
     std::vector<std::string> findings;
+    diagnosis::RunVerdicts by_run{};  ///< of several runs
 };
 
 /// A page for a thermal engineer, and all figures. @param files that were written

@@ -27,6 +27,9 @@ std::string digits(const CauseNumber& number, double value) {
 bool has_interval(const CauseNumber& number) { return number.high > number.low; }
 
 std::string full(const Cause& cause) {
+    if (cause.id == "mesh") {
+        return name_of(cause);
+    }
     const std::string from = cause.instead_of ? fmt::format("the case's {:.4g}", *cause.instead_of) : "no effect";
     return fmt::format("{}, {}, {:.1f} standard deviations from {}", name_of(cause), size_of(cause), cause.sigma, from);
 }
@@ -81,7 +84,47 @@ std::string unknown(const Diagnosis& diagnosis, const input::Experiment& experim
                            : fmt::format(" These data would have it as well: {}.", fmt::join(source.alike, "; ")));
 }
 
+/// The mesh as a cause has no number.
+std::string short_form(const Cause& cause) {
+    const std::string size = size_of(cause);
+    return size.empty() ? name_of(cause) : fmt::format("{}, {}", name_of(cause), size);
+}
+
+std::string partial(const DiagnosisRecord& record) {
+    const Diagnosis& diagnosis = record.result;
+    std::string causes;
+    for (const std::size_t cause : diagnosis.hypotheses.front()) {
+        causes += (causes.empty() ? "" : "; with ") + short_form(diagnosis.causes[cause]);
+    }
+    const Gain& gain = diagnosis.gain;
+    std::string text = fmt::format("The largest improvement found is {}.", causes);
+    if (gain.measured) {
+        const double removed = 100.0 * (1.0 - std::sqrt(std::max(0.0, 1.0 - gain.removed)));
+        text += gain.removed > 0.0
+                    ? fmt::format(
+                          " It removes {:.0f} % of the error (rms) on data that were left out; the rest is none of "
+                          "what was tried.",
+                          removed)
+                    : std::string(" It does not predict data that were left out better: it is a suspicion.");
+        if (gain.removed > 0.0 && gain.removed_low <= 0.0) {
+            text += " That may be chance: the interval reaches zero.";
+        }
+    }
+    std::string others;
+    for (std::size_t i = 1; i < diagnosis.hypotheses.size(); ++i) {
+        std::string one;
+        for (const std::size_t cause : diagnosis.hypotheses[i]) {
+            one += (one.empty() ? "" : " with ") + short_form(diagnosis.causes[cause]);
+        }
+        others += (others.empty() ? "" : "; or ") + one;
+    }
+    return others.empty() ? text : fmt::format("{} It could as well be: {}.", text, others);
+}
+
 std::string cannot_tell(const Diagnosis& diagnosis) {
+    if (!diagnosis.stopped.empty()) {
+        return fmt::format("No answer yet: {}", diagnosis.reason);
+    }
     if (!diagnosis.reason.empty()) {
         return fmt::format("These data do not allow a diagnosis: {}", diagnosis.reason);
     }
@@ -100,6 +143,9 @@ std::string cannot_tell(const Diagnosis& diagnosis) {
 }  // namespace
 
 std::string name_of(const Cause& cause) {
+    if (cause.id == "mesh") {
+        return fmt::format("a mesh that is too coarse ({} do better)", cause.place);
+    }
     const std::string& where = cause.channel.empty() ? cause.place : cause.channel;
     return where.empty() ? cause.id : fmt::format("{} of {}", cause.id, where);
 }
@@ -157,6 +203,55 @@ std::string text_of(const NextExperiment& next) {
     return fmt::format("{}: from {:.2g} to {:.2g} sigma", next.name, next.now, next.then);
 }
 
+std::vector<std::string> certainty_of(const DiagnosisRecord& record) {
+    const Diagnosis& result = record.result;
+    const Gain& gain = result.gain;
+    std::vector<std::string> said;
+    if (gain.measured) {
+        // The channel that gains most, in its own unit.
+        const ChannelGain* best = nullptr;
+        for (const ChannelGain& channel : result.channels) {
+            const bool known = channel.heldout_before > 0.0 && channel.heldout_after > 0.0;
+            if (known && (best == nullptr || channel.heldout_before - channel.heldout_after >
+                                                 best->heldout_before - best->heldout_after)) {
+                best = &channel;
+            }
+        }
+        const std::string data = gain.within_run ? "parts of the run" : "runs";
+        std::string text = gain.confirmed ? fmt::format("How sure: it predicts {} that it has not seen better", data)
+                           : gain.removed > 0.0 ? fmt::format(
+                                                      "How sure: not proven; {} that it has not seen are "
+                                                      "predicted a little better",
+                                                      data)
+                                                : fmt::format(
+                                                      "How sure: not at all; {} that it has not seen are "
+                                                      "predicted no better",
+                                                      data);
+        if (best != nullptr) {
+            const solver::Channel& channel = record.experiment.runs.front().problem.channels[best->channel];
+            const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
+            text += fmt::format(" ({} from {:.2g} to {:.2g} {})", channel.name, unit.difference(best->heldout_before),
+                                unit.difference(best->heldout_after),
+                                channel.quantity == solver::Quantity::temperature ? "K" : unit.name);
+        }
+        said.push_back(text + ".");
+    }
+    if (!result.model_error.empty()) {
+        const ModelError& most = *std::ranges::max_element(result.model_error, {}, &ModelError::size);
+        const solver::Channel& channel = record.experiment.runs.front().problem.channels[most.channel];
+        const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
+        said.push_back(
+            fmt::format("What is left: {} is still off by {:.2g} {} (rms beyond its noise). The model lacks more than "
+                        "is named here.",
+                        channel.name, unit.difference(most.size),
+                        channel.quantity == solver::Quantity::temperature ? "K" : unit.name));
+    }
+    if (!result.next.empty() && result.verdict != Verdict::confounded) {
+        said.push_back(fmt::format("What to measure next: {}.", result.next.front().name));
+    }
+    return said;
+}
+
 std::string reason_of(const DiagnosisRecord& record) {
     const Diagnosis& diagnosis = record.result;
     switch (diagnosis.verdict) {
@@ -171,6 +266,8 @@ std::string reason_of(const DiagnosisRecord& record) {
                    "is smaller than its upper limit.";
         case Verdict::cannot_tell:
             return cannot_tell(diagnosis);
+        case Verdict::partial:
+            return partial(record);
     }
     return "";
 }

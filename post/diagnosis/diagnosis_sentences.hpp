@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "post/diagnosis/diagnosis_report.hpp"
 #include "solver/channel_unit.hpp"
@@ -22,6 +23,8 @@ namespace tiretherm::post {
 [[nodiscard]] solver::ShownUnit unit_of(const diagnosis::UnknownSource& unknown, const input::Experiment& experiment);
 /// "coast-down from 150 km/h, 5 min: from 1.2 to 7 sigma"
 [[nodiscard]] std::string text_of(const diagnosis::NextExperiment& next);
+/// How sure the verdict is and why, and what to do next: a sentence each.
+[[nodiscard]] std::vector<std::string> certainty_of(const DiagnosisRecord& record);
 /// The verdict as a thermal engineer would say it.
 [[nodiscard]] std::string reason_of(const DiagnosisRecord& record);
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "diagnosis/fit/fit.hpp"
+#include "post/identification/fit_section.hpp"
 #include "post/identification/identification_report.hpp"
 #include "post/report/number_text.hpp"
 #include "post/report/table.hpp"
@@ -70,6 +71,16 @@ DataTable parameters(const IdentificationRecord& record) {
     return table;
 }
 
+std::string channels_in_doubt(const Identification& result) {
+    std::string names;
+    for (const ChannelFit& fit : result.channels) {
+        if (fit.is_in_doubt) {
+            names += (names.empty() ? "" : ", ") + fit.name;
+        }
+    }
+    return names;
+}
+
 Section numbers(const IdentificationRecord& record, DataTable table) {
     Section section("Numbers", std::move(table));
     const std::vector<Fitted>& fitted = record.result.fitted;
@@ -89,7 +100,17 @@ Section numbers(const IdentificationRecord& record, DataTable table) {
     if (std::ranges::any_of(fitted, &Fitted::profiled)) {
         section.say("The intervals are those of the profile likelihood.");
     }
+    if (record.result.widened > 1.0) {
+        section.say(
+            fmt::format("The noise of {} may be an error of the model (see Fit): what the data say of a number is in "
+                        "doubt, and what they "
+                        "add to its interval is {:.2g} times as wide as that noise makes it.",
+                        channels_in_doubt(record.result), record.result.widened));
+    }
     constexpr std::array meanings{
+        std::pair(Identifiability::doubtful,
+                  "doubtful: the data narrow it, but a missing effect may have moved it beyond its interval; run "
+                  "diagnose."),
         std::pair(Identifiability::with_prior,
                   "with prior: the data narrow what was known before, but to no less than half of it."),
         std::pair(Identifiability::prior_only,
@@ -151,73 +172,6 @@ Section correlations(const IdentificationRecord& record) {
     return {"Pairs that the data hardly tell apart (correlation)", std::move(table)};
 }
 
-DataTable channels(const IdentificationRecord& record) {
-    DataTable table;
-    for (const ChannelFit& fit : record.result.channels) {
-        const solver::Channel& channel = record.experiment.runs.front().problem.channels[fit.channel];
-        const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
-        const auto show = [&](double si) { return shown("{:.3g}", unit.difference(si)); };
-        table.add({{"channel", "name", fit.name},
-                   {"unit", "unit", channel.quantity == solver::Quantity::temperature ? "K" : unit.name},
-                   {"samples", "samples", count(fit.samples)},
-                   {"rms before", "rmse_before", show(fit.rmse_before)},
-                   {"rms after", "rmse_after", show(fit.rmse_after)},
-                   {"noise", "sigma", show(fit.noise.sigma)},
-                   page_only("sensor", fit.stated > 0.0 ? show(fit.stated) : right("-")),
-                   page_only("correlation time",
-                             right(fit.noise.white_share < 1.0 ? fmt::format("{:.3g} s", fit.noise.correlation_time)
-                                                               : "white")),
-                   data_only("rho_1s", fit.noise.rho_1s()),
-                   data_only("white_share", fit.noise.white_share),
-                   data_only("cautions", fit.cautions)});
-    }
-    return table;
-}
-
-DataTable single_numbers(const IdentificationRecord& record) {
-    DataTable table;
-    for (const NumberFit& fit : record.result.numbers) {
-        const Observations::Row& row = record.observations.rows[fit.row];
-        const solver::Channel& channel = record.experiment.runs.front().problem.channels[row.channel];
-        const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
-        const double si = record.observations.measured[static_cast<Eigen::Index>(fit.row)];
-        const double measured = unit.value(si);
-        table.add({{"channel", "channel", channel.name},
-                   {"run", "run", record.experiment.runs[row.run].name},
-                   data_only("unit", unit.name),
-                   {"measured", "measured", {measured, fmt::format("{:.4g} {}", measured, unit.name)}},
-                   {"+-", "uncertainty", shown("{:.2g}", unit.difference(fit.standard_deviation))},
-                   {"case", "before", shown("{:.2f}", unit.value(fit.before))},
-                   {"fitted", "after", shown("{:.2f}", unit.value(fit.after))},
-                   page_only("off by", shown("{:+.1f} u", (fit.after - si) / fit.standard_deviation))});
-    }
-    return table;
-}
-
-Section fit(const IdentificationRecord& record, DataTable of_channels, DataTable of_numbers) {
-    Section section("Fit");
-    if (!of_channels.empty()) {
-        section.add(std::move(of_channels));
-        if (!record.observations.images.empty()) {
-            section.say(
-                "A camera's frames are taken apart by size, so that what neighbouring pixels have in common counts as "
-                "few values and not as thousands: white noise of the pixels is the same in all its rows, the camera's "
-                "drift and missing effects stand in the lower ones.");
-        }
-        for (const ChannelFit& one : record.result.channels) {
-            for (const std::string& caution : one.cautions) {
-                section.item(caution);
-            }
-        }
-    }
-    if (!of_numbers.empty()) {
-        section.gap();
-        section.add(std::move(of_numbers));
-        section.say("u: standard uncertainty of the measured number");
-    }
-    return section;
-}
-
 }  // namespace
 
 std::string describe(const Direction& direction, const input::Experiment& experiment, const Eigen::VectorXd& values) {
@@ -247,8 +201,8 @@ Report identification_report(const IdentificationRecord& record, const std::vect
     const auto values = static_cast<double>(record.observations.measured.size());
     const std::string seconds = to_its_digits(result.seconds, 0.05 * result.seconds);
     DataTable of_parameters = parameters(record);
-    DataTable of_channels = channels(record);
-    DataTable of_numbers = single_numbers(record);
+    DataTable of_channels = fitted_channels(record);
+    DataTable of_numbers = fitted_single_numbers(record);
     Value::List runs;
     for (const input::MeasuredRun& run : record.experiment.runs) {
         runs.push_back(run.name);
@@ -281,14 +235,18 @@ Report identification_report(const IdentificationRecord& record, const std::vect
                    {"correlation", correlation},
                    {"channels", of_channels.data()},
                    {"numbers", of_numbers.data()},
+                   {"intervals_widened", result.widened},
                    {"misfit", result.misfit},
                    {"freedom", result.freedom},
                    {"non_smooth_parameters", result.non_smooth_parameters}};
     report.add(numbers(record, std::move(of_parameters)));
+    std::vector<std::string> findings = result.findings;
+    findings.insert(findings.end(), record.findings.begin(), record.findings.end());
+    report.add("Findings", "findings", findings);
     report.add(directions(record));
     report.add(correlations(record));
     if (!record.planned) {
-        report.add(fit(record, std::move(of_channels), std::move(of_numbers)));
+        report.add(fit_section(record, std::move(of_channels), std::move(of_numbers)));
     }
     Section switches("At a switch or a clamp");
     if (!result.non_smooth_parameters.empty()) {
@@ -296,7 +254,6 @@ Report identification_report(const IdentificationRecord& record, const std::vect
                                  fmt::join(result.non_smooth_parameters, ", ")));
     }
     report.add(std::move(switches));
-    report.add("Findings about the data", "findings", record.findings);
     report.add("Warnings", "warnings", record.warnings);
     report.add(files);
     report.data.set("simulations", result.simulations);

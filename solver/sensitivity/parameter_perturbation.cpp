@@ -85,10 +85,14 @@ ParameterPerturbation::ParameterPerturbation(const Problem& base, const FreePara
     const bool moves_conductivity = !same_conductivity(plus_->system.material_model(), minus_->system.material_model());
     const bool moves_tire = !(plus_->system.material_model().tire == minus_->system.material_model().tire);
     moves_enthalpy_ = !same_capacity(plus_->system, minus_->system);
+    const physics::InputCorrection* moves_inputs =
+        parameter.kind == Kind::effect ? base.effects[parameter.effect].effect->input_correction() : nullptr;
+    is_delay_ = moves_inputs != nullptr && moves_inputs->delay != nullptr;
     const auto depends_on_inputs = [](const physics::Effect& effect) {
         const physics::InputCorrection* correction = effect.input_correction();
         const physics::PropertyModifier* modifier = effect.property_modifier();
-        return effect.n_coefficients() > 0 || (correction != nullptr && correction->transform != nullptr) ||
+        return effect.n_coefficients() > 0 ||
+               (correction != nullptr && (correction->transform != nullptr || correction->delay != nullptr)) ||
                (modifier != nullptr && modifier->modify_laws != nullptr);
     };
     bool scales_loss = false;
@@ -155,8 +159,10 @@ void ParameterPerturbation::flow(int stage, std::span<const double> T, std::span
                 const double up = plus_->shift > 0.0 ? (ours[i] - between[i]) / plus_->shift : 0.0;
                 const double down = minus_->shift < 0.0 ? (between[i] - theirs[i]) / -minus_->shift : up;
                 const double round_off = 1e-12 * std::abs(between[i]) / width_;
+                // A log bends at each of its samples: what follows a delay has another slope to either side there.
                 has_slope_jump_ = has_slope_jump_ ||
-                                  std::abs(up - down) > slope_jump * std::max(std::abs(up), std::abs(down)) + round_off;
+                                  (!is_delay_ && std::abs(up - down) >
+                                                     slope_jump * std::max(std::abs(up), std::abs(down)) + round_off);
             }
         }
     }

@@ -79,6 +79,7 @@ private:
     double width_ = 1.0;  ///< plus_->shift - minus_->shift
     bool moves_enthalpy_ = false;
     bool is_straight_ = false;
+    bool is_delay_ = false;
     bool moves_coefficients_ = false;
     bool follows_watts_ = false;              ///< a channel reads the heat of effects
     std::vector<std::size_t> moved_effects_;  ///< heat effects whose parameters or places differ

@@ -6,12 +6,35 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tiretherm::solver {
 
+namespace {
+
+/// The inputs as they were, of logs that effects say are late; nothing where none is.
+std::optional<InputSignals> in_time(const System& system, const InputSignals& logged) {
+    std::optional<InputSignals> moved;
+    for (const physics::ActiveEffect& active : system.effects()) {
+        const physics::InputCorrection* correction = active.effect->input_correction();
+        for (const physics::Signal& signal : physics::signals()) {
+            const double delay =
+                correction != nullptr && correction->delay != nullptr ? correction->delay(active, signal) : 0.0;
+            if (delay != 0.0) {
+                moved = moved ? std::move(moved) : logged;
+                moved->advance(signal, delay);
+            }
+        }
+    }
+    return moved;
+}
+
+}  // namespace
+
 StepForcing::StepForcing(const System& system, const InputSignals& input_signals, const Tableau& tableau)
     : system_(&system),
-      input_signals_(&input_signals),
+      in_time_(in_time(system, input_signals)),
+      input_signals_(in_time_ ? &*in_time_ : &input_signals),
       tableau_(&tableau),
       stages_(static_cast<std::size_t>(tableau.stages), std::vector<double>(system.n_coefficients())),
       unresolved_(system.n_coefficients()) {

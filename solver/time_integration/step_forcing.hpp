@@ -3,6 +3,7 @@
 // mean and first moment as the series.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,8 @@ namespace tiretherm::solver {
 class StepForcing {
 public:
     StepForcing(const System& system, const InputSignals& input_signals, const Tableau& tableau);
+    StepForcing(const StepForcing&) = delete;
+    StepForcing& operator=(const StepForcing&) = delete;
 
     /// @param t0, t1 s; no stop of the input signals lies between them
     void open(double t0, double t1);
@@ -38,6 +41,7 @@ private:
     void average(double t0, double t1, std::ptrdiff_t first, std::ptrdiff_t last);
 
     const System* system_;
+    std::optional<InputSignals> in_time_;  ///< the inputs without the delays of their logs, where there are any
     const InputSignals* input_signals_;
     const Tableau* tableau_;
     std::vector<std::vector<double>> stages_;

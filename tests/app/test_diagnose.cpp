@@ -82,6 +82,15 @@ TEST(Diagnose, FindsWhatThePuzzleHides) {
     }
     EXPECT_EQ(json["verdict"], json["set"].size() == 1 ? "named" : "confounded");
     EXPECT_TRUE(json["unknown"].is_null());
+    // All three runs hide the same, each some 10 sigma of it: it is in the set of each alone.
+    ASSERT_EQ(json["runs"].size(), 3U);
+    for (const Json& run : json["runs"]) {
+        EXPECT_TRUE(std::ranges::any_of(run["causes"], [](const Json& cause) {
+            return cause["id"] == "sidewall_convection";
+        })) << run;
+    }
+    EXPECT_TRUE(has(page.out, "\nEach run alone\n"));
+    EXPECT_TRUE(has(page.out, "All runs agree on ")) << page.out;
     const Json& conductance = json["causes"][0]["parameters"]["conductance"];
     EXPECT_EQ(conductance["unit"], "W/K");
     EXPECT_LT(conductance["low"], 0.8);
@@ -104,11 +113,12 @@ TEST(Diagnose, FindsWhatThePuzzleHides) {
 // The case's own runs hide nothing.
 TEST(Diagnose, FindsNothingWhereNothingIsHidden) {
     const Diagnoses diagnoses;
-    const Call call = diagnoses.diagnose(bench, "--json");
+    const Call call = diagnoses.diagnose(bench, "--json --no-by-run");
     ASSERT_EQ(call.exit_code, 0) << call.err;
     const Json json = Json::parse(call.out);
     EXPECT_EQ(json["verdict"], "consistent") << json["reason"];
     EXPECT_TRUE(json["set"].empty());
+    EXPECT_TRUE(json["runs"].empty());
     EXPECT_TRUE(json["unknown"].is_null());
     EXPECT_EQ(json, Json::parse(post::read_text(diagnoses.file("out/diagnosis.json"))));
     EXPECT_FALSE(std::filesystem::exists(diagnoses.written.folder() / "out" / "extended.toml"));
@@ -187,6 +197,12 @@ standard_deviation = 0.05
     EXPECT_EQ(call.exit_code, 2) << call.out << call.err;
     EXPECT_TRUE(has(call.err, "nothing was diagnosed")) << call.err;
     EXPECT_EQ(call.out, "");
+}
+
+TEST(Diagnose, RunsAloneAreWantedOrNot) {
+    const Call call = app_test::call("diagnose " + bench + " --by-run --no-by-run");
+    EXPECT_EQ(call.exit_code, 1);
+    EXPECT_TRUE(has(call.err, "--no-by-run") && has(call.err, "--by-run")) << call.err;
 }
 
 TEST(Diagnose, HelpHasAnExample) {

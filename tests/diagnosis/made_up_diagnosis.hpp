@@ -2,6 +2,7 @@
 // Hand-made diagnoses of every verdict, for tests of their reports.
 #pragma once
 
+#include "diagnosis/by_run/run_verdicts.hpp"
 #include "diagnosis/detect/candidates.hpp"
 #include "post/diagnosis/diagnosis_report.hpp"
 #include "tests/diagnosis/practice_bench.hpp"
@@ -14,6 +15,7 @@ struct MadeUp {
     input::Experiment experiment = practice_bench();
     Observations observations = observe(experiment);
     Diagnosis result;
+    RunVerdicts by_run;
 
     explicit MadeUp(Verdict verdict) {
         result.verdict = verdict;
@@ -31,7 +33,8 @@ struct MadeUp {
                 .case_file = practice() / "two_node_bench.toml",
                 .data = {},
                 .warnings = {},
-                .findings = {}};
+                .findings = {},
+                .by_run = by_run};
     }
 };
 

@@ -23,7 +23,7 @@ void add(std::vector<double>& values, const std::vector<double>& noise) {
 
 }  // namespace
 
-MadeUpBench make_up_bench(std::uint64_t seed, double interval, const Maker& maker) {
+MadeUpBench make_up_bench(std::uint64_t seed, double interval, const Maker& maker, const std::vector<Cause>& causes) {
     Random random(seed);
     MadeUpBench made;
     made.lambda_h = 1.0 + 0.07 * random.normal();
@@ -37,7 +37,8 @@ MadeUpBench make_up_bench(std::uint64_t seed, double interval, const Maker& make
         BenchTrace trace = drive_bench({.lambda_h = made.lambda_h,
                                         .lambda_sel = made.lambda_sel,
                                         .surface_start = air + made.surface_start.back(),
-                                        .bulk_start = air + made.bulk_start.back()},
+                                        .bulk_start = air + made.bulk_start.back(),
+                                        .causes = causes},
                                        programme, 1e-6);
         add(trace.surface, draw_noise(camera, programme.time, random));
         add(trace.bulk, draw_noise(probe, programme.time, random));

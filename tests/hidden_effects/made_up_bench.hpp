@@ -11,6 +11,7 @@
 #include "input/measurements/experiment.hpp"
 #include "numerics/table_truth.hpp"
 #include "two_node/programme_truth.hpp"
+#include "two_node/two_node_truth.hpp"
 
 namespace hidden_effects {
 
@@ -30,7 +31,9 @@ struct MadeUpBench {
     /// What a parameter of cases/practice truly is, in its unit.
     [[nodiscard]] double truth_of(const tiretherm::solver::FreeParameter& parameter) const;
 };
-[[nodiscard]] MadeUpBench make_up_bench(std::uint64_t seed, double interval, const Maker& maker = draw_programme);
+/// @param causes what else goes on in the truth, and is missing in the case
+[[nodiscard]] MadeUpBench make_up_bench(std::uint64_t seed, double interval, const Maker& maker = draw_programme,
+                                        const std::vector<Cause>& causes = {});
 
 /// The experiment that the program reads from a case and these logs, written to files as a user would.
 [[nodiscard]] tiretherm::input::Experiment read_with(const std::filesystem::path& file,

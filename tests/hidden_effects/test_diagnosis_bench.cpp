@@ -245,7 +245,8 @@ TEST(DiagnosisBench, RefusesAGridThatCouldPassForACause) {
     const std::filesystem::path file = scratch.add("coarse.toml", text);
     const std::vector<std::filesystem::path> data{folder / "layers_run1.csv"};
     const auto read = [&](int finer) {
-        return *tiretherm::input::read_experiment(file, data, tiretherm::input::ReadMode::measured, finer).experiment;
+        return *tiretherm::input::read_experiment(file, data, tiretherm::input::ReadMode::measured, {.finer = finer})
+                    .experiment;
     };
     const Experiment experiment = read(1);
     const Experiment finer = read(2);

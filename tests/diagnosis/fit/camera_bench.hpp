@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "diagnosis/fit/observations.hpp"
+#include "diagnosis/observations/observations.hpp"
 #include "input/measurements/experiment.hpp"
 #include "support/written.hpp"
 

@@ -68,7 +68,7 @@ tiretherm::input::Experiment read_data_set(const ExamDataSet& data_set, int fine
     }
     input::ExperimentReading reading =
         input::read_experiment(input::source_folder() / "cases/practice" / data_set.runs.rig->case_file, data,
-                               input::ReadMode::measured, finer);
+                               input::ReadMode::measured, {.finer = finer});
     if (!reading.experiment) {
         throw std::runtime_error(input::error_report(reading));
     }

@@ -141,7 +141,7 @@ TEST(DataWarnings, ASensorThatHangs) {
     std::fill(bulk.begin() + 100, bulk.begin() + 140, 60.31);
     EXPECT_EQ(session.warnings(),
               Sentences{"run1.csv: bulk_temperature stands at 60.3 degC for 40 samples, from 600 s to 834 s, while it "
-                        "otherwise changes: was it stuck?"});
+                        "otherwise changes: was it stuck? Fits and diagnoses leave these samples out"});
     // As long as a fiftieth of the run or twenty samples it may.
     session = Session();
     std::vector<double>& other = session.column("bulk_temperature").numbers;
@@ -180,7 +180,7 @@ TEST(DataWarnings, ATireThatStandsFromTheStartDoesNotHang) {
     speed[30] = 80.0;
     EXPECT_EQ(session.warnings(),
               Sentences{"run1.csv: bulk_temperature stands at 25 degC for 50 samples, from 0 s to 294 "
-                        "s, while it otherwise changes: was it stuck?"});
+                        "s, while it otherwise changes: was it stuck? Fits and diagnoses leave these samples out"});
 }
 
 TEST(DataWarnings, AnInputThatHangs) {

@@ -218,7 +218,7 @@ TEST(Parameter, WithoutRunsThereIsOneInitialTemperature) {
 
 TEST(Identify, SaysHowTheNoiseIsModelled) {
     const Experiment standard = read(including("tire.toml", ""));
-    EXPECT_EQ(standard.noise, "correlated");
+    EXPECT_EQ(standard.noise, "automatic");
     EXPECT_FALSE(standard.robust);
     const Experiment stated = read(including("tire.toml", "[identify]\nnoise = \"white\"\nrobust = true\n"));
     EXPECT_EQ(stated.noise, "white");

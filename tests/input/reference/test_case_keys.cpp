@@ -83,7 +83,8 @@ TEST(CaseKeys, SayWhatTheReadersTake) {
     const CaseKey& kind = key(tables, "mesh", "kind");
     EXPECT_TRUE(kind.variants.empty());
     EXPECT_EQ(kind.uses.front().options.size(), 6U);
-    EXPECT_EQ(key(tables, "identify", "noise").uses.front().options, (std::vector<std::string>{"correlated", "white"}));
+    EXPECT_EQ(key(tables, "identify", "noise").uses.front().options,
+              (std::vector<std::string>{"automatic", "correlated", "white"}));
     const CaseKey& end = key(tables, "time", "end");
     EXPECT_FALSE(end.required);
     EXPECT_TRUE(end.sometimes_required);

@@ -52,6 +52,7 @@ TEST(Catalogue, HoldsTheseEffectsAndNoOther) {
                                                 "slip_input_gain",
                                                 "load_input_gain",
                                                 "speed_input_gain",
+                                                "input_delay",
                                                 "own_source",
                                                 "own_exchange"};
     std::set<std::string_view> seen;

@@ -67,7 +67,7 @@ TEST_P(EveryEffect, HasTheFunctionsOfItsClass) {
         EXPECT_TRUE(modifier->modify_properties != nullptr || modifier->modify_laws != nullptr ||
                     modifier->scale_loss != nullptr);
     } else if (const InputCorrection* correction = effect.input_correction()) {
-        EXPECT_TRUE(correction->transform != nullptr || correction->start != nullptr);
+        EXPECT_TRUE(correction->transform != nullptr || correction->start != nullptr || correction->delay != nullptr);
     } else {
         const SensorModel& model = *effect.sensor_model();
         EXPECT_TRUE(model.read != nullptr || model.lag != nullptr || model.delay != nullptr ||

@@ -82,6 +82,12 @@ TEST_P(EveryCandidate, DoesNothingWhereItIsAbsent) {
 }
 
 TEST_P(EveryCandidate, DoesSomethingWhereItIsNot) {
+    const InputCorrection* correction = GetParam()->input_correction();
+    if (correction != nullptr && correction->delay != nullptr) {
+        // A moment does not show a delay, a run does: tests/solver/sensitivity/test_input_delay.cpp.
+        EXPECT_EQ(correction->delay(physics::activate(*GetParam(), benches().front().mesh), signals().front()), 0.0);
+        return;
+    }
     double largest = 0.0;
     for (const Bench& bench : benches()) {
         largest = std::max(largest, largest_difference(evaluated(bench, with(thesis(bench), part())),

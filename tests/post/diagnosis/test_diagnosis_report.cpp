@@ -54,7 +54,8 @@ TEST(DiagnosisReport, ANamedCauseIsSaidWithItsSizeAndWhatItIs) {
     EXPECT_TRUE(has(text, "Confounded with inner_gas, radiation. What separates them: a channel in the gas")) << text;
     EXPECT_TRUE(has(text, "Confounded with sensor_offset.")) << text;
     EXPECT_FALSE(has(text, "clock_delay")) << "sensor_lag is not in the set: " << text;
-    EXPECT_TRUE(has(text, "97 % of the error that a model could remove is removed (95 %: 93 to 99 %); confirmed"))
+    EXPECT_TRUE(
+        has(text, "97 % of the error that a model could remove (mean square) is removed (95 %: 93 to 99 %); confirmed"))
         << text;
 }
 

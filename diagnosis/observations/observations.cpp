@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Arranges samples, images and single numbers as rows, and simulates all runs in parallel with their parameter slopes.
 
-#include "diagnosis/fit/observations.hpp"
+#include "diagnosis/observations/observations.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -216,7 +216,14 @@ void Simulator::read_images(const ImageRows& image, const solver::Prediction& pr
 ModelPrediction Simulator::predict(const Eigen::VectorXd& values) {
     const std::size_t n_runs = experiment_->runs.size();
     std::vector<solver::Prediction> predictions(n_runs);
+    const auto is_asked = [&](std::size_t r) {  // of some rows alone a run may have none
+        return !rows_[r].empty() ||
+               std::ranges::any_of(observations_->images, [&](const ImageRows& image) { return image.run == r; });
+    };
     solver::in_parallel(n_runs, [&](std::size_t r) {
+        if (!is_asked(r)) {
+            return;
+        }
         const solver::Problem moved = problem(r, values);
         std::vector<solver::FreeParameter> asked;
         std::vector<double> now;
@@ -231,7 +238,9 @@ ModelPrediction Simulator::predict(const Eigen::VectorXd& values) {
                                                  .tolerance = 1e-4});
     });
     solver::leave_if_stopped();
-    simulations_ += static_cast<long>(n_runs);
+    for (std::size_t r = 0; r < n_runs; ++r) {
+        simulations_ += is_asked(r) ? 1 : 0;
+    }
     if (progress_) {
         progress_(simulations_);
     }
@@ -246,6 +255,9 @@ ModelPrediction Simulator::predict(const Eigen::VectorXd& values) {
             prediction.status.message = fmt::format("run {}: {}", experiment_->runs[r].name, prediction.status.message);
             predicted.status = prediction.status;
             return predicted;
+        }
+        if (!is_asked(r)) {
+            continue;
         }
         step_ends_[r] = std::move(prediction.step_ends);
         for (const Eigen::Index row : rows_[r]) {

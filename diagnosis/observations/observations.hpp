@@ -10,8 +10,8 @@
 
 #include <Eigen/Core>
 
-#include "diagnosis/fit/images.hpp"
 #include "diagnosis/noise/noise.hpp"
+#include "diagnosis/observations/images.hpp"
 #include "input/measurements/experiment.hpp"
 #include "solver/sensitivity/prediction.hpp"
 

@@ -2,7 +2,7 @@
 // Pixels as the fourth root of the mean of T^4 over their footprint, and derivatives with respect to temperatures and
 // to the parameters of the pose.
 
-#include "diagnosis/fit/images.hpp"
+#include "diagnosis/observations/images.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include "diagnosis/fit/image_bands.hpp"
+#include "diagnosis/observations/image_bands.hpp"
 #include "input/measurements/experiment.hpp"
 
 namespace tiretherm::diagnosis {

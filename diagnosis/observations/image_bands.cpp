@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Builds the Haar transformation for an image with missing pixels, level by level, and applies it in place.
 
-#include "diagnosis/fit/image_bands.hpp"
+#include "diagnosis/observations/image_bands.hpp"
 
 #include <cmath>
 #include <map>

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads a table of measured numbers, diagnoses one model by it and writes diagnosis.json.
+
+#include "app/diagnose_table.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include "app/commands.hpp"
+#include "app/failure.hpp"
+#include "app/messages.hpp"
+#include "diagnosis/quoted/quoted_diagnosis.hpp"
+#include "input/validation/validation.hpp"
+#include "post/quoted/quoted_report.hpp"
+#include "solver/stop_signal.hpp"
+
+namespace tiretherm::app {
+
+namespace {
+
+constexpr const char* consequence = "nothing was diagnosed";
+
+/// Says what is wrong with the call and returns true.
+bool refuses(const MeasuredCall& call, const input::ValidationReading& reading, std::size_t model) {
+    if (!call.data.empty()) {
+        report_error("a table of measured numbers has no place for --data",
+                     "name a case with [[run]] to diagnose a log, or call it without --data", call.json);
+        return true;
+    }
+    if (!reading.table) {
+        report_errors({.problem = std::nullopt, .errors = reading.errors, .warnings = reading.warnings}, consequence,
+                      call.json);
+        return true;
+    }
+    const bool any = std::ranges::any_of(reading.table->numbers, [&](const input::ValidationNumber& number) {
+        return number.is_measured && number.models[model].has_value();
+    });
+    if (!any) {
+        report_error(
+            fmt::format("{}: no measured number is read from the model {}", call.case_file, input::model_names[model]),
+            fmt::format("take --model {}", input::model_names[1 - model]), call.json);
+    }
+    return !any;
+}
+
+}  // namespace
+
+int diagnose_table(const MeasuredCall& call, const TableOptions& options) {
+    const auto model =
+        static_cast<std::size_t>(std::ranges::find(input::model_names, options.model) - input::model_names.begin());
+    now_doing(fmt::format("reading {} and the files that it names", call.case_file));
+    const input::ValidationReading reading = input::read_validation(call.case_file);
+    if (refuses(call, reading, model)) {
+        return Exit::input_error;
+    }
+    const std::filesystem::path directory =
+        folder_of(call, "out/" + std::filesystem::path(call.case_file).stem().string());
+    const std::vector<std::string> names{"diagnosis.json"};
+    now_doing(fmt::format("diagnosing {} and writing to {}", call.case_file, directory.string()));
+    std::vector<std::string> inputs{call.case_file};
+    for (const input::ValidationRun& run : reading.table->runs) {
+        if (std::ranges::find(inputs, run.file.string()) == inputs.end()) {
+            inputs.push_back(run.file.string());
+        }
+    }
+    const auto folder = open_output(directory, inputs, names, consequence, call.json);
+    if (!folder) {
+        return Exit::input_error;
+    }
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point begin = Clock::now();
+    SimulationCount count(call.json);
+    diagnosis::quoted::Trials trials(*reading.table, model, options.threads, count.shown());
+    const auto stopped = [&] {
+        count.wipe();
+        return was_stopped(consequence, call.json);
+    };
+    if (solver::stop_requested() && stopped()) {
+        return Exit::interrupted;
+    }
+    const diagnosis::quoted::QuotedDiagnosis result =
+        diagnosis::quoted::diagnose_quoted(*reading.table, trials, {.model = model, .threads = options.threads});
+    count.wipe();
+    if (solver::stop_requested() && stopped()) {
+        return Exit::interrupted;
+    }
+    const std::vector<std::string> failures = trials.failures();
+    post::QuotedRecord record{.result = result,
+                              .title = reading.table->title,
+                              .table = call.case_file,
+                              .model = model == 0 ? "two nodes" : "section",
+                              .seconds = std::chrono::duration<double>(Clock::now() - begin).count(),
+                              .warnings = reading.warnings};
+    record.warnings.insert(record.warnings.end(), failures.begin(), failures.end());
+    const auto files = write_measured(
+        call, *folder, names, [&](const std::filesystem::path& stage) { return post::write_quoted(record, stage); });
+    if (!files) {
+        return Exit::input_error;
+    }
+    if (options.markdown) {
+        fmt::print("{}", post::quoted_markdown(record));
+    } else {
+        print_report(post::quoted_report(record, *files), call.json);
+    }
+    return failures.empty() ? Exit::done : Exit::numerical_failure;
+}
+
+}  // namespace tiretherm::app

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `tiretherm diagnose` of a table of measured numbers over many experiments.
+#pragma once
+
+#include <string>
+
+#include "app/measured_call.hpp"
+
+namespace tiretherm::app {
+
+/// What a table needs to know beside what every diagnosis does.
+struct TableOptions {
+    std::string model = "two_node";
+    unsigned threads = 0;
+    bool markdown = false;
+};
+
+/// Diagnoses a table. @returns the exit code
+[[nodiscard]] int diagnose_table(const MeasuredCall& call, const TableOptions& options);
+
+}  // namespace tiretherm::app

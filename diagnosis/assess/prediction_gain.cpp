@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sums squared errors block by block and channel by channel, and draws the blocks again and again.
+
+#include "diagnosis/assess/prediction_gain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "diagnosis/fit/block_deviations.hpp"
+#include "diagnosis/noise/white_equivalent.hpp"
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+/// Squared errors of one channel over one block of time.
+struct Sums {
+    double before = 0.0;
+    double after = 0.0;
+    double count = 0.0;
+};
+
+/// [n_blocks][n_noises]; blocks of all runs, one after another.
+using BlockSums = std::vector<std::vector<Sums>>;
+
+BlockSums sums_of(const HeldOutErrors& before, const HeldOutErrors& after, const Observations& observations,
+                  const std::vector<Noise>& noise, const std::vector<std::size_t>& first_block, double length) {
+    BlockSums blocks(first_block.back(), std::vector<Sums>(noise.size()));
+    const std::vector<int> noise_of = noise_of_rows(observations);
+    for (std::size_t row = 0; row < noise_of.size(); ++row) {
+        const auto i = static_cast<Eigen::Index>(row);
+        if (noise_of[row] < 0 || !std::isfinite(before.left[i]) || !std::isfinite(after.left[i])) {
+            continue;
+        }
+        const Observations::Row& what = observations.rows[row];
+        const std::vector<double>& times = observations.times[what.run];
+        const auto within = static_cast<std::size_t>((times[what.time] - times.front()) / length);
+        const std::size_t block = std::min(first_block[what.run] + within, first_block[what.run + 1] - 1);
+        Sums& sums = blocks[block][static_cast<std::size_t>(noise_of[row])];
+        sums.before += before.left[i] * before.left[i];
+        sums.after += after.left[i] * after.left[i];
+        sums.count += 1.0;
+    }
+    return blocks;
+}
+
+/// Sums over some of the blocks. @param pick the block at each place
+template <typename Pick>
+std::vector<Sums> total(const BlockSums& blocks, std::size_t n, const Pick& pick) {
+    std::vector<Sums> all(blocks.empty() ? 0 : blocks.front().size());
+    for (std::size_t b = 0; b < n; ++b) {
+        const std::vector<Sums>& one = blocks[pick(b)];
+        for (std::size_t c = 0; c < all.size(); ++c) {
+            all[c].before += one[c].before;
+            all[c].after += one[c].after;
+            all[c].count += one[c].count;
+        }
+    }
+    return all;
+}
+
+double removed_share(const std::vector<Sums>& channels) {
+    double sum = 0.0;
+    double counted = 0.0;
+    for (const Sums& channel : channels) {
+        if (channel.before > 0.0) {
+            sum += 1.0 - channel.after / channel.before;
+            counted += 1.0;
+        }
+    }
+    return counted > 0.0 ? sum / counted : 0.0;
+}
+
+}  // namespace
+
+PredictionGain compare_predictions(const HeldOutErrors& before, const HeldOutErrors& after,
+                                   const Observations& observations, const std::vector<Noise>& noise,
+                                   const std::vector<double>& floor) {
+    PredictionGain gain;
+    constexpr int fewest_blocks = 12;
+    const double length = length_of_blocks(observations, noise, fewest_blocks);
+    std::vector<std::size_t> first_block{0};
+    for (const std::vector<double>& times : observations.times) {
+        const double run = times.empty() ? 0.0 : times.back() - times.front();
+        first_block.push_back(first_block.back() +
+                              std::max<std::size_t>(1, static_cast<std::size_t>(std::round(run / length))));
+    }
+    const BlockSums blocks = sums_of(before, after, observations, noise, first_block, length);
+    const std::vector<Sums> all = total(blocks, blocks.size(), [](std::size_t b) { return b; });
+    gain.removed = removed_share(all);
+
+    std::mt19937_64 engine(1989);
+    std::vector<double> drawn;
+    for (int draw = 0; draw < 1000; ++draw) {
+        drawn.push_back(removed_share(total(blocks, blocks.size(), [&](std::size_t /*b*/) {
+            return static_cast<std::size_t>(engine() % blocks.size());
+        })));
+    }
+    std::ranges::sort(drawn);
+    // A dozen blocks know their own scatter no better than Student's t of as many says.
+    const auto n = static_cast<double>(blocks.size());
+    const double wider =
+        student(static_cast<int>(blocks.size()) - 1) / 1.959964 * std::sqrt(n / std::max(1.0, n - 1.0));
+    gain.low = gain.removed - wider * (gain.removed - drawn[25]);
+    gain.high = gain.removed + wider * (drawn[974] - gain.removed);
+
+    const Covariance independent = white_equivalent({.channels = noise, .weight = {}}, observations.blocks);
+    double removable = 0.0;
+    double counted = 0.0;
+    gain.worst = 0.0;
+    for (std::size_t c = 0; c < all.size(); ++c) {
+        if (!(all[c].before > 0.0)) {
+            continue;
+        }
+        const double ratio = all[c].after / all[c].before;
+        gain.worst = std::max(gain.worst, std::sqrt(ratio));
+        removable += std::max(0.0, 1.0 - floor[c] * floor[c] * all[c].count / all[c].before);
+        counted += 1.0;
+        const double inflation = std::pow(independent.channels[c].sigma / noise[c].sigma, 2);
+        gain.log_odds -= 0.5 * all[c].count / inflation * std::log(std::max(ratio, 1e-12));
+    }
+    gain.removable = counted > 0.0 ? removable / counted : 0.0;
+
+    constexpr double by_chance = 0.02;
+    gain.in_every_fold = true;
+    const bool single = observations.times.size() == 1;
+    constexpr std::size_t quarters = 4;
+    const std::size_t n_folds = single ? quarters : observations.times.size();
+    for (std::size_t f = 0; f < n_folds; ++f) {
+        const std::size_t from = single ? f * blocks.size() / quarters : first_block[f];
+        const std::size_t to = single ? (f + 1) * blocks.size() / quarters : first_block[f + 1];
+        const std::vector<Sums> fold = total(blocks, to - from, [&](std::size_t b) { return from + b; });
+        gain.in_every_fold = gain.in_every_fold && removed_share(fold) > -by_chance;
+    }
+    return gain;
+}
+
+}  // namespace tiretherm::diagnosis

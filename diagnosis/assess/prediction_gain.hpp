@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How much better one model predicts data that were left out than another, with its interval.
+#pragma once
+
+#include "diagnosis/fit/held_out.hpp"
+
+namespace tiretherm::diagnosis {
+
+/// What a model gains over another on data that took no part in either fit. Every channel counts alike, whatever its size
+/// or its samples: shares are means over the channels.
+struct PredictionGain {
+    double removed = 0.0;  ///< 1 - mean square after / before
+    double low = 0.0;      ///< 95 % of `removed`, by drawing blocks of time
+    double high = 0.0;
+    double removable = 0.0;      ///< share of the error before that is no noise of the sensors
+    double worst = 1.0;          ///< largest ratio of a channel's rms, after over before
+    bool in_every_fold = false;  ///< the error rises in no run, or quarter of a run, by more than 2 %
+    /// Log likelihood ratio of the two predictions with as many independent samples as the noise leaves: half of
+    /// n ln(before / after), summed over the channels. It has the sign of what the prediction gains.
+    double log_odds = 0.0;
+};
+
+/// Compares two predictions of the same rows by a bootstrap over blocks of time (Kuensch, Ann. Statist. 17 (1989) 1217).
+/// @param noise [n_noises] whose correlation times say how long a block has to be and how many samples are independent
+/// @param floor [n_noises] standard deviation that no model can remove; 0: none is known
+[[nodiscard]] PredictionGain compare_predictions(const HeldOutErrors& before, const HeldOutErrors& after,
+                                                 const Observations& observations, const std::vector<Noise>& noise,
+                                                 const std::vector<double>& floor);
+
+}  // namespace tiretherm::diagnosis

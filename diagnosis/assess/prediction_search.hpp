@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Search of causes by what they predict: for data whose largest part no single cause explains, so that the model has errors
+// of its own beside any cause.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnosis/assess/fitted_hypothesis.hpp"
+#include "diagnosis/assess/prediction_gain.hpp"
+
+namespace tiretherm::diagnosis {
+
+/// A model fitted to everything, and what it gets wrong of data that were left out.
+struct PredictedModel {
+    FittedHypothesis hypothesis{};
+    HeldOutErrors out{};
+    Covariance noise{};   ///< by which it was fitted
+    std::string words{};  ///< of a base: "the case as it stands"
+};
+
+/// A cause, or several, that predict better than what they were added to.
+struct Improvement {
+    PredictedModel model;
+    PredictionGain gain{};  ///< over the model before
+};
+
+/// What a search by prediction found.
+struct PredictionSearch {
+    PredictedModel base;  ///< the best predicting of the case as it stands, fitted with slow noise, with white
+    bool white = false;   ///< white noise predicts better than correlated noise
+    std::vector<Improvement> accepted;      ///< one after another, each with all before it
+    std::vector<Improvement> alternatives;  ///< that do as well as the first accepted one, as far as these data tell
+    PredictionGain gain{};                  ///< of the last accepted over the base
+    std::string mesh;                       ///< of the richer model that was accepted; empty: none
+    std::vector<std::string> remarks;       ///< sizes nobody would believe, channels that get worse
+    double largest_gain = 0.0;              ///< of what was not accepted: share removed
+
+    [[nodiscard]] const PredictedModel& best() const { return accepted.empty() ? base : accepted.back().model; }
+};
+
+/// Which of the case as it stands, the fit with correlated noise and the fit with white noise predicts data that were left
+/// out best. @param score_data of the base model, with correlated noise
+[[nodiscard]] PredictionSearch choose_base(ScoreTestData& score_data);
+
+/// Adds causes one by one, each the one that predicts best of those that the linearised model promises most of: timing of
+/// sensors and inputs first. A cause is added while what it predicts of data that were left out gets better beyond doubt, no
+/// channel gets worse, and its size is one that can be. Causes that later ones make superfluous are dropped.
+/// @param search as choose_base gives it
+void search_by_prediction(ScoreTestData& score_data, PredictionSearch& search);
+
+}  // namespace tiretherm::diagnosis

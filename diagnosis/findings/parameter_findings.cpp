@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The tests of a fitted parameter against its prior, its bounds and its plausible range, and their sentences.
+#include "diagnosis/findings/parameter_findings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "diagnosis/findings/finding_advice.hpp"
+#include "diagnosis/findings/sensor_kind.hpp"
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+using solver::FreeParameter;
+
+constexpr double least = 2.5;
+constexpr double chance_of_any = 0.05;
+/// A move of a parameter that the data do not see has no variance: it is not measured by less than this share of the
+/// prior's standard deviation.
+constexpr double least_spread = 0.1;
+
+std::string with_unit(const FreeParameter& parameter, double value) {
+    return parameter.unit == "1" ? fmt::format("{:.3g}", value) : fmt::format("{:.3g} {}", value, parameter.unit);
+}
+
+/// What is the matter with a parameter, each part of the sentence by itself.
+std::vector<std::string> observations_of(const FreeParameter& parameter, const FittedParameter& fitted,
+                                         double least_conflict, const physics::PlausibleRange* range) {
+    std::vector<std::string> parts;
+    if (fitted.at_bound) {
+        parts.emplace_back("ended at the bound of what is allowed");
+    }
+    if (const double conflict = conflict_with_prior(parameter, fitted); std::abs(conflict) > least_conflict) {
+        parts.push_back(fmt::format("is {:.1f} standard deviations {} what was known before ({:.3g} +- {:.2g})",
+                                    std::abs(conflict), conflict > 0.0 ? "above" : "below", parameter.prior,
+                                    parameter.standard_deviation));
+    }
+    if (range != nullptr) {
+        const double beyond = std::max(range->low - fitted.value, fitted.value - range->high);
+        if (beyond > 0.0 && beyond > fitted.standard_deviation) {
+            parts.push_back(fmt::format("lies outside {:.3g} to {:.3g}, where it is expected ({})", range->low,
+                                        range->high, range->source));
+        }
+    }
+    return parts;
+}
+
+}  // namespace
+
+double conflict_with_prior(const FreeParameter& parameter, const FittedParameter& fitted) {
+    const double prior = parameter.standard_deviation;
+    if (!std::isfinite(prior) || !std::isfinite(fitted.standard_deviation)) {
+        return 0.0;
+    }
+    const double variance = prior * prior - fitted.standard_deviation * fitted.standard_deviation;
+    return (fitted.value - parameter.prior) / std::sqrt(std::max(variance, std::pow(least_spread * prior, 2)));
+}
+
+double least_conflict(std::size_t n_with_prior) {
+    // The chance that one of n independent normal numbers passes z is about n erfc(z / sqrt(2)).
+    const auto n = static_cast<double>(std::max<std::size_t>(n_with_prior, 1));
+    double low = least;
+    double high = 10.0;
+    if (n * std::erfc(low / std::numbers::sqrt2) <= chance_of_any) {
+        return low;
+    }
+    while (high - low > 1e-6) {
+        const double middle = 0.5 * (low + high);
+        (n * std::erfc(middle / std::numbers::sqrt2) > chance_of_any ? low : high) = middle;
+    }
+    return high;
+}
+
+const physics::PlausibleRange* plausible_range_of(const solver::Problem& problem, const FreeParameter& parameter,
+                                                  double before) {
+    const physics::PlausibleRange* range = nullptr;
+    switch (parameter.kind) {
+        case FreeParameter::Kind::effect: {
+            const physics::ActiveEffect& active = problem.effects[parameter.effect];
+            if (active.name.empty()) {
+                range = physics::plausible_range(*active.effect, parameter.parameter, sensor_kind(problem, parameter));
+            }
+            break;
+        }
+        case FreeParameter::Kind::conductivity:
+            range = physics::plausible_range_of_law("conductivity");
+            break;
+        case FreeParameter::Kind::heat_capacity:
+            range = physics::plausible_range_of_law("heat_capacity");
+            break;
+        case FreeParameter::Kind::link_conductivity:
+            range = physics::plausible_range_of_law("link_conductivity");
+            break;
+        case FreeParameter::Kind::initial:
+            range = physics::plausible_range(*physics::find_effect("initial_temperature"), 0);
+            break;
+    }
+    return range != nullptr && physics::is_plausible(*range, before) ? range : nullptr;
+}
+
+std::vector<std::string> parameter_findings(const input::Experiment& experiment,
+                                            const std::vector<FittedParameter>& fitted,
+                                            const std::vector<double>& before) {
+    const solver::Problem& problem = experiment.runs.front().problem;
+    const auto n_with_prior = std::ranges::count_if(
+        experiment.parameters, [](const FreeParameter& one) { return std::isfinite(one.standard_deviation); });
+    const double limit = least_conflict(static_cast<std::size_t>(n_with_prior));
+    std::vector<std::string> sentences;
+    for (std::size_t j = 0; j < fitted.size(); ++j) {
+        const FreeParameter& parameter = experiment.parameters[j];
+        const bool is_known = std::isfinite(fitted[j].standard_deviation);
+        if (!is_known && !fitted[j].at_bound) {
+            continue;
+        }
+        const physics::PlausibleRange* range = plausible_range_of(problem, parameter, before[j]);
+        const std::vector<std::string> parts = observations_of(parameter, fitted[j], limit, range);
+        if (!parts.empty()) {
+            const bool is_above =
+                fitted[j].value > (std::isfinite(parameter.standard_deviation) ? parameter.prior : before[j]);
+            sentences.push_back(fmt::format("{}: the fitted {} {}: {}", parameter.name,
+                                            with_unit(parameter, fitted[j].value), fmt::join(parts, " and "),
+                                            advice(experiment, parameter, is_above, range)));
+        }
+    }
+    return sentences;
+}
+
+}  // namespace tiretherm::diagnosis

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Each fold: a linear step from the full fit, then refits of the rest and of the start of the run that is left out.
+
+#include "diagnosis/fit/held_out.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "diagnosis/fit/linearised_model.hpp"
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+/// Steps of Gauss and Newton; the first starts at the linear estimate.
+constexpr int few_iterations = 4;
+
+/// The model with the numbers of one run free and all others as they are.
+input::Experiment own_numbers_free(const input::Experiment& model, const Simulator& simulator,
+                                   const Eigen::VectorXd& values, int run) {
+    input::Experiment own = model;
+    own.parameters.clear();
+    for (std::size_t r = 0; r < own.runs.size(); ++r) {
+        own.runs[r].problem = simulator.problem(r, values);
+    }
+    for (std::size_t j = 0; j < model.parameters.size(); ++j) {
+        if (run >= 0 && model.parameters[j].run == run) {
+            own.parameters.push_back(model.parameters[j]);
+            // A shift of temperatures counts from where the problem stands now; its prior and bounds move along.
+            solver::FreeParameter& number = own.parameters.back();
+            if (number.kind == solver::FreeParameter::Kind::initial) {
+                const double by = values[static_cast<Eigen::Index>(j)];
+                number.prior -= by;
+                number.low -= by;
+                number.high -= by;
+            }
+        }
+    }
+    return own;
+}
+
+/// The full fit moved to where the rest of the data would have it, to first order and within the bounds.
+Eigen::VectorXd linear_start(const LinearisedModel& linear, const Refit& full, const Fit& fit, const Fold& fold) {
+    const Eigen::VectorXd step = solve(linear, fold.rest);
+    Eigen::VectorXd start = full.values + step.cwiseProduct(full.scale);
+    for (Eigen::Index j = 0; j < start.size(); ++j) {
+        // Far from the fit the straight line says nothing: the refit goes on from a step of moderate length.
+        const double reach = std::max(full.scale[j], std::abs(full.values[j]));
+        start[j] = std::clamp(start[j], full.values[j] - reach, full.values[j] + reach);
+        start[j] = std::clamp(start[j], fit.low()[j], fit.high()[j]);
+    }
+    return start;
+}
+
+}  // namespace
+
+std::vector<int> noise_of_rows(const Observations& observations) {
+    std::vector<int> noise(observations.rows.size(), -1);
+    for (const Block& block : observations.blocks) {
+        std::fill_n(noise.begin() + block.first, block.rows(), block.channel);
+    }
+    return noise;
+}
+
+double HeldOutErrors::mean_square(const Observations& observations, std::size_t noise) const {
+    const std::vector<int> noise_of = noise_of_rows(observations);
+    double sum = 0.0;
+    long count = 0;
+    for (std::size_t row = 0; row < noise_of.size(); ++row) {
+        const double one = left[static_cast<Eigen::Index>(row)];
+        if (noise_of[row] == static_cast<int>(noise) && std::isfinite(one)) {
+            sum += one * one;
+            ++count;
+        }
+    }
+    return count > 0 ? sum / static_cast<double>(count) : none;
+}
+
+std::vector<Fold> folds_of(const Observations& observations) {
+    constexpr std::size_t quarters = 4;
+    constexpr double gap = 0.05;
+    const std::vector<int> noise_of = noise_of_rows(observations);
+    const std::size_t n_runs = observations.times.size();
+    std::vector<Fold> folds(n_runs > 1 ? n_runs : quarters);
+    for (std::size_t row = 0; row < observations.rows.size(); ++row) {
+        const Observations::Row& what = observations.rows[row];
+        const std::vector<double>& times = observations.times[what.run];
+        const double length = times.back() - times.front();
+        const double share = length > 0.0 ? (times[what.time] - times.front()) / length : 0.0;
+        for (std::size_t f = 0; f < folds.size(); ++f) {
+            bool is_test = what.run == f;
+            bool is_rest = !is_test;
+            if (n_runs == 1) {
+                const double from = static_cast<double>(f) / quarters;
+                const double to = static_cast<double>(f + 1) / quarters;
+                is_test = share >= from && (share < to || f + 1 == quarters);
+                is_rest = share < from - gap || share > to + gap;
+            }
+            if (is_test && noise_of[row] >= 0) {
+                folds[f].test.push_back(static_cast<Eigen::Index>(row));
+            } else if (is_rest || noise_of[row] < 0) {
+                folds[f].rest.push_back(static_cast<Eigen::Index>(row));
+            }
+        }
+    }
+    for (std::size_t f = 0; n_runs > 1 && f < folds.size(); ++f) {
+        folds[f].run = static_cast<int>(f);
+    }
+    std::erase_if(folds, [](const Fold& fold) { return fold.test.empty() || fold.rest.empty(); });
+    return folds;
+}
+
+HeldOutErrors held_out(const input::Experiment& model, const Observations& observations, const Covariance& covariance,
+                       const std::vector<std::vector<double>>& steps, const Refit& full, bool fitted) {
+    HeldOutErrors found{.left = Eigen::VectorXd::Constant(observations.measured.size(), none)};
+    const LinearisedModel linear = linearise(full, observations);
+    const std::vector<Fold> folds = folds_of(observations);
+    found.ok = !folds.empty();
+    for (const Fold& fold : folds) {
+        Eigen::VectorXd values = full.values;
+        if (fitted && values.size() > 0) {
+            const Observations rest = subset(observations, fold.rest);
+            Fit fit(model, rest);
+            fit.simulator().take_steps(steps);
+            fit.take_covariance(subset(covariance, fold.rest));
+            const bool moved =
+                fit.move_to(linear_start(linear, full, fit, fold)) || fit.move_to(Eigen::VectorXd(full.values));
+            if (!moved) {
+                found.ok = false;
+                continue;
+            }
+            values = refit(fit, few_iterations).values;
+            found.simulations += fit.simulator().simulations();
+            found.values.push_back(values);
+        }
+        // The run that is left out, or the whole run, of which a block is.
+        const Observations test = subset(observations, fold.test);
+        const Simulator numbers(model, test);
+        const input::Experiment own = own_numbers_free(model, numbers, values, fold.run);
+        Fit fit(own, test);
+        fit.simulator().take_steps(steps);
+        fit.take_covariance(subset(covariance, fold.test));
+        if (!fit.move_to(fit.simulator().start())) {
+            found.ok = false;
+            continue;
+        }
+        const Eigen::VectorXd simulated =
+            own.parameters.empty() ? fit.now().simulated : refit(fit, few_iterations).simulated;
+        found.simulations += fit.simulator().simulations();
+        for (std::size_t i = 0; i < fold.test.size(); ++i) {
+            const auto k = static_cast<Eigen::Index>(i);
+            found.left[fold.test[i]] = test.measured[k] - simulated[k];
+        }
+    }
+    return found;
+}
+
+}  // namespace tiretherm::diagnosis

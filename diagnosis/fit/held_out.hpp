@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cross-validation of a fitted model by refits: every run, or every block of time of a single run, is left out in turn
+// and predicted from the rest.
+#pragma once
+
+#include <vector>
+
+#include "diagnosis/fit/refit.hpp"
+#include "diagnosis/observations/observation_subset.hpp"
+
+namespace tiretherm::diagnosis {
+
+/// What takes no part in a fit, and what the rest is.
+struct Fold {
+    RowIndices test;
+    RowIndices rest;
+    int run = -1;  ///< whose start is fitted to the test itself; -1: to the rest
+};
+
+/// Each run once; of a single run each of its quarters, with a gap of a twentieth of the run between it and the rest. Quoted
+/// numbers are always in the rest. A fold with nothing to test or to fit is left out.
+[[nodiscard]] std::vector<Fold> folds_of(const Observations& observations);
+
+/// What a model gets wrong of data that took no part in its fit.
+struct HeldOutErrors {
+    Eigen::VectorXd left;                   ///< [n_rows] SI, measured - predicted; NaN of rows that were in no test
+    std::vector<Eigen::VectorXd> values{};  ///< [n_folds][n_parameters] that the rest of each fold gave
+    long simulations = 0;
+    bool ok = false;  ///< every fold could be fitted
+
+    /// Mean square of a channel's error. @param noise index into Observations::channels  @returns NaN without any
+    [[nodiscard]] double mean_square(const Observations& observations, std::size_t noise) const;
+};
+
+/// The index into Observations::channels of every row; -1 of quoted numbers. @returns [n_rows]
+[[nodiscard]] std::vector<int> noise_of_rows(const Observations& observations);
+
+/// Leaves out each fold in turn. The shared numbers are fitted to the rest in full, by steps of Gauss and Newton within
+/// their bounds, and how the run that is left out started to itself; what is left of it is simulated, not extrapolated.
+/// @param full the model fitted to everything, where each fold starts  @param steps [n_runs] s, of every run
+/// @param fitted false: the shared numbers keep the values of `full`, only starts are fitted
+[[nodiscard]] HeldOutErrors held_out(const input::Experiment& model, const Observations& observations,
+                                     const Covariance& covariance, const std::vector<std::vector<double>>& steps,
+                                     const Refit& full, bool fitted = true);
+
+}  // namespace tiretherm::diagnosis

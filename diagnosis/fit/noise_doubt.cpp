@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The factor by which a doubtful noise widens intervals, and the widening beside a prior.
+#include "diagnosis/fit/noise_doubt.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tiretherm::diagnosis {
+
+namespace {
+
+/// The upper limit of a correlation time is a tenth of the longest run: noise as slow as the run has ten times the
+/// variance in what is slow.
+const double without_data_sheet = std::sqrt(10.0);
+
+/// The standard deviation when the data count for less. @param prior standard deviation known before, may be infinite
+double widened(double deviation, double prior, double factor) {
+    const double known = std::isfinite(prior) ? 1.0 / (prior * prior) : 0.0;
+    const double from_data = std::max(0.0, 1.0 / (deviation * deviation) - known);
+    const double precision = from_data / (factor * factor) + known;
+    return precision > 0.0 ? 1.0 / std::sqrt(precision) : deviation;
+}
+
+}  // namespace
+
+void widen_doubtful(const std::vector<solver::FreeParameter>& parameters, Identification& into) {
+    bool is_in_doubt = false;
+    for (const ChannelFit& channel : into.channels) {
+        if (channel.is_in_doubt) {
+            is_in_doubt = true;
+            const double ratio = channel.stated > 0.0 ? channel.noise.sigma / channel.stated : without_data_sheet;
+            into.widened = std::max(into.widened, ratio);
+        }
+    }
+    if (!is_in_doubt) {
+        return;
+    }
+    for (std::size_t j = 0; j < into.fitted.size(); ++j) {
+        Fitted& one = into.fitted[j];
+        if (one.identifiability == Identifiability::determined) {
+            one.identifiability = Identifiability::doubtful;
+        }
+        if (!(one.standard_deviation > 0.0) || !std::isfinite(one.standard_deviation)) {
+            continue;
+        }
+        const solver::FreeParameter& parameter = parameters[j];
+        const double deviation = widened(one.standard_deviation, parameter.standard_deviation, into.widened);
+        const double factor = deviation / one.standard_deviation;
+        const double low = one.value - (one.value - one.low) * factor;
+        const double high = one.value + (one.high - one.value) * factor;
+        one.standard_deviation = deviation;
+        one.low_is_open = one.low_is_open || low < parameter.low;
+        one.high_is_open = one.high_is_open || high > parameter.high;
+        one.low = std::max(parameter.low, low);
+        one.high = std::min(parameter.high, high);
+    }
+}
+
+}  // namespace tiretherm::diagnosis

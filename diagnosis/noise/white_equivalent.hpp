@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// White noise of the same information: what correlated noise says of slow effects, spread evenly over the samples.
+#pragma once
+
+#include <span>
+
+#include "diagnosis/noise/noise.hpp"
+
+namespace tiretherm::diagnosis {
+
+/// White noise whose mean over a long time has the variance that the mean of this noise has: its variance times the sum of
+/// its autocorrelations over the samples,
+///     sigma^2 (w + (1 - w) (1 + rho) / (1 - rho)),  rho = exp(-interval / correlation_time), w the white share.
+/// Every sample counts alike, as in ordinary least squares, and all together as much as the independent ones among them
+/// (effective sample size: Bayley and Hammersley, J. Roy. Statist. Soc. Suppl. 8 (1946) 184).
+/// @param blocks whose median sample interval counts, channel by channel
+[[nodiscard]] Covariance white_equivalent(const Covariance& covariance, std::span<const Block> blocks);
+
+}  // namespace tiretherm::diagnosis

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Compares the best explanations in every temperature of every test, and in the quoted numbers with each input known.
+
+#include "diagnosis/quoted/next_measurement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tiretherm::diagnosis::quoted {
+
+namespace {
+
+constexpr std::size_t most_rivals = 4;
+constexpr double little_left = 0.7;  ///< of the rms that a rival may leave where it is fitted
+
+/// The explanations that are compared: those that cannot be told apart, or else those that fit best.
+std::vector<const Attempt*> rivals_of(const Analysis& analysis) {
+    const bool any_set = std::ranges::count_if(analysis.attempts, &Attempt::in_set) > 1;
+    std::vector<const Attempt*> all;
+    for (const Attempt& attempt : analysis.attempts) {
+        if (any_set ? attempt.in_set : attempt.rms_fitted < little_left * analysis.rms) {
+            all.push_back(&attempt);
+        }
+    }
+    std::ranges::stable_sort(all, [](const Attempt* a, const Attempt* b) { return a->rms_fitted < b->rms_fitted; });
+    std::vector<const Attempt*> found;
+    for (const Attempt* attempt : all) {
+        const bool is_new = std::ranges::none_of(
+            found, [&](const Attempt* one) { return one->addition.is_same_cause(attempt->addition); });
+        if (is_new && found.size() < most_rivals) {
+            found.push_back(attempt);
+        }
+    }
+    return found;
+}
+
+/// The median of the uncertainties of temperatures, K.
+double achievable(const Numbers& numbers) {
+    std::vector<double> all;
+    for (const Row& row : numbers.rows) {
+        if (row.is_temperature() && !row.is_open) {
+            all.push_back(row.uncertainty);
+        }
+    }
+    std::ranges::sort(all);
+    return all.empty() ? 1.0 : all[all.size() / 2];
+}
+
+/// The input whose knowledge adds most to chi squared between two explanations.
+void find_input(const Numbers& numbers, const Attempt& one, const Attempt& other, NextMeasurement& next) {
+    for (const UnknownInput& input : numbers.inputs) {
+        double gain = 0.0;
+        for (std::size_t r = 0; r < numbers.rows.size(); ++r) {
+            const Row& row = numbers.rows[r];
+            const double variance = row.total() * row.total();
+            const double without = std::max(row.uncertainty * row.uncertainty, variance - input.covariance(r, r));
+            const double apart =
+                row.residual(row.value + one.fit.changes[r]) - row.residual(row.value + other.fit.changes[r]);
+            gain += apart * apart * (1.0 / without - 1.0 / variance);
+        }
+        if (gain > next.input_gain) {
+            next.input_gain = gain;
+            next.input = input.name;
+        }
+    }
+}
+
+}  // namespace
+
+std::optional<NextMeasurement> next_measurement(const Numbers& numbers, const Analysis& decidable, const Analysis& all,
+                                                Trials& trials) {
+    std::vector<const Attempt*> rivals = rivals_of(decidable);
+    rivals = rivals.size() < 2 ? rivals_of(all) : rivals;
+    if (rivals.size() < 2) {
+        return std::nullopt;
+    }
+    std::vector<std::vector<ChannelEnd>> ends;
+    for (const Attempt* rival : rivals) {
+        ends.push_back(trials.ends({{.addition = &rival->addition, .value = rival->fit.values.front()}}));
+    }
+    NextMeasurement next{.uncertainty = achievable(numbers)};
+    const Attempt* one = nullptr;
+    const Attempt* other = nullptr;
+    double widest = 0.0;
+    for (std::size_t a = 0; a < rivals.size(); ++a) {
+        for (std::size_t b = a + 1; b < rivals.size(); ++b) {
+            for (const ChannelEnd& end : ends[a]) {
+                const auto same = std::ranges::find_if(ends[b], [&](const ChannelEnd& candidate) {
+                    return candidate.run == end.run && candidate.channel == end.channel;
+                });
+                if (same != ends[b].end() && std::abs(same->value - end.value) > widest) {
+                    widest = std::abs(same->value - end.value);
+                    one = rivals[a];
+                    other = rivals[b];
+                    next.run = end.run;
+                    next.channel = end.channel;
+                    next.value_of_one = end.value;
+                    next.value_of_other = same->value;
+                }
+            }
+        }
+    }
+    if (one == nullptr) {
+        return std::nullopt;
+    }
+    next.one = one->addition.name();
+    next.other = other->addition.name();
+    find_input(numbers, *one, *other, next);
+    return next;
+}
+
+}  // namespace tiretherm::diagnosis::quoted

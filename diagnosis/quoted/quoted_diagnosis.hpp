@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Diagnosis of quoted numbers over many experiments: which additions to a model predict experiments that took no part in
+// fitting them, what they leave, and which measurement would tell them apart.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnosis/quoted/held_out.hpp"
+#include "diagnosis/quoted/trials.hpp"
+
+namespace tiretherm::diagnosis::quoted {
+
+/// As of a diagnosis of logs, and `partial`: something helps, and much is left that is none of what was tried.
+enum class QuotedVerdict : std::uint8_t { named, confounded, unknown, consistent, cannot_tell, partial };
+inline constexpr std::array<std::string_view, 6> verdict_names{"named",      "confounded",  "unknown",
+                                                               "consistent", "cannot_tell", "partial"};
+
+/// One addition by itself.
+struct Attempt {
+    Addition addition;
+    AdditionFit fit{};  ///< to all experiments
+    HeldOut held_out{};
+    double rms_fitted = 0.0;  ///< of the rows that it was fitted to, total uncertainties: no proof of anything
+    bool fits = false;        ///< nothing significant is left of these
+    bool in_set = false;
+};
+
+/// An addition that was accepted, beside those before it.
+struct Step {
+    Addition addition;
+    HeldOut held_out{};  ///< of all so far, over the base
+    HeldOut further{};   ///< the same over the step before
+    HeldOut choice{};    ///< over the step before, with the addition chosen anew for each experiment left out
+};
+
+/// What some of the rows say.
+struct Analysis {
+    std::vector<bool> counts{};  ///< [rows]
+    std::size_t n_rows = 0;
+    std::vector<std::size_t> experiments{};  ///< that have such rows
+    std::vector<std::size_t> off{};          ///< of these, where the model is further off than 2 u
+    double rms = 0.0;                        ///< of the model as it is, in total uncertainties
+    double kelvin = 0.0;
+    double chi_squared = 0.0;
+    double significance = 0.0;        ///< standard deviations by which chi squared is too large
+    std::vector<Attempt> attempts{};  ///< the best first
+    std::size_t without_effect = 0;   ///< additions that move no row that counts
+    std::vector<Step> steps{};
+    AdditionFit fit{};             ///< of all steps' numbers, to all experiments
+    std::vector<double> after{};   ///< [rows] changes with all steps, simulated together
+    double surrogate_error = 0.0;  ///< largest difference of that from the fit's, total uncertainties
+    double significance_after = 0.0;
+    std::vector<std::size_t> off_after{};
+    std::vector<std::vector<std::string>> set{};  ///< names of explanations that these rows cannot tell apart
+    QuotedVerdict verdict = QuotedVerdict::cannot_tell;
+};
+
+/// A measurement that would tell explanations apart.
+struct NextMeasurement {
+    std::string run{};
+    std::string channel{};
+    std::string one{};  ///< explanation
+    std::string other{};
+    double value_of_one = 0.0;  ///< degC
+    double value_of_other = 0.0;
+    double uncertainty = 0.0;  ///< K, that can be achieved: the median of those stated
+    std::string input{};       ///< whose knowledge would add most to what the quoted numbers say; empty: none
+    double input_gain = 0.0;   ///< by how much it raises chi squared between the two
+};
+
+struct QuotedDiagnosis {
+    Numbers numbers;
+    Analysis decidable{};  ///< by the rows that `validate` can decide: the verdict
+    Analysis all{};        ///< by all measured rows, with the ranges of unknown inputs as uncertainties
+    std::optional<NextMeasurement> next{};
+    std::vector<std::string> not_simulated{};  ///< additions whose simulations failed, with the reason
+    long simulations = 0;
+    bool stopped = false;
+};
+
+struct QuotedRequest {
+    std::size_t model = 0;
+    unsigned threads = 0;
+    std::size_t most_steps = 3;
+    std::function<void(long)> progress{};
+};
+
+/// @param trials of the same validation and model
+[[nodiscard]] QuotedDiagnosis diagnose_quoted(const input::Validation& validation, Trials& trials,
+                                              const QuotedRequest& request);
+
+}  // namespace tiretherm::diagnosis::quoted

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs of a table with effects switched on, numbers moved, readings bent or the other mesh taken.
+
+#include "diagnosis/quoted/trials.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "diagnosis/quoted/trial_candidates.hpp"
+#include "diagnosis/validation/validation_rows.hpp"
+#include "solver/channel_unit.hpp"
+#include "solver/stop_signal.hpp"
+
+namespace tiretherm::diagnosis::quoted {
+
+namespace {
+
+constexpr const char* not_run = "not simulated";
+
+void add_once(std::vector<std::size_t>& all, const std::vector<std::size_t>& more) {
+    for (const std::size_t one : more) {
+        if (std::ranges::find(all, one) == all.end()) {
+            all.push_back(one);
+        }
+    }
+}
+
+}  // namespace
+
+Trials::Trials(const input::Validation& validation, std::size_t model, unsigned threads,
+               std::function<void(long)> progress)
+    : validation_(validation), model_(model), threads_(threads), progress_(std::move(progress)) {
+    base_.traces.resize(validation.runs.size());
+    base_.failures.assign(validation.runs.size(), not_run);
+    std::vector<std::size_t> runs = nominal_runs(model);
+    candidates_.resize(validation.runs.size());
+    for (const std::size_t run : runs) {
+        candidates_[run] = candidates_in(validation.runs[run].problem);
+    }
+    for (const input::ValidationNumber& number : validation.numbers) {
+        for (const input::NumberInput& input : number.inputs) {
+            for (const auto& models : input.at_ends) {
+                if (models[model]) {
+                    add_once(runs, models[model]->runs());
+                }
+            }
+        }
+    }
+    run_as_they_are(runs);
+    table_ = validation_rows(validation_, base_);
+}
+
+void Trials::run_as_they_are(const std::vector<std::size_t>& runs) {
+    std::vector<input::ValidationRun> chosen;
+    std::vector<std::size_t> places;
+    for (const std::size_t run : runs) {
+        if (base_.failures[run] == not_run) {
+            chosen.push_back(validation_.runs[run]);
+            places.push_back(run);
+        }
+    }
+    const long before = simulations_;
+    RunResults results = run_all(chosen, threads_, [&](std::size_t done) {
+        if (progress_) {
+            progress_(before + static_cast<long>(done));
+        }
+    });
+    simulations_ += static_cast<long>(chosen.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        base_.traces[places[i]] = std::move(results.traces[i]);
+        base_.failures[places[i]] = results.failures[i];
+    }
+    base_.warnings.insert(base_.warnings.end(), results.warnings.begin(), results.warnings.end());
+}
+
+std::vector<std::size_t> Trials::nominal_runs(std::size_t model) const {
+    std::vector<std::size_t> runs;
+    for (const input::ValidationNumber& number : validation_.numbers) {
+        if (number.models[model] && number.models[model_]) {
+            add_once(runs, number.models[model]->runs());
+        }
+    }
+    return runs;
+}
+
+std::vector<std::string> Trials::failures() const {
+    std::vector<std::string> found;
+    std::ranges::copy_if(base_.failures, std::back_inserter(found),
+                         [](const std::string& failure) { return !failure.empty() && failure != not_run; });
+    return found;
+}
+
+std::size_t Trials::model_of(const std::vector<Applied>& applied) const {
+    const bool other = std::ranges::any_of(
+        applied, [](const Applied& one) { return one.addition->kind == AdditionKind::mesh && one.value > 0.0; });
+    return other ? 1 - model_ : model_;
+}
+
+std::string Trials::source_word(std::size_t number) const {
+    const std::string& source = validation_.numbers[number].source;
+    return source.substr(0, source.find_first_of(" ,:;"));
+}
+
+bool Trials::apply(const Applied& applied, std::size_t run, solver::Problem& problem) const {
+    const Addition& addition = *applied.addition;
+    if ((addition.kind != AdditionKind::effect && addition.kind != AdditionKind::number) ||
+        applied.value == addition.absent) {
+        return false;
+    }
+    const std::vector<Candidate>& mine = candidates_[run];
+    const auto found = std::ranges::find_if(mine, [&](const Candidate& one) { return is_of(one, addition, problem); });
+    if (found == mine.end()) {
+        return false;
+    }
+    input::Experiment alone;
+    alone.runs.emplace_back();
+    alone.runs.front().problem = std::move(problem);
+    problem = std::move(with(std::move(alone), {*found}, {applied.value}).runs.front().problem);
+    return true;
+}
+
+void Trials::read_instrument(const Applied& applied, RunResults& results) const {
+    const Addition& addition = *applied.addition;
+    for (std::size_t run = 0; run < results.traces.size(); ++run) {
+        const std::vector<solver::Channel>& channels = validation_.runs[run].problem.channels;
+        for (std::size_t c = 0; c < channels.size() && results.failures[run].empty(); ++c) {
+            if (channels[c].quantity != solver::Quantity::temperature ||
+                instrument_of(channels[c].name) != addition.id) {
+                continue;
+            }
+            const bool is_gain = addition.key == gain_key;
+            results.traces[run].correct(c, is_gain ? 1.0 + applied.value : 1.0, gain_reference,
+                                        is_gain ? 0.0 : applied.value);
+        }
+    }
+}
+
+RunResults Trials::run(const std::vector<Applied>& applied) {
+    const std::vector<std::size_t> runs = nominal_runs(model_of(applied));
+    run_as_they_are(runs);
+    for (const std::size_t run : runs) {
+        candidates_[run] = candidates_[run].empty() ? candidates_in(validation_.runs[run].problem) : candidates_[run];
+    }
+    std::vector<input::ValidationRun> changed;
+    std::vector<std::size_t> places;
+    for (const std::size_t run : runs) {
+        input::ValidationRun copy = validation_.runs[run];
+        bool any = false;
+        for (const Applied& one : applied) {
+            any = apply(one, run, copy.problem) || any;
+        }
+        if (any) {
+            changed.push_back(std::move(copy));
+            places.push_back(run);
+        }
+    }
+    const long before = simulations_;
+    RunResults found = run_all(changed, threads_, [&](std::size_t done) {
+        if (progress_) {
+            progress_(before + static_cast<long>(done));
+        }
+    });
+    simulations_ += static_cast<long>(changed.size());
+    RunResults all{.traces = std::vector<input::Trace>(validation_.runs.size()),
+                   .failures = std::vector<std::string>(validation_.runs.size(), not_run),
+                   .warnings = {}};
+    for (const std::size_t run : runs) {
+        all.traces[run] = base_.traces[run];
+        all.failures[run] = base_.failures[run];
+    }
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        all.traces[places[i]] = std::move(found.traces[i]);
+        all.failures[places[i]] = found.failures[i];
+    }
+    for (const Applied& one : applied) {
+        if (one.addition->kind == AdditionKind::instrument) {
+            read_instrument(one, all);
+        }
+    }
+    return all;
+}
+
+std::vector<std::optional<double>> Trials::values(const RunResults& results, std::size_t model,
+                                                  const Numbers& numbers) const {
+    const std::vector<ValidationRow> table = validation_rows(validation_, results);
+    std::vector<std::optional<double>> found;
+    for (const Row& row : numbers.rows) {
+        found.push_back(table[row.number].models[model].value);
+    }
+    return found;
+}
+
+std::vector<double> Trials::together(const std::vector<Applied>& applied, const Numbers& numbers) {
+    const std::size_t model = model_of(applied);
+    const RunResults results = run(applied);
+    const std::vector<std::optional<double>> now = values(results, model, numbers);
+    std::vector<double> changes(numbers.rows.size(), 0.0);
+    for (std::size_t r = 0; r < changes.size(); ++r) {
+        const Row& row = numbers.rows[r];
+        if (!now[r] && validation_.numbers[row.number].models[model]) {
+            return {};
+        }
+        // A number that the other mesh does not have stays as it is.
+        changes[r] = now[r] ? *now[r] - *table_[row.number].models[model_].value : 0.0;
+        for (const Applied& one : applied) {
+            const bool other_source =
+                one.addition->kind == AdditionKind::instrument && one.addition->what != source_word(row.number);
+            if (other_source && applied.size() == 1) {
+                changes[r] = 0.0;
+            }
+        }
+    }
+    for (const Applied& one : applied) {
+        if (one.addition->kind == AdditionKind::input) {
+            const std::vector<std::vector<double>> table = one.addition->table();
+            const double share = (one.value - one.addition->low) / (one.addition->high - one.addition->low);
+            const auto at = static_cast<std::size_t>(std::lround(share * static_cast<double>(table.size() - 1)));
+            for (std::size_t r = 0; r < changes.size(); ++r) {
+                changes[r] += table[at][r];
+            }
+        }
+    }
+    return changes;
+}
+
+void Trials::simulate(Addition& addition, const Numbers& numbers, const std::vector<Applied>& on_top) {
+    if (addition.kind == AdditionKind::input) {
+        return;
+    }
+    const std::vector<double> without = together(on_top, numbers);
+    addition.changes.clear();
+    std::vector<double> nodes;
+    for (const double node : addition.nodes) {
+        if (solver::stop_requested()) {
+            return;
+        }
+        std::vector<double> changes(numbers.rows.size(), 0.0);
+        if (node != addition.absent) {
+            std::vector<Applied> all = on_top;
+            all.push_back({.addition = &addition, .value = node});
+            const std::vector<double> now = together(all, numbers);
+            if (now.empty()) {
+                continue;  // beyond what the solver can do: the range ends before
+            }
+            for (std::size_t r = 0; r < changes.size(); ++r) {
+                changes[r] = now[r] - without[r];
+            }
+        }
+        nodes.push_back(node);
+        addition.changes.push_back(std::move(changes));
+    }
+    if (nodes.size() < 2) {
+        addition.failure = "no simulation with it came to its end";
+    }
+    addition.nodes = nodes;
+    addition.low = std::max(addition.low, nodes.front());
+    addition.high = std::min(addition.high, nodes.back());
+}
+
+std::vector<ChannelEnd> Trials::ends(const std::vector<Applied>& applied) {
+    const RunResults results = run(applied);
+    std::vector<ChannelEnd> found;
+    for (const std::size_t run : nominal_runs(model_of(applied))) {
+        const solver::Problem& problem = validation_.runs[run].problem;
+        for (std::size_t c = 0; c < problem.n_sensors() && results.failures[run].empty(); ++c) {
+            if (problem.channels[c].quantity == solver::Quantity::temperature) {
+                const double last =
+                    results.traces[run].read(c, {.from = problem.settings.start, .to = problem.settings.end});
+                found.push_back({.run = problem.name,
+                                 .channel = problem.channels[c].name,
+                                 .value = solver::shown_unit(solver::Quantity::temperature).value(last)});
+            }
+        }
+    }
+    return found;
+}
+
+}  // namespace tiretherm::diagnosis::quoted

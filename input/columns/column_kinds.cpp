@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The rules by which an unused column is a drive, a temperature of the tire, a copy, a result, a clock or constant.
+
+#include "input/columns/column_kinds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "input/columns/column_course.hpp"
+#include "input/columns/column_names.hpp"
+#include "input/columns/column_references.hpp"
+#include "input/text/units.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+constexpr double moves_alike = 0.95;  ///< correlation of a column with a sensor, both without their trends
+constexpr double slow = 0.05;         ///< roughness of what has no jumps and little noise
+constexpr double leads = 0.02;        ///< gain of the correlation by a shift that says that one comes before the other
+constexpr double hotter = 30.0;       ///< K above every sensor of the tire: something else's temperature
+
+struct Verdict {
+    ColumnKind kind = ColumnKind::drive;
+    std::string reason{};
+};
+
+/// A column over all runs.
+struct Column {
+    std::string name;
+    std::string unit;
+    std::vector<UnusedSignal*> in{};  ///< [n_runs] null where the run does not have it
+    Course course{};
+    std::optional<Verdict> verdict{};
+};
+
+/// The unused columns of all runs, each once, without their courses.
+std::vector<Column> columns_of(std::vector<MeasuredRun>& runs) {
+    std::vector<Column> columns;
+    std::map<std::string_view, std::size_t> known;
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+        for (UnusedSignal& signal : runs[r].unused) {
+            const auto [at, is_new] = known.try_emplace(signal.name, columns.size());
+            if (is_new) {
+                columns.push_back({.name = signal.name, .unit = signal.unit});
+                columns.back().in.resize(runs.size());
+            }
+            columns[at->second].in[r] = &signal;
+        }
+    }
+    return columns;
+}
+
+/// Whether a column counts time or the way, on all its samples.
+bool is_clock(const std::vector<MeasuredRun>& runs, const Column& column) {
+    std::vector<std::vector<double>> value;
+    std::vector<std::vector<double>> time;
+    std::vector<std::vector<double>> way;
+    const physics::Signal& speed = *physics::find_signal("speed");
+    bool rolls = false;
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+        const MeasuredRun& run = runs[r];
+        if (column.in[r] == nullptr) {
+            continue;
+        }
+        value.push_back(column.in[r]->value);
+        time.push_back(run.time);
+        std::vector<double>& one = way.emplace_back(run.time.size(), 0.0);
+        if (run.problem.input_signals.gives(speed)) {
+            rolls = true;
+            double before = 0.0;
+            for (std::size_t i = 0; i < run.time.size(); ++i) {
+                const double now = std::abs(run.problem.input_signals.at(run.time[i], solver::JumpSide::before).speed);
+                one[i] = i == 0 ? 0.0 : one[i - 1] + 0.5 * (now + before) * (run.time[i] - run.time[i - 1]);
+                before = now;
+            }
+        }
+    }
+    return counts(value, time) || (rolls && counts(value, way));
+}
+
+std::string number(double r) { return fmt::format("r = {:.4f}", r); }
+
+/// Of a temperature: whose it is, by its name, and where that says nothing by whether it comes before all sensors of the tire
+/// and is hotter than any of them, as a brake or an exhaust.
+Verdict judge_temperature(const Column& column, const std::vector<Reference>& sensors) {
+    if (const std::string word = word_of_tire(column.name); !word.empty()) {
+        return {ColumnKind::temperature_of_tire, fmt::format("a temperature of the tire by its name ({})", word)};
+    }
+    if (const std::string word = word_from_outside(column.name); !word.empty()) {
+        return {ColumnKind::drive, fmt::format("a temperature from outside of the tire by its name ({})", word)};
+    }
+    const auto read = conversion(column.unit == "C"   ? "degC"
+                                 : column.unit == "F" ? "degF"
+                                                      : column.unit,
+                                 "K", Scale::absolute);
+    const Conversion* kelvin = std::get_if<Conversion>(&read);
+    const auto highest = [](const Course& course, const Conversion& si) {
+        double most = -INFINITY;
+        for (const double value : course.value) {
+            most = std::isfinite(value) ? std::max(most, si.to_si(value)) : most;
+        }
+        return most;
+    };
+    const Course own = detrended(column.course);
+    const bool outside =
+        kelvin != nullptr && !sensors.empty() && std::ranges::all_of(sensors, [&](const Reference& sensor) {
+            const Lead lead = lead_of(own, detrended(sensor.course));
+            return lead.samples > 1 && std::abs(lead.correlation) > std::abs(lead.together) + leads &&
+                   highest(column.course, *kelvin) > highest(sensor.course, {}) + hotter;
+        });
+    return outside ? Verdict{ColumnKind::drive, "a temperature that comes before all sensors of the tire and is hotter"}
+                   : Verdict{ColumnKind::temperature_of_tire,
+                             "a temperature, and its name says of nothing that acts on the tire from outside"};
+}
+
+/// By name and unit, and by what needs no other column.
+std::optional<Verdict> judge_alone(const Column& column, const std::vector<MeasuredRun>& runs,
+                                   const std::vector<Reference>& sensors) {
+    if (is_constant(column.course)) {
+        return Verdict{ColumnKind::constant, "never changes"};
+    }
+    if (const std::string word = word_of_result(column.name); !word.empty()) {
+        return Verdict{ColumnKind::result, fmt::format("computed, by its name ({})", word)};
+    }
+    if (is_temperature(column.name, column.unit)) {
+        return judge_temperature(column, sensors);
+    }
+    if (const std::string word = word_of_clock(column.name); !word.empty()) {
+        return Verdict{ColumnKind::clock,
+                       fmt::format("a time, a counter, a distance or a place by its name ({})", word)};
+    }
+    if (is_clock(runs, column)) {
+        return Verdict{ColumnKind::clock, "goes evenly with the time or the way, or counts"};
+    }
+    return std::nullopt;
+}
+
+/// Beside inputs and sensors.
+std::optional<Verdict> judge_beside(const Column& column, const std::vector<double>& standard,
+                                    const std::vector<Reference>& inputs, const std::vector<Reference>& products,
+                                    const std::vector<Reference>& sensors) {
+    for (const std::vector<Reference>* list : {&inputs, &sensors}) {
+        for (const Reference& other : *list) {
+            if (is_copy(standard, other.standard)) {
+                return Verdict{ColumnKind::copy, fmt::format("a copy of {} ({})", other.name,
+                                                             number(correlation(standard, other.standard)))};
+            }
+        }
+    }
+    for (const Reference& product : products) {
+        if (is_copy(standard, product.standard)) {
+            return Verdict{ColumnKind::result, fmt::format("follows from inputs: {} ({})", product.name,
+                                                           number(correlation(standard, product.standard)))};
+        }
+    }
+    for (const Reference& input : inputs) {
+        if (is_function(column.course.value, input.course.value)) {
+            return Verdict{ColumnKind::result, fmt::format("an exact function of {}", input.name)};
+        }
+    }
+    const Course own = detrended(column.course);
+    for (const Reference& sensor : sensors) {
+        const Course other = detrended(sensor.course);
+        if (roughness(own) > std::max(slow, 2.0 * roughness(other))) {
+            continue;  // it jumps, which no temperature does
+        }
+        const Lead lead = lead_of(own, other);
+        const bool before = lead.samples > 0 && std::abs(lead.correlation) > std::abs(lead.together) + 0.1 * leads;
+        if (std::abs(lead.correlation) > moves_alike && !before) {
+            return Verdict{ColumnKind::temperature_of_tire,
+                           fmt::format("moves like {} ({})", sensor.name, number(lead.correlation))};
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+void classify_unused(std::vector<MeasuredRun>& runs) {
+    std::vector<Column> columns = columns_of(runs);
+    if (columns.empty()) {
+        return;
+    }
+    const CommonSamples samples(runs, columns.size());
+    for (Column& column : columns) {
+        column.course = samples.of([&](std::size_t r, std::size_t row) {
+            return column.in[r] == nullptr ? std::nan("") : column.in[r]->value[row];
+        });
+    }
+    const std::vector<Reference> inputs = changing_inputs(runs, samples);
+    const std::vector<Reference> products = products_of(inputs);
+    const std::vector<Reference> sensors = temperature_sensors(runs, samples);
+    std::vector<std::pair<const Column*, std::vector<double>>> drives;
+    for (Column& column : columns) {
+        column.verdict = judge_alone(column, runs, sensors);
+        if (column.verdict && column.verdict->kind != ColumnKind::drive) {
+            continue;
+        }
+        std::vector<double> standard = standardised(column.course.value);
+        if (!column.verdict) {
+            column.verdict = judge_beside(column, standard, inputs, products, sensors);
+        }
+        if (!column.verdict || column.verdict->kind == ColumnKind::drive) {
+            const auto same =
+                std::ranges::find_if(drives, [&](const auto& drive) { return is_copy(standard, drive.second); });
+            if (same == drives.end()) {
+                column.verdict = column.verdict.value_or(Verdict{});
+                drives.emplace_back(&column, std::move(standard));
+            } else {
+                column.verdict = Verdict{ColumnKind::copy, fmt::format("a copy of {} ({})", same->first->name,
+                                                                       number(correlation(standard, same->second)))};
+            }
+        }
+    }
+    for (const Column& column : columns) {
+        for (UnusedSignal* signal : column.in) {
+            if (signal != nullptr) {
+                signal->kind = column.verdict->kind;
+                signal->reason = column.verdict->reason;
+                signal->may_be_cause = signal->kind == ColumnKind::drive;
+            }
+        }
+    }
+}
+
+}  // namespace tiretherm::input

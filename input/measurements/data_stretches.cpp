@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds stretches of equal values and judges their length by the signal's own.
+
+#include "input/measurements/data_stretches.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tiretherm::input {
+
+namespace {
+
+constexpr double stuck_share = 0.02;
+constexpr double stuck_factor = 5.0;  ///< over the stretch of equal values in which a typical sample lies
+constexpr double noisy = 0.2;         ///< reversals a sample; a ramp has none, white noise two thirds
+
+/// The length of the stretch in which the middle sample lies when they are sorted by length, some left out.
+std::size_t typical_length(const std::vector<Stretch>& all, const std::function<bool(std::size_t)>& without) {
+    std::vector<std::size_t> lengths;
+    std::size_t samples = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (!without(i)) {
+            lengths.push_back(all[i].length);
+            samples += all[i].length;
+        }
+    }
+    std::sort(lengths.begin(), lengths.end());
+    std::size_t counted = 0;
+    for (const std::size_t length : lengths) {
+        counted += length;
+        if (2 * counted >= samples) {
+            return length;
+        }
+    }
+    return 0;
+}
+
+}  // namespace
+
+std::vector<Stretch> stretches(const std::vector<double>& value) {
+    std::vector<Stretch> found;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        if (i > 0 && value[i] == value[i - 1]) {
+            ++found.back().length;
+        } else {
+            found.push_back({i, 1});
+        }
+    }
+    return found;
+}
+
+double reversals(const std::vector<double>& value, const Stretch& without) {
+    std::size_t turns = 0;
+    std::size_t counted = 0;
+    for (std::size_t i = 1; i + 1 < value.size(); ++i) {
+        if (i + 1 < without.first || i > without.first + without.length) {
+            turns += (value[i] - value[i - 1]) * (value[i + 1] - value[i]) < 0.0 ? 1 : 0;
+            ++counted;
+        }
+    }
+    return counted == 0 ? 0.0 : static_cast<double>(turns) / static_cast<double>(counted);
+}
+
+bool is_soak(const Recording& recording, const RecordedColumn& column, const Stretch& stretch) {
+    const RecordedColumn* speed = recording.find("speed");
+    if (speed == nullptr || speed->time.empty()) {
+        return false;
+    }
+    const auto begin = std::ranges::lower_bound(speed->time, column.time[stretch.first]);
+    const auto end = std::ranges::upper_bound(speed->time, column.time[stretch.first + stretch.length - 1]);
+    return begin < end && std::all_of(begin, end, [&](const double& time) {
+               return std::abs(speed->value[static_cast<std::size_t>(&time - speed->time.data())]) <= 0.1;
+           });
+}
+
+bool has_noise(const std::vector<Stretch>& all, const std::function<bool(std::size_t)>& without,
+               const std::vector<double>& value) {
+    std::size_t turns = 0;
+    std::size_t counted = 0;
+    for (std::size_t s = 1; s + 1 < all.size(); ++s) {
+        if (!without(s)) {
+            const std::size_t i = all[s].first;
+            const std::size_t next = all[s + 1].first;
+            turns += (value[i] - value[i - 1]) * (value[next] - value[i]) < 0.0 ? 1 : 0;
+            counted += all[s].length;
+        }
+    }
+    return counted >= stuck_samples && typical_length(all, without) <= 1 &&
+           static_cast<double>(turns) > noisy * static_cast<double>(counted);
+}
+
+std::vector<std::size_t> too_long(const Recording& recording, const RecordedColumn& column,
+                                  const std::vector<Stretch>& all) {
+    std::vector<std::size_t> found;
+    const auto least =
+        std::max(static_cast<double>(stuck_samples), stuck_share * static_cast<double>(column.value.size()));
+    if (all.size() < 2 || column.high() - column.low() <= coarse * column.resolution()) {
+        return found;
+    }
+    for (std::size_t s = 0; s < all.size(); ++s) {
+        const auto length = static_cast<double>(all[s].length);
+        if (length <= least || is_soak(recording, column, all[s]) ||
+            length <= stuck_factor *
+                          static_cast<double>(typical_length(all, [&](std::size_t other) { return other == s; }))) {
+            continue;
+        }
+        // An input that rests at zero or is held by a controller is no sensor that hangs.
+        const double value = column.value[all[s].first];
+        if (!column.is_input || (value != 0.0 && reversals(column.value, all[s]) >= noisy)) {
+            found.push_back(s);
+        }
+    }
+    std::ranges::stable_sort(found, std::greater{}, [&](std::size_t s) { return all[s].length; });
+    return found;
+}
+
+std::string_view left_out(const Recording& recording) {
+    return recording.keep_suspicious ? "" : " Fits and diagnoses leave these samples out";
+}
+
+}  // namespace tiretherm::input

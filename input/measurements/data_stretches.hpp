@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Stretches of equal values in a recorded column: what is too long for its own signal.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "input/measurements/data_warnings.hpp"
+
+namespace tiretherm::input {
+
+constexpr std::size_t stuck_samples = 20;  ///< fewer equal samples are nothing
+constexpr double coarse = 3.0;             ///< steps of the logger; a signal that moves no further hardly moves
+
+/// All samples of a column in stretches of equal values.
+[[nodiscard]] std::vector<Stretch> stretches(const std::vector<double>& value);
+
+/// How often, a sample, a signal turns round outside a stretch. A setpoint and a ramp hardly ever do.
+[[nodiscard]] double reversals(const std::vector<double>& value, const Stretch& without);
+
+/// Whether the tire stands all along a stretch: before a run, or after it when all has cooled, nothing changes.
+[[nodiscard]] bool is_soak(const Recording& recording, const RecordedColumn& column, const Stretch& stretch);
+
+/// Whether a sensor's noise is well above what the logger resolves: most samples outside some stretches differ from their
+/// neighbours, up and down. Such a signal does not repeat itself.
+/// @param without stretches that are left out, by their index
+[[nodiscard]] bool has_noise(const std::vector<Stretch>& all, const std::function<bool(std::size_t)>& without,
+                             const std::vector<double>& value);
+
+/// What stands still in a column for too long, as indices into its stretches; the longest first.
+[[nodiscard]] std::vector<std::size_t> too_long(const Recording& recording, const RecordedColumn& column,
+                                                const std::vector<Stretch>& all);
+
+/// Stretches at the highest or the lowest value that are no stay there: a noisy signal is cut off, or one without noise goes
+/// straight to a round number and stays.
+[[nodiscard]] std::vector<Stretch> clipped_stretches(const Recording& recording, const RecordedColumn& column);
+
+/// Stretches of a sensor in which others stand still as well, from the same sample to the same. @param sensors out: names
+[[nodiscard]] std::vector<Stretch> stuck_together(const Recording& recording, const RecordedColumn& column,
+                                                  std::vector<std::string>& sensors);
+
+/// The end of a finding: what becomes of samples that are surely unusable.
+[[nodiscard]] std::string_view left_out(const Recording& recording);
+
+}  // namespace tiretherm::input

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How channels and single measured numbers fit, as tables, and the cautions about their noise.
+#include "post/identification/fit_section.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "solver/channel_unit.hpp"
+
+namespace tiretherm::post {
+
+using namespace diagnosis;  // whose results are rendered here
+
+DataTable fitted_channels(const IdentificationRecord& record) {
+    DataTable table;
+    for (const ChannelFit& fit : record.result.channels) {
+        const solver::Channel& channel = record.experiment.runs.front().problem.channels[fit.channel];
+        const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
+        const auto show = [&](double si) { return shown("{:.3g}", unit.difference(si)); };
+        table.add({{"channel", "name", fit.name},
+                   {"unit", "unit", channel.quantity == solver::Quantity::temperature ? "K" : unit.name},
+                   {"samples", "samples", count(fit.samples)},
+                   {"rms before", "rmse_before", show(fit.rmse_before)},
+                   {"rms after", "rmse_after", show(fit.rmse_after)},
+                   {"noise", "sigma", show(fit.noise.sigma)},
+                   page_only("sensor", fit.stated > 0.0 ? show(fit.stated) : right("-")),
+                   page_only("correlation time",
+                             right(fit.noise.white_share < 1.0 ? fmt::format("{:.3g} s", fit.noise.correlation_time)
+                                                               : "white")),
+                   data_only("rho_1s", fit.noise.rho_1s()),
+                   data_only("white_share", fit.noise.white_share),
+                   data_only("in_doubt", fit.is_in_doubt),
+                   data_only("cautions", fit.cautions)});
+    }
+    return table;
+}
+
+DataTable fitted_single_numbers(const IdentificationRecord& record) {
+    DataTable table;
+    for (const NumberFit& fit : record.result.numbers) {
+        const Observations::Row& row = record.observations.rows[fit.row];
+        const solver::Channel& channel = record.experiment.runs.front().problem.channels[row.channel];
+        const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
+        const double si = record.observations.measured[static_cast<Eigen::Index>(fit.row)];
+        const double measured = unit.value(si);
+        table.add({{"channel", "channel", channel.name},
+                   {"run", "run", record.experiment.runs[row.run].name},
+                   data_only("unit", unit.name),
+                   {"measured", "measured", {measured, fmt::format("{:.4g} {}", measured, unit.name)}},
+                   {"+-", "uncertainty", shown("{:.2g}", unit.difference(fit.standard_deviation))},
+                   {"case", "before", shown("{:.2f}", unit.value(fit.before))},
+                   {"fitted", "after", shown("{:.2f}", unit.value(fit.after))},
+                   page_only("off by", shown("{:+.1f} u", (fit.after - si) / fit.standard_deviation))});
+    }
+    return table;
+}
+
+Section fit_section(const IdentificationRecord& record, DataTable of_channels, DataTable of_numbers) {
+    Section section("Fit");
+    if (!of_channels.empty()) {
+        section.add(std::move(of_channels));
+        if (!record.observations.images.empty()) {
+            section.say(
+                "A camera's frames are taken apart by size, so that what neighbouring pixels have in common counts as "
+                "few values and not as thousands: white noise of the pixels is the same in all its rows, the camera's "
+                "drift and missing effects stand in the lower ones.");
+        }
+        for (const ChannelFit& one : record.result.channels) {
+            for (const std::string& caution : one.cautions) {
+                section.item(caution);
+            }
+        }
+    }
+    if (!of_numbers.empty()) {
+        section.gap();
+        section.add(std::move(of_numbers));
+        section.say("u: standard uncertainty of the measured number");
+    }
+    return section;
+}
+
+}  // namespace tiretherm::post

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A diagnosis of quoted numbers as page and data: the verdict, the additions by what they remove, the rows before and
+// after.
+#include "post/quoted/quoted_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "post/report/file.hpp"
+#include "post/report/number_text.hpp"
+
+namespace tiretherm::post {
+
+using namespace diagnosis::quoted;  // whose results are rendered here
+
+namespace {
+
+constexpr std::size_t most_shown = 12;  ///< additions on the page; all are in the data
+
+constexpr const char* legend =
+    "Removed: how much smaller the rms error on experiments left out becomes, in total uncertainties u, which are "
+    "those "
+    "stated with the ranges of unknown inputs; each experiment is left out in turn and the number fitted to the "
+    "others. "
+    "The interval is 95 % of a bootstrap over experiments: where it includes zero it is no proof. Left K: what "
+    "temperatures left out keep. Fit u: what is left where it was fitted, which proves nothing. Fitted: to all "
+    "experiments, with the plausible range as two standard deviations. Numbers of one id, and those that are read from "
+    "the same test, are one experiment.";
+
+std::string decimal(double value, const std::string& unit) {
+    return fmt::format("{:.{}f}", value, unit == "s" || unit == "N/rad" ? 0 : unit == "1" ? 3 : 1);
+}
+
+std::string measured_text(const Row& row) {
+    const std::string spread = row.is_open ? "" : fmt::format(" +- {}", decimal(row.uncertainty, row.unit));
+    if (std::isinf(row.low)) {
+        return "< " + decimal(row.high, row.unit);
+    }
+    if (std::isinf(row.high)) {
+        return "> " + decimal(row.low, row.unit);
+    }
+    return (row.low == row.high ? decimal(row.low, row.unit)
+                                : decimal(row.low, row.unit) + " to " + decimal(row.high, row.unit)) +
+           spread;
+}
+
+std::string fitted_text(const Attempt& attempt) {
+    if (!attempt.addition.is_fitted()) {
+        return "-";
+    }
+    const double half = std::max(0.5 * (attempt.fit.high[0] - attempt.fit.low[0]),
+                                 1e-3 * (attempt.addition.high - attempt.addition.low));
+    return to_its_digits(attempt.fit.values[0], half) +
+           (attempt.addition.unit == "1" ? "" : " " + slashed_unit(attempt.addition.unit)) +
+           (attempt.fit.is_bound[0] ? ", at its limit" : "");
+}
+
+DataTable::Row attempt_row(const Attempt& attempt, std::size_t rank) {
+    const Share& removed = attempt.held_out.removed;
+    const auto percent = [](double share) { return fmt::format("{}", std::lround(100.0 * share)); };
+    return {page_only("", right(fmt::format("{}", rank))),
+            page_only("addition", attempt.addition.name()),
+            page_only("fitted", right(fitted_text(attempt))),
+            page_only("removed %", right(percent(removed.value))),
+            page_only("95 %", right(percent(removed.low) + " to " + percent(removed.high))),
+            page_only("left K", shown("{:.1f}", attempt.held_out.kelvin_after)),
+            page_only("fit u", shown("{:.1f}", attempt.rms_fitted)),
+            page_only("better in", right(fmt::format("{}", attempt.held_out.better.size()))),
+            page_only("", attempt.in_set ? "*" : "")};
+}
+
+DataTable attempt_table(const Analysis& analysis, std::size_t most) {
+    DataTable table;
+    for (std::size_t i = 0; i < std::min(most, analysis.attempts.size()); ++i) {
+        table.add(attempt_row(analysis.attempts[i], i + 1));
+    }
+    return table;
+}
+
+/// What is left of each row, with the additions that were accepted.
+DataTable row_table(const QuotedDiagnosis& result, const Analysis& analysis) {
+    DataTable table;
+    for (std::size_t r = 0; r < result.numbers.rows.size(); ++r) {
+        const Row& row = result.numbers.rows[r];
+        if (!analysis.counts[r]) {
+            continue;
+        }
+        const double before = row.residual(row.value);
+        const double after = row.residual(row.value + analysis.after[r]);
+        table.add({page_only("", row.id), page_only("what", row.what), page_only("measured", right(measured_text(row))),
+                   page_only("unit", row.unit), page_only("model", right(decimal(row.value, row.unit))),
+                   page_only("off", right(before == 0.0 ? "0" : decimal(before, row.unit))),
+                   page_only("u", right(decimal(row.total(), row.unit))),
+                   page_only("left", right(after == 0.0 ? "0" : decimal(after, row.unit))),
+                   page_only("left / u", shown("{:.1f}", after / row.total()))});
+    }
+    return table;
+}
+
+Value share_data(const Share& share) { return {{"value", share.value}, {"low", share.low}, {"high", share.high}}; }
+
+Value attempts_data(const Analysis& analysis) {
+    Value::List list;
+    for (const Attempt& attempt : analysis.attempts) {
+        const Addition& addition = attempt.addition;
+        Value parameters = Value::Object{};
+        if (addition.is_fitted()) {
+            parameters.set(addition.key, {{"value", attempt.fit.values[0]},
+                                          {"unit", slashed_unit(addition.unit)},
+                                          {"low", attempt.fit.low[0]},
+                                          {"high", attempt.fit.high[0]}});
+        }
+        list.push_back({{"id", addition.id},
+                        {"name", addition.name()},
+                        {"kind", kind_names[static_cast<std::size_t>(addition.kind)]},
+                        {"channel", addition.kind == AdditionKind::instrument ? Value(addition.id) : Value()},
+                        {"parameters", std::move(parameters)},
+                        {"plausible", {{"low", addition.low}, {"high", addition.high}, {"source", addition.source}}},
+                        {"at_bound", static_cast<bool>(attempt.fit.is_bound[0])},
+                        {"removed", share_data(attempt.held_out.removed)},
+                        {"heldout_rms_u", attempt.held_out.rms_after},
+                        {"heldout_rms_K", attempt.held_out.kelvin_after},
+                        {"better_experiments", attempt.held_out.better.size()},
+                        {"fitted_rms_u", attempt.rms_fitted},
+                        {"fits", attempt.fits},
+                        {"chi_squared", attempt.fit.chi_squared},
+                        {"sigma", std::sqrt(std::max(0.0, analysis.chi_squared - attempt.fit.chi_squared))},
+                        {"in_set", attempt.in_set},
+                        {"rank", list.size() + 1}});
+    }
+    return list;
+}
+
+Value rows_data(const QuotedDiagnosis& result, const Analysis& analysis) {
+    Value::List list;
+    for (std::size_t r = 0; r < result.numbers.rows.size(); ++r) {
+        const Row& row = result.numbers.rows[r];
+        if (analysis.counts[r]) {
+            list.push_back({{"id", row.id},
+                            {"what", row.what},
+                            {"unit", row.unit},
+                            {"experiment", result.numbers.experiments[row.experiment]},
+                            {"low", row.low},
+                            {"high", row.high},
+                            {"decidable", row.decidable},
+                            {"uncertainty", row.total()},
+                            {"value", row.value},
+                            {"before", row.residual(row.value)},
+                            {"after", row.residual(row.value + analysis.after[r])}});
+        }
+    }
+    return list;
+}
+
+Value names_data(const QuotedDiagnosis& result, const std::vector<std::size_t>& experiments) {
+    Value::List list;
+    for (const std::size_t one : experiments) {
+        list.push_back(result.numbers.experiments[one]);
+    }
+    return list;
+}
+
+Value gain_data(const Analysis& analysis) {
+    const bool any = !analysis.steps.empty();
+    const Share removed = any ? analysis.steps.back().held_out.removed : Share{};
+    return {{"removable_error_removed", where(any, removed.value)},
+            {"low", where(any, removed.low)},
+            {"high", where(any, removed.high)},
+            {"confirmed", any}};
+}
+
+/// The set by ids, as a diagnosis of logs gives it; what is no effect keeps its name.
+Value ids_data(const Analysis& analysis) {
+    Value::List set;
+    for (const std::vector<std::string>& one : analysis.set) {
+        Value::List ids;
+        for (const std::string& name : one) {
+            const auto known = std::ranges::find_if(
+                analysis.attempts, [&](const Attempt& attempt) { return attempt.addition.name() == name; });
+            const bool is_effect = known != analysis.attempts.end() && (known->addition.kind == AdditionKind::effect ||
+                                                                        known->addition.kind == AdditionKind::number);
+            ids.push_back(is_effect ? known->addition.id : name);
+        }
+        set.push_back(std::move(ids));
+    }
+    return set;
+}
+
+Value analysis_data(const QuotedDiagnosis& result, const Analysis& analysis) {
+    Value::List steps;
+    for (std::size_t k = 0; k < analysis.steps.size(); ++k) {
+        const Step& step = analysis.steps[k];
+        steps.push_back({{"name", step.addition.name()},
+                         {"value", where(step.addition.is_fitted(), analysis.fit.values[k])},
+                         {"removed", share_data(step.held_out.removed)},
+                         {"further", share_data(step.further.removed)},
+                         {"with_the_choice_left_out", share_data(step.choice.removed)}});
+    }
+    Value::List set;
+    for (const std::vector<std::string>& one : analysis.set) {
+        set.push_back(Value(one));
+    }
+    return {{"verdict", verdict_names[static_cast<std::size_t>(analysis.verdict)]},
+            {"numbers", analysis.n_rows},
+            {"experiments", names_data(result, analysis.experiments)},
+            {"off", names_data(result, analysis.off)},
+            {"rms_u", analysis.rms},
+            {"rms_K", analysis.kelvin},
+            {"significance", analysis.significance},
+            {"significance_after", where(!analysis.steps.empty(), analysis.significance_after)},
+            {"causes", attempts_data(analysis)},
+            {"without_effect", analysis.without_effect},
+            {"steps", std::move(steps)},
+            {"set", std::move(set)},
+            {"gain", gain_data(analysis)},
+            {"rows", rows_data(result, analysis)}};
+}
+
+Section attempt_section(const char* heading, const Analysis& analysis) {
+    Section section(heading);
+    if (analysis.attempts.empty()) {
+        return section;
+    }
+    section.add(attempt_table(analysis, most_shown));
+    if (analysis.attempts.size() > most_shown) {
+        section.say(fmt::format("{} more remove less; {} move none of these numbers. All stand in diagnosis.json.",
+                                analysis.attempts.size() - most_shown, analysis.without_effect));
+    }
+    if (std::ranges::any_of(analysis.attempts, &Attempt::in_set)) {
+        section.say("*: in the set that these numbers cannot tell apart");
+    }
+    return section;
+}
+
+}  // namespace
+
+Report quoted_report(const QuotedRecord& record, const std::vector<std::filesystem::path>& files) {
+    const QuotedDiagnosis& result = record.result;
+    const std::vector<std::string> sentences = quoted_sentences(record);
+    Report report{.title = record.title};
+    report.lead = {
+        fmt::format("{}: {}; {} simulations, {:.1f} s", record.model,
+                    plural(result.numbers.rows.size(), "measured number"), result.simulations, record.seconds),
+        "Differences are simulated - measured."};
+    const Value decidable = analysis_data(result, result.decidable);
+    report.data = {{"table", record.table.generic_string()},
+                   {"model", record.model},
+                   {"verdict", decidable["verdict"]},
+                   {"causes", decidable["causes"]},
+                   {"set", ids_data(result.decidable)},
+                   {"unknown", Value()},
+                   {"reason", fmt::format("{}", fmt::join(sentences, " "))},
+                   {"next_experiment",
+                    result.next ? fmt::format("{} at the end of {}", result.next->channel, result.next->run) : ""},
+                   {"channels", Value::List{}},
+                   {"gain", decidable["gain"]},
+                   {"numerical_error_sigma", Value()},
+                   {"noise", Value::List{}},
+                   {"decidable", decidable},
+                   {"all", analysis_data(result, result.all)}};
+    report.add(Section("Verdict", sentences));
+    report.add(attempt_section("What each addition removes: decidable numbers", result.decidable));
+    report.add(attempt_section("What each addition removes: all numbers", result.all));
+    Section method("");
+    method.say(legend);
+    report.add(std::move(method));
+    report.add(Section("Decidable numbers, before and after", row_table(result, result.decidable)));
+    report.add(Section("All numbers, before and after", row_table(result, result.all)));
+    std::vector<std::string> remarks = result.not_simulated;
+    if (result.numbers.without_scale > 0) {
+        remarks.push_back(fmt::format("{} left out: an order in a unit in which no uncertainty is stated.",
+                                      plural(result.numbers.without_scale, "number")));
+    }
+    if (result.numbers.about_the_model > 0) {
+        remarks.push_back(fmt::format("{} left out: the source says it of its own model.",
+                                      plural(result.numbers.about_the_model, "number")));
+    }
+    report.add("Remarks", "remarks", remarks);
+    report.add("Warnings", "warnings", record.warnings);
+    report.add(files);
+    report.data.set("simulations", result.simulations);
+    report.data.set("seconds", record.seconds);
+    return report;
+}
+
+std::string quoted_markdown(const QuotedRecord& record) {
+    const QuotedDiagnosis& result = record.result;
+    std::string text;
+    for (const std::string& sentence : quoted_sentences(record)) {
+        text += sentence + "\n\n";
+    }
+    return text + "Decidable numbers:\n\n" + markdown_text(attempt_table(result.decidable, most_shown)) +
+           "\nAll numbers:\n\n" + markdown_text(attempt_table(result.all, most_shown)) + "\nBefore and after:\n\n" +
+           markdown_text(row_table(result, result.all));
+}
+
+std::vector<std::filesystem::path> write_quoted(const QuotedRecord& record, const std::filesystem::path& directory) {
+    const std::filesystem::path file = directory / "diagnosis.json";
+    replace_file(file, json_text(quoted_report(record, {file}).data));
+    return {file};
+}
+
+}  // namespace tiretherm::post

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The verdict on quoted numbers in sentences: what explains them, how sure that is, and what cannot be concluded.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "post/quoted/quoted_report.hpp"
+#include "post/report/number_text.hpp"
+
+namespace tiretherm::post {
+
+using namespace diagnosis::quoted;  // whose results are rendered here
+
+namespace {
+
+std::string percent(double share) { return fmt::format("{} %", std::lround(100.0 * share)); }
+
+std::string experiments(const QuotedRecord& record, const std::vector<std::size_t>& chosen) {
+    std::vector<std::string> names;
+    for (const std::size_t one : chosen) {
+        names.push_back("(" + record.result.numbers.experiments[one] + ")");
+    }
+    return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// "(M7, worst +6.0 u), (M13, worst -2.5 u)": experiments that are off, with their worst rows.
+std::string off_text(const QuotedRecord& record, const Analysis& analysis) {
+    std::vector<std::string> texts;
+    for (const std::size_t experiment : analysis.off) {
+        double worst = 0.0;
+        for (std::size_t r = 0; r < analysis.counts.size(); ++r) {
+            const Row& row = record.result.numbers.rows[r];
+            const double score = row.residual(row.value) / row.total();
+            if (analysis.counts[r] && row.experiment == experiment && std::abs(score) > std::abs(worst)) {
+                worst = score;
+            }
+        }
+        texts.push_back(fmt::format("({}, worst {:+.1f} u)", record.result.numbers.experiments[experiment], worst));
+    }
+    return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string value_text(const Addition& addition, const AdditionFit& fit, std::size_t k) {
+    if (!addition.is_fitted()) {
+        return addition.name();
+    }
+    const double half = std::max(0.5 * (fit.high[k] - fit.low[k]), 1e-3 * std::abs(addition.high - addition.low));
+    return fmt::format("{} = {} {}({} to {})", addition.name(), to_its_digits(fit.values[k], half),
+                       addition.unit == "1" ? "" : slashed_unit(addition.unit) + " ", to_its_digits(fit.low[k], half),
+                       to_its_digits(fit.high[k], half));
+}
+
+std::string additions_text(const Analysis& analysis) {
+    std::vector<std::string> texts;
+    for (std::size_t k = 0; k < analysis.steps.size(); ++k) {
+        texts.push_back(value_text(analysis.steps[k].addition, analysis.fit, k));
+    }
+    return fmt::format("{}", fmt::join(texts, " and "));
+}
+
+std::string set_text(const Analysis& analysis) {
+    std::vector<std::string> names;
+    for (const std::vector<std::string>& one : analysis.set) {
+        names.push_back(fmt::format("{}", fmt::join(one, " + ")));
+    }
+    return fmt::format("{}", fmt::join(names, "; "));
+}
+
+std::string best_text(const Analysis& analysis) {
+    if (analysis.attempts.empty()) {
+        return "";
+    }
+    const Attempt& best = analysis.attempts.front();
+    if (best.held_out.removed.value < 0.01) {
+        return "No addition makes the error on experiments left out smaller.";
+    }
+    return fmt::format(
+        "The largest single improvement is {}; it removes {} of the error on experiments left out, with a 95 % "
+        "interval of {} to {} that {}.",
+        value_text(best.addition, best.fit, 0), percent(best.held_out.removed.value),
+        percent(best.held_out.removed.low), percent(best.held_out.removed.high),
+        best.held_out.removed.low > 0.0 ? "stays above zero" : "includes zero: it is not proven");
+}
+
+/// What could explain the numbers that are off, if nothing else were asked.
+std::string fitting_text(const Analysis& analysis) {
+    if (analysis.off.empty() || analysis.attempts.empty()) {
+        return "";
+    }
+    std::vector<std::string> names;
+    const Attempt* best = &analysis.attempts.front();
+    for (const Attempt& attempt : analysis.attempts) {
+        if (attempt.fits) {
+            names.push_back(value_text(attempt.addition, attempt.fit, 0));
+        }
+        best = attempt.rms_fitted < best->rms_fitted ? &attempt : best;
+    }
+    if (names.empty()) {
+        return fmt::format(
+            "Even fitted to all of them, no single addition within its plausible range agrees with these "
+            "numbers; {} comes nearest and leaves {:.1f} u.",
+            value_text(best->addition, best->fit, 0), best->rms_fitted);
+    }
+    return fmt::format("Fitted to all of them, {} would agree with these numbers: {}. That is a fit, no proof.",
+                       names.size() == 1 ? "one addition" : fmt::format("each of {} additions", names.size()),
+                       fmt::join(names, "; "));
+}
+
+/// One analysis in words. @param which "the decidable numbers"
+void say(std::vector<std::string>& all, const QuotedRecord& record, const Analysis& analysis, const char* which) {
+    const std::string lead =
+        fmt::format("{} {} of {} ({}) leave an rms error of {:.1f} u{}.", analysis.n_rows, which,
+                    plural(analysis.experiments.size(), "experiment"), experiments(record, analysis.experiments),
+                    analysis.rms, analysis.kelvin > 0.0 ? fmt::format(" ({:.1f} K)", analysis.kelvin) : "");
+    all.push_back(lead);
+    switch (analysis.verdict) {
+        case QuotedVerdict::consistent:
+            all.push_back("The model agrees with them within their uncertainty: nothing is to be explained.");
+            return;
+        case QuotedVerdict::cannot_tell:
+            if (analysis.off.empty()) {
+                all.push_back("These are too few to say anything.");
+            } else {
+                all.push_back(fmt::format(
+                    "Only {} {} off by more than 2 u. An explanation that is fitted there could not be tested on "
+                    "another one: these numbers cannot name a cause, however well one fits.",
+                    off_text(record, analysis), analysis.off.size() == 1 ? "is" : "are"));
+            }
+            all.push_back(best_text(analysis));
+            all.push_back(fitting_text(analysis));
+            return;
+        case QuotedVerdict::unknown:
+            all.push_back(fmt::format(
+                "{} are off by more than 2 u, and no addition is proven to predict experiments that it was not fitted "
+                "to better than the model as it is: the cause is none of these alone, or the numbers are too uncertain "
+                "to show it.",
+                off_text(record, analysis)));
+            all.push_back(best_text(analysis));
+            all.push_back(fitting_text(analysis));
+            return;
+        case QuotedVerdict::partial:
+        case QuotedVerdict::named:
+        case QuotedVerdict::confounded:
+            break;
+    }
+    const Share& removed = analysis.steps.back().held_out.removed;
+    if (analysis.verdict == QuotedVerdict::partial) {
+        const Share& first = analysis.steps.front().held_out.removed;
+        all.push_back(
+            fmt::format("The largest single improvement is {}; it removes {} of the error on experiments left "
+                        "out (95 %: {} to {}).",
+                        value_text(analysis.steps.front().addition, analysis.fit, 0), percent(first.value),
+                        percent(first.low), percent(first.high)));
+        if (analysis.steps.size() > 1) {
+            all.push_back(fmt::format("Together with what helps beside it ({}) it is {} (95 %: {} to {}).",
+                                      additions_text(analysis), percent(removed.value), percent(removed.low),
+                                      percent(removed.high)));
+        }
+        all.push_back(fmt::format("The other {} are none of these.", percent(1.0 - removed.value)));
+    } else {
+        all.push_back(
+            fmt::format("{} explains them: it removes {} of the error on experiments left out (95 %: {} to "
+                        "{}), and nothing significant is left.",
+                        additions_text(analysis), percent(removed.value), percent(removed.low), percent(removed.high)));
+    }
+    if (analysis.set.size() > 1) {
+        all.push_back("These numbers cannot tell apart: " + set_text(analysis) + ".");
+    }
+    for (std::size_t k = 0; k < analysis.steps.size(); ++k) {
+        if (analysis.fit.is_bound[k]) {
+            const Addition& addition = analysis.steps[k].addition;
+            all.push_back(fmt::format("{} ends at the limit of what is plausible: it may stand in for something else.",
+                                      addition.name()));
+        }
+    }
+    if (analysis.surrogate_error > 0.5) {
+        all.push_back(fmt::format("Simulated together, the additions differ by up to {:.1f} u from what was fitted.",
+                                  analysis.surrogate_error));
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> quoted_sentences(const QuotedRecord& record) {
+    const QuotedDiagnosis& result = record.result;
+    std::vector<std::string> all;
+    say(all, record, result.decidable, "decidable numbers");
+    if (result.all.n_rows > result.decidable.n_rows) {
+        all.push_back(
+            "Weaker evidence, from all numbers, each as uncertain as the inputs that are not printed make it:");
+        say(all, record, result.all, "numbers");
+    }
+    if (result.next) {
+        const NextMeasurement& next = *result.next;
+        all.push_back(fmt::format(
+            "What would settle it: {} at the end of {}. {} makes it {:.1f} degC, {} {:.1f} degC: {:.1f} times the "
+            "{:.1f} "
+            "K that a sensor can be trusted to.{}",
+            next.channel, next.run, next.one, next.value_of_one, next.other, next.value_of_other,
+            std::abs(next.value_of_one - next.value_of_other) / next.uncertainty, next.uncertainty,
+            next.input.empty() || next.input_gain < 1.0
+                ? ""
+                : fmt::format(" Of the inputs that are not printed, {} is worth most to look up.", next.input)));
+    }
+    std::erase_if(all, [](const std::string& sentence) { return sentence.empty(); });
+    return all;
+}
+
+}  // namespace tiretherm::post

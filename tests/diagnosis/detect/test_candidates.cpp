@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which candidates an experiment has: strips that a camera sees, instruments as groups, late inputs, and what is said of
+// those that were listed and not tried.
+
+#include "diagnosis/detect/candidates.hpp"
+
+#include "tests/diagnosis/practice_bench.hpp"
+
+namespace tiretherm::diagnosis::sample {
+namespace {
+
+std::vector<std::string> names(const input::Experiment& experiment, const std::vector<std::string>& chosen) {
+    std::vector<std::string> all;
+    for (const Candidate& candidate : candidates_of(experiment, chosen)) {
+        const std::string name = name_of(candidate, experiment);
+        if (all.empty() || all.back() != name) {
+            all.push_back(name);
+        }
+    }
+    return all;
+}
+
+TEST(Candidates, ACameraOnAStripHasAnEmissivity) {
+    const input::Experiment experiment = read_bench(practice() / "section_bench.toml");
+    EXPECT_EQ(names(experiment, {"camera_emissivity"}),
+              std::vector<std::string>{"camera_emissivity of surface_temperature"});
+    EXPECT_TRUE(untried(experiment).empty());
+}
+
+TEST(Candidates, SayWhatWasListedAndNotTried) {
+    input::Experiment experiment = practice_bench();
+    experiment.candidates = {"sensor_lag", "tread_wear", "pressure_reading_speed"};
+    EXPECT_EQ(
+        untried(experiment),
+        (std::vector<std::string>{"tread_wear is listed in [diagnose] candidates and was not tried: it needs a grid, "
+                                  "and the mesh is of lumps",
+                                  "pressure_reading_speed is listed in [diagnose] candidates and was not tried: no "
+                                  "measured sensor is of its kind"}));
+}
+
+// The logs of the bench have speed, load and slip angle that change; camber does not.
+TEST(Candidates, OfLateInputsAreThoseThatAreLoggedAndChange) {
+    const std::vector<std::string> late = names(practice_bench(), {"input_delay"});
+    EXPECT_NE(std::ranges::find(late, "input_delay.vertical_load"), late.end());
+    EXPECT_NE(std::ranges::find(late, "input_delay.slip_angle"), late.end());
+    EXPECT_EQ(std::ranges::find(late, "input_delay.laser_power"), late.end());
+}
+
+TEST(Candidates, AnInstrumentComesBeforeItsSensors) {
+    input::Experiment experiment = practice_bench();
+    experiment.instruments = {{.name = "logger", .channels = {0, 1}}};
+    EXPECT_EQ(names(experiment, {"clock_delay"}),
+              (std::vector<std::string>{"clock_delay of surface_temperature and bulk_temperature",
+                                        "clock_delay of surface_temperature", "clock_delay of bulk_temperature"}));
+    const std::vector<Candidate> candidates = candidates_of(experiment, {"clock_delay"});
+    EXPECT_EQ(candidates.front().channels, (std::vector<int>{0, 1}));
+}
+
+}  // namespace
+}  // namespace tiretherm::diagnosis::sample
