@@ -100,6 +100,9 @@ void find_causes(DiagnosisState& state, const DiagnosisOptions& choice, Diagnosi
     const Refit base = state.score_data.base;
     if (can_leave_out && (coarse || has_model_error(state.score_data))) {
         search_beside_model_error(state, choice.richer);
+        if (state.search->accepted.empty()) {
+            take_heat_without_a_name(state);
+        }
     } else {
         search_hypotheses(state);
         const bool is_plausible = state.set.empty() || std::ranges::any_of(state.set, &FittedHypothesis::plausible);
@@ -185,17 +188,30 @@ void diagnose(const input::Experiment& experiment, const Observations& observati
         state.score_data.take_observations(observations);
         DiagnosisOptions finer = choice;
         std::ranges::copy(choice.much_finer, std::back_inserter(finer.richer));
+        const double sigma = result.numerical_error_sigma;
+        result.numerical_error_sigma = 0.0;
         find_causes(state, finer, result, stage, true);
-        is_coarse = state.mesh.empty();
-        if (!is_coarse) {
-            result.numerical_error_sigma = 0.0;
+        if (!state.mesh.empty()) {
             return;
         }
-        const double sigma = result.numerical_error_sigma;
-        const solver::Status status = result.status;
-        result = Diagnosis();
-        result.status = status;
+        // The finer grid predicts no better: the data do not show its error, and the case's grid is kept.
+        const std::string remark = fmt::format(
+            "the grid's error is {:.1f} standard deviations, but {} predict no better: the case's grid is kept, and a "
+            "cause may stand for its error",
+            sigma, choice.much_finer.front().name);
+        if (state.search && state.search->accepted.empty() && !has_model_error(state.score_data)) {
+            state.search.reset();
+            state.set.clear();
+            result = Diagnosis();
+            find_causes(state, choice, result, stage, false);
+        }
+        result.remarks.push_back(remark);
         result.numerical_error_sigma = sigma;
+        if (result.verdict == Verdict::named || result.verdict == Verdict::confounded) {
+            result.verdict = Verdict::partial;
+            result.gain.confirmed = false;
+        }
+        return;
     }
     if (result.status.ok() && is_coarse) {
         result.base = result.extended = state.score_data.base.simulated;

@@ -37,6 +37,7 @@ struct DiagnosisState {
     input::MeshChange change{};                ///< that makes the mesh
     std::string mesh{};                        ///< richer than the experiment's, that was taken; empty: none
     std::vector<std::string> other_meshes{};   ///< that predict better, too
+    std::vector<Eigen::VectorXd> of_folds{};   ///< [n_folds][n] numbers of the best hypothesis without each fold
 
     /// The hypothesis that the model is extended with; null where there is none.
     [[nodiscard]] const FittedHypothesis* best() const;
@@ -54,6 +55,9 @@ void search_beside_model_error(DiagnosisState& state, const std::vector<RicherMo
 
 /// False where heat that no effect is was found by its likelihood, and data that were left out are predicted no better with it.
 [[nodiscard]] bool unknown_source_predicts(DiagnosisState& state);
+/// Where a search by prediction found no cause: takes heat that no effect is, if data that were left out are predicted better
+/// with it than with the best base.
+void take_heat_without_a_name(DiagnosisState& state);
 /// Where something is left beside what was found by its likelihood: takes what a search by prediction finds, if that predicts
 /// better; otherwise what was found stays, as the largest part of what is missing.
 void search_for_more(DiagnosisState& state, const std::vector<RicherModel>& richer);

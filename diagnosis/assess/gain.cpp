@@ -101,6 +101,7 @@ void measure_gain(DiagnosisState& found, Diagnosis& into) {
         } else {
             both = predict_both(score_data, *best);
         }
+        found.of_folds = both.after.values;
         into.gain.within_run = observations.times.size() == 1;
         if (both.before.ok && both.after.ok) {
             const std::vector<double> floor = noise_floor(observations, into.extended);

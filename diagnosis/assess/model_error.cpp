@@ -63,7 +63,9 @@ double time_scale(const Observations& observations, const Eigen::VectorXd& left,
 /// A richer model fitted with white noise from the same start as the base, and how it predicts.
 std::optional<PredictedModel> predicted_on(ScoreTestData& score_data, const RicherModel& richer,
                                            const Covariance& noise) {
-    PredictedModel model{.noise = noise, .words = richer.name};
+    PredictedModel model;
+    model.noise = noise;
+    model.words = richer.name;
     model.hypothesis.model = *richer.experiment;
     Fit fit(model.hypothesis.model, *score_data.observations);
     fit.take_covariance(noise);
@@ -219,22 +221,47 @@ void search_beside_model_error(DiagnosisState& state, const std::vector<RicherMo
     take_what_was_found(state);
 }
 
+namespace {
+
+HeldOutErrors out_of(ScoreTestData& score_data, const input::Experiment& model, const Refit& fit) {
+    score_data.say("predicting data that are left out");
+    HeldOutErrors found = held_out(model, *score_data.observations, score_data.noise, score_data.steps, fit);
+    score_data.count(found.simulations);
+    return found;
+}
+
+/// Whether the unknown source that was fitted predicts better than something else, beyond doubt.
+bool unknown_source_beats(DiagnosisState& state, const HeldOutErrors& before) {
+    const HeldOutErrors after = out_of(state.score_data, state.unknown_fit.model, state.unknown_fit.fit);
+    const Observations& observations = *state.score_data.observations;
+    return after.ok && compare_predictions(before, after, observations, state.score_data.noise.channels,
+                                           observations.stated)
+                               .low > 0.0;
+}
+
+}  // namespace
+
 bool unknown_source_predicts(DiagnosisState& state) {
     if (state.verdict != Verdict::unknown || !state.unknown_fit.sound) {
         return true;
     }
+    return unknown_source_beats(state,
+                                out_of(state.score_data, *state.score_data.experiment, state.score_data.base));
+}
+
+void take_heat_without_a_name(DiagnosisState& state) {
     ScoreTestData& score_data = state.score_data;
-    score_data.say("predicting data that are left out");
-    const auto out = [&](const input::Experiment& model, const Refit& fit) {
-        HeldOutErrors found = held_out(model, *score_data.observations, score_data.noise, score_data.steps, fit);
-        score_data.count(found.simulations);
-        return found;
-    };
-    const HeldOutErrors before = out(*score_data.experiment, score_data.base);
-    const HeldOutErrors after = out(state.unknown_fit.model, state.unknown_fit.fit);
-    const PredictionGain gain = compare_predictions(before, after, *score_data.observations, score_data.noise.channels,
-                                                    score_data.observations->stated);
-    return after.ok && gain.low > 0.0;
+    state.unknown = most_significant_term(score_data.unknown_scores);
+    if (std::abs(state.unknown.z) < score_data.unknown_threshold) {
+        return;
+    }
+    score_data.say("trying heat that no effect is");
+    const auto k = static_cast<Eigen::Index>(state.unknown.term);
+    state.unknown_fit = fit_unknown_source(score_data, state.unknown.term, score_data.unknown_scores.amplitude(k));
+    if (state.unknown_fit.sound && unknown_source_beats(state, state.search->base.out)) {
+        state.verdict = Verdict::unknown;
+        state.search.reset();
+    }
 }
 
 void search_for_more(DiagnosisState& state, const std::vector<RicherModel>& richer) {
@@ -244,8 +271,7 @@ void search_for_more(DiagnosisState& state, const std::vector<RicherModel>& rich
     const FittedHypothesis* best = state.best();
     HeldOutErrors of_best;
     if (best != nullptr) {
-        of_best = held_out(best->model, *score_data.observations, score_data.noise, score_data.steps, best->fit);
-        score_data.count(of_best.simulations);
+        of_best = out_of(score_data, best->model, best->fit);
     }
     search_beside_model_error(state, richer);
     const bool found = !state.search->accepted.empty();
@@ -329,14 +355,15 @@ void describe_model_error(const DiagnosisState& state, Diagnosis& into) {
     const Refit& fit = best != nullptr ? best->fit : score_data.base;
     const std::vector<solver::FreeParameter>& numbers =
         best != nullptr ? best->model.parameters : score_data.experiment->parameters;
+    // What the model gets wrong differs from block to block, even where it is too small to be seen in the residuals.
     BlockDeviations deviations{.deviation = fit.deviations()};
-    if (!into.model_error.empty()) {
+    if (!observations.channels.empty()) {
         deviations = block_deviations(fit, observations, length_of_blocks(observations, slow));
     }
     // How far a number moves when runs are left out shows what the scatter within them does not.
     Eigen::VectorXd jackknife;
-    if (state.search && !into.model_error.empty()) {
-        jackknife = jackknife_half_widths(state.search->best().out.values);
+    if (doubted || state.of_folds.size() > 2) {
+        jackknife = jackknife_half_widths(state.search ? state.search->best().out.values : state.of_folds);
     }
     const auto half_of = [&](Eigen::Index j) {
         const double blocks = deviations.wide * deviations.deviation[j];
@@ -360,7 +387,7 @@ void describe_model_error(const DiagnosisState& state, Diagnosis& into) {
                                      .low = std::max(numbers[j].low, low),
                                      .high = std::min(numbers[j].high, high)});
     }
-    if (into.model_error.empty() || best == nullptr) {
+    if (best == nullptr) {
         return;
     }
     // The sizes of the causes carry the same errors.

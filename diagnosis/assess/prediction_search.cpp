@@ -85,10 +85,11 @@ Effort effort_of(const ScoreTestData& score_data) {
 /// Candidates that the linearised model promises most of beside what is there, the best first: by scores with the noise
 /// of the fit, and by scores with correlated noise, in which quick effects such as those of timing stand out.
 std::vector<std::size_t> promising(ScoreTestData& score_data, const PredictedModel& now) {
-    std::set<std::size_t> known;
-    for (const std::size_t k : now.hypothesis.candidates) {
-        known.insert(score_data.candidates[k].cause);
-    }
+    const auto fits_in = [&](const Candidate& candidate) {
+        return std::ranges::all_of(now.hypothesis.candidates, [&](std::size_t k) {
+            return can_stand_beside(candidate, score_data.candidates[k]);
+        });
+    };
     const Covariance slow = noise_beside(score_data, now.hypothesis);
     const Covariance even = white_equivalent(slow, score_data.observations->blocks);
     std::vector<std::vector<std::pair<double, std::size_t>>> rankings;
@@ -98,7 +99,7 @@ std::vector<std::size_t> promising(ScoreTestData& score_data, const PredictedMod
         for (std::size_t k = 0; k < score_data.candidates.size(); ++k) {
             const auto i = static_cast<Eigen::Index>(k);
             const double z = admitted(scores.z[i], score_data.sign[i]);
-            if (z > least_score && !known.contains(score_data.candidates[k].cause)) {
+            if (z > least_score && fits_in(score_data.candidates[k])) {
                 ranking.emplace_back(z, k);
             }
         }
@@ -106,7 +107,7 @@ std::vector<std::size_t> promising(ScoreTestData& score_data, const PredictedMod
     }
     const std::size_t most_fitted = effort_of(score_data).fitted;
     std::vector<std::size_t> chosen;
-    std::set<std::size_t> taken = known;
+    std::set<std::size_t> taken;
     for (std::size_t place = 0; chosen.size() < most_fitted; ++place) {
         bool any = false;
         for (const auto& ranking : rankings) {

@@ -29,6 +29,26 @@ std::pair<double, double> plausible_bounds(const Candidate& candidate) {
             std::clamp(std::max(range->high, candidate.absent), candidate.low, candidate.high)};
 }
 
+bool can_stand_beside(const Candidate& one, const Candidate& other) {
+    if (one.effect != other.effect) {
+        return true;
+    }
+    if (one.cause == other.cause || (one.on >= 0) != (other.on >= 0)) {
+        return false;
+    }
+    if (one.effect->sensor_model() != nullptr && one.on < 0) {
+        return std::ranges::none_of(one.channels, [&](int channel) {
+            return std::ranges::find(other.channels, channel) != other.channels.end();
+        });
+    }
+    if (one.layer >= 0 && other.layer >= 0) {
+        return one.layer != other.layer;
+    }
+    const physics::InputCorrection* input = one.effect->input_correction();
+    const bool own_inputs = input != nullptr && input->delay != nullptr;
+    return one.parameter != other.parameter && (one.on >= 0 || own_inputs);
+}
+
 physics::ActiveEffect active_at(const Candidate& candidate, const mesh::Mesh& mesh, double value) {
     physics::ActiveEffect active = physics::activate(*candidate.effect, mesh);
     for (std::size_t p = 0; p < active.parameters.size(); ++p) {

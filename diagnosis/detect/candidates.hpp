@@ -49,6 +49,9 @@ struct Candidate {
 [[nodiscard]] std::vector<Candidate> candidates_of(const input::Experiment& experiment,
                                                    const std::vector<std::string>& chosen);
 
+/// Whether one case can have both: two effects, two numbers of one that is on, or one effect at two places or on two inputs.
+[[nodiscard]] bool can_stand_beside(const Candidate& one, const Candidate& other);
+
 /// What is said of effects that the case lists and that cannot act on it, or that no sensor sees: a sentence each.
 [[nodiscard]] std::vector<std::string> untried(const input::Experiment& experiment);
 

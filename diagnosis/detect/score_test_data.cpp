@@ -157,7 +157,7 @@ void ScoreTestData::take_noise(Covariance found, Refit refitted) {
         for (Eigen::Index a = 0; a < b; ++a) {
             const bool seen = scores.length[a] > 0.0 && scores.length[b] > 0.0;
             const bool two =
-                candidates[static_cast<std::size_t>(a)].cause != candidates[static_cast<std::size_t>(b)].cause;
+                can_stand_beside(candidates[static_cast<std::size_t>(a)], candidates[static_cast<std::size_t>(b)]);
             if (seen && two && std::abs(scores.correlation(a, b)) < alike) {
                 pairs.emplace_back(a, b);
             }

@@ -145,7 +145,8 @@ void Fit::find_noise(const Eigen::MatrixXd& also) {
                                  .precision = precision,
                                  .data_sheet = std::move(sheet),
                                  .model = experiment_.noise == "white" ? NoiseModel::white : NoiseModel::correlated,
-                                 .robust = experiment_.robust});
+                                 .robust = experiment_.robust,
+                                 .start = covariance_.channels});
     };
     if (const auto some = experiment_.robust ? std::nullopt : a_share_of(observations_.blocks, sheet.size())) {
         estimate(some->blocks, residual(some->rows), span(some->rows, Eigen::all));

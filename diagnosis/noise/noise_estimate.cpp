@@ -62,6 +62,9 @@ void Estimation::begin() {
         const double rms = likelihood.raw_rms(c);
         if (found[c].samples < fewest_samples || rms == 0.0) {
             take_stated(c);
+        } else if (!problem.start.empty() && problem.start[c].correlation_time > 0.0) {
+            is_correlated[c] = true;
+            likelihood.accept(c, likelihood.try_noise(c, problem.start[c]));
         } else {
             likelihood.accept(c, likelihood.try_noise(c, {.sigma = rms, .correlation_time = 0.0, .white_share = 1.0}));
         }

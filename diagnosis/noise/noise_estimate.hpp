@@ -24,6 +24,7 @@ struct NoiseProblem {
     std::vector<double> data_sheet;    ///< [n_channels] the sensors' stated standard deviation; 0: not stated
     NoiseModel model = NoiseModel::correlated;
     bool robust = false;  ///< outliers count less
+    std::vector<Noise> start{};  ///< [n_channels] where the search of slow noise begins; empty: anywhere
 };
 
 /// Where a channel's noise comes from.

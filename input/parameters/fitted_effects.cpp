@@ -3,6 +3,7 @@
 #include "input/parameters/fitted_effects.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -99,6 +100,40 @@ void lay_effect(TomlValue& over, const solver::Problem& problem, const ActiveEff
     }
 }
 
+/// An effect that is on several times, each time at places or for inputs of its own: one table, with the values by place.
+void lay_together(TomlValue& over, const solver::Problem& problem, const std::vector<const ActiveEffect*>& parts) {
+    const Effect& effect = *parts.front()->effect;
+    const Scope scope = effect.sensor_model() != nullptr ? Scope::channel : Scope::layer;
+    const bool by_place = effect.sensor_model() != nullptr || effect.on_layers;
+    ActiveEffect all = *parts.front();
+    all.overrides.clear();
+    for (const ActiveEffect* part : parts) {
+        std::ranges::copy(part->channels, std::back_inserter(all.channels));
+        std::ranges::copy(part->layers, std::back_inserter(all.layers));
+    }
+    for (std::vector<int>* places : {&all.channels, &all.layers}) {
+        std::ranges::sort(*places);
+        places->erase(std::unique(places->begin(), places->end()), places->end());
+    }
+    const ActiveEffect standard = physics::activate(effect, problem.mesh);
+    for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
+        for (const ActiveEffect* part : parts) {
+            if (!by_place && (*part)[i] != standard[i]) {
+                all.parameters[i] = (*part)[i];
+            }
+            for (const int place : by_place ? (scope == Scope::channel ? part->channels : part->layers)
+                                            : std::vector<int>{}) {
+                all.overrides.push_back(
+                    {.scope = scope, .index = place, .parameter = i, .value = part->at(i, scope, place)});
+            }
+        }
+        if (by_place) {
+            all.parameters[i] = standard[i];
+        }
+    }
+    lay_effect(over, problem, all);
+}
+
 /// All that a user effect was switched on with. Its size is the problem's, which a fit has moved.
 void lay_user_effect(TomlValue& over, const ActiveEffect& active, std::span<const solver::UserEffect> user_effects) {
     const auto found = std::ranges::find(user_effects, active.name, &solver::UserEffect::name);
@@ -147,6 +182,18 @@ void lay_effects_over(TomlValue& over, const solver::Problem& before, const solv
         const bool was_on = std::ranges::any_of(before.effects, [&](const ActiveEffect& other) {
             return other.effect == active.effect && other.name == active.name;
         });
+        std::vector<const ActiveEffect*> parts;
+        for (const ActiveEffect& other : fitted.effects) {
+            if (other.effect == active.effect && !physics::is_user_effect(*active.effect)) {
+                parts.push_back(&other);
+            }
+        }
+        if (parts.size() > 1) {
+            if (parts.front() == &active) {
+                lay_together(over, fitted, parts);
+            }
+            continue;
+        }
         if (!was_on && physics::is_user_effect(*active.effect)) {
             lay_user_effect(over, active, user_effects);
         } else if (!was_on) {

@@ -187,7 +187,7 @@ std::vector<std::string> quoted_sentences(const QuotedRecord& record) {
     std::vector<std::string> all;
     say(all, record, result.decidable, "decidable numbers");
     if (result.all.n_rows > result.decidable.n_rows) {
-        all.push_back(
+        all.emplace_back(
             "Weaker evidence, from all numbers, each as uncertain as the inputs that are not printed make it:");
         say(all, record, result.all, "numbers");
     }

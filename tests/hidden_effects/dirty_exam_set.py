@@ -65,6 +65,13 @@ def tables(text):
     return re.split(r"(?m)^(?=\[)", text)
 
 
+def without_instruments(text):
+    """An extended case without the faults of instruments and inputs that it names, and without its runs."""
+    faulty = "|".join(sorted(NOT_OF_THE_TIRE | {"sensor_gain"}))
+    dropped = rf"\[effects\.({faulty})\]|\[(\[parameter\]|\[run\]|identify|diagnose)"
+    return "".join(one for one in tables(text) if not re.match(dropped, one))
+
+
 def starts_of(text):
     """The [[parameter]] of the starts of a case, or nothing."""
     return "".join(one for one in tables(text)
@@ -245,14 +252,23 @@ class Set:
         if len(bases) == 2:
             row["white_better"] = row["kept"]["white"] < row["kept"]["correlated"] / 1.02
 
+    def free_part(self):
+        """The [[parameter]] of the case, and white noise."""
+        free = "".join(one for one in tables(self.case) if one.startswith("[[parameter]]"))
+        return "\n" + free.rstrip() + '\n\n[identify]\nnoise = "white"\n'
+
     def free_numbers(self, found, identified):
-        """Free numbers of the base: [name, true, effective, low, high]; effective is what the base would be fitted to on the
-        same runs with perfect instruments and inputs. Of the diagnosis, where it states them, else of identify. Beside them
-        the largest rms of that fit, K, where the base has all that the tire has: the truth's own error."""
+        """Free numbers of the base: [name, true, effective, low, high]; effective is what they would be fitted to on the same
+        runs with perfect instruments and inputs, beside what the diagnosis has added to the tire. Of the diagnosis, where it
+        states them, else of identify. Beside them the largest rms of the base so fitted, K, where it has all that the tire
+        has: the truth's own error."""
         stated = (found or {}).get("free_numbers") or identified["parameters"]
-        perfect = self.identify("perfect", with_noise(self.case, "white"),
-                                [run.replace("run", "perfect") for run in self.answer["runs"]])
-        effective = {one["name"]: one["value"] for one in perfect["parameters"]} if perfect else {}
+        runs = [run.replace("run", "perfect") for run in self.answer["runs"]]
+        perfect = self.identify("perfect", with_noise(self.case, "white"), runs)
+        extended = self.folder / "out" / "extended.toml"
+        text = without_instruments(extended.read_text()) if found and extended.exists() else ""
+        beside = self.identify("perfect_extended", text + self.free_part(), runs, self.folder / "out") if text else perfect
+        effective = {one["name"]: one["value"] for one in (beside or perfect or {"parameters": []})["parameters"]}
         numbers = [[one["name"], self.answer["free"][one["name"]], effective.get(one["name"]), one["low"], one["high"]]
                    for one in stated if one["name"] in self.answer["free"] and one.get("low") is not None]
         is_whole = all(one["id"] in NOT_OF_THE_TIRE for one in self.answer["causes"])

@@ -56,5 +56,24 @@ TEST(Candidates, AnInstrumentComesBeforeItsSensors) {
     EXPECT_EQ(candidates.front().channels, (std::vector<int>{0, 1}));
 }
 
+// A case has one table for each effect: it can hold both where their places or inputs differ.
+TEST(Candidates, OfOneEffectStandBesideEachOtherOnlyAtPlacesOfTheirOwn) {
+    input::Experiment experiment = practice_bench();
+    experiment.instruments = {{.name = "logger", .channels = {0, 1}}};
+    const std::vector<Candidate> clocks = candidates_of(experiment, {"clock_delay"});  // both, the first, the second
+    ASSERT_EQ(clocks.size(), 3U);
+    EXPECT_FALSE(can_stand_beside(clocks[0], clocks[1]));
+    EXPECT_TRUE(can_stand_beside(clocks[1], clocks[2]));
+    const std::vector<Candidate> late = candidates_of(experiment, {"input_delay"});
+    ASSERT_GT(late.size(), 1U);
+    EXPECT_TRUE(can_stand_beside(late[0], late[1]));
+    EXPECT_FALSE(can_stand_beside(late[0], late[0]));
+    EXPECT_TRUE(can_stand_beside(late[0], clocks[0]));
+    // Gas and rim of one volume of gas are no two volumes.
+    const std::vector<Candidate> gas = candidates_of(experiment, {"inner_gas"});
+    ASSERT_GT(gas.size(), 1U);
+    EXPECT_FALSE(can_stand_beside(gas.front(), gas.back()));
+}
+
 }  // namespace
 }  // namespace tiretherm::diagnosis::sample

@@ -365,6 +365,56 @@ uncertainty = "1 K"
     }
 }
 
+// An effect that is on several times, at places or for inputs of its own, becomes one table that says the same.
+TEST(FittedCase, PutsOneEffectAtSeveralPlacesIntoOneTable) {
+    const Written written;
+    const fs::path file = written.add("tire.toml", including("section.toml") + R"(
+[[measured]]
+channel = "bulk_temperature"
+value = "40 degC"
+uncertainty = "1 K"
+)");
+    const Experiment before = read(file);
+    ASSERT_FALSE(before.runs.empty());
+    Experiment fitted = before;
+    solver::Problem& problem = fitted.runs.front().problem;
+    ASSERT_GT(problem.channels.size(), 1U);
+    ASSERT_GT(problem.mesh.layers.size(), 1U);
+    const auto add = [&](std::string_view id, int place, std::string_view key, double value) {
+        physics::ActiveEffect active = physics::activate(*physics::find_effect(id), problem.mesh);
+        active.parameters[static_cast<std::size_t>(physics::find_parameter(*active.effect, key))] = value;
+        if (active.effect->sensor_model() != nullptr) {
+            active.channels = {place};
+        } else if (active.effect->on_layers) {
+            active.layers = {place};
+        }
+        solver::switch_on(problem, std::move(active), 300.0);
+    };
+    add("sensor_offset", 0, "kelvin", 1.75);
+    add("sensor_offset", 1, "kelvin", -0.5);
+    add("layer_conductivity", 0, "scale", 1.2);
+    add("layer_conductivity", 1, "scale", 0.9);
+    add("input_delay", 0, "speed", 0.3);
+    add("input_delay", 0, "vertical_load", -0.2);
+    const Experiment again = written_and_read(file, before, fitted, false, written.folder() / "extended.toml");
+    const auto read_back = [&](std::string_view id) -> const physics::ActiveEffect& {
+        const auto& all = again.runs.at(0).problem.effects;
+        const auto found = std::ranges::find_if(all, [&](const auto& active) { return active.effect->id == id; });
+        EXPECT_NE(found, all.end()) << id;
+        return *found;
+    };
+    const physics::ActiveEffect& offset = read_back("sensor_offset");
+    EXPECT_EQ(offset.channels, (std::vector<int>{0, 1}));
+    EXPECT_EQ(offset.at(0, physics::Scope::channel, 0), 1.75);
+    EXPECT_EQ(offset.at(0, physics::Scope::channel, 1), -0.5);
+    const physics::ActiveEffect& conductivity = read_back("layer_conductivity");
+    EXPECT_EQ(conductivity.at(0, physics::Scope::layer, 0), 1.2);
+    EXPECT_EQ(conductivity.at(0, physics::Scope::layer, 1), 0.9);
+    const physics::ActiveEffect& delay = read_back("input_delay");
+    EXPECT_EQ(delay[static_cast<std::size_t>(physics::find_parameter(*delay.effect, "speed"))], 0.3);
+    EXPECT_EQ(delay[static_cast<std::size_t>(physics::find_parameter(*delay.effect, "vertical_load"))], -0.2);
+}
+
 // Every parameter of the catalogue is written in its own unit and read back to the last digit.
 TEST(FittedCase, UnitsOfAllParametersAreRead) {
     for (const physics::Effect* effect : physics::catalogue()) {
