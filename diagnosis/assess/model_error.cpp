@@ -286,18 +286,23 @@ void search_for_more(DiagnosisState& state, const std::vector<RicherModel>& rich
     state.search.reset();
     state.verdict = verdict == Verdict::named || verdict == Verdict::confounded ? Verdict::partial : verdict;
     state.set = set;
-    // Beside more than one thing that is missing, a size that nobody would believe is a coincidence.
-    std::erase_if(state.set, [](const FittedHypothesis* one) { return !one->plausible; });
-    if (state.set.empty() && !set.empty()) {
-        const FittedHypothesis* likeliest = nullptr;
-        for (const auto* list : {&state.singles, &state.pairs}) {
-            for (const FittedHypothesis& one : *list) {
-                if (one.admissible && one.plausible && (likeliest == nullptr || one.gain > likeliest->gain)) {
-                    likeliest = &one;
-                }
+    const FittedHypothesis* plausible = nullptr;
+    for (const auto* list : {&state.singles, &state.pairs}) {
+        for (const FittedHypothesis& one : *list) {
+            if (one.admissible && one.plausible && (plausible == nullptr || one.gain > plausible->gain)) {
+                plausible = &one;
             }
         }
-        state.set = likeliest != nullptr ? std::vector{likeliest} : set;
+    }
+    const auto is_implausible = [](const FittedHypothesis* one) { return !one->plausible; };
+    if (!state.something_left && plausible != nullptr && std::ranges::all_of(set, is_implausible)) {
+        state.set.push_back(plausible);  // what explains everything by a size that nobody would believe is not alone
+        return;
+    }
+    // Beside more than one thing that is missing, a size that nobody would believe is a coincidence.
+    std::erase_if(state.set, is_implausible);
+    if (state.set.empty() && !set.empty()) {
+        state.set = plausible != nullptr ? std::vector{plausible} : set;
     }
     if (state.set.size() == 1 && set.size() == 1 && state.set.front()->candidates.size() == 1) {
         // The likelihoods of a model that lacks more than one thing do not tell close ones apart.
@@ -362,7 +367,7 @@ void describe_model_error(const DiagnosisState& state, Diagnosis& into) {
     }
     // How far a number moves when runs are left out shows what the scatter within them does not.
     Eigen::VectorXd jackknife;
-    if (doubted || state.of_folds.size() > 2) {
+    if (doubted) {
         jackknife = jackknife_half_widths(state.search ? state.search->best().out.values : state.of_folds);
     }
     const auto half_of = [&](Eigen::Index j) {

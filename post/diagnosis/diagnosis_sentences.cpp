@@ -203,6 +203,25 @@ std::string text_of(const NextExperiment& next) {
     return fmt::format("{}: from {:.2g} to {:.2g} sigma", next.name, next.now, next.then);
 }
 
+/// "speeds up to 162 km/h and vertical loads up to 6.6 kN": how far the runs go; empty where they give neither.
+std::string driven_range(const DiagnosisRecord& record) {
+    double speed = 0.0;
+    double load = 0.0;
+    for (std::size_t r = 0; r < record.observations.times.size(); ++r) {
+        const solver::InputSignals& signals = record.experiment.runs[r].problem.input_signals;
+        for (const double time : record.observations.times[r]) {
+            const physics::Inputs inputs = signals.at(time, solver::JumpSide::after);
+            speed = std::max(speed, signals.gives(*physics::find_signal("speed")) ? inputs.speed : 0.0);
+            load = std::max(load, signals.gives(*physics::find_signal("vertical_load")) ? inputs.vertical_load : 0.0);
+        }
+    }
+    std::string text = speed > 0.0 ? fmt::format("speeds up to {:.3g} km/h", 3.6 * speed) : "";
+    if (load > 0.0) {
+        text += fmt::format("{}vertical loads up to {:.2g} kN", text.empty() ? "" : " and ", 1e-3 * load);
+    }
+    return text;
+}
+
 std::vector<std::string> certainty_of(const DiagnosisRecord& record) {
     const Diagnosis& result = record.result;
     const Gain& gain = result.gain;
@@ -234,7 +253,11 @@ std::vector<std::string> certainty_of(const DiagnosisRecord& record) {
                                 unit.difference(best->heldout_after),
                                 channel.quantity == solver::Quantity::temperature ? "K" : unit.name);
         }
-        said.push_back(text + ".");
+        text += ".";
+        if (const std::string range = driven_range(record); gain.confirmed && !range.empty()) {
+            text += fmt::format(" That is tested with {}, as these data have them, and not beyond.", range);
+        }
+        said.push_back(text);
     }
     if (!result.model_error.empty()) {
         const ModelError& most = *std::ranges::max_element(result.model_error, {}, &ModelError::size);

@@ -369,6 +369,14 @@ uncertainty = "1 K"
 TEST(FittedCase, PutsOneEffectAtSeveralPlacesIntoOneTable) {
     const Written written;
     const fs::path file = written.add("tire.toml", including("section.toml") + R"(
+[[sensor]]
+name = "bulk_temperature"
+kind = "layer"
+layer = "carcass"
+[[sensor]]
+name = "outside"
+kind = "patch"
+patch = "outside"
 [[measured]]
 channel = "bulk_temperature"
 value = "40 degC"
