@@ -23,6 +23,9 @@ constexpr double many = 50.0;
 constexpr double least_error = 0.5;
 /// Improvements that stand beside the best in the set.
 constexpr std::size_t most_alternatives = 3;
+/// Blocks widen an interval by this factor at most where nothing else speaks of an error of the model: where few of them tell
+/// what a number is, their scatter is uncertain itself.
+constexpr double widest_undoubted = 2.0;
 
 std::vector<double> samples_of(const Observations& observations) {
     std::vector<double> samples(observations.channels.size(), 0.0);
@@ -175,7 +178,8 @@ void search_beside_model_error(DiagnosisState& state, const std::vector<RicherMo
     PredictionSearch& search = *state.search;
 
     // A richer mesh is a cause, too: it is taken where it predicts better than the best cause on this one.
-    const Covariance even = white_equivalent(score_data.noise, score_data.observations->blocks);
+    const Covariance even = search.white ? search.base.noise
+                                          : white_equivalent(score_data.noise, score_data.observations->blocks);
     for (const RicherModel& one : richer) {
         score_data.say(fmt::format("trying the mesh \"{}\"", one.name));
         const std::optional<PredictedModel> model = predicted_on(score_data, one, even);
@@ -362,6 +366,7 @@ void describe_model_error(const DiagnosisState& state, Diagnosis& into) {
         best != nullptr ? best->model.parameters : score_data.experiment->parameters;
     // What the model gets wrong differs from block to block, even where it is too small to be seen in the residuals.
     BlockDeviations deviations{.deviation = fit.deviations()};
+    const Eigen::VectorXd noise_alone = deviations.wide * deviations.deviation;
     if (!observations.channels.empty()) {
         deviations = block_deviations(fit, observations, length_of_blocks(observations, slow));
     }
@@ -371,7 +376,10 @@ void describe_model_error(const DiagnosisState& state, Diagnosis& into) {
         jackknife = jackknife_half_widths(state.search ? state.search->best().out.values : state.of_folds);
     }
     const auto half_of = [&](Eigen::Index j) {
-        const double blocks = deviations.wide * deviations.deviation[j];
+        double blocks = deviations.wide * deviations.deviation[j];
+        if (!doubted) {
+            blocks = std::min(blocks, widest_undoubted * noise_alone[j]);
+        }
         return j < jackknife.size() ? std::max(blocks, jackknife[j]) : blocks;
     };
     const std::vector<const Refit*> others = other_fits(state, !into.model_error.empty());

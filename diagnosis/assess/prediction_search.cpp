@@ -197,6 +197,34 @@ void look_back(ScoreTestData& score_data, PredictionSearch& search) {
     }
 }
 
+/// White noise in the proportions of the data sheet, as large as it takes to leave no more than noise in the mean; nothing
+/// where a sensor has none, or where the fit's own noise has about these proportions. Noise that is estimated beside a wrong
+/// model is large in the channels that the fit has given up: they are never looked at again.
+std::optional<Covariance> in_proportion(const Covariance& even, const Observations& observations) {
+    constexpr double about = 4.0;
+    double least = 1e300;
+    double most = 0.0;
+    double mean = 0.0;
+    const auto n = static_cast<double>(observations.channels.size());
+    for (std::size_t c = 0; c < observations.channels.size(); ++c) {
+        if (!(observations.stated[c] > 0.0)) {
+            return std::nullopt;
+        }
+        const double times = even.channels[c].sigma / observations.stated[c];
+        least = std::min(least, times);
+        most = std::max(most, times);
+        mean += std::log(times) / n;
+    }
+    if (!(most > about * least)) {
+        return std::nullopt;
+    }
+    Covariance same = even;
+    for (std::size_t c = 0; c < observations.channels.size(); ++c) {
+        same.channels[c].sigma = std::exp(mean) * observations.stated[c];
+    }
+    return same;
+}
+
 }  // namespace
 
 PredictionSearch choose_base(ScoreTestData& score_data) {
@@ -210,22 +238,33 @@ PredictionSearch choose_base(ScoreTestData& score_data) {
     PredictedModel correlated = predicted(score_data, slow, score_data.noise);
     correlated.words = "the case fitted with correlated noise";
     const Covariance even = white_equivalent(score_data.noise, observations.blocks);
-    FittedHypothesis flat = refitted(score_data, slow, even);
     std::optional<PredictedModel> white;
-    if (flat.sound) {
-        white = predicted(score_data, std::move(flat), even);
-        white->words = "the case fitted with white noise";
+    const auto try_white = [&](const Covariance& noise) {
+        FittedHypothesis flat = refitted(score_data, slow, noise);
+        if (!flat.sound) {
+            return;
+        }
+        PredictedModel model = predicted(score_data, std::move(flat), noise);
+        model.words = "the case fitted with white noise";
+        if (!white || (model.out.ok && log_error(model, observations) < log_error(*white, observations))) {
+            white = std::move(model);
+        }
+    };
+    try_white(even);
+    if (const std::optional<Covariance> same = in_proportion(even, observations)) {
+        try_white(*same);
     }
-    FittedHypothesis plain = as_it_stands(score_data, even);
-    PredictedModel stands = predicted(score_data, std::move(plain), even, false);
+    const Covariance its_noise = white ? white->noise : even;
+    FittedHypothesis plain = as_it_stands(score_data, its_noise);
+    PredictedModel stands = predicted(score_data, std::move(plain), its_noise, false);
     stands.words = "the case as it stands";
 
     const double of_correlated = log_error(correlated, observations);
-    const double of_white = white && white->out.ok ? log_error(*white, observations) : 1e30;
+    const double by_white = white && white->out.ok ? log_error(*white, observations) : 1e30;
     const double of_case = stands.out.ok ? log_error(stands, observations) : 1e30;
-    search.white = 0.5 * (of_correlated - of_white) > better_by;
+    search.white = 0.5 * (of_correlated - by_white) > better_by;
     search.base = search.white ? std::move(*white) : std::move(correlated);
-    if (0.5 * ((search.white ? of_white : of_correlated) - of_case) > better_by) {
+    if (0.5 * ((search.white ? by_white : of_correlated) - of_case) > better_by) {
         search.base = std::move(stands);
         search.white = true;
     }
@@ -233,11 +272,9 @@ PredictionSearch choose_base(ScoreTestData& score_data) {
 }
 
 void search_by_prediction(ScoreTestData& score_data, PredictionSearch& search) {
-    const Observations& observations = *score_data.observations;
     // What is added is added to a fit, with the noise that predicts better; where the case as it stands does best, too.
     PredictedModel start = search.base;
     if (search.white) {
-        start.noise = white_equivalent(score_data.noise, observations.blocks);
         FittedHypothesis flat = refitted(score_data, start.hypothesis, start.noise);
         if (flat.sound) {
             start = predicted(score_data, std::move(flat), start.noise);
