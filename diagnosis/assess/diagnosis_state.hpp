@@ -13,6 +13,9 @@
 
 namespace tiretherm::diagnosis {
 
+/// What is left this many times above a sensor's data sheet holds more than noise.
+inline constexpr double swollen = 1.5;
+
 /// The strongest of the unknown sources.
 struct MostSignificantTerm {
     std::size_t term = 0;

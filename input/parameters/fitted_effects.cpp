@@ -121,8 +121,8 @@ void lay_together(TomlValue& over, const solver::Problem& problem, const std::ve
             if (!by_place && (*part)[i] != standard[i]) {
                 all.parameters[i] = (*part)[i];
             }
-            for (const int place : by_place ? (scope == Scope::channel ? part->channels : part->layers)
-                                            : std::vector<int>{}) {
+            for (const int place :
+                 by_place ? (scope == Scope::channel ? part->channels : part->layers) : std::vector<int>{}) {
                 all.overrides.push_back(
                     {.scope = scope, .index = place, .parameter = i, .value = part->at(i, scope, place)});
             }
