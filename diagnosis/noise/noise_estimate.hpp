@@ -23,7 +23,7 @@ struct NoiseProblem {
     const Eigen::VectorXd& precision;  ///< [n_columns] 1 / prior variance of each column's factor around 0; 0: unknown
     std::vector<double> data_sheet;    ///< [n_channels] the sensors' stated standard deviation; 0: not stated
     NoiseModel model = NoiseModel::correlated;
-    bool robust = false;  ///< outliers count less
+    bool robust = false;         ///< outliers count less
     std::vector<Noise> start{};  ///< [n_channels] where the search of slow noise begins; empty: anywhere
 };
 
