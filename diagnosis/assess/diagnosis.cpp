@@ -183,7 +183,7 @@ void diagnose(const input::Experiment& experiment, const Observations& observati
             is_coarse = result.numerical_error_sigma > too_coarse;
         }
     }
-    if (result.status.ok() && is_coarse && !choice.much_finer.empty()) {
+    if (result.status.ok() && is_coarse && choice.measure_gain && !choice.much_finer.empty()) {
         // A correction that is as large as this is none, and a finer grid needs none.
         state.score_data.take_observations(observations);
         DiagnosisOptions finer = choice;
@@ -194,10 +194,10 @@ void diagnose(const input::Experiment& experiment, const Observations& observati
         if (!state.mesh.empty()) {
             return;
         }
-        // The finer grid predicts no better: the data do not show its error, and the case's grid is kept.
+        // No gain with the finer grid: the data do not show the error of the case's own, and it is kept.
         const std::string remark = fmt::format(
-            "the grid's error is {:.1f} standard deviations, but {} predict no better: the case's grid is kept, and a "
-            "cause may stand for its error",
+            "the grid's error is {:.1f} standard deviations, but {} gave no gain on data that were left out: the "
+            "case's grid is kept, and a cause may stand for its error",
             sigma, choice.much_finer.front().name);
         if (state.search && state.search->accepted.empty() && !has_model_error(state.score_data)) {
             state.search.reset();
