@@ -137,7 +137,8 @@ private:
             } else if (!settings.fixed_step && t1 + wanted_ > stop) {
                 t1 = 0.5 * (t + stop);  // two equal steps rather than a whole one and a sliver
             }
-            Stepper::Attempt attempt = stepper_.attempt(t1);
+            const bool closed = settings.fixed_step || t1 > settings.end - smallest;
+            Stepper::Attempt attempt = stepper_.attempt(t1, closed);
             if (!attempt.status.ok()) {
                 ++report_.rejected;
                 if (settings.fixed_step || t1 - t < 10.0 * smallest || !is_recoverable(attempt.status.outcome)) {

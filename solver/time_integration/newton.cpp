@@ -26,6 +26,12 @@ constexpr double forcing = 1e-3;
 constexpr double energy_closure = 1e-11;
 /// Corrections after which a balance that is solved but not closed to the last digit is taken as it is.
 constexpr int max_stalled = 8;
+/// Corrections with the kept factor alone, before Newton's own.
+constexpr int most_simplified = 4;
+/// A correction larger than this share of the one before it is no contraction worth waiting for.
+constexpr double slow_contraction = 0.3;
+/// A correction this large is Newton's own business, which is damped. K
+constexpr double far = 20.0;
 /// An iteration that was held back down to here would go on below the absolute zero. K
 constexpr double absolute_zero = 1e-3;
 /// A move of all temperatures from which the slope of the balance is learnt whatever it is. K
@@ -49,13 +55,24 @@ double sum(std::span<const double> values) { return std::accumulate(values.begin
 
 Newton::Newton(System& system)
     : system_(&system),
-      factor_(make_factor(system.pattern(), system.problem().settings.linear_solver)),
+      factors_(system.pattern(), system.problem().settings.linear_solver),
       krylov_(system.size()) {
     const auto n = static_cast<std::size_t>(system.size());
-    for (std::vector<double>* v : {&residual_, &correction_, &remainder_, &J_ones_, &enthalpy_, &trial_}) {
+    for (std::vector<double>* v : {&stiffness_, &guess_, &residual_, &correction_, &remainder_, &J_ones_, &enthalpy_, &trial_}) {
         v->resize(n);
     }
     ones_.assign(n, 1.0);
+    const std::vector<mesh::Face>& faces = system.problem().mesh.faces;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        const bool a = !system.has_capacity(static_cast<std::size_t>(faces[f].a));
+        const bool b = !system.has_capacity(static_cast<std::size_t>(faces[f].b));
+        if (a != b) {
+            surface_faces_.push_back({.face = static_cast<int>(f),
+                                      .surface = a ? faces[f].a : faces[f].b,
+                                      .cell = a ? faces[f].b : faces[f].a,
+                                      .surface_is_a = a});
+        }
+    }
     for (const physics::Material& material : system.problem().materials) {
         has_nonlinear_capacity_ = has_nonlinear_capacity_ || !material.heat_capacity.is_constant();
     }
@@ -103,18 +120,20 @@ bool Newton::closes_heat_budget(const Stage& stage) const {
 /// Factorises when there is no usable factor, when the step has changed too much for the old one, or when the solves
 /// that a fresh factor would have saved have cost more than it does.
 Status Newton::prepare(const Stage& stage) {
-    if (has_factor_for(stage.s) && excess_solves_ < factor_->factor_cost()) {
+    if (factors_.select(stage.s) && !factors_.is_worn_out()) {
         return {};
     }
     const Stopwatch watch(counters_.factor_seconds);
     ++counters_.factorisations;
-    factored_s_ = 0.0;
-    if (std::string problem = factor_->factorise(A_); !problem.empty()) {
+    const physics::Terms& terms = system_->terms();
+    for (std::size_t i = 0; i < stiffness_.size(); ++i) {
+        stiffness_[i] = system_->has_capacity(i)
+                            ? system_->capacity(i, terms.temperature[i])
+                            : A_.value[static_cast<std::size_t>(system_->pattern().diagonal[i])] / stage.s;
+    }
+    if (std::string problem = factors_.renew(A_, stage.s, stiffness_); !problem.empty()) {
         return {Outcome::not_positive_definite, fmt::format("{}, at t = {:.6g} s", problem, stage.time)};
     }
-    factored_s_ = stage.s;
-    fresh_solves_ = 0;
-    excess_solves_ = 0.0;
     return {};
 }
 
@@ -123,12 +142,120 @@ void Newton::assemble(const Stage& stage) {
     system_->matrices(stage.s, stage.steady, A_, J_);
 }
 
+/// The largest error in kelvin that the residual allows: A has row sums of at least C, so that the error of cells is at
+/// most the largest residual over C (maximum principle); that of a surface without capacity, which passes its residual on
+/// to its cell, is at most its residual over its own row beside that.
+double Newton::bound_of_error(double s) const {
+    const std::span<const double> stiffness = factors_.stiffness();
+    double of_cells = 0.0;
+    double of_surfaces = 0.0;
+    for (std::size_t i = 0; i < residual_.size(); ++i) {
+        double& bound = system_->has_capacity(i) ? of_cells : of_surfaces;
+        bound = std::max(bound, std::abs(residual_[i]) / stiffness[i]);
+    }
+    return of_cells + of_surfaces / s;
+}
+
+/// Moves all temperatures alike until the heat budget closes. @returns false where that does not lead there
+bool Newton::close_by_shifts(const Stage& stage, std::span<double> T) {
+    last_shift_ = 0.0;
+    for (int shift = 0; shift < max_stalled / 2; ++shift) {
+        if (closes_heat_budget(stage)) {
+            return true;
+        }
+        shift_all(T);
+        if (!evaluate(stage, T).ok()) {
+            return false;
+        }
+    }
+    return closes_heat_budget(stage);
+}
+
+/// Surfaces without capacity follow their cells and what acts on them now, not when the factor was made: speed and load
+/// change their exchange more than anything else.
+void Newton::correct_surfaces(double s) {
+    const physics::Terms& terms = system_->terms();
+    for (const SurfaceFace& face : surface_faces_) {
+        const auto i = static_cast<std::size_t>(face.surface);
+        remainder_[i] = residual_[i] / s;
+        trial_[i] = terms.node_G[i] - terms.node_slope[i];
+    }
+    for (const SurfaceFace& face : surface_faces_) {
+        const auto f = static_cast<std::size_t>(face.face);
+        const auto i = static_cast<std::size_t>(face.surface);
+        const double G = terms.face_G[f];
+        const double own = face.surface_is_a ? G - terms.face_dq_dTa[f] : G + terms.face_dq_dTb[f];
+        const double other = face.surface_is_a ? G + terms.face_dq_dTb[f] : G - terms.face_dq_dTa[f];
+        trial_[i] += own;
+        remainder_[i] += other * correction_[static_cast<std::size_t>(face.cell)];
+    }
+    for (const SurfaceFace& face : surface_faces_) {
+        const auto i = static_cast<std::size_t>(face.surface);
+        correction_[i] = trial_[i] > 0.0 ? remainder_[i] / trial_[i] : correction_[i];
+    }
+}
+
+/// Corrections by the factor at hand alone, without matrices, while they contract; the system is left evaluated at T.
+bool Newton::correct_simplified(const Stage& stage, std::span<double> T) {
+    // A factor of another step length: a correction between what the two lengths ask for.
+    const double relaxation = 2.0 / (1.0 + stage.s / factors_.s());
+    double before = 0.0;
+    for (int correction = 1; correction <= most_simplified; ++correction) {
+        if (!evaluate(stage, T).ok()) {
+            return false;
+        }
+        if (correction > 1 && bound_of_error(stage.s) <= stage.tolerance) {
+            return true;
+        }
+        const Stopwatch watch(counters_.solve_seconds);
+        factors_.current().solve(residual_, correction_);
+        ++counters_.linear_iterations;
+        ++counters_.newton_iterations;
+        for (double& change : correction_) {
+            change *= relaxation;
+        }
+        correct_surfaces(stage.s);
+        double size = 0.0;
+        for (const double change : correction_) {
+            size = std::max(size, std::abs(change));
+        }
+        if (!(size < far) || (correction > 1 && size > slow_contraction * before)) {
+            return false;
+        }
+        for (std::size_t i = 0; i < T.size(); ++i) {
+            T[i] += correction_[i];
+        }
+        if (correction > 1 && size * size / before <= stage.tolerance) {
+            return evaluate(stage, T).ok();
+        }
+        before = size;
+    }
+    return false;
+}
+
+/// The stage with the factor at hand alone. @returns false where Newton's own corrections must do it; T is the guess then
+bool Newton::solve_simplified(const Stage& stage, std::span<double> T) {
+    if (stage.steady || !factors_.current().is_exact() || !factors_.select(stage.s) || factors_.is_worn_out()) {
+        return false;
+    }
+    std::ranges::copy(T, guess_.begin());
+    const long before = counters_.newton_iterations;
+    const bool solved = correct_simplified(stage, T) && (!stage.closed || close_by_shifts(stage, T));
+    factors_.count_corrections(static_cast<int>(counters_.newton_iterations - before));
+    if (solved) {
+        return true;
+    }
+    std::ranges::copy(guess_, T.begin());
+    factors_.wear_out();
+    return false;
+}
+
 /// One correction with the matrices at hand, and the constant that closes the balance of the whole mesh. @returns the
 /// largest change, K
 double Newton::polish(std::span<double> T) {
     const Stopwatch watch(counters_.solve_seconds);
     last_shift_ = 0.0;
-    factor_->solve(residual_, correction_);
+    factors_.current().solve(residual_, correction_);
     ++counters_.linear_iterations;
     J_.multiply(correction_, remainder_);
     const double left = sum(residual_) - sum(remainder_);
@@ -192,10 +319,9 @@ bool Newton::is_small(const Progress& progress, double residual, double toleranc
 void Newton::count_solves(const Krylov::Result& result) {
     counters_.linear_iterations += result.solves;
     ++counters_.newton_iterations;
-    fresh_solves_ = fresh_solves_ == 0 ? std::max(1, result.solves) : fresh_solves_;
-    excess_solves_ += std::max(0, result.solves - fresh_solves_);
+    factors_.count_solves(result.solves);
     if (!result.converged) {
-        excess_solves_ = 2.0 * factor_->factor_cost();  // a fresh factor next time
+        factors_.wear_out();
     }
 }
 
@@ -278,7 +404,7 @@ Status Newton::correct(const Stage& stage, std::span<double> T, Progress& progre
     const Stopwatch watch(counters_.solve_seconds);
     const bool linear = !system_->terms().nonlinear && !has_nonlinear_capacity_;
     const Krylov::Result result =
-        krylov_.solve(J_, *factor_, residual_, correction_, remainder_, 0.5 * stage.tolerance, linear ? 0.0 : forcing);
+        krylov_.solve(J_, factors_.current(), residual_, correction_, remainder_, 0.5 * stage.tolerance, linear ? 0.0 : forcing);
     count_solves(result);
     progress.solved = linear && result.converged;
     progress.polished = false;
@@ -291,6 +417,9 @@ Status Newton::correct(const Stage& stage, std::span<double> T, Progress& progre
 }
 
 Status Newton::solve(const Stage& stage, std::span<double> T) {
+    if (solve_simplified(stage, T)) {
+        return {};
+    }
     Progress progress;
     int stalled = 0;
     for (int iteration = 0; iteration <= most_iterations; ++iteration) {
@@ -304,13 +433,13 @@ Status Newton::solve(const Stage& stage, std::span<double> T) {
         const bool small = iteration > 0 && is_small(progress, residual, stage.tolerance);
         stalled += small ? 1 : 0;
         progress.polish_spoils = progress.polish_spoils || (progress.polished && !small);
-        if (small && (closes_heat_budget(stage) || stalled > max_stalled)) {
+        if (small && (!stage.closed || closes_heat_budget(stage) || stalled > max_stalled)) {
             return {};
         }
-        if (small && (factor_->is_exact() || stalled > max_stalled / 2)) {
+        if (small && (factors_.current().is_exact() || stalled > max_stalled / 2)) {
             // The field is as good as found: what is left needs no new matrix, and after that only the mean still has to
             // close the heat budget to the last digit.
-            const bool only_mean = progress.polished || progress.polish_spoils || !factor_->is_exact();
+            const bool only_mean = progress.polished || progress.polish_spoils || !factors_.current().is_exact();
             progress.correction = only_mean ? shift_all(T) : polish(T);
             progress.polished = true;
         } else {
@@ -337,7 +466,7 @@ Status Newton::solve(const Stage& stage, std::span<double> T) {
 }
 
 void Newton::visit(Archive& archive) {
-    for (double* number : {&weight_, &last_shift_, &last_joules_, &reach_, &factored_s_, &excess_solves_,
+    for (double* number : {&weight_, &last_shift_, &last_joules_,
                            &counters_.assembly_seconds, &counters_.factor_seconds, &counters_.solve_seconds}) {
         archive(*number);
     }
@@ -345,32 +474,25 @@ void Newton::visit(Archive& archive) {
         archive.whole(*count);
     }
     archive.whole(worst_node_);
-    archive.whole(fresh_solves_);
-    if (!factor_->is_exact()) {  // the filter looks at the matrix last assembled
+    if (!factors_.current().is_exact()) {  // the filter looks at the matrix last assembled
         bool assembled = !A_.value.empty();
         archive.whole(assembled);
         A_.value.resize(assembled ? system_->pattern().nonzeros() : 0);
         A_.pattern = &system_->pattern();
         archive(A_.value);
     }
-    if (factored_s_ > 0.0) {
-        std::vector<double> values(factor_->values().begin(), factor_->values().end());
-        archive(values);
-        if (archive.is_reading() && !factor_->factorise_again(values).empty()) {
-            factored_s_ = 0.0;
-        }
-    }
+    factors_.visit(archive);
 }
 
 void Newton::filter(std::span<const double> b, std::span<double> x) {
     const Stopwatch watch(counters_.solve_seconds);
     // An error estimate is wanted to one digit only: an exact factor of a step nearby is enough.
-    if (factor_->is_exact()) {
-        factor_->solve(b, x);
+    if (factors_.current().is_exact()) {
+        factors_.current().solve(b, x);
         ++counters_.linear_iterations;
         return;
     }
-    counters_.linear_iterations += krylov_.solve(A_, *factor_, b, x, remainder_, 0.0, 0.1).solves;
+    counters_.linear_iterations += krylov_.solve(A_, factors_.current(), b, x, remainder_, 0.0, 0.1).solves;
 }
 
 }  // namespace tiretherm::solver

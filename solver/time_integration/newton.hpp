@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
-#include "solver/linear/factor.hpp"
 #include "solver/linear/krylov.hpp"
 #include "solver/system.hpp"
 #include "solver/time_integration/checkpoint.hpp"
+#include "solver/time_integration/kept_factors.hpp"
 
 namespace tiretherm::solver {
 
@@ -25,11 +25,14 @@ struct Counters {
     double solve_seconds = 0.0;
 };
 
-/// Solves one implicit stage,   H(T) - s q(T) = known,   by Newton's method. Each correction solves the unsymmetric
-/// Jacobian by iteration on the kept factor of A = C + s K; a new factor is made when it pays.
+/// Solves one implicit stage,   H(T) - s q(T) = known,   by Newton's method. It starts with the simplified one: the kept
+/// factor of A = C + s K stands for the Jacobian, so that a correction costs one solve and no matrix (Hairer and Wanner,
+/// Solving Ordinary Differential Equations II, IV.8). Where that contracts too slowly, each correction solves the
+/// unsymmetric Jacobian by iteration on the kept factor; a new factor is made when it pays.
 ///
-/// Every correction is shifted by the constant that makes the linearised energy balance of the whole mesh exact, so
-/// that an iteration stopped early closes the heat budget (energy closes at round-off, not at Newton's tolerance).
+/// Every correction of Newton's own is shifted by the constant that makes the linearised energy balance of the whole mesh
+/// exact. What the last iterate leaves of the balance is told (`left`), so that a stepper can carry it into its next
+/// step; a stage that asks for it closes its heat budget to round-off.
 class Newton {
 public:
     explicit Newton(System& system);
@@ -41,31 +44,33 @@ public:
         double time = 0.0;                     ///< s, for messages
         double tolerance = 1e-9;               ///< K
         bool steady = false;                   ///< -q(T) = known, without capacity
+        bool closed = true;                    ///< whether the heat budget must close to round-off
     };
 
     /// @param T [n_nodes] K, in: a guess; out: the solution, at which the system has been evaluated
     [[nodiscard]] Status solve(const Stage& stage, std::span<double> T);
 
+    /// What the last solution leaves of the balance: known + s q(T) - H(T). @returns [n_nodes] J
+    [[nodiscard]] std::span<const double> left() const { return residual_; }
+
     /// x = A^-1 b, to one digit: filters the error estimate of a step into kelvin. @pre a factor is at hand
     void filter(std::span<const double> b, std::span<double> x);
 
-    /// Whether the factor at hand serves a stage of this length.
-    [[nodiscard]] bool has_factor_for(double s) const {
-        return factored_s_ > 0.0 && reach_ * s > factored_s_ && s < reach_ * factored_s_;
-    }
+    /// Whether a factor at hand serves a stage of this length; `filter` uses it from now on.
+    [[nodiscard]] bool has_factor_for(double s) { return factors_.select(s); }
 
     /// The state between two steps: what the next ones depend on, the factor included.
     void visit(Archive& archive);
 
     /// Lets the factor serve others: sensitivities and adjoints of the same steps.
-    [[nodiscard]] Factor& factor() { return *factor_; }
+    [[nodiscard]] Factor& factor() { return factors_.current(); }
     /// A factor serves stages up to this many times longer or shorter than its own. @param ratio > 1
-    void set_reach(double ratio) { reach_ = ratio; }
+    void set_reach(double ratio) { factors_.set_reach(ratio); }
     /// Solves that others needed because the factor is old count when a new one is weighed up.
-    void add_excess_solves(double solves) { excess_solves_ += solves; }
+    void add_excess_solves(double solves) { factors_.add_excess_solves(solves); }
 
     [[nodiscard]] const Counters& counters() const { return counters_; }
-    [[nodiscard]] std::string linear_solver() const { return factor_->description(); }
+    [[nodiscard]] std::string linear_solver() const { return factors_.current().description(); }
 
 private:
     /// Where an iteration stands.
@@ -77,6 +82,11 @@ private:
         bool polished = false;       ///< the last correction was made with the matrices at hand
         bool polish_spoils = false;  ///< such a correction led away: a law has a kink near the solution
     };
+    [[nodiscard]] bool solve_simplified(const Stage& stage, std::span<double> T);
+    [[nodiscard]] bool correct_simplified(const Stage& stage, std::span<double> T);
+    void correct_surfaces(double s);
+    [[nodiscard]] bool close_by_shifts(const Stage& stage, std::span<double> T);
+    [[nodiscard]] double bound_of_error(double s) const;
     [[nodiscard]] Status evaluate(const Stage& stage, std::span<const double> T);
     [[nodiscard]] static bool is_small(const Progress& progress, double residual, double tolerance);
     [[nodiscard]] Status correct(const Stage& stage, std::span<double> T, Progress& progress);
@@ -94,7 +104,7 @@ private:
     void find_residual(const Stage& stage, std::span<const double> T);
 
     System* system_;
-    std::unique_ptr<Factor> factor_;
+    KeptFactors factors_;
     Krylov krylov_;
     Matrix A_;
     Matrix J_;
@@ -104,16 +114,22 @@ private:
     std::vector<double> ones_;
     std::vector<double> J_ones_;
     std::vector<double> enthalpy_;
+    std::vector<double> stiffness_;  ///< of the matrices at hand, see KeptFactors
+    std::vector<double> guess_;      ///< K
+    /// A face that joins a surface without capacity to a cell.
+    struct SurfaceFace {
+        int face;
+        int surface;
+        int cell;
+        bool surface_is_a;
+    };
+    std::vector<SurfaceFace> surface_faces_;
     std::vector<double> trial_;  ///< K, of a search along a correction
     bool has_nonlinear_capacity_ = false;
     int worst_node_ = 0;
     double weight_ = 0.0;      ///< J/K, what the balance of the whole mesh changes by when every temperature does
     double last_shift_ = 0.0;  ///< K, and the imbalance that it was for
     double last_joules_ = 0.0;
-    double reach_ = 2.0;
-    double factored_s_ = 0.0;     ///< s of the factor at hand; 0: none
-    int fresh_solves_ = 0;        ///< solves of the first correction with the factor at hand
-    double excess_solves_ = 0.0;  ///< solves beyond the least since the last factorisation
     Counters counters_;
 };
 

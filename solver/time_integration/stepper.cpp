@@ -39,7 +39,7 @@ Stepper::Stepper(const Problem& problem)
     end_q_.resize(n);
     end_watts_.resize(effects);
     end_coefficients_.resize(system_.n_coefficients());
-    for (std::vector<double>* v : {&known_, &H_, &H_start_, &error_heat_, &error_}) {
+    for (std::vector<double>* v : {&left_, &known_, &H_, &H_start_, &error_heat_, &error_}) {
         v->resize(n);
     }
     for (std::vector<double>* v : {&watts_, &joules_, &joules_before_}) {
@@ -81,17 +81,17 @@ void Stepper::predict(int stage, double dt) {
     }
 }
 
-Stepper::Attempt Stepper::attempt(double t1) {
+Stepper::Attempt Stepper::attempt(double t1, bool closed) {
     forcing_.open(time_, t1);
-    return attempt_in_window(t1);
+    return attempt_in_window(t1, closed);
 }
 
 Stepper::Attempt Stepper::attempt(double t1, const physics::Inputs& from, const physics::Inputs& to) {
     forcing_.open(from, to);
-    return attempt_in_window(t1);
+    return attempt_in_window(t1, true);
 }
 
-Stepper::Attempt Stepper::attempt_in_window(double t1) {
+Stepper::Attempt Stepper::attempt_in_window(double t1, bool closed) {
     const double dt = t1 - time_;
     tried_ = t1;
 
@@ -101,7 +101,7 @@ Stepper::Attempt Stepper::attempt_in_window(double t1) {
     if (end_is_known_ && std::ranges::equal(forcing_.stage(0), end_coefficients_)) {
         q_[0] = end_q_;
         stage_watts_[0] = end_watts_;
-        return attempt_stages(dt);
+        return attempt_stages(dt, closed);
     }
     system_.make_consistent(T_[1], forcing_.stage(0));
     if (const int bad = system_.first_not_finite(); bad >= 0) {
@@ -110,10 +110,10 @@ Stepper::Attempt Stepper::attempt_in_window(double t1) {
                 .error = 0.0};
     }
     update_heat_budget(0);
-    return attempt_stages(dt);
+    return attempt_stages(dt, closed);
 }
 
-Stepper::Attempt Stepper::attempt_stages(double dt) {
+Stepper::Attempt Stepper::attempt_stages(double dt, bool closed) {
     const bool controlled = !problem_->settings.fixed_step;
     const bool early = controlled && newton_.has_factor_for(dt * tableau_->diagonal);
     const double left_out = early ? estimate_left_out(dt) : 0.0;
@@ -129,13 +129,14 @@ Stepper::Attempt Stepper::attempt_stages(double dt) {
             for (int j = 0; j < i; ++j) {
                 sum += tableau_->a[at(i)][at(j)] * q_[at(j)][n];
             }
-            known_[n] = H_[n] + dt * sum;
+            known_[n] = H_[n] + left_[n] + dt * sum;
         }
         Status status = newton_.solve({.s = dt * tableau_->diagonal,
                                        .known = known_,
                                        .coefficients = forcing_.stage(i),
                                        .time = time_ + tableau_->c[at(i)] * dt,
-                                       .tolerance = newton_share * problem_->settings.tolerance},
+                                       .tolerance = newton_share * problem_->settings.tolerance,
+                                       .closed = closed && i + 1 == tableau_->stages},
                                       T_[at(i) + 1]);
         if (!status.ok()) {
             return {.status = std::move(status), .error = 0.0};
@@ -198,6 +199,7 @@ void Stepper::accept() {
     }
     watts_ = stage_watts_.back();
     T_[0] = T_.back();
+    std::ranges::copy(newton_.left(), left_.begin());
     end_q_ = q_.back();
     end_watts_ = stage_watts_.back();
     std::ranges::copy(forcing_.stage(tableau_->stages - 1), end_coefficients_.begin());
@@ -270,6 +272,7 @@ Status Stepper::solve_steady(double t) {
     update_heat_budget(0);
     watts_ = stage_watts_.front();
     T_[0] = T_[1];
+    std::fill(left_.begin(), left_.end(), 0.0);
     end_is_known_ = false;
     for (std::vector<double>& stage : last_) {
         stage = T_[0];
@@ -290,7 +293,7 @@ void Stepper::visit(Archive& archive) {
     archive.whole(has_history_);
     archive.whole(worst_node_);
     archive.whole(end_is_known_);
-    for (std::vector<double>* values : {&end_q_, &end_watts_, &end_coefficients_}) {
+    for (std::vector<double>* values : {&left_, &end_q_, &end_watts_, &end_coefficients_}) {
         archive(*values);
     }
     archive(T_[0]);

@@ -33,7 +33,8 @@ public:
     };
 
     /// Tries a step from time() to t1 over which no stop of the inputs lies. The state changes only by `accept`.
-    [[nodiscard]] Attempt attempt(double t1);
+    /// @param closed whether the heat budget closes to round-off at t1; what it leaves open is else carried into the next
+    [[nodiscard]] Attempt attempt(double t1, bool closed = true);
     /// The same with inputs that go straight from `from` to `to`, whatever the problem's input signals say.
     [[nodiscard]] Attempt attempt(double t1, const physics::Inputs& from, const physics::Inputs& to);
     void accept();
@@ -82,8 +83,8 @@ public:
     [[nodiscard]] const System& system() const { return system_; }
 
 private:
-    [[nodiscard]] Attempt attempt_in_window(double t1);
-    [[nodiscard]] Attempt attempt_stages(double dt);
+    [[nodiscard]] Attempt attempt_in_window(double t1, bool closed);
+    [[nodiscard]] Attempt attempt_stages(double dt, bool closed);
     void update_heat_budget(int stage);
     void predict(int stage, double dt);
     [[nodiscard]] double largest_filtered();
@@ -109,6 +110,7 @@ private:
     std::vector<double> end_q_;                     ///< [n] W
     std::vector<double> end_watts_;                 ///< [n_effects] W
     std::vector<double> end_coefficients_;          ///< under these
+    std::vector<double> left_;  ///< [n] J that the last accepted stage left of its balance: the next step carries it
     std::vector<double> known_;
     std::vector<double> H_;
     std::vector<double> H_start_;
