@@ -66,6 +66,10 @@ public:
 
     [[nodiscard]] bool is_constant() const { return !is_table_ && c1_ == 0.0 && c2_ == 0.0; }
     [[nodiscard]] bool is_table() const { return is_table_; }
+    /// Whether the quadratic itself holds from low to high.
+    [[nodiscard]] bool is_quadratic_between(double low, double high) const {
+        return !is_table_ && is_inside(low) && is_inside(high);
+    }
     /// Of a quadratic: c0, c1, c2.
     [[nodiscard]] std::array<double, 3> coefficients() const { return {c0_, c1_, c2_}; }
     /// Of a table: its points.

@@ -55,6 +55,13 @@ public:
         }
     }
 
+    /// Notes the face's conductance where it is negative: for one who adds to `face_G` itself.
+    void note_negative_face(int face) {
+        if (face_G[static_cast<std::size_t>(face)] < 0.0) {
+            note_negative(mesh_->faces[static_cast<std::size_t>(face)].a);
+        }
+    }
+
     /// Adds to a face the derivative dG_dT_mean [W/K2] of its conductance with a region's mean temperature.
     void add_conductance_derivative(int face, int region, double dG_dT_mean);
 

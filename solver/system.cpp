@@ -47,6 +47,16 @@ System::System(const Problem& problem)
     for (int node = 0; node < problem.mesh.n_nodes; ++node) {
         const int layer = problem.mesh.layer[at(node)];
         mass_.push_back(layer < 0 ? 0.0 : problem.mesh.volume[at(node)] * material_model_.materials[at(layer)].density);
+        const double mass = mass_.back();
+        constant_capacity_.push_back(mass > 0.0 ? 0.0 : lump_[at(node)]);
+        if (mass > 0.0) {
+            const physics::Curve& c = material_model_.materials[at(layer)].heat_capacity;
+            if (c.is_constant()) {
+                constant_capacity_.back() = mass * c.value(0.0);
+            } else {
+                varying_capacity_.push_back(at(node));
+            }
+        }
     }
 }
 
@@ -76,11 +86,10 @@ std::vector<double> System::initial() const {
     return T;
 }
 
-double System::capacity(std::size_t node, double T) const {
-    if (mass_[node] > 0.0) {
-        return mass_[node] * material_model_.materials[at(problem_->mesh.layer[node])].heat_capacity.value(T);
-    }
-    return lump_[node];
+double System::varying_capacity(std::size_t node, double T) const {
+    return mass_[node] > 0.0
+               ? mass_[node] * material_model_.materials[at(problem_->mesh.layer[node])].heat_capacity.value(T)
+               : 0.0;
 }
 
 physics::Inputs System::transformed(physics::Inputs inputs) const {
@@ -225,9 +234,10 @@ double System::share_of_law(std::size_t effect, std::span<const double> T, const
 
 void System::enthalpy(std::span<const double> T, std::span<double> H) const {
     for (std::size_t i = 0; i < T.size(); ++i) {
-        H[i] = mass_[i] > 0.0
-                   ? mass_[i] * material_model_.materials[at(problem_->mesh.layer[i])].heat_capacity.integral(T[i])
-                   : lump_[i] * T[i];
+        H[i] = constant_capacity_[i] * T[i];
+    }
+    for (const std::size_t i : varying_capacity_) {
+        H[i] = mass_[i] * material_model_.materials[at(problem_->mesh.layer[i])].heat_capacity.integral(T[i]);
     }
 }
 

@@ -26,7 +26,10 @@ public:
     [[nodiscard]] std::size_t n_coefficients() const { return n_coefficients_; }
     [[nodiscard]] bool has_capacity(std::size_t node) const { return mass_[node] > 0.0 || lump_[node] > 0.0; }
     /// Heat capacity of a node at a temperature. @returns J/K
-    [[nodiscard]] double capacity(std::size_t node, double T) const;
+    [[nodiscard]] double capacity(std::size_t node, double T) const {
+        const double constant = constant_capacity_[node];
+        return constant > 0.0 ? constant : varying_capacity(node, T);
+    }
     /// What the layers are made of, as the effects on properties left it.
     [[nodiscard]] const physics::MaterialModel& material_model() const { return material_model_; }
     /// The effects that are on, each in its place.
@@ -67,6 +70,8 @@ public:
     /// At the last evaluation: A = C + s K, symmetric positive definite, and J = C - s dq/dT. @param s s, > 0
     /// With `steady`, C is left out.
     void matrices(double s, bool steady, Matrix& A, Matrix& J) const;
+    /// A alone.
+    void symmetric_matrix(double s, bool steady, Matrix& A) const;
 
     /// Relaxes the surface nodes to q = 0 with the cells held: they follow a jump of the inputs at once. The system has
     /// been evaluated at the result.
@@ -80,6 +85,8 @@ public:
 
 private:
     void settle_effects();
+    void find_symmetric_part(double s, bool steady, Matrix& A) const;
+    [[nodiscard]] double varying_capacity(std::size_t node, double T) const;
     [[nodiscard]] physics::EvaluationState evaluation_state(std::size_t effect, std::span<const double> T,
                                                             std::span<const double> means,
                                                             std::span<const double> coefficients) const;
@@ -110,6 +117,8 @@ private:
     std::vector<physics::ActiveEffect> effects_;
     std::vector<double> mass_;  ///< [n_nodes] kg, density * volume; 0 for surfaces and lumped nodes
     std::vector<double> lump_;  ///< [n_nodes] J/K of a lumped node
+    std::vector<double> constant_capacity_;  ///< [n_nodes] J/K where it does not follow the temperature, else 0
+    std::vector<std::size_t> varying_capacity_;  ///< nodes whose heat capacity does
     mutable std::vector<physics::LossFactor> loss_factors_;
 };
 

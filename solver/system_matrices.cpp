@@ -23,11 +23,20 @@ constexpr int tangent_surfaces = 8;
 
 }  // namespace
 
-void System::matrices(double s, bool steady, Matrix& A, Matrix& J) const {
+void System::symmetric_matrix(double s, bool steady, Matrix& A) const {
+    find_symmetric_part(s, steady, A);
+    for (std::size_t i = 0; i < at(pattern_.n) && terms_.nonlinear; ++i) {
+        // A loss that grows with temperature keeps A positive definite and makes it the better preconditioner.
+        A.value[at(pattern_.diagonal[i])] -= std::min(s * terms_.node_slope[i], 0.0);
+    }
+}
+
+/// C + s times the conductances.
+void System::find_symmetric_part(double s, bool steady, Matrix& A) const {
     const Pattern& p = pattern_;
     const mesh::Mesh& mesh = problem_->mesh;
     const physics::Terms& said = terms_;
-    A.pattern = J.pattern = &p;
+    A.pattern = &p;
     A.value.assign(p.nonzeros(), 0.0);
     for (std::size_t i = 0; i < at(p.n); ++i) {
         double diagonal = s * said.node_G[i];
@@ -47,6 +56,14 @@ void System::matrices(double s, bool steady, Matrix& A, Matrix& J) const {
         double& diagonal = A.value[at(p.diagonal[i])];
         diagonal = diagonal == 0.0 ? 1.0 : diagonal;
     }
+}
+
+void System::matrices(double s, bool steady, Matrix& A, Matrix& J) const {
+    const Pattern& p = pattern_;
+    const mesh::Mesh& mesh = problem_->mesh;
+    const physics::Terms& said = terms_;
+    find_symmetric_part(s, steady, A);
+    J.pattern = &p;
     J.value = A.value;
     J.symmetric = true;
     J.outer.clear();
@@ -56,7 +73,6 @@ void System::matrices(double s, bool steady, Matrix& A, Matrix& J) const {
     for (std::size_t i = 0; i < at(p.n); ++i) {
         const double slope = s * said.node_slope[i];
         J.value[at(p.diagonal[i])] -= slope;
-        // A loss that grows with temperature keeps A positive definite and makes it the better preconditioner.
         A.value[at(p.diagonal[i])] -= std::min(slope, 0.0);
     }
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {

@@ -19,8 +19,8 @@ namespace tiretherm::solver {
 namespace {
 
 /// Above this many entries per row of the factor, CG with an incomplete factor wins (a 2-D mesh of 27 000 cells has
-/// about 20, a 3-D one of 20 400 has 110 to 150).
-constexpr double fill_for_iteration = 60.0;
+/// about 20, a 3-D one of 5 800 about 60, of 20 400 110 to 150).
+constexpr double fill_for_iteration = 40.0;
 
 /// Flops per entry of the factor above which dense blocks pay. CHOLMOD's own 40 takes them for 2-D meshes, where they
 /// cost six times more than a plain factor.

@@ -31,6 +31,12 @@ public:
     [[nodiscard]] virtual std::string factorise_again(std::span<const double> values) = 0;
     /// x = M^-1 b, with M the matrix last factorised. b and x do not overlap.
     virtual void solve(std::span<const double> b, std::span<double> x) = 0;
+    /// x = A^-1 b, with A the matrix last factorised, to a relative accuracy in its energy. b and x do not overlap.
+    /// @returns solves made
+    virtual int solve_to(double /*accuracy*/, std::span<const double> b, std::span<double> x) {
+        solve(b, x);
+        return 1;
+    }
     /// The same for several right-hand sides, one after the other in memory. @param B, X [n_columns][n]
     virtual void solve_block(std::span<const double> B, std::span<double> X, std::size_t n_columns) {
         const std::size_t n = B.size() / n_columns;
@@ -47,7 +53,7 @@ public:
 
 /// Sparse Cholesky factor by CHOLMOD.
 [[nodiscard]] std::unique_ptr<Factor> make_cholesky(const Pattern& pattern);
-/// Incomplete Cholesky factor by Eigen (limited memory, Lin and More 1999), to precondition conjugate gradients.
+/// Incomplete Cholesky factor without fill that keeps row sums, to precondition conjugate gradients.
 [[nodiscard]] std::unique_ptr<Factor> make_incomplete_cholesky(const Pattern& pattern);
 /// `automatic`: CHOLMOD unless its analysis predicts a fill at which incomplete Cholesky is faster.
 [[nodiscard]] std::unique_ptr<Factor> make_factor(const Pattern& pattern, LinearSolver wanted);

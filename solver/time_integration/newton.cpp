@@ -26,10 +26,16 @@ constexpr double forcing = 1e-3;
 constexpr double energy_closure = 1e-11;
 /// Corrections after which a balance that is solved but not closed to the last digit is taken as it is.
 constexpr int max_stalled = 8;
-/// Corrections with the kept factor alone, before Newton's own.
+/// Corrections with A alone, before Newton's own: with a kept factor, or by iteration with a matrix of this stage.
 constexpr int most_simplified = 4;
+constexpr int most_iterated = 8;
 /// A correction larger than this share of the one before it is no contraction worth waiting for.
 constexpr double slow_contraction = 0.3;
+constexpr double slow_iterated = 0.6;
+/// A correction by iteration is found to this accuracy: the next one mends what A leaves out of the Jacobian as well.
+constexpr double accuracy_of_iteration = 0.03;
+/// Error estimates are wanted to this.
+constexpr double one_digit = 0.1;
 /// A correction this large is Newton's own business, which is damped. K
 constexpr double far = 20.0;
 /// An iteration that was held back down to here would go on below the absolute zero. K
@@ -120,9 +126,10 @@ bool Newton::closes_heat_budget(const Stage& stage) const {
 /// Factorises when there is no usable factor, when the step has changed too much for the old one, or when the solves
 /// that a fresh factor would have saved have cost more than it does.
 Status Newton::prepare(const Stage& stage) {
-    if (factors_.select(stage.s) && !factors_.is_worn_out()) {
-        return {};
-    }
+    return factors_.select(stage.s) && !factors_.is_worn_out() ? Status{} : renew(stage);
+}
+
+Status Newton::renew(const Stage& stage) {
     const Stopwatch watch(counters_.factor_seconds);
     ++counters_.factorisations;
     const physics::Terms& terms = system_->terms();
@@ -197,29 +204,35 @@ void Newton::correct_surfaces(double s) {
 
 /// Corrections by the factor at hand alone, without matrices, while they contract; the system is left evaluated at T.
 bool Newton::correct_simplified(const Stage& stage, std::span<double> T) {
-    // A factor of another step length: a correction between what the two lengths ask for.
-    const double relaxation = 2.0 / (1.0 + stage.s / factors_.s());
+    const bool kept = factors_.current().is_exact();
+    double accuracy = accuracy_of_iteration;
     double before = 0.0;
-    for (int correction = 1; correction <= most_simplified; ++correction) {
+    for (int correction = 1; correction <= (kept ? most_simplified : most_iterated); ++correction) {
         if (!evaluate(stage, T).ok()) {
             return false;
         }
         if (correction > 1 && bound_of_error(stage.s) <= stage.tolerance) {
             return true;
         }
-        const Stopwatch watch(counters_.solve_seconds);
-        factors_.current().solve(residual_, correction_);
-        ++counters_.linear_iterations;
-        ++counters_.newton_iterations;
-        for (double& change : correction_) {
-            change *= relaxation;
+        if (!kept && correction == 1 && !renew_for(stage)) {
+            return false;
         }
-        correct_surfaces(stage.s);
+        const Stopwatch watch(counters_.solve_seconds);
+        counters_.linear_iterations += factors_.current().solve_to(accuracy, residual_, correction_);
+        ++counters_.newton_iterations;
+        if (kept) {
+            // A factor of another step length: a correction between what the two lengths ask for.
+            const double relaxation = 2.0 / (1.0 + stage.s / factors_.s());
+            for (double& change : correction_) {
+                change *= relaxation;
+            }
+            correct_surfaces(stage.s);
+        }
         double size = 0.0;
         for (const double change : correction_) {
             size = std::max(size, std::abs(change));
         }
-        if (!(size < far) || (correction > 1 && size > slow_contraction * before)) {
+        if (!(size < far) || (correction > 1 && size > (kept ? slow_contraction : slow_iterated) * before)) {
             return false;
         }
         for (std::size_t i = 0; i < T.size(); ++i) {
@@ -228,14 +241,26 @@ bool Newton::correct_simplified(const Stage& stage, std::span<double> T) {
         if (correction > 1 && size * size / before <= stage.tolerance) {
             return evaluate(stage, T).ok();
         }
+        // What the next correction will be is known by its size: it need be no more accurate than the tolerance asks for.
+        const double next = correction > 1 ? size * size / before : size * accuracy_of_iteration;
+        accuracy = std::clamp(0.5 * stage.tolerance / next, accuracy_of_iteration, 0.5);
         before = size;
     }
     return false;
 }
 
+/// A factor of A at this evaluation: for one that costs no more than a solve. @returns false where A has none
+bool Newton::renew_for(const Stage& stage) {
+    {
+        const Stopwatch watch(counters_.assembly_seconds);
+        system_->symmetric_matrix(stage.s, stage.steady, A_);
+    }
+    return renew(stage).ok();
+}
+
 /// The stage with the factor at hand alone. @returns false where Newton's own corrections must do it; T is the guess then
 bool Newton::solve_simplified(const Stage& stage, std::span<double> T) {
-    if (stage.steady || !factors_.current().is_exact() || !factors_.select(stage.s) || factors_.is_worn_out()) {
+    if (stage.steady || (factors_.current().is_exact() && (!factors_.select(stage.s) || factors_.is_worn_out()))) {
         return false;
     }
     std::ranges::copy(T, guess_.begin());
@@ -474,25 +499,12 @@ void Newton::visit(Archive& archive) {
         archive.whole(*count);
     }
     archive.whole(worst_node_);
-    if (!factors_.current().is_exact()) {  // the filter looks at the matrix last assembled
-        bool assembled = !A_.value.empty();
-        archive.whole(assembled);
-        A_.value.resize(assembled ? system_->pattern().nonzeros() : 0);
-        A_.pattern = &system_->pattern();
-        archive(A_.value);
-    }
     factors_.visit(archive);
 }
 
 void Newton::filter(std::span<const double> b, std::span<double> x) {
     const Stopwatch watch(counters_.solve_seconds);
-    // An error estimate is wanted to one digit only: an exact factor of a step nearby is enough.
-    if (factors_.current().is_exact()) {
-        factors_.current().solve(b, x);
-        ++counters_.linear_iterations;
-        return;
-    }
-    counters_.linear_iterations += krylov_.solve(A_, factors_.current(), b, x, remainder_, 0.0, 0.1).solves;
+    counters_.linear_iterations += factors_.current().solve_to(one_digit, b, x);
 }
 
 }  // namespace tiretherm::solver

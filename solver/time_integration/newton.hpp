@@ -53,7 +53,8 @@ public:
     /// What the last solution leaves of the balance: known + s q(T) - H(T). @returns [n_nodes] J
     [[nodiscard]] std::span<const double> left() const { return residual_; }
 
-    /// x = A^-1 b, to one digit: filters the error estimate of a step into kelvin. @pre a factor is at hand
+    /// x = A^-1 b, to one digit: filters the error estimate of a step into kelvin; a factor of a step nearby is enough.
+    /// @pre a factor is at hand
     void filter(std::span<const double> b, std::span<double> x);
 
     /// Whether a factor at hand serves a stage of this length; `filter` uses it from now on.
@@ -95,7 +96,9 @@ private:
     void count_solves(const Krylov::Result& result);
     double close_linearised_budget();
     void add_damped_correction(std::span<double> T, bool linear) const;
+    [[nodiscard]] bool renew_for(const Stage& stage);
     [[nodiscard]] Status prepare(const Stage& stage);
+    [[nodiscard]] Status renew(const Stage& stage);
     [[nodiscard]] double scaled_residual();
     [[nodiscard]] bool closes_heat_budget(const Stage& stage) const;
     void assemble(const Stage& stage);

@@ -3,6 +3,7 @@
 // - T_s) k(T_b)/dZ S_tot across a link (Fourier; thesis (31), (34)).
 
 #include <algorithm>
+#include <array>
 
 #include "physics/effect.hpp"
 
@@ -61,12 +62,72 @@ void place(const PlacementContext& context, ActiveEffect& active) {
     }
 }
 
+/// What a field reaches from and to. K
+struct Extent {
+    double low;
+    double high;
+};
+
+/// Of four runs through the field at once, so that no comparison waits for the one before.
+Extent extent_of(std::span<const double> T) {
+    std::array<double, 4> low;
+    low.fill(T.front());
+    std::array<double, 4> high = low;
+    std::size_t i = 0;
+    for (; i + 4 <= T.size(); i += 4) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            low[k] = T[i + k] < low[k] ? T[i + k] : low[k];
+            high[k] = T[i + k] > high[k] ? T[i + k] : high[k];
+        }
+    }
+    for (; i < T.size(); ++i) {
+        low[0] = std::min(low[0], T[i]);
+        high[0] = std::max(high[0], T[i]);
+    }
+    return {std::ranges::min(low), std::ranges::max(high)};
+}
+
+/// Faces inside one material whose law is one quadratic over the whole field: the bulk of the work of a section, without
+/// a branch. The mean and its slopes are those of Curve::mean.
+void add_quadratic_inside(const EvaluationState& m, std::size_t begin, std::size_t end, const Curve& k, Terms& terms) {
+    const auto [c0, c1, c2] = k.coefficients();
+    const double half = 0.5 * c1;
+    const double third = c2 / 3.0;
+    const int* const place = m.active.nodes.data();
+    const double* const weight = m.active.weights.data();
+    const double* const T = m.temperature.data();
+    double* const G = terms.face_G.data();
+    double* const of_a = terms.face_dq_dTa.data();
+    double* const of_b = terms.face_dq_dTb.data();
+    double smallest = 0.0;
+    for (std::size_t i = begin; i < end; ++i) {
+        const int f = place[3 * i];
+        const double a = T[place[3 * i + 1]];
+        const double b = T[place[3 * i + 2]];
+        const double value = weight[i] * (c0 + half * (a + b) + third * (a * a + a * b + b * b));
+        const double drop = weight[i] * (b - a);
+        G[f] += value;
+        of_a[f] += (half + third * (2.0 * a + b)) * drop;
+        of_b[f] += (half + third * (a + 2.0 * b)) * drop;
+        smallest = value < smallest ? value : smallest;
+    }
+    terms.faces_used = true;
+    terms.nonlinear = terms.nonlinear || half != 0.0 || third != 0.0;
+    for (std::size_t i = begin; smallest < 0.0 && i < end; ++i) {
+        terms.note_negative_face(place[3 * i]);
+    }
+}
+
 /// Faces inside one material, all with one law.
-void add_terms_inside(const EvaluationState& m, std::size_t begin, std::size_t end, Terms& terms) {
+void add_terms_inside(const EvaluationState& m, std::size_t begin, std::size_t end, const Extent& extent, Terms& terms) {
     const int* const node = m.active.nodes.data();
     const mesh::Face& first = m.mesh.faces[static_cast<std::size_t>(node[3 * begin])];
     const auto layer = static_cast<std::size_t>(m.mesh.layer[static_cast<std::size_t>(first.a)]);
     const Curve& k = m.material_model.materials[layer].along(first.axis);
+    if (k.is_quadratic_between(extent.low, extent.high)) {
+        add_quadratic_inside(m, begin, end, k, terms);
+        return;
+    }
     const double* const T = m.temperature.data();
     for (std::size_t i = begin; i < end; ++i) {
         const double T_a = T[node[3 * i + 1]];
@@ -79,8 +140,10 @@ void add_terms_inside(const EvaluationState& m, std::size_t begin, std::size_t e
 
 void add_terms(const EvaluationState& m, Terms& terms) {
     const std::vector<int>& groups = m.active.groups;
+    const Extent extent = extent_of(m.temperature);
     for (std::size_t g = 0; g + 1 < groups.size(); ++g) {
-        add_terms_inside(m, static_cast<std::size_t>(groups[g]), static_cast<std::size_t>(groups[g + 1]), terms);
+        add_terms_inside(m, static_cast<std::size_t>(groups[g]), static_cast<std::size_t>(groups[g + 1]),
+                         extent, terms);
     }
     for (auto i = static_cast<std::size_t>(groups.back()); i < m.active.weights.size(); ++i) {
         const int f = m.active.nodes[3 * i];

@@ -250,12 +250,12 @@ void share_out(const EvaluationState& m, double power, const std::vector<double>
     factor /= skew != 0.0 ? kept : 1.0;
     TanDelta relative = m.active.total ? relative_measured(m, T_bulk) : tan_delta_at(m.active, 0, T_mean);
     int layer_of_relative = 0;
+    const double of_surface = m.active[m.mesh.layers.size() > 1 ? lambda_srf : lambda_blk];
+    const double of_bulk = m.active[lambda_blk];
     for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
         const int node = m.active.nodes[i];
-        const bool at_surface = m.mesh.layer[static_cast<std::size_t>(node)] == 0 && m.mesh.layers.size() > 1;
-        const double share =
-            weights[i] * std::max(0.0, 1.0 + skew * m.active.skew[i]) * m.active[at_surface ? lambda_srf : lambda_blk];
         const int layer = m.mesh.layer[static_cast<std::size_t>(node)];
+        const double share = weights[i] * std::max(0.0, 1.0 + skew * m.active.skew[i]) * (layer == 0 ? of_surface : of_bulk);
         if (local) {
             relative = tan_delta_at(m.active, layer, m.temperature[static_cast<std::size_t>(node)] + shift);
         } else if (by_layer && layer != layer_of_relative) {
