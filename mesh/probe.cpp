@@ -37,27 +37,13 @@ Stencil stencil(const Grid& grid, int axis, double x, bool low, bool high) {
         const double w = (s * s - s0 * s0) / (s1 * s1 - s0 * s0);
         return {{0, 1}, {1.0 - w, w}};
     }
-    std::vector<int> index;
-    std::vector<double> position;
-    if (low) {
-        index.push_back(-1);
-        position.push_back(edge.front());
-    }
-    for (int i = 0; i < n; ++i) {
-        index.push_back(i);
-        position.push_back(centre[at(i)]);
-    }
-    if (high) {
-        index.push_back(n);
-        position.push_back(edge.back());
-    }
-    const auto above = std::upper_bound(position.begin(), position.end(), x);
-    const auto last = static_cast<std::ptrdiff_t>(position.size()) - 1;
-    const auto right = std::clamp<std::ptrdiff_t>(above - position.begin(), 1, last);
-    const auto left = static_cast<std::size_t>(right - 1);
-    const auto next = static_cast<std::size_t>(right);
-    const double w = (x - position[left]) / (position[next] - position[left]);
-    return {{index[left], index[next]}, {1.0 - w, w}};
+    // The centres are numbered from 0; an end that has a surface is -1 below them, n above.
+    const auto position = [&](int i) { return i < 0 ? edge.front() : i < n ? centre[at(i)] : edge.back(); };
+    int next = static_cast<int>(std::upper_bound(centre.begin(), centre.end(), x) - centre.begin());
+    next = std::clamp(next, low ? 0 : 1, high ? n : n - 1);
+    const double left = position(next - 1);
+    const double w = (x - left) / (position(next) - left);
+    return {{next - 1, next}, {1.0 - w, w}};
 }
 
 /// Area of the disc of radius a about the origin inside [0, x] x [0, y]; x, y >= 0.

@@ -97,6 +97,7 @@ std::string file_text(vtkUnstructuredGrid* grid) {
     writer->SetDataModeToAppended();
     writer->EncodeAppendedDataOff();
     writer->SetCompressorTypeToZLib();
+    writer->SetCompressionLevel(1);
     writer->WriteToOutputStringOn();
     writer->Write();
     return writer->GetOutputString();

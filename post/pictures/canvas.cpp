@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines, areas, text and images by cairo; the only source that includes it.
+// Lines, areas, text and images by cairo, PNG files by libpng; the only source that includes either.
 
 #include "post/pictures/canvas.hpp"
 
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <vector>
 
 #include <cairo/cairo.h>
+#include <png.h>
 
 #include "post/report/file.hpp"
 
 namespace tiretherm::post {
 
 namespace {
-
-cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
-    static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), count);
-    return CAIRO_STATUS_SUCCESS;
-}
 
 std::uint32_t pixel(const Colour& c) {
     const auto byte = [](double value) { return static_cast<std::uint32_t>(std::lround(255.0 * value)); };
@@ -146,12 +143,34 @@ void Canvas::image(const Dot& corner, int width, int height, std::span<const Col
 }
 
 void Canvas::save(const std::filesystem::path& path) const {
-    std::string bytes;
-    if (const cairo_status_t status =
-            cairo_surface_write_to_png_stream(cairo_get_target(page_->context), &append, &bytes);
-        status != CAIRO_STATUS_SUCCESS) {
-        throw FileError("write", path, cairo_status_to_string(status));
+    cairo_surface_t* const surface = cairo_get_target(page_->context);
+    cairo_surface_flush(surface);
+    const int width = cairo_image_surface_get_width(surface);
+    const int height = cairo_image_surface_get_height(surface);
+    const int stride = cairo_image_surface_get_stride(surface);
+    const unsigned char* const pixels = cairo_image_surface_get_data(surface);
+    std::vector<unsigned char> colours;
+    colours.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    for (int y = 0; y < height; ++y) {
+        const auto* row = reinterpret_cast<const std::uint32_t*>(pixels + y * stride);
+        for (int x = 0; x < width; ++x) {
+            for (const unsigned shift : {16U, 8U, 0U}) {
+                colours.push_back(static_cast<unsigned char>(row[x] >> shift & 0xFFU));
+            }
+        }
     }
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    image.width = static_cast<png_uint_32>(width);
+    image.height = static_cast<png_uint_32>(height);
+    image.format = PNG_FORMAT_RGB;
+    image.flags = PNG_IMAGE_FLAG_FAST;  // drawings have flat areas: filters and a thorough search gain little
+    std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(image), '\0');
+    png_alloc_size_t size = bytes.size();
+    if (png_image_write_to_memory(&image, bytes.data(), &size, 0, colours.data(), 0, nullptr) == 0) {
+        throw FileError("write", path, image.message);
+    }
+    bytes.resize(size);
     replace_file(path, bytes);
 }
 

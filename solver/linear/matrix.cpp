@@ -13,24 +13,36 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 Pattern pattern_of(const mesh::Mesh& mesh) {
-    std::vector<std::vector<int>> neighbours(at(mesh.n_nodes));
+    // All neighbours of a node side by side, with itself; a pair of nodes may be joined by several faces.
+    std::vector<int> begin(at(mesh.n_nodes) + 1, 0);
+    for (const mesh::Face& face : mesh.faces) {
+        ++begin[at(face.a) + 1];
+        ++begin[at(face.b) + 1];
+    }
+    for (std::size_t i = 0; i + 1 < begin.size(); ++i) {
+        begin[i + 1] += begin[i] + 1;
+    }
+    std::vector<int> neighbours(at(begin.back()));
+    std::vector<int> filled(begin.begin(), begin.end() - 1);
     for (int i = 0; i < mesh.n_nodes; ++i) {
-        neighbours[at(i)].push_back(i);
+        neighbours[at(filled[at(i)]++)] = i;
     }
     for (const mesh::Face& face : mesh.faces) {
-        neighbours[at(face.a)].push_back(face.b);
-        neighbours[at(face.b)].push_back(face.a);
+        neighbours[at(filled[at(face.a)]++)] = face.b;
+        neighbours[at(filled[at(face.b)]++)] = face.a;
     }
     Pattern p;
     p.n = mesh.n_nodes;
+    p.column.reserve(neighbours.size());
     p.start.push_back(0);
     for (int i = 0; i < p.n; ++i) {
-        std::vector<int>& row = neighbours[at(i)];
-        std::sort(row.begin(), row.end());
-        row.erase(std::unique(row.begin(), row.end()), row.end());
-        const auto own = std::lower_bound(row.begin(), row.end(), i);
-        p.diagonal.push_back(p.start.back() + static_cast<int>(own - row.begin()));
-        p.column.insert(p.column.end(), row.begin(), row.end());
+        const auto row = neighbours.begin() + begin[at(i)];
+        const auto all = neighbours.begin() + begin[at(i) + 1];
+        std::sort(row, all);
+        const auto end = std::unique(row, all);
+        const auto own = std::lower_bound(row, end, i);
+        p.diagonal.push_back(p.start.back() + static_cast<int>(own - row));
+        p.column.insert(p.column.end(), row, end);
         p.start.push_back(static_cast<int>(p.column.size()));
     }
     const auto place = [&](int row, int column) {
