@@ -92,6 +92,26 @@ public:
         }
     }
 
+    /// The same into many nodes, W [W] and dW_dT_mean [W/K], its derivative with a region's mean temperature, in parts.
+    /// @param share part of the i-th node
+    template <typename Share>
+    void share_out(std::span<const int> nodes, Share share, double W, int region, double dW_dT_mean) {
+        double* const slope = region_slope.data() + static_cast<std::size_t>(region) * node_q.size();
+        double parts = 0.0;
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            const auto n = static_cast<std::size_t>(nodes[i]);
+            const double part = share(i);
+            node_q[n] += part * W;
+            parts += part;
+            slope[n] += part * dW_dT_mean;
+        }
+        watts[effect_] += parts * W;
+        if (dW_dT_mean != 0.0) {
+            region_used[static_cast<std::size_t>(region)] = 1;
+            nonlinear = true;
+        }
+    }
+
     /// Counts watts in the heat budget of another effect instead of the present one's; their sum stays.
     void rebook(std::size_t to_effect, double W) {
         watts[effect_] -= W;

@@ -5,6 +5,7 @@
 #include "solver/system.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -36,6 +37,9 @@ System::System(const Problem& problem)
       material_model_{.materials = problem.materials, .link_laws = problem.link_laws, .tire = problem.tire},
       effects_(problem.effects),
       lump_(at(problem.mesh.n_nodes)) {
+    for (const mesh::Face& face : problem.mesh.faces) {
+        ends_.push_back({face.a, face.b});
+    }
     settle_effects();
     for (const physics::ActiveEffect& active : effects_) {
         first_coefficient_.push_back(n_coefficients_);
@@ -191,12 +195,30 @@ void System::evaluate(std::span<const double> T, std::span<const double> coeffic
         terms_.add_difference(here_, there_, difference_step);
     }
     std::copy(terms_.node_q.begin(), terms_.node_q.end(), flow_.begin());
-    const std::vector<mesh::Face>& faces = problem_->mesh.faces;
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-        const double flux = terms_.face_G[f] * (T[at(faces[f].b)] - T[at(faces[f].a)]);
-        flow_[at(faces[f].a)] += flux;
-        flow_[at(faces[f].b)] -= flux;
+    add_face_flows(terms_, T, flow_);
+}
+
+/// What the faces let through between the nodes at their ends.
+void System::add_face_flows(const physics::Terms& terms, std::span<const double> T, std::span<double> q) const {
+    if (!terms.faces_used || ends_.empty()) {
+        return;
     }
+    // Faces in a row share a node with the one before: what that one takes from it waits for this one, not in memory.
+    int shared = ends_.front()[0];
+    double from_shared = 0.0;
+    for (std::size_t f = 0; f < ends_.size(); ++f) {
+        const auto [a, b] = ends_[f];
+        const double flux = terms.face_G[f] * (T[at(b)] - T[at(a)]);
+        if (a == shared) {
+            q[at(a)] += flux - from_shared;
+        } else {
+            q[at(shared)] -= from_shared;
+            q[at(a)] += flux;
+        }
+        shared = b;
+        from_shared = flux;
+    }
+    q[at(shared)] -= from_shared;
 }
 
 void System::find_flow_of(std::span<const std::size_t> which, std::span<const double> T, std::span<const double> means,
@@ -208,15 +230,7 @@ void System::find_flow_of(std::span<const std::size_t> which, std::span<const do
         effects_[e].effect->heat_effect()->add_terms(evaluation_state(e, T, means, coefficients), here_);
     }
     std::copy(here_.node_q.begin(), here_.node_q.end(), q.begin());
-    if (!here_.faces_used) {
-        return;
-    }
-    const std::vector<mesh::Face>& faces = problem_->mesh.faces;
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-        const double flux = here_.face_G[f] * (T[at(faces[f].b)] - T[at(faces[f].a)]);
-        q[at(faces[f].a)] += flux;
-        q[at(faces[f].b)] -= flux;
-    }
+    add_face_flows(here_, T, q);
 }
 
 double System::total_heat(std::span<const double> T, const physics::Inputs& logged, LeftOut left_out) {
@@ -252,6 +266,20 @@ Status System::failure_at(Outcome outcome, std::string_view why, int node, doubl
 }
 
 int System::first_not_finite() const {
+    // Zero times a number is zero; times what is none, it is not.
+    std::array<double, 4> sums{};
+    std::size_t i = 0;
+    for (; i + 4 <= flow_.size(); i += 4) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            sums[k] += 0.0 * flow_[i + k];
+        }
+    }
+    for (; i < flow_.size(); ++i) {
+        sums[0] += 0.0 * flow_[i];
+    }
+    if ((sums[0] + sums[1]) + (sums[2] + sums[3]) == 0.0) {
+        return -1;
+    }
     const auto bad = std::find_if_not(flow_.begin(), flow_.end(), [](double q) { return std::isfinite(q); });
     return bad == flow_.end() ? -1 : static_cast<int>(bad - flow_.begin());
 }

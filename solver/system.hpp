@@ -2,6 +2,7 @@
 // Semi-discrete heat balance dH/dt = q(T, t): enthalpy H(T) and heat flow q of every node, with its matrices.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -85,6 +86,7 @@ public:
 
 private:
     void settle_effects();
+    void add_face_flows(const physics::Terms& terms, std::span<const double> T, std::span<double> q) const;
     void find_symmetric_part(double s, bool steady, Matrix& A) const;
     [[nodiscard]] double varying_capacity(std::size_t node, double T) const;
     [[nodiscard]] physics::EvaluationState evaluation_state(std::size_t effect, std::span<const double> T,
@@ -115,6 +117,7 @@ private:
     std::vector<double> too_hot_;
     physics::MaterialModel material_model_;
     std::vector<physics::ActiveEffect> effects_;
+    std::vector<std::array<int, 2>> ends_;  ///< [n_faces] nodes a and b
     std::vector<double> mass_;  ///< [n_nodes] kg, density * volume; 0 for surfaces and lumped nodes
     std::vector<double> lump_;  ///< [n_nodes] J/K of a lumped node
     std::vector<double> constant_capacity_;  ///< [n_nodes] J/K where it does not follow the temperature, else 0

@@ -34,7 +34,6 @@ void System::symmetric_matrix(double s, bool steady, Matrix& A) const {
 /// C + s times the conductances.
 void System::find_symmetric_part(double s, bool steady, Matrix& A) const {
     const Pattern& p = pattern_;
-    const mesh::Mesh& mesh = problem_->mesh;
     const physics::Terms& said = terms_;
     A.pattern = &p;
     A.value.assign(p.nonzeros(), 0.0);
@@ -45,10 +44,11 @@ void System::find_symmetric_part(double s, bool steady, Matrix& A) const {
         }
         A.value[at(p.diagonal[i])] = diagonal;
     }
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    for (std::size_t f = 0; f < ends_.size(); ++f) {
         const double G = s * said.face_G[f];
-        A.value[at(p.diagonal[at(mesh.faces[f].a)])] += G;
-        A.value[at(p.diagonal[at(mesh.faces[f].b)])] += G;
+        const auto [a, b] = ends_[f];
+        A.value[at(p.diagonal[at(a)])] += G;
+        A.value[at(p.diagonal[at(b)])] += G;
         A.value[at(p.ab[f])] -= G;
         A.value[at(p.ba[f])] -= G;
     }
@@ -75,15 +75,15 @@ void System::matrices(double s, bool steady, Matrix& A, Matrix& J) const {
         J.value[at(p.diagonal[i])] -= slope;
         A.value[at(p.diagonal[i])] -= std::min(slope, 0.0);
     }
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    for (std::size_t f = 0; f < ends_.size(); ++f) {
         const double dq_dTa = s * said.face_dq_dTa[f];
         const double dq_dTb = s * said.face_dq_dTb[f];
         if (dq_dTa != 0.0 || dq_dTb != 0.0) {
             J.symmetric = false;
-            J.value[at(p.diagonal[at(mesh.faces[f].a)])] -= dq_dTa;
+            J.value[at(p.diagonal[at(ends_[f][0])])] -= dq_dTa;
             J.value[at(p.ab[f])] -= dq_dTb;
             J.value[at(p.ba[f])] += dq_dTa;
-            J.value[at(p.diagonal[at(mesh.faces[f].b)])] += dq_dTb;
+            J.value[at(p.diagonal[at(ends_[f][1])])] += dq_dTb;
         }
     }
     for (std::size_t r = 0; r < mesh.regions.size(); ++r) {
@@ -109,9 +109,9 @@ void System::make_consistent(std::span<double> T, std::span<const double> coeffi
         for (std::size_t i = 0; i < T.size(); ++i) {
             stiffness[i] = terms_.node_G[i] - terms_.node_slope[i];
         }
-        for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-            stiffness[at(mesh.faces[f].a)] += terms_.face_G[f] - terms_.face_dq_dTa[f];
-            stiffness[at(mesh.faces[f].b)] += terms_.face_G[f] + terms_.face_dq_dTb[f];
+        for (std::size_t f = 0; f < ends_.size(); ++f) {
+            stiffness[at(ends_[f][0])] += terms_.face_G[f] - terms_.face_dq_dTa[f];
+            stiffness[at(ends_[f][1])] += terms_.face_G[f] + terms_.face_dq_dTb[f];
         }
         double largest = 0.0;
         for (std::size_t i = 0; i < T.size(); ++i) {

@@ -40,7 +40,7 @@ AdjointRecord::AdjointRecord(const Problem& problem, std::span<const double> tim
     }
     for (const double end : step_ends) {
         leave_if_stopped();
-        Stepper::Attempt attempt = stepper_.attempt(end);
+        Stepper::Attempt attempt = stepper_.attempt(end, false);
         if (!attempt.status.ok()) {
             status_ = std::move(attempt.status);
             return;

@@ -111,7 +111,7 @@ public:
 
 private:
     Status step_to(double end, int halvings) {
-        Stepper::Attempt attempt = stepper_.attempt(end);
+        Stepper::Attempt attempt = stepper_.attempt(end, false);
         if (!attempt.status.ok()) {
             if (halvings == most_halvings) {
                 return std::move(attempt.status);

@@ -58,7 +58,7 @@ void KeptFactors::count_corrections(int corrections) {
     now_->excess_solves += (1.0 + solves_of_an_evaluation) * std::max(0, corrections - now_->least_corrections);
 }
 
-std::string KeptFactors::renew(const Matrix& A, double s, std::span<const double> stiffness) {
+std::string KeptFactors::renew(const Matrix& A, double s, std::span<const double> compliance) {
     const auto is_alike = [s](const Kept& kept) { return kept.s > 0.0 && distance(kept.s, s) < std::log(alike); };
     auto place = std::ranges::find_if(kept_, is_alike);
     if (place == kept_.end()) {
@@ -76,7 +76,7 @@ std::string KeptFactors::renew(const Matrix& A, double s, std::span<const double
         return problem;
     }
     place->s = s;
-    place->stiffness.assign(stiffness.begin(), stiffness.end());
+    place->compliance.assign(compliance.begin(), compliance.end());
     place->least_solves = place->least_corrections = 0;
     place->excess_solves = 0.0;
     return {};
@@ -102,8 +102,8 @@ void KeptFactors::visit(Archive& archive) {
         }
         std::vector<double> values(kept.factor->values().begin(), kept.factor->values().end());
         archive(values);
-        kept.stiffness.resize(static_cast<std::size_t>(pattern_->n));
-        archive(kept.stiffness);
+        kept.compliance.resize(static_cast<std::size_t>(pattern_->n));
+        archive(kept.compliance);
         if (archive.is_reading() && !kept.factor->factorise_again(values).empty()) {
             kept.s = 0.0;
         }

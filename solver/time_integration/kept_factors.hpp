@@ -27,9 +27,9 @@ public:
     [[nodiscard]] double s() const { return now_->s; }
     [[nodiscard]] Factor& current() { return *now_->factor; }
     [[nodiscard]] const Factor& current() const { return *now_->factor; }
-    /// What a residual is held against: heat capacity of each cell [J/K], and of a surface without one its own row over s
-    /// [W/K], of the matrix that the current factor is of. @returns [n_nodes]
-    [[nodiscard]] std::span<const double> stiffness() const { return now_->stiffness; }
+    /// What a residual is weighed by: one over the heat capacity of each cell [K/J], and of a surface without one s over its
+    /// own row [K/W], of the matrix that the current factor is of. @returns [n_nodes]
+    [[nodiscard]] std::span<const double> compliance() const { return now_->compliance; }
 
     /// Whether a new factor costs less than the solves lost with the current one.
     [[nodiscard]] bool is_worn_out() const { return now_->excess_solves >= now_->factor->factor_cost(); }
@@ -41,8 +41,8 @@ public:
     void wear_out() { now_->excess_solves = 2.0 * now_->factor->factor_cost(); }
 
     /// A new factor, in the place of the worn-out one of this s or of the one that was longest out of use.
-    /// @param stiffness [n_nodes] see stiffness()  @returns as Factor::factorise
-    [[nodiscard]] std::string renew(const Matrix& A, double s, std::span<const double> stiffness);
+    /// @param compliance [n_nodes] see compliance()  @returns as Factor::factorise
+    [[nodiscard]] std::string renew(const Matrix& A, double s, std::span<const double> compliance);
 
     /// A factor serves stages up to this many times longer or shorter than its own. @param ratio > 1
     void set_reach(double ratio) { reach_ = ratio; }
@@ -53,7 +53,7 @@ private:
     struct Kept {
         std::unique_ptr<Factor> factor;
         double s = 0.0;  ///< s, 0: not factorised
-        std::vector<double> stiffness;
+        std::vector<double> compliance;
         int least_solves = 0;        ///< of the first correction; 0: not yet known
         int least_corrections = 0;   ///< of the first simplified iteration
         double excess_solves = 0.0;  ///< solves beyond the least

@@ -71,6 +71,8 @@ public:
     void add_excess_solves(double solves) { factors_.add_excess_solves(solves); }
 
     [[nodiscard]] const Counters& counters() const { return counters_; }
+    /// Leaves the seconds of the parts uncounted: in real time, looking at the clock costs as much as a small effect.
+    void stop_timing() { timed_ = false; }
     [[nodiscard]] std::string linear_solver() const { return factors_.current().description(); }
 
 private:
@@ -117,7 +119,7 @@ private:
     std::vector<double> ones_;
     std::vector<double> J_ones_;
     std::vector<double> enthalpy_;
-    std::vector<double> stiffness_;  ///< of the matrices at hand, see KeptFactors
+    std::vector<double> compliance_;  ///< of the matrices at hand, see KeptFactors
     std::vector<double> guess_;      ///< K
     /// A face that joins a surface without capacity to a cell.
     struct SurfaceFace {
@@ -134,6 +136,7 @@ private:
     double last_shift_ = 0.0;  ///< K, and the imbalance that it was for
     double last_joules_ = 0.0;
     Counters counters_;
+    bool timed_ = true;
 };
 
 }  // namespace tiretherm::solver

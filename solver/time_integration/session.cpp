@@ -32,6 +32,7 @@ Session::Session(Problem problem, const physics::Inputs& start)
       inputs_(start),
       stage_inputs_(stepper_->stages().size()),
       channels_(problem_->channels.size()) {
+    stepper_->newton().stop_timing();
     stepper_->find_watts(start);
     sensor_outputs_->begin(0.0, stepper_->temperature(), stepper_->watts(), start);
     sensor_outputs_->at(0.0, start, channels_);

@@ -47,6 +47,7 @@ void StepForcing::sample(double t, JumpSide side, std::span<double> out) const {
 }
 
 void StepForcing::open(double t0, double t1) {
+    ended_.reset();
     const std::vector<double>& samples = input_signals_->samples();
     const auto first = std::upper_bound(samples.begin(), samples.end(), t0) - samples.begin();
     const auto last = std::lower_bound(samples.begin(), samples.end(), t1) - samples.begin();
@@ -64,7 +65,12 @@ void StepForcing::open(double t0, double t1) {
 
 void StepForcing::open(const physics::Inputs& from, const physics::Inputs& to) {
     averaged_ = false;
-    for (std::size_t i = 0; i < stages_.size(); ++i) {
+    const bool goes_on = ended_ && *ended_ == from;
+    if (goes_on) {
+        std::ranges::copy(stages_.back(), stages_.front().begin());
+    }
+    ended_ = to;
+    for (std::size_t i = goes_on ? 1 : 0; i < stages_.size(); ++i) {
         const bool last = i + 1 == stages_.size();
         system_->evaluate_coefficients(last ? to : physics::between(from, to, tableau_->c[i]), stages_[i]);
     }

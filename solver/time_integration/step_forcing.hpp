@@ -45,6 +45,7 @@ private:
     const InputSignals* input_signals_;
     const Tableau* tableau_;
     std::vector<std::vector<double>> stages_;
+    std::optional<physics::Inputs> ended_;  ///< in real time: what the last opened step ends with
     bool averaged_ = false;
     std::vector<double> unresolved_;
     std::vector<double> nodes_;   ///< times of samples and midpoints of the step

@@ -14,6 +14,13 @@ namespace tiretherm::solver {
 namespace {
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+/// y += factor x
+void add(double factor, std::span<const double> x, std::span<double> y) {
+    for (std::size_t n = 0; n < y.size(); ++n) {
+        y[n] += factor * x[n];
+    }
+}
+
 /// Newton's tolerance beside the tolerance of a step: small enough that the error estimate does not see it.
 constexpr double newton_share = 0.05;
 }  // namespace
@@ -88,7 +95,7 @@ Stepper::Attempt Stepper::attempt(double t1, bool closed) {
 
 Stepper::Attempt Stepper::attempt(double t1, const physics::Inputs& from, const physics::Inputs& to) {
     forcing_.open(from, to);
-    return attempt_in_window(t1, true);
+    return attempt_in_window(t1, false);
 }
 
 Stepper::Attempt Stepper::attempt_in_window(double t1, bool closed) {
@@ -125,11 +132,10 @@ Stepper::Attempt Stepper::attempt_stages(double dt, bool closed) {
     for (int i = 1; i < tableau_->stages; ++i) {
         predict(i, dt);
         for (std::size_t n = 0; n < known_.size(); ++n) {
-            double sum = 0.0;
-            for (int j = 0; j < i; ++j) {
-                sum += tableau_->a[at(i)][at(j)] * q_[at(j)][n];
-            }
-            known_[n] = H_[n] + left_[n] + dt * sum;
+            known_[n] = H_[n] + left_[n];
+        }
+        for (int j = 0; j < i; ++j) {
+            add(dt * tableau_->a[at(i)][at(j)], q_[at(j)], known_);
         }
         Status status = newton_.solve({.s = dt * tableau_->diagonal,
                                        .known = known_,
@@ -172,12 +178,12 @@ double Stepper::estimate_left_out(double dt) {
 }
 
 double Stepper::estimate_error(double dt) {
-    for (std::size_t n = 0; n < error_heat_.size(); ++n) {
-        double sum = 0.0;
-        for (int i = 0; i < tableau_->stages; ++i) {
-            sum += tableau_->error[at(i)] * q_[at(i)][n];
-        }
-        error_heat_[n] = system_.has_capacity(n) ? dt * sum : 0.0;
+    std::fill(error_heat_.begin(), error_heat_.end(), 0.0);
+    for (int i = 0; i < tableau_->stages; ++i) {
+        add(dt * tableau_->error[at(i)], q_[at(i)], error_heat_);
+    }
+    for (std::size_t n = at(problem_->mesh.n_cells); n < error_heat_.size(); ++n) {
+        error_heat_[n] = system_.has_capacity(n) ? error_heat_[n] : 0.0;
     }
     return largest_filtered();
 }
@@ -346,7 +352,8 @@ double Stepper::effective_two_node_conductance() {
 
 double Stepper::energy_closure() const {
     const double attributed = std::accumulate(joules_.begin(), joules_.end(), 0.0);
-    return turnover_ > 0.0 ? std::abs(stored_ - attributed) / turnover_ : 0.0;
+    const double carried = std::accumulate(left_.begin(), left_.end(), 0.0);
+    return turnover_ > 0.0 ? std::abs(stored_ + carried - attributed) / turnover_ : 0.0;
 }
 
 double Stepper::steepest_rate() {

@@ -34,8 +34,8 @@ public:
 
     /// Tries a step from time() to t1 over which no stop of the inputs lies. The state changes only by `accept`.
     /// @param closed whether the heat budget closes to round-off at t1; what it leaves open is else carried into the next
-    [[nodiscard]] Attempt attempt(double t1, bool closed = true);
-    /// The same with inputs that go straight from `from` to `to`, whatever the problem's input signals say.
+    [[nodiscard]] Attempt attempt(double t1, bool closed);
+    /// The same, not closed, with inputs that go straight from `from` to `to`, whatever the problem's input signals say.
     [[nodiscard]] Attempt attempt(double t1, const physics::Inputs& from, const physics::Inputs& to);
     void accept();
     /// A failure at the place of the largest error of the last attempt.
@@ -67,7 +67,8 @@ public:
     [[nodiscard]] std::span<const double> watts() const { return watts_; }    ///< [n_effects] W at the state
     [[nodiscard]] std::span<const double> joules() const { return joules_; }  ///< [n_effects] J since the start
     [[nodiscard]] double stored() const { return stored_; }                   ///< J since the start
-    /// |stored - sum of joules| over the heat turned over (sum of |watts| dt) since the start; 0 before the first step.
+    /// |stored + carried - sum of joules| over the heat turned over (sum of |watts| dt) since the start, with what the last
+    /// step left open of its balance for the next to carry; 0 before the first step.
     [[nodiscard]] double energy_closure() const;
     /// The stages of the last accepted step, its begin and its end among them; one after a steady solve.
     [[nodiscard]] std::span<const Stage> stages() const { return stages_; }

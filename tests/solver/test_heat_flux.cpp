@@ -92,7 +92,9 @@ TEST(HeatFlux, LeavesOutWhatPassesTheSurfaceAlone) {
     problem.settings.end = 30.0;
     watch_both_sides(problem);
     const Report report = run_through(problem);
-    EXPECT_NEAR(report.channel_final[0], 20.0 * (report.channel_final[2] - 300.0) - 1000.0, 1e-6);
+    // Newton's corrections end at 5 % of the step's tolerance: the film's share of that.
+    EXPECT_NEAR(report.channel_final[0], 20.0 * (report.channel_final[2] - 300.0) - 1000.0,
+                20.0 * 0.05 * problem.settings.tolerance);
     EXPECT_LT(report.channel_final[0], -100.0);
     EXPECT_NEAR(report.channel_final[1], 0.0, 1e-8);
     EXPECT_NEAR(report.watts[heater], 1000.0, 1e-9);

@@ -100,7 +100,13 @@ void add_quadratic_inside(const EvaluationState& m, std::size_t begin, std::size
     double* const of_a = terms.face_dq_dTa.data();
     double* const of_b = terms.face_dq_dTb.data();
     double smallest = 0.0;
-    for (std::size_t i = begin; i < end; ++i) {
+    if (k.is_constant()) {
+        for (std::size_t i = begin; i < end; ++i) {
+            G[place[3 * i]] += weight[i] * c0;
+        }
+        smallest = c0;
+    }
+    for (std::size_t i = begin; i < end && !k.is_constant(); ++i) {
         const int f = place[3 * i];
         const double a = T[place[3 * i + 1]];
         const double b = T[place[3 * i + 2]];

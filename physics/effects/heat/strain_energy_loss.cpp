@@ -252,6 +252,15 @@ void share_out(const EvaluationState& m, double power, const std::vector<double>
     int layer_of_relative = 0;
     const double of_surface = m.active[m.mesh.layers.size() > 1 ? lambda_srf : lambda_blk];
     const double of_bulk = m.active[lambda_blk];
+    if (!local && !by_layer && m.loss_factors.empty()) {
+        const auto share = [&](std::size_t i) {
+            const bool at_surface = m.mesh.layer[static_cast<std::size_t>(m.active.nodes[i])] == 0;
+            const double skewed_share = skew == 0.0 ? 1.0 : std::max(0.0, 1.0 + skew * m.active.skew[i]);
+            return weights[i] * skewed_share * (at_surface ? of_surface : of_bulk);
+        };
+        terms.share_out(m.active.nodes, share, factor * relative.value, bulk, factor * relative.slope);
+        return;
+    }
     for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
         const int node = m.active.nodes[i];
         const int layer = m.mesh.layer[static_cast<std::size_t>(node)];

@@ -91,6 +91,7 @@ TEST(CholeskyMemory, AnalysisThatRunsOutOfItThrowsAndFreesEverything) {
     }
 }
 
+// A simplicial factor is solved without CHOLMOD and takes none of its memory.
 TEST(CholeskyMemory, SolveThatRunsOutOfItSaysSoAndWorksOnceThereIsSome) {
     CountedMemory memory;
     for (const int size : sizes) {
@@ -105,11 +106,13 @@ TEST(CholeskyMemory, SolveThatRunsOutOfItSaysSoAndWorksOnceThereIsSome) {
             const auto factor = make_cholesky(pattern);
             ASSERT_EQ(factor->factorise(A), "");
             memory.fail_from(0);
-            try {
-                factor->solve(b, x);
-                FAIL() << "a first solve needs memory";
-            } catch (const std::runtime_error& error) {
-                EXPECT_STREQ(error.what(), "CHOLMOD could not solve: there is too little memory");
+            if (factor->description().find("supernodal") != std::string::npos) {
+                try {
+                    factor->solve(b, x);
+                    FAIL() << "a first solve needs memory";
+                } catch (const std::runtime_error& error) {
+                    EXPECT_STREQ(error.what(), "CHOLMOD could not solve: there is too little memory");
+                }
             }
             memory.fail_from(CountedMemory::never);
             factor->solve(b, x);

@@ -132,7 +132,7 @@ TEST(AdjointRecord, ForwardsEqualsTheSlopeOfASource) {
     const std::vector<double> times = every(10.0, 300.0);
     const std::vector<FreeParameter> numbers{power};
     const std::vector<double> values{100.0};
-    problem.settings.tolerance = 1e-6;  // of Newton's corrections too
+    problem.settings.tolerance = 1e-7;  // of Newton's corrections too
     const std::vector<double> ends = every(5.0, 300.0);
     const Prediction run = predict(problem, {.times = times,
                                              .parameters = numbers,

@@ -199,7 +199,8 @@ TEST(Run, LinearProblemNeedsFewFactorisations) {
     Problem problem = heated_strip(40);
     const Report report = quiet(problem);
     ASSERT_TRUE(report.status.ok());
-    EXPECT_EQ(report.newton_iterations, 2 * (report.steps + report.rejected));  // one per implicit stage
+    // Two implicit stages a step. With a factor of its own length a stage takes one correction, with that of a step nearby two.
+    EXPECT_LE(report.newton_iterations, 2 * 2 * (report.steps + report.rejected));
     EXPECT_LT(report.factorisations, report.steps + report.rejected);
 }
 

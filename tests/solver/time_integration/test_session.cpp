@@ -72,9 +72,10 @@ TEST(Session, GivesTheNumbersOfTheBatchRunAtTheSameSteps) {
     for (int i = 1; i <= steps; ++i) {
         ASSERT_TRUE(session.advance(dt, inputs_at(dt * i)).ok());
     }
-    // The same arithmetic but for the interpolation of inputs inside a step: round-off.
-    EXPECT_NEAR(session.channel(0), batch.channel_final[0], 1e-9);
-    EXPECT_NEAR(session.channel(1), batch.channel_final[1], 1e-9);
+    // The same arithmetic but for the interpolation of inputs inside a step and for the heat budget, which a session does
+    // not close at each step: Newton's corrections end at 5 % of the tolerance.
+    EXPECT_NEAR(session.channel(0), batch.channel_final[0], 0.05 * problem.settings.tolerance);
+    EXPECT_NEAR(session.channel(1), batch.channel_final[1], 0.05 * problem.settings.tolerance);
     EXPECT_LT(session.energy_closure(), 1e-12);
 }
 
