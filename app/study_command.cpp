@@ -11,13 +11,16 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/build_identity.hpp"
 #include "app/commands.hpp"
 #include "app/failure.hpp"
 #include "app/messages.hpp"
 #include "app/output.hpp"
+#include "app/study_merge.hpp"
 #include "diagnosis/study/study_runs.hpp"
 #include "input/measurements/runs.hpp"
 #include "input/studies/study.hpp"
@@ -34,6 +37,8 @@ struct Options {
     std::string study_file;
     std::string directory;
     unsigned threads = 0;
+    std::string part;
+    bool merge = false;
     bool fresh = false;
     bool json = false;
     bool quiet = false;
@@ -72,6 +77,37 @@ private:
     Clock::time_point begin_ = Clock::now();
 };
 
+/// What a part's call has to say: its files come with the merge.
+void report_part(const diagnosis::StudyPart& part, const diagnosis::StudyResults& results, std::size_t runs,
+                 const Options& options) {
+    if (options.json) {
+        const nlohmann::ordered_json json{{"part", part.index},
+                                          {"of", part.count},
+                                          {"runs", runs},
+                                          {"kept", results.kept},
+                                          {"made", results.done - results.kept}};
+        fmt::print("{}\n", json.dump(2));
+    } else if (!options.quiet) {
+        fmt::print("Part {}: {} runs are done, {} of them were kept. When all parts are:\n  tiretherm study {} --merge{}\n",
+                   part.text(), runs, results.kept, options.study_file,
+                   options.directory.empty() ? "" : " --out " + options.directory);
+    }
+}
+
+/// The failure that a call ends with whose runs did not all come to an end.
+int report_failed(const std::vector<std::size_t>& failed, std::size_t runs, const std::string& first,
+                  const std::filesystem::path& directory, bool json) {
+    if (failed.empty()) {
+        return Exit::done;
+    }
+    if (!json) {
+        std::fflush(stdout);
+        report_error(fmt::format("{} of {} runs failed, the first is run {}: {}", failed.size(), runs, failed.front() + 1, first),
+                     "the others are in " + directory.string(), false);
+    }
+    return Exit::numerical_failure;
+}
+
 int study(const Options& options) {
     solver::install_stop_handlers();
     now_doing(fmt::format("reading {} and the files that it names", options.study_file));
@@ -85,8 +121,10 @@ int study(const Options& options) {
         return Exit::input_error;
     }
     const input::Study& study = *reading.study;
-    const std::filesystem::path directory =
+    const auto part = options.part.empty() ? diagnosis::StudyPart{} : *diagnosis::StudyPart::parse(options.part);
+    const std::filesystem::path whole =
         options.directory.empty() ? "out/" + input::case_name(study.file) : options.directory;
+    const std::filesystem::path directory = options.part.empty() ? whole : whole / part.folder();
     const auto folder =
         open_output(directory, reading.files, post::StudyFiles::names(), "nothing was run", options.json);
     if (!folder) {
@@ -101,23 +139,48 @@ int study(const Options& options) {
         report_error(error.what(), "nothing was run; choose another directory with --out", options.json);
         return Exit::input_error;
     }
+    const std::size_t runs = part.size(study.runs.size());
+    if (options.merge) {
+        try {
+            const std::vector<std::string> problems = merge_parts(study, whole, build_identity(), *journal);
+            if (!problems.empty()) {
+                report_error(fmt::format("{}", fmt::join(problems, options.json ? "; " : "\ntiretherm: ")),
+                             "nothing was written; what the parts have is kept", options.json);
+                return Exit::input_error;
+            }
+        } catch (const std::runtime_error& error) {
+            report_error(error.what(), "nothing was merged; call again when it has ended", options.json);
+            return Exit::input_error;
+        }
+    }
     now_doing(fmt::format("making the runs of {} and writing to {}", options.study_file, directory.string()));
     const Clock::time_point begin = Clock::now();
     diagnosis::StudyResults results;
     {
-        Counter counter(on_terminal(stdout) && on_terminal(stderr) && !options.quiet, study.runs.size());
-        results =
-            diagnosis::run_study(study, *journal, options.threads, [&](std::size_t done) { counter.update(done); });
+        Counter counter(on_terminal(stdout) && on_terminal(stderr) && !options.quiet, runs);
+        results = diagnosis::run_study(
+            study, *journal, options.threads, [&](std::size_t done) { counter.update(done); }, part);
     }
     const std::string kept = fmt::format("{} of {} runs are kept in {}; the same call goes on from there", results.done,
-                                         study.runs.size(), directory.string());
+                                         runs, directory.string());
     if (!results.error.empty()) {
         report_error(results.error, kept, options.json);
         return Exit::input_error;
     }
-    if (results.done < study.runs.size()) {
+    if (results.done < runs) {
         report_error("stopped", kept, options.json);
         return Exit::interrupted;
+    }
+    if (!options.part.empty()) {
+        std::vector<std::size_t> failed;
+        for (std::size_t run = 0; run < study.runs.size(); ++run) {
+            if (part.has(run) && !results.outcomes[run].ok()) {
+                failed.push_back(run);
+            }
+        }
+        report_part(part, results, runs, options);
+        return report_failed(failed, runs, failed.empty() ? "" : results.outcomes[failed.front()].failure, directory,
+                             options.json);
     }
     post::StudyCall call{.kept = results.kept,
                          .outdated = journal->outdated(),
@@ -141,16 +204,9 @@ int study(const Options& options) {
     if (options.json || !options.quiet) {
         print_report(post::study_report(record, call), options.json);
     }
-    if (const std::vector<std::size_t> failed = record.failed(); !failed.empty()) {
-        if (!options.json) {
-            std::fflush(stdout);
-            report_error(fmt::format("{} of {} runs failed, the first is run {}: {}", failed.size(), study.runs.size(),
-                                     failed.front() + 1, record.outcomes[failed.front()].failure),
-                         "the others are in " + directory.string(), false);
-        }
-        return Exit::numerical_failure;
-    }
-    return Exit::done;
+    const std::vector<std::size_t> failed = record.failed();
+    return report_failed(failed, runs, failed.empty() ? "" : record.outcomes[failed.front()].failure, directory,
+                         options.json);
 }
 
 }  // namespace
@@ -165,6 +221,19 @@ void add_study_command(CLI::App& program, int& exit_code) {
     command->add_option("--threads", options->threads, "Runs at a time. Default: as many as the machine can do")
         ->option_text("N")
         ->check(CLI::Range(1, 1024));
+    CLI::Option* part =
+        command->add_option("--part", options->part,
+                            "Make the K-th of N parts of the runs alone, 1/16 to 16/16, in the folder part_K_of_N of --out")
+            ->option_text("K/N")
+            ->check(CLI::Validator(
+                [](const std::string& text) {
+                    return diagnosis::StudyPart::parse(text)
+                               ? std::string()
+                               : fmt::format("\"{}\" is no part; write 3/16 for the third of sixteen", text);
+                },
+                ""));
+    command->add_flag("--merge", options->merge, "Put the parts together: the files are those of one call for all runs")
+        ->excludes(part);
     command->add_flag("--fresh", options->fresh, "Make all runs again, also those that are kept");
     command->add_flag("--no-pictures", options->no_pictures, "No study.png");
     command->add_flag("--quiet", options->quiet, "No summary and no progress");
@@ -187,6 +256,9 @@ void add_study_command(CLI::App& program, int& exit_code) {
         "Files: study.csv and study.h5 (a row for each run), study.png (map, curve or distribution of the hottest\n"
         "temperature), runs.jsonl (the runs as they are made). Each run that is done is kept, whatever ends the\n"
         "program; the next call makes what is missing and what has changed. Ctrl-C ends a study early.\n\n"
+        "Several machines share a study by --part, each part in any order and as often as it takes, for example in a job\n"
+        "array: tiretherm study STUDY --part $SLURM_ARRAY_TASK_ID/16 --out DIR. Then --merge with the same --out; it says\n"
+        "which parts are missing.\n\n"
         "Exit code: 0 done, 1 an error in the call, the study or the case, 2 runs failed, 130 interrupted.\n\n"
         "Example:\n"
         "  tiretherm study cases/studies/speed_and_load_two_node.toml --out /tmp/study");

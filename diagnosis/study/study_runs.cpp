@@ -80,11 +80,11 @@ diagnosis::RunIdentity identity(const input::Study& study, std::size_t run) {
 }
 
 StudyResults run_study(const input::Study& study, CompletedRuns& journal, unsigned threads,
-                       const std::function<void(std::size_t done)>& progress) {
+                       const std::function<void(std::size_t done)>& progress, const StudyPart& part) {
     StudyResults results{
         .outcomes = std::vector<diagnosis::StudyOutcome>(study.runs.size()), .warnings = {}, .error = {}};
     std::vector<std::size_t> open;
-    for (std::size_t run = 0; run < study.runs.size(); ++run) {
+    for (std::size_t run = part.index - 1; run < study.runs.size(); run += part.count) {
         if (const diagnosis::StudyOutcome* known = journal.find(identity(study, run))) {
             results.outcomes[run] = *known;
             ++results.kept;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/study/study_part.hpp"
 #include "diagnosis/study/study_record.hpp"
 #include "input/studies/study.hpp"
 
@@ -51,7 +52,8 @@ struct StudyResults {
 /// Makes the runs that the journal does not know, several at a time, each noted as soon as it is done. Their results do
 /// not depend on how many are made at a time. Ends early where the user asks for it, or where a run cannot be noted.
 /// @param threads 0: as many as the machine has   @param progress called with the number that are done
+/// @param part the runs that this call is for; the others are neither made nor counted
 [[nodiscard]] StudyResults run_study(const input::Study& study, CompletedRuns& journal, unsigned threads,
-                                     const std::function<void(std::size_t done)>& progress);
+                                     const std::function<void(std::size_t done)>& progress, const StudyPart& part = {});
 
 }  // namespace tiretherm::diagnosis
