@@ -19,6 +19,7 @@
 #include "app/commands.hpp"
 #include "app/failure.hpp"
 #include "app/messages.hpp"
+#include "app/mpi_ranks.hpp"
 #include "app/output.hpp"
 #include "app/study_merge.hpp"
 #include "diagnosis/study/study_runs.hpp"
@@ -39,6 +40,7 @@ struct Options {
     unsigned threads = 0;
     std::string part;
     bool merge = false;
+    bool mpi = false;
     bool fresh = false;
     bool json = false;
     bool quiet = false;
@@ -209,6 +211,31 @@ int study(const Options& options) {
                          options.json);
 }
 
+/// Each rank makes a part, in one thread unless another number is asked for; the first puts them together.
+int study_over_ranks(const Options& options) {
+    const std::optional<MpiRanks> ranks = MpiRanks::join();
+    if (!ranks) {
+        report_error("this program was built without MPI",
+                     "configure it with -DTIRETHERM_MPI=ON, or share the study by --part and --merge", options.json);
+        return Exit::input_error;
+    }
+    Options mine = options;
+    mine.threads = options.threads == 0 ? 1 : options.threads;
+    if (ranks->size() == 1) {
+        return study(mine);
+    }
+    mine.part = diagnosis::StudyPart{.index = ranks->rank() + 1, .count = ranks->size()}.text();
+    mine.quiet = true;
+    mine.json = false;
+    const int worst = ranks->largest(study(mine));
+    if (worst != Exit::done && worst != Exit::numerical_failure) {
+        return worst;
+    }
+    Options all = options;
+    all.merge = true;
+    return ranks->rank() == 0 ? study(all) : Exit::done;
+}
+
 }  // namespace
 
 void add_study_command(CLI::App& program, int& exit_code) {
@@ -233,6 +260,11 @@ void add_study_command(CLI::App& program, int& exit_code) {
                 },
                 ""));
     command->add_flag("--merge", options->merge, "Put the parts together: the files are those of one call for all runs")
+        ->excludes(part);
+    command
+        ->add_flag("--mpi", options->mpi,
+                   "Share the runs out over the ranks of mpirun and put them together; in a program built with "
+                   "TIRETHERM_MPI")
         ->excludes(part);
     command->add_flag("--fresh", options->fresh, "Make all runs again, also those that are kept");
     command->add_flag("--no-pictures", options->no_pictures, "No study.png");
@@ -262,7 +294,7 @@ void add_study_command(CLI::App& program, int& exit_code) {
         "Exit code: 0 done, 1 an error in the call, the study or the case, 2 runs failed, 130 interrupted.\n\n"
         "Example:\n"
         "  tiretherm study cases/studies/speed_and_load_two_node.toml --out /tmp/study");
-    command->callback([options, &exit_code] { exit_code = study(*options); });
+    command->callback([options, &exit_code] { exit_code = options->mpi ? study_over_ranks(*options) : study(*options); });
 }
 
 }  // namespace tiretherm::app

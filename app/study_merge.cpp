@@ -4,6 +4,7 @@
 #include "app/study_merge.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
@@ -42,6 +43,7 @@ std::vector<std::string> merge_parts(const input::Study& study, const std::files
     }
     std::vector<std::string> problems;
     std::set<std::size_t> counts;
+    std::map<std::size_t, diagnosis::StudyOutcome> outcomes;  // noted in the order of the runs, whatever that of the parts
     for (const StudyPart& part : parts) {
         counts.insert(part.count);
         const std::filesystem::path file = folder / part.folder() / "runs.jsonl";
@@ -51,12 +53,9 @@ std::vector<std::string> merge_parts(const input::Study& study, const std::files
         const post::StudyJournal theirs(file, study.channels.size(), build, false);
         std::size_t found = 0;
         for (std::size_t run = 0; run < study.runs.size(); ++run) {
-            const diagnosis::RunIdentity identity = diagnosis::identity(study, run);
-            if (const diagnosis::StudyOutcome* outcome = theirs.find(identity)) {
+            if (const diagnosis::StudyOutcome* outcome = theirs.find(diagnosis::identity(study, run))) {
                 ++found;
-                if (journal.find(identity) == nullptr) {
-                    journal.add(identity, *outcome);
-                }
+                outcomes.emplace(run, *outcome);
             }
         }
         if (theirs.outdated() > 0) {
@@ -64,6 +63,11 @@ std::vector<std::string> merge_parts(const input::Study& study, const std::files
                                            theirs.outdated()));
         } else if (found == 0 && part.size(study.runs.size()) > 0) {
             problems.push_back(fmt::format("part {}: none of its runs is of this study as its files are now", part.text()));
+        }
+    }
+    for (const auto& [run, outcome] : outcomes) {
+        if (const diagnosis::RunIdentity identity = diagnosis::identity(study, run); journal.find(identity) == nullptr) {
+            journal.add(identity, outcome);
         }
     }
     std::vector<std::size_t> missing;

@@ -34,5 +34,11 @@ endforeach()
 consumer(core ${hidden})
 step(${program})
 
+# The example in C, as its own page says.
+step(${CMAKE_COMMAND} -S ${source}/../../examples/four_tires -B ${scratch}/four_tires -G ${generator}
+    -DCMAKE_CXX_COMPILER=${compiler} -DCMAKE_CXX_FLAGS=${flags} -DCMAKE_PREFIX_PATH=${scratch}/prefix)
+step(${CMAKE_COMMAND} --build ${scratch}/four_tires)
+step(${scratch}/four_tires/four_tires ${scratch}/prefix/share/tiretherm/cases/two_node/4000N_100kmh.toml 1)
+
 consumer(post)
 step(${program} ${scratch}/prefix/share/tiretherm/cases/two_node/4000N_100kmh.toml ${scratch}/out)
