@@ -9,13 +9,14 @@
 
 #include "input/model/problem_builder.hpp"
 #include "input/text/quantity_specs.hpp"
+#include "solver/linear/petsc_factor.hpp"
 
 namespace tiretherm::input {
 
 namespace {
 
 constexpr std::array<std::string_view, 2> methods{"tr_bdf2", "backward_euler"};
-constexpr std::array<std::string_view, 3> linear_solvers{"automatic", "cholesky", "conjugate_gradient"};
+constexpr std::array<std::string_view, 4> linear_solvers{"automatic", "cholesky", "conjugate_gradient", "petsc"};
 constexpr double many_steps = 1e7;
 
 std::string in_minutes(double seconds) {
@@ -70,6 +71,10 @@ void read_time_settings(TomlTable& root, ProblemBuilder& builder) {
     into.field_interval = time.quantity("fields", quantity_specs::interval).value_or(into.field_interval);
     into.method = static_cast<solver::Method>(time.choice("method", methods).value_or(0));
     into.linear_solver = static_cast<solver::LinearSolver>(time.choice("linear_solver", linear_solvers).value_or(0));
+    if (into.linear_solver == solver::LinearSolver::petsc && !solver::has_petsc()) {
+        time.add_error("linear_solver", "this program was built without PETSc",
+                       "configure it with -DTIRETHERM_PETSC=ON, or leave the linear solver to the program");
+    }
 
     const double length = into.end - into.start;
     if ((end || own_start) && !into.steady && !(length > 0.0)) {
