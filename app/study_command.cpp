@@ -90,9 +90,10 @@ void report_part(const diagnosis::StudyPart& part, const diagnosis::StudyResults
                                           {"made", results.done - results.kept}};
         fmt::print("{}\n", json.dump(2));
     } else if (!options.quiet) {
-        fmt::print("Part {}: {} runs are done, {} of them were kept. When all parts are:\n  tiretherm study {} --merge{}\n",
-                   part.text(), runs, results.kept, options.study_file,
-                   options.directory.empty() ? "" : " --out " + options.directory);
+        fmt::print(
+            "Part {}: {} runs are done, {} of them were kept. When all parts are:\n  tiretherm study {} --merge{}\n",
+            part.text(), runs, results.kept, options.study_file,
+            options.directory.empty() ? "" : " --out " + options.directory);
     }
 }
 
@@ -104,7 +105,8 @@ int report_failed(const std::vector<std::size_t>& failed, std::size_t runs, cons
     }
     if (!json) {
         std::fflush(stdout);
-        report_error(fmt::format("{} of {} runs failed, the first is run {}: {}", failed.size(), runs, failed.front() + 1, first),
+        report_error(fmt::format("{} of {} runs failed, the first is run {}: {}", failed.size(), runs,
+                                 failed.front() + 1, first),
                      "the others are in " + directory.string(), false);
     }
     return Exit::numerical_failure;
@@ -249,8 +251,10 @@ void add_study_command(CLI::App& program, int& exit_code) {
         ->option_text("N")
         ->check(CLI::Range(1, 1024));
     CLI::Option* part =
-        command->add_option("--part", options->part,
-                            "Make the K-th of N parts of the runs alone, 1/16 to 16/16, in the folder part_K_of_N of --out")
+        command
+            ->add_option(
+                "--part", options->part,
+                "Make the K-th of N parts of the runs alone, 1/16 to 16/16, in the folder part_K_of_N of --out")
             ->option_text("K/N")
             ->check(CLI::Validator(
                 [](const std::string& text) {
@@ -288,13 +292,16 @@ void add_study_command(CLI::App& program, int& exit_code) {
         "Files: study.csv and study.h5 (a row for each run), study.png (map, curve or distribution of the hottest\n"
         "temperature), runs.jsonl (the runs as they are made). Each run that is done is kept, whatever ends the\n"
         "program; the next call makes what is missing and what has changed. Ctrl-C ends a study early.\n\n"
-        "Several machines share a study by --part, each part in any order and as often as it takes, for example in a job\n"
-        "array: tiretherm study STUDY --part $SLURM_ARRAY_TASK_ID/16 --out DIR. Then --merge with the same --out; it says\n"
+        "Several machines share a study by --part, each part in any order and as often as it takes, for example in a "
+        "job\n"
+        "array: tiretherm study STUDY --part $SLURM_ARRAY_TASK_ID/16 --out DIR. Then --merge with the same --out; it "
+        "says\n"
         "which parts are missing.\n\n"
         "Exit code: 0 done, 1 an error in the call, the study or the case, 2 runs failed, 130 interrupted.\n\n"
         "Example:\n"
         "  tiretherm study cases/studies/speed_and_load_two_node.toml --out /tmp/study");
-    command->callback([options, &exit_code] { exit_code = options->mpi ? study_over_ranks(*options) : study(*options); });
+    command->callback(
+        [options, &exit_code] { exit_code = options->mpi ? study_over_ranks(*options) : study(*options); });
 }
 
 }  // namespace tiretherm::app

@@ -37,13 +37,15 @@ std::vector<std::string> merge_parts(const input::Study& study, const std::files
                                      const std::string& build, post::StudyJournal& journal) {
     const std::set<StudyPart> parts = parts_in(folder);
     if (parts.empty()) {
-        return {fmt::format("{} holds no part of the study (part_1_of_4 and the like); make the parts with --part, or copy "
-                            "their folders there",
-                            folder.string())};
+        return {
+            fmt::format("{} holds no part of the study (part_1_of_4 and the like); make the parts with --part, or copy "
+                        "their folders there",
+                        folder.string())};
     }
     std::vector<std::string> problems;
     std::set<std::size_t> counts;
-    std::map<std::size_t, diagnosis::StudyOutcome> outcomes;  // noted in the order of the runs, whatever that of the parts
+    std::map<std::size_t, diagnosis::StudyOutcome>
+        outcomes;  // noted in the order of the runs, whatever that of the parts
     for (const StudyPart& part : parts) {
         counts.insert(part.count);
         const std::filesystem::path file = folder / part.folder() / "runs.jsonl";
@@ -59,14 +61,16 @@ std::vector<std::string> merge_parts(const input::Study& study, const std::files
             }
         }
         if (theirs.outdated() > 0) {
-            problems.push_back(fmt::format("part {}: {} runs are of another build of the program", part.text(),
-                                           theirs.outdated()));
+            problems.push_back(
+                fmt::format("part {}: {} runs are of another build of the program", part.text(), theirs.outdated()));
         } else if (found == 0 && part.size(study.runs.size()) > 0) {
-            problems.push_back(fmt::format("part {}: none of its runs is of this study as its files are now", part.text()));
+            problems.push_back(
+                fmt::format("part {}: none of its runs is of this study as its files are now", part.text()));
         }
     }
     for (const auto& [run, outcome] : outcomes) {
-        if (const diagnosis::RunIdentity identity = diagnosis::identity(study, run); journal.find(identity) == nullptr) {
+        if (const diagnosis::RunIdentity identity = diagnosis::identity(study, run);
+            journal.find(identity) == nullptr) {
             journal.add(identity, outcome);
         }
     }
@@ -80,16 +84,16 @@ std::vector<std::string> merge_parts(const input::Study& study, const std::files
         return {};
     }
     if (counts.size() > 1) {
-        problems.push_back(fmt::format("{} of {} runs are missing; the parts there are of divisions by {}", missing.size(),
-                                       study.runs.size(), fmt::join(counts, " and by ")));
+        problems.push_back(fmt::format("{} of {} runs are missing; the parts there are of divisions by {}",
+                                       missing.size(), study.runs.size(), fmt::join(counts, " and by ")));
         return problems;
     }
     for (std::size_t k = 1; k <= *counts.begin(); ++k) {
         const StudyPart part{.index = k, .count = *counts.begin()};
         const auto lost = std::ranges::count_if(missing, [&](std::size_t run) { return part.has(run); });
         if (lost > 0) {
-            problems.push_back(fmt::format("part {}: {} of {} runs are missing; --part {} makes them", part.text(), lost,
-                                           part.size(study.runs.size()), part.text()));
+            problems.push_back(fmt::format("part {}: {} of {} runs are missing; --part {} makes them", part.text(),
+                                           lost, part.size(study.runs.size()), part.text()));
         }
     }
     return problems;

@@ -121,7 +121,8 @@ const char* tiretherm_input_unit(int input) {
 
 int tiretherm_find_input(const char* name) {
     const auto signals = tiretherm::physics::signals();
-    const auto found = std::ranges::find_if(signals, [&](const Signal& s) { return name != nullptr && s.name == name; });
+    const auto found =
+        std::ranges::find_if(signals, [&](const Signal& s) { return name != nullptr && s.name == name; });
     return found == signals.end() ? -1 : static_cast<int>(found - signals.begin());
 }
 

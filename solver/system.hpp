@@ -117,10 +117,10 @@ private:
     std::vector<double> too_hot_;
     physics::MaterialModel material_model_;
     std::vector<physics::ActiveEffect> effects_;
-    std::vector<std::array<int, 2>> ends_;  ///< [n_faces] nodes a and b
-    std::vector<double> mass_;  ///< [n_nodes] kg, density * volume; 0 for surfaces and lumped nodes
-    std::vector<double> lump_;  ///< [n_nodes] J/K of a lumped node
-    std::vector<double> constant_capacity_;  ///< [n_nodes] J/K where it does not follow the temperature, else 0
+    std::vector<std::array<int, 2>> ends_;       ///< [n_faces] nodes a and b
+    std::vector<double> mass_;                   ///< [n_nodes] kg, density * volume; 0 for surfaces and lumped nodes
+    std::vector<double> lump_;                   ///< [n_nodes] J/K of a lumped node
+    std::vector<double> constant_capacity_;      ///< [n_nodes] J/K where it does not follow the temperature, else 0
     std::vector<std::size_t> varying_capacity_;  ///< nodes whose heat capacity does
     mutable std::vector<physics::LossFactor> loss_factors_;
 };

@@ -92,8 +92,19 @@ Problem section() {
 class Block {
 public:
     explicit Block(const Problem& problem)
-        : p(problem), nx(size(p.x)), ny(size(p.y)), nz(size(p.z)), n(nx * ny * nz), C(n), heat(n, 0.0), spot(nx * ny, 0.0),
-          k(n), Gx(n), Gy(n), Gz(n), out(n) {
+        : p(problem),
+          nx(size(p.x)),
+          ny(size(p.y)),
+          nz(size(p.z)),
+          n(nx * ny * nz),
+          C(n),
+          heat(n, 0.0),
+          spot(nx * ny, 0.0),
+          k(n),
+          Gx(n),
+          Gy(n),
+          Gz(n),
+          out(n) {
         for (int i = 0; i < nx; ++i) {
             for (int j = 0; j < ny; ++j) {
                 for (int m = 0; m < nz; ++m) {
@@ -147,7 +158,8 @@ public:
         for (int c = 0; c < n; ++c) {
             q[c] = heat[c] + out[c] * (air - T[c]);
         }
-        for (int ij = 0; p.laser && ij < nx * ny; ++ij) {  // the film and the light stand for an air that is warmer by q/h
+        for (int ij = 0; p.laser && ij < nx * ny;
+             ++ij) {  // the film and the light stand for an air that is warmer by q/h
             q[ij * nz] += spot[ij] / p.h_top * out[ij * nz];
         }
         for (int c = 0; c < n; ++c) {
@@ -221,7 +233,8 @@ private:
                 int inside = 0;
                 for (int a = 0; a < 64; ++a) {
                     for (int b = 0; b < 64; ++b) {
-                        const double x = p.x[i] + (a + 0.5) / 64 * width(p.x, i), y = p.y[j] + (b + 0.5) / 64 * width(p.y, j);
+                        const double x = p.x[i] + (a + 0.5) / 64 * width(p.x, i),
+                                     y = p.y[j] + (b + 0.5) / 64 * width(p.y, j);
                         inside += x * x + y * y < spot_radius * spot_radius ? 1 : 0;
                     }
                 }
@@ -240,7 +253,8 @@ private:
 /// (C + s K) x = b by conjugate gradients with incomplete Cholesky of order 0, which on such a mesh changes the diagonal alone.
 class Solver {
 public:
-    explicit Solver(const Block& block) : b_(block), pivot_(block.n), diagonal_(block.n), r_(block.n), z_(block.n), p_(block.n), w_(block.n) {}
+    explicit Solver(const Block& block)
+        : b_(block), pivot_(block.n), diagonal_(block.n), r_(block.n), z_(block.n), p_(block.n), w_(block.n) {}
 
     void prepare(double s) {
         s_ = s;

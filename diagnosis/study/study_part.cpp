@@ -26,7 +26,7 @@ std::optional<StudyPart> part_of(std::string_view index, std::string_view count)
     const std::optional<std::size_t> k = whole_number(index);
     const std::optional<std::size_t> n = whole_number(count);
     return k && n && *k <= *n && *n <= StudyPart::most_parts ? std::optional(StudyPart{.index = *k, .count = *n})
-                                                            : std::nullopt;
+                                                             : std::nullopt;
 }
 
 }  // namespace
@@ -46,8 +46,7 @@ std::optional<StudyPart> StudyPart::from_folder(std::string_view name) {
     }
     name.remove_prefix(before.size());
     const std::size_t at = name.find(between);
-    return at == std::string_view::npos ? std::nullopt
-                                        : part_of(name.substr(0, at), name.substr(at + between.size()));
+    return at == std::string_view::npos ? std::nullopt : part_of(name.substr(0, at), name.substr(at + between.size()));
 }
 
 }  // namespace tiretherm::diagnosis

@@ -160,7 +160,7 @@ def hot_spot_study(entry, sources, run):
 def benchmarks(entry, sources, run):
     """Seconds and counters of each benchmark, in the median of its repetitions."""
     found = {"machine": machine()}
-    for name in ("section_hour", "sensitivities", "slab"):
+    for name in ("section_hour", "sensitivities", "layers_step"):
         report = sources.scratch / f"{name}.json"
         run([str(sources.benchmarks / f"bench_{name}"), f"--benchmark_out={report}", "--benchmark_out_format=json"], ROOT)
         found[name] = {}
@@ -175,12 +175,20 @@ def benchmarks(entry, sources, run):
             for part in ("assembly", "factor", "solve", "output"):
                 if f"{part}_s" in row:
                     one[part] = row[f"{part}_s"] / seconds
-            found[name][row["run_name"].split("/")[0]] = one
+            found[name].setdefault(row["run_name"].split("/")[0], one)
     alone = found["sensitivities"]
     ratios = [alone[f"{inputs}_with_16"]["seconds"] / alone[f"{inputs}_alone"]["seconds"] for inputs in ("constant", "logged")]
     found["sensitivities_low"], found["sensitivities_high"] = min(ratios), max(ratios)
-    found["slab_ratio"] = found["slab"]["slab_by_cvode"]["seconds"] / found["slab"]["slab_by_tiretherm"]["seconds"]
+    thomas = found["layers_step"]["thomas_factor_and_solve"]["seconds"]
+    found["session_ratio"] = found["layers_step"]["session_step"]["seconds"] / thomas
     return found
+
+
+def compared(entry, sources, run):
+    """benchmarks/compare and benchmarks/ring write their records themselves."""
+    script = ROOT / entry["record"].split(",")[0]
+    run([str(script)], ROOT)
+    return json.loads((ROOT / f"docs/records/{entry['name']}.json").read_text())
 
 
 def diagnosis_times(entry, sources, run):

@@ -32,7 +32,7 @@ public:
     /// x = M^-1 b, with M the matrix last factorised. b and x do not overlap.
     virtual void solve(std::span<const double> b, std::span<double> x) = 0;
     /// x = A^-1 b, with A the matrix last factorised, to a relative accuracy in its energy. b and x do not overlap.
-    /// @returns solves made
+    /// @returns solves made; -1: it did not converge, and x is of no use
     virtual int solve_to(double /*accuracy*/, std::span<const double> b, std::span<double> x) {
         solve(b, x);
         return 1;

@@ -71,7 +71,7 @@ public:
         }
     }
 
-    /// Conjugate gradients on (I + L)^-1 A (I + L')^-1. @returns iterations
+    /// Conjugate gradients on (I + L)^-1 A (I + L')^-1.
     int solve_to(double accuracy, std::span<const double> b, std::span<double> x) override {
         const std::size_t n = x.size();
         for (std::size_t i = 0; i < n; ++i) {
@@ -94,7 +94,7 @@ public:
                 next += r_[i] * r_[i];
             }
             if (!std::isfinite(next) || !(energy > 0.0)) {
-                break;
+                return -1;
             }
             const double share = next / length2;
             length2 = next;
@@ -106,7 +106,7 @@ public:
         for (std::size_t i = 0; i < n; ++i) {
             x[i] = scale_[i] * x_[i];
         }
-        return iterations;
+        return length2 <= wanted2 ? iterations : -1;
     }
 
     [[nodiscard]] double factor_cost() const override { return 1.0; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Conjugate gradients with algebraic multigrid by PETSc. The first rank sends the others what to do; each rank holds a range
+// Conjugate gradients by PETSc with algebraic multigrid by hypre. The first rank sends the others what to do; each rank holds a range
 // of rows. The only source that includes PETSc.
 
 #include "solver/linear/petsc_factor.hpp"
@@ -25,7 +25,8 @@ void check(PetscErrorCode error, const char* what) {
     if (error != 0) {
         const char* text = nullptr;
         PetscErrorMessage(error, &text, nullptr);
-        throw std::runtime_error(fmt::format("PETSc could not {}: {}", what, text != nullptr ? text : "unknown reason"));
+        throw std::runtime_error(
+            fmt::format("PETSc could not {}: {}", what, text != nullptr ? text : "unknown reason"));
     }
 }
 
@@ -95,8 +96,8 @@ public:
             first_value_.push_back(first_value_.back() + count);
         }
         column_.resize(static_cast<std::size_t>(start_.back()));
-        MPI_Scatterv(pattern != nullptr ? pattern->column.data() : nullptr, value_counts_.data(), first_value_.data(), MPI_INT,
-                     column_.data(), start_.back(), MPI_INT, 0, PETSC_COMM_WORLD);
+        MPI_Scatterv(pattern != nullptr ? pattern->column.data() : nullptr, value_counts_.data(), first_value_.data(),
+                     MPI_INT, column_.data(), start_.back(), MPI_INT, 0, PETSC_COMM_WORLD);
         value_.resize(column_.size());
         check(VecCreateMPI(PETSC_COMM_WORLD, own, n, &right_), "make a vector");
         check(VecDuplicate(right_, &solution_), "make a vector");
@@ -112,12 +113,12 @@ public:
 
     /// @param values of all rows, on the first rank
     void factorise(const double* values) {
-        MPI_Scatterv(values, value_counts_.data(), first_value_.data(), MPI_DOUBLE, value_.data(), start_.back(), MPI_DOUBLE, 0,
-                     PETSC_COMM_WORLD);
+        MPI_Scatterv(values, value_counts_.data(), first_value_.data(), MPI_DOUBLE, value_.data(), start_.back(),
+                     MPI_DOUBLE, 0, PETSC_COMM_WORLD);
         const auto own = static_cast<PetscInt>(start_.size()) - 1;
         if (matrix_ == nullptr) {
-            check(MatCreateMPIAIJWithArrays(PETSC_COMM_WORLD, own, own, n_, n_, start_.data(), column_.data(), value_.data(),
-                                            &matrix_),
+            check(MatCreateMPIAIJWithArrays(PETSC_COMM_WORLD, own, own, n_, n_, start_.data(), column_.data(),
+                                            value_.data(), &matrix_),
                   "make a matrix");
             check(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE), "mark a matrix");
             prepare_iteration();
@@ -128,7 +129,7 @@ public:
         check(KSPSetUp(iteration_), "make the levels of the multigrid");
     }
 
-    /// @param b, x [n] on the first rank  @returns iterations
+    /// @param b, x [n] on the first rank  @returns iterations; -1: did not converge
     int solve(const double* b, double* x, Task task, double accuracy) {
         double* local = nullptr;
         const int own = row_counts_[static_cast<std::size_t>(rank())];
@@ -144,6 +145,9 @@ public:
             check(KSPSetTolerances(iteration_, accuracy, 1e-300, PETSC_DEFAULT, 500), "set the accuracy");
             check(KSPSolve(iteration_, right_, solution_), "solve");
             check(KSPGetIterationNumber(iteration_, &iterations), "count");
+            KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+            check(KSPGetConvergedReason(iteration_, &reason), "ask how it ended");
+            iterations = reason > 0 ? iterations : -1;
         }
         const double* found = nullptr;
         check(VecGetArrayRead(solution_, &found), "open a vector");
@@ -160,10 +164,8 @@ private:
         check(KSPSetNormType(iteration_, KSP_NORM_NATURAL), "choose a norm");
         PC multigrid = nullptr;
         check(KSPGetPC(iteration_, &multigrid), "find the multigrid");
-        check(PCSetType(multigrid, PCGAMG), "choose multigrid");
-        check(PCGAMGSetType(multigrid, PCGAMGAGG), "choose smoothed aggregation");
-        check(PCGAMGSetReuseInterpolation(multigrid, PETSC_TRUE), "keep the aggregates");
-        check(PCGAMGSetThreshold(multigrid, std::array{0.02, 0.02, 0.02}.data(), 3), "set what is a strong neighbour");
+        check(PCSetType(multigrid, PCHYPRE), "choose multigrid");
+        check(PCHYPRESetType(multigrid, "boomeramg"), "choose BoomerAMG");
         check(KSPSetFromOptions(iteration_), "read PETSC_OPTIONS");
     }
 
@@ -196,12 +198,24 @@ void end_petsc() {
     PetscFinalize();
 }
 
+/// Where the user's PETSC_OPTIONS say nothing of it.
+void set_option(const char* name, const char* value) {
+    PetscBool is_set = PETSC_FALSE;
+    check(PetscOptionsHasName(nullptr, nullptr, name, &is_set), "look for an option");
+    if (is_set == PETSC_FALSE) {
+        check(PetscOptionsSetValue(nullptr, name, value), "set an option");
+    }
+}
+
 void begin_petsc() {
     static bool begun = false;
     if (!std::exchange(begun, true)) {
         check(PetscInitializeNoArguments(), "begin");
-        systems();  // made before the end is registered, and so there when it comes
+        systems();                // made before the end is registered, and so there when it comes
         PetscPopSignalHandler();  // Ctrl-C is the program's own business
+        // A symmetric smoother, without which conjugate gradients fail; the threshold is the one for three dimensions.
+        set_option("-pc_hypre_boomeramg_relax_type_all", "symmetric-SOR/Jacobi");
+        set_option("-pc_hypre_boomeramg_strong_threshold", "0.5");
         std::atexit(end_petsc);
     }
 }
@@ -272,7 +286,8 @@ public:
     [[nodiscard]] double factor_cost() const override { return 10.0; }
     [[nodiscard]] bool is_exact() const override { return false; }
     [[nodiscard]] std::string description() const override {
-        return fmt::format("conjugate gradients, algebraic multigrid (PETSc, {} rank{})", ranks(), ranks() == 1 ? "" : "s");
+        return fmt::format("conjugate gradients, algebraic multigrid (PETSc and hypre, {} rank{})", ranks(),
+                           ranks() == 1 ? "" : "s");
     }
 
 private:

@@ -22,8 +22,7 @@ double distance(double a, double b) { return std::abs(std::log(a / b)); }
 
 }  // namespace
 
-KeptFactors::KeptFactors(const Pattern& pattern, LinearSolver wanted)
-    : pattern_(&pattern), wanted_(wanted), kept_(1) {
+KeptFactors::KeptFactors(const Pattern& pattern, LinearSolver wanted) : pattern_(&pattern), wanted_(wanted), kept_(1) {
     kept_.front().factor = make_factor(pattern, wanted);
     kept_.resize(kept_.front().factor->is_exact() && pattern.n <= most_nodes_of_four ? most_kept : 1);
     now_ = &kept_.front();

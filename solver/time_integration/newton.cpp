@@ -72,11 +72,10 @@ double sum(std::span<const double> values) { return std::accumulate(values.begin
 }  // namespace
 
 Newton::Newton(System& system)
-    : system_(&system),
-      factors_(system.pattern(), system.problem().settings.linear_solver),
-      krylov_(system.size()) {
+    : system_(&system), factors_(system.pattern(), system.problem().settings.linear_solver), krylov_(system.size()) {
     const auto n = static_cast<std::size_t>(system.size());
-    for (std::vector<double>* v : {&compliance_, &guess_, &residual_, &correction_, &remainder_, &J_ones_, &enthalpy_, &trial_}) {
+    for (std::vector<double>* v :
+         {&compliance_, &guess_, &residual_, &correction_, &remainder_, &J_ones_, &enthalpy_, &trial_}) {
         v->resize(n);
     }
     ones_.assign(n, 1.0);
@@ -239,8 +238,12 @@ bool Newton::correct_simplified(const Stage& stage, std::span<double> T) {
             return false;
         }
         const Stopwatch watch(timed_ ? &counters_.solve_seconds : nullptr);
-        counters_.linear_iterations += factors_.current().solve_to(accuracy, residual_, correction_);
+        const int solves = factors_.current().solve_to(accuracy, residual_, correction_);
+        counters_.linear_iterations += std::max(1, solves);
         ++counters_.newton_iterations;
+        if (solves < 0) {
+            return false;
+        }
         if (kept) {
             // A factor of another step length: a correction between what the two lengths ask for.
             const double relaxation = 2.0 / (1.0 + stage.s / factors_.s());
@@ -260,7 +263,13 @@ bool Newton::correct_simplified(const Stage& stage, std::span<double> T) {
             T[i] += correction_[i];
         }
         if (correction > 1 && size * size / before <= stage.tolerance) {
-            return evaluate(stage, T).ok();
+            if (!evaluate(stage, T).ok()) {
+                return false;
+            }
+            // Small corrections of an iteration may be those of one that fails: then the residual has stayed.
+            if (kept || scaled_residual() <= stage.tolerance) {
+                return true;
+            }
         }
         // What the next correction will be is known by its size: it need be no more accurate than the tolerance asks for.
         const double next = correction > 1 ? size * size / before : size * accuracy_of_iteration;
@@ -449,8 +458,8 @@ Status Newton::correct(const Stage& stage, std::span<double> T, Progress& progre
     }
     const Stopwatch watch(timed_ ? &counters_.solve_seconds : nullptr);
     const bool linear = !system_->terms().nonlinear && !has_nonlinear_capacity_;
-    const Krylov::Result result =
-        krylov_.solve(J_, factors_.current(), residual_, correction_, remainder_, 0.5 * stage.tolerance, linear ? 0.0 : forcing);
+    const Krylov::Result result = krylov_.solve(J_, factors_.current(), residual_, correction_, remainder_,
+                                                0.5 * stage.tolerance, linear ? 0.0 : forcing);
     count_solves(result);
     progress.solved = linear && result.converged;
     progress.polished = false;
@@ -512,8 +521,8 @@ Status Newton::solve(const Stage& stage, std::span<double> T) {
 }
 
 void Newton::visit(Archive& archive) {
-    for (double* number : {&weight_, &last_shift_, &last_joules_,
-                           &counters_.assembly_seconds, &counters_.factor_seconds, &counters_.solve_seconds}) {
+    for (double* number : {&weight_, &last_shift_, &last_joules_, &counters_.assembly_seconds,
+                           &counters_.factor_seconds, &counters_.solve_seconds}) {
         archive(*number);
     }
     for (long* count : {&counters_.newton_iterations, &counters_.linear_iterations, &counters_.factorisations}) {
@@ -525,7 +534,11 @@ void Newton::visit(Archive& archive) {
 
 void Newton::filter(std::span<const double> b, std::span<double> x) {
     const Stopwatch watch(timed_ ? &counters_.solve_seconds : nullptr);
-    counters_.linear_iterations += factors_.current().solve_to(one_digit, b, x);
+    const int solves = factors_.current().solve_to(one_digit, b, x);
+    counters_.linear_iterations += std::max(1, solves);
+    if (solves < 0) {
+        factors_.current().solve(b, x);
+    }
 }
 
 }  // namespace tiretherm::solver

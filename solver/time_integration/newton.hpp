@@ -120,7 +120,7 @@ private:
     std::vector<double> J_ones_;
     std::vector<double> enthalpy_;
     std::vector<double> compliance_;  ///< of the matrices at hand, see KeptFactors
-    std::vector<double> guess_;      ///< K
+    std::vector<double> guess_;       ///< K
     /// A face that joins a surface without capacity to a cell.
     struct SurfaceFace {
         int face;

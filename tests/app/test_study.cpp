@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/app/program.hpp"
+#include "tests/app/spawned.hpp"
 
 namespace tiretherm::app_test {
 namespace {
@@ -236,6 +237,108 @@ TEST(Study, QuietSaysNothingAndUnwritableFolderIsNamed) {
         wrong.err,
         "tiretherm: cannot create the directory study.toml/results: Not a directory; nothing was run; choose another "
         "directory with --out\n");
+}
+
+/// Bytes of the files of a study that follow from its runs.
+std::vector<std::string> tables_of(const std::filesystem::path& out) {
+    std::vector<std::string> texts;
+    for (const char* name : {"study.csv", "study.h5", "study.png"}) {
+        texts.push_back(post::read_text(out / name));
+    }
+    return texts;
+}
+
+TEST(StudyParts, PutTogetherAreTheBytesOfOneCall) {
+    const sample::Scratch scratch;
+    post::replace_file(scratch / "study.toml", six);
+    ASSERT_EQ(call("study study.toml --quiet --threads 1 --out whole", scratch.path()).exit_code, 0);
+    for (const char* part : {"3/4", "1/4", "4/4", "2/4"}) {
+        const Call made = call(fmt::format("study study.toml --json --out parts --part {}", part), scratch.path());
+        ASSERT_EQ(made.exit_code, 0) << made.err;
+        const Json json = Json::parse(made.out);
+        EXPECT_EQ(json["runs"], std::string(part) < "3/4" ? 2 : 1);  // six runs over four parts
+        EXPECT_EQ(json["made"], json["runs"]);
+    }
+    const Call merged = call("study study.toml --json --out parts --merge", scratch.path());
+    ASSERT_EQ(merged.exit_code, 0) << merged.err;
+    EXPECT_EQ(Json::parse(merged.out)["made"], 0);
+    EXPECT_EQ(tables_of(scratch / "parts"), tables_of(scratch / "whole"));
+    EXPECT_EQ(post::read_text(scratch / "parts/runs.jsonl"), post::read_text(scratch / "whole/runs.jsonl"));
+}
+
+TEST(StudyParts, ThatAreMissingAreToldByNameAndNothingIsWritten) {
+    const sample::Scratch scratch;
+    post::replace_file(scratch / "study.toml", six);
+    ASSERT_EQ(call("study study.toml --quiet --out parts --part 1/3", scratch.path()).exit_code, 0);
+    const Call merged = call("study study.toml --out parts --merge", scratch.path());
+    EXPECT_EQ(merged.exit_code, 1);
+    EXPECT_EQ(
+        merged.err,
+        "tiretherm: part 2/3: 2 of 2 runs are missing; --part 2/3 makes them\n"
+        "tiretherm: part 3/3: 2 of 2 runs are missing; --part 3/3 makes them; nothing was written; what the parts have "
+        "is kept\n");
+    EXPECT_FALSE(std::filesystem::exists(scratch / "parts/study.csv"));
+    const Call none = call("study study.toml --out nothing --merge", scratch.path());
+    EXPECT_EQ(none.exit_code, 1);
+    EXPECT_NE(none.err.find("holds no part of the study"), std::string::npos) << none.err;
+}
+
+TEST(StudyParts, OfAnotherStateOfTheCaseAreToldAndLeftOut) {
+    const sample::Scratch scratch;
+    post::replace_file(scratch / "study.toml", six);
+    for (const char* part : {"1/2", "2/2"}) {
+        ASSERT_EQ(call(fmt::format("study study.toml --quiet --out parts --part {}", part), scratch.path()).exit_code,
+                  0);
+    }
+    std::string changed = six;
+    changed.replace(changed.find("3000 N"), 6, "3500 N");
+    post::replace_file(scratch / "study.toml", changed);
+    const Call merged = call("study study.toml --out parts --merge", scratch.path());
+    EXPECT_EQ(merged.exit_code, 1);
+    EXPECT_NE(merged.err.find("part 1/2: none of its runs is of this study"), std::string::npos) << merged.err;
+    EXPECT_NE(merged.err.find("part 1/2: 3 of 3 runs are missing"), std::string::npos) << merged.err;
+}
+
+TEST(StudyParts, KilledAtAnyMomentGoOnAndLoseNothing) {
+    const sample::Scratch scratch;
+    post::replace_file(scratch / "study.toml", many);
+    const std::filesystem::path journal = scratch / "parts/part_1_of_2/runs.jsonl";
+    std::ptrdiff_t before = 0;
+    for (int kills = 0; kills < 3; ++kills) {
+        Spawned part("study study.toml --out parts --part 1/2 --threads 1", scratch.path());
+        for (int i = 0; i < 4000 && lines(journal) < before + 2; ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+        part.send(SIGKILL);
+        part.wait();
+        const std::ptrdiff_t now = lines(journal);
+        EXPECT_GE(now, before + 2);
+        before = now;
+    }
+    const Call rest = call("study study.toml --json --out parts --part 1/2", scratch.path());
+    ASSERT_EQ(rest.exit_code, 0) << rest.err;
+    EXPECT_EQ(Json::parse(rest.out)["runs"], 20);
+    EXPECT_GE(Json::parse(rest.out)["kept"].get<std::ptrdiff_t>(), before - 1);  // the last line may have been cut off
+    ASSERT_EQ(call("study study.toml --quiet --out parts --part 2/2", scratch.path()).exit_code, 0);
+    ASSERT_EQ(call("study study.toml --quiet --out parts --merge", scratch.path()).exit_code, 0);
+    ASSERT_EQ(call("study study.toml --quiet --out whole", scratch.path()).exit_code, 0);
+    EXPECT_EQ(tables_of(scratch / "parts"), tables_of(scratch / "whole"));
+}
+
+TEST(StudyParts, WhatIsNoPartIsRefused) {
+    const sample::Scratch scratch;
+    post::replace_file(scratch / "study.toml", six);
+    for (const char* part : {"0/4", "5/4", "x/y", "3", "03/4", "1/", "-1/4", "1/4/2", "1/1000000"}) {
+        const Call refused = call(fmt::format("study study.toml --out parts --part {}", part), scratch.path());
+        EXPECT_EQ(refused.exit_code, 1) << part;
+        EXPECT_NE(refused.err.find("is no part; write 3/16 for the third of sixteen"), std::string::npos)
+            << refused.err;
+    }
+    EXPECT_EQ(call("study study.toml --out parts --part 1/2 --merge", scratch.path()).exit_code, 1);
+    const Call ranks = call("study study.toml --out parts --mpi", scratch.path());
+    EXPECT_EQ(ranks.exit_code, 1);
+    EXPECT_NE(ranks.err.find("-DTIRETHERM_MPI=ON"), std::string::npos) << ranks.err;
+    EXPECT_FALSE(std::filesystem::exists(scratch / "parts"));
 }
 
 }  // namespace tiretherm::app_test

@@ -125,7 +125,8 @@ void add_quadratic_inside(const EvaluationState& m, std::size_t begin, std::size
 }
 
 /// Faces inside one material, all with one law.
-void add_terms_inside(const EvaluationState& m, std::size_t begin, std::size_t end, const Extent& extent, Terms& terms) {
+void add_terms_inside(const EvaluationState& m, std::size_t begin, std::size_t end, const Extent& extent,
+                      Terms& terms) {
     const int* const node = m.active.nodes.data();
     const mesh::Face& first = m.mesh.faces[static_cast<std::size_t>(node[3 * begin])];
     const auto layer = static_cast<std::size_t>(m.mesh.layer[static_cast<std::size_t>(first.a)]);
@@ -148,8 +149,8 @@ void add_terms(const EvaluationState& m, Terms& terms) {
     const std::vector<int>& groups = m.active.groups;
     const Extent extent = extent_of(m.temperature);
     for (std::size_t g = 0; g + 1 < groups.size(); ++g) {
-        add_terms_inside(m, static_cast<std::size_t>(groups[g]), static_cast<std::size_t>(groups[g + 1]),
-                         extent, terms);
+        add_terms_inside(m, static_cast<std::size_t>(groups[g]), static_cast<std::size_t>(groups[g + 1]), extent,
+                         terms);
     }
     for (auto i = static_cast<std::size_t>(groups.back()); i < m.active.weights.size(); ++i) {
         const int f = m.active.nodes[3 * i];

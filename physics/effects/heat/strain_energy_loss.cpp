@@ -264,7 +264,8 @@ void share_out(const EvaluationState& m, double power, const std::vector<double>
     for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
         const int node = m.active.nodes[i];
         const int layer = m.mesh.layer[static_cast<std::size_t>(node)];
-        const double share = weights[i] * std::max(0.0, 1.0 + skew * m.active.skew[i]) * (layer == 0 ? of_surface : of_bulk);
+        const double share =
+            weights[i] * std::max(0.0, 1.0 + skew * m.active.skew[i]) * (layer == 0 ? of_surface : of_bulk);
         if (local) {
             relative = tan_delta_at(m.active, layer, m.temperature[static_cast<std::size_t>(node)] + shift);
         } else if (by_layer && layer != layer_of_relative) {
