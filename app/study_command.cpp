@@ -147,8 +147,11 @@ int study(const Options& options) {
     if (options.merge) {
         try {
             const std::vector<std::string> problems = merge_parts(study, whole, build_identity(), *journal);
+            for (std::size_t i = 0; i + 1 < problems.size() && !options.json; ++i) {
+                report_error(problems[i], "", false);
+            }
             if (!problems.empty()) {
-                report_error(fmt::format("{}", fmt::join(problems, options.json ? "; " : "\ntiretherm: ")),
+                report_error(options.json ? fmt::format("{}", fmt::join(problems, "; ")) : problems.back(),
                              "nothing was written; what the parts have is kept", options.json);
                 return Exit::input_error;
             }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Modified incomplete Cholesky: exact where there is no fill, row sums kept, conjugate gradients to the accuracy asked for.
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -20,11 +21,17 @@ double energy(const Matrix& A, const std::vector<double>& x) {
 }
 
 TEST(IncompleteFactor, IsTheExactFactorOfAChain) {
-    // Elimination along a chain fills nothing in, so that what is left out is nothing.
+    // Elimination along a chain fills nothing in, so that what is left out is nothing. The surfaces, which come last in the
+    // order and touch the first cell, are cut off.
     const mesh::Mesh chain =
         mesh::build(mesh::Layers{.area = 0.5, .stack = {{.name = "a", .thickness = 0.01, .cells = 30}}});
     const Pattern pattern = pattern_of(chain);
-    const Matrix A = diffusion(chain, pattern, 0.5);
+    Matrix A = diffusion(chain, pattern, 0.5);
+    for (std::size_t f = 0; f < chain.faces.size(); ++f) {
+        if (std::max(chain.faces[f].a, chain.faces[f].b) >= chain.n_cells) {
+            A.value[static_cast<std::size_t>(pattern.ab[f])] = A.value[static_cast<std::size_t>(pattern.ba[f])] = 0.0;
+        }
+    }
     const std::vector<double> exact = random_vector(pattern.n);
     std::vector<double> b(exact.size());
     std::vector<double> x(exact.size());
@@ -35,7 +42,7 @@ TEST(IncompleteFactor, IsTheExactFactorOfAChain) {
     for (std::size_t i = 0; i < x.size(); ++i) {
         EXPECT_NEAR(x[i], exact[i], 1e-10);  // condition number about 100
     }
-    EXPECT_LE(factor->solve_to(1e-6, b, x), 2);
+    EXPECT_EQ(factor->solve_to(1e-6, b, x), 1);
 }
 
 // A factor that keeps row sums sees smooth errors as they are: M^-1 A 1 is near 1, where one of order 0 without that falls
