@@ -138,6 +138,7 @@ int run(const Options& options) {
     solver::Report report;
     double seconds = 0.0;
     std::optional<diagnosis::HotSpots> hot_spots;
+    post::Report page;
     const bool written = write_output(*folder, post::RunFiles::names_in(directory), options.json, [&] {
         files.emplace(folder->stage(), problem, provenance, options.switched);
         post::RunJournal journal(*folder, identity_of(options, reading.files), problem, options.fresh);
@@ -150,23 +151,25 @@ int run(const Options& options) {
         if (hot_spots) {
             files->write_hot_spots(*hot_spots);
         }
-    });
-    if (!written) {
-        return Exit::input_error;
-    }
-
-    const post::RunRecord record{.problem = problem,
+        page = post::run_report({.problem = problem,
                                  .report = report,
                                  .history = files->history(),
+                                 .fields = &files->fields(),
                                  .provenance = provenance,
                                  .seconds = seconds,
                                  .warnings = reading.warnings,
                                  .files = folder->homes(files->written()),
                                  .hot_spots = hot_spots ? &*hot_spots : nullptr,
                                  .run = reading.run,
-                                 .runs = reading.runs};
+                                 .runs = reading.runs});
+        files->write_page(page, options.case_file);
+    });
+    if (!written) {
+        return Exit::input_error;
+    }
+
     if (options.json || !options.quiet) {
-        print_report(post::run_report(record), options.json);
+        print_report(page, options.json);
     }
     if (report.status.ok() && solver::stop_requested() && hot_spots) {
         std::fflush(stdout);
@@ -210,11 +213,15 @@ void add_run_command(CLI::App& program, int& exit_code) {
                 [options, format] { options->switched.insert(format->name); }, format->help);
         }
     }
+    command->add_flag_callback(
+        "--no-report", [options] { options->switched.insert("report"); }, "No report.html");
     add_fresh_option(*command, options->fresh);
     command->add_flag("--quiet", options->quiet, "No summary and no progress");
     command->add_flag("--json", options->json, "One JSON object instead of the summary");
     command->footer(
-        "Files: results.h5 (everything, SI units), channels.csv, field.pvd with field_*.vtu (ParaView),\n"
+        "Files: report.html (the summary with charts, for a browser), results.h5 (everything, SI units), "
+        "channels.csv,\n"
+        "field.pvd with field_*.vtu (ParaView),\n"
         "picture.png (temperature across the thickness), channels.png (channels against time).\n"
         "A case with [[critical]] temperatures: where and when it passes them, what is left if it does not, in\n"
         "which further step it would, and what drives that; hot_spots.csv and .png have the hottest places against "

@@ -89,6 +89,8 @@ std::string blocks_text(const std::vector<PageItem>& blocks, std::size_t indent)
             case PageItem::Kind::part:
                 text += std::string(indent, ' ') + block.text + "\n" + blocks_text(block.blocks, indent + 2);
                 break;
+            case PageItem::Kind::chart:
+                break;
         }
     }
     return text;
@@ -166,6 +168,14 @@ void Section::add(Section part) {
     blocks_.push_back({PageItem::Kind::part, std::move(part.heading_), {}, std::move(part.blocks_)});
 }
 
+void Section::chart(std::string title, std::string caption, Value data) {
+    blocks_.push_back({PageItem::Kind::chart, std::move(title), {}, {}, std::move(caption), std::move(data)});
+}
+
+bool Section::has_text() const {
+    return std::ranges::any_of(blocks_, [](const PageItem& block) { return block.kind != PageItem::Kind::chart; });
+}
+
 void Report::add(std::string heading, std::string key, const std::vector<std::string>& sentences) {
     data.set(std::move(key), sentences);
     add(Section(std::move(heading), sentences));
@@ -201,7 +211,7 @@ std::string page_text(const Report& report, bool bold) {
         text += one_line(line) + "\n";
     }
     for (const Section& section : report.sections) {
-        if (section.blocks().empty()) {
+        if (!section.has_text()) {
             continue;
         }
         const bool after_title = section.heading().empty() && &section == &report.sections.front();

@@ -78,12 +78,15 @@ struct PageItem {
         line,  ///< as it is, whatever its length
         gap,
         table,
-        part,  ///< with a heading of its own: `text`
+        part,   ///< with a heading of its own: `text`
+        chart,  ///< of the page as HTML alone: `text` is its title
     };
     Kind kind = Kind::paragraph;
     std::string text;
     DataTable table;
     std::vector<PageItem> blocks;  ///< of a part
+    std::string caption{};         ///< of a chart: how it is read
+    Value chart{};                 ///< what report.js draws
 };
 
 /// A heading and what stands below it. Without a heading it is set apart by an empty line, or follows the title at once.
@@ -102,6 +105,10 @@ public:
     void gap();
     void add(DataTable table);
     void add(Section part);
+    /// A chart of the page as HTML. @param data post/page/charts.hpp makes it
+    void chart(std::string title, std::string caption, Value data);
+    /// Whether there is anything on the page as text.
+    [[nodiscard]] bool has_text() const;
 
     [[nodiscard]] const std::string& heading() const { return heading_; }
     [[nodiscard]] const std::vector<PageItem>& blocks() const { return blocks_; }

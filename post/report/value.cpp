@@ -73,4 +73,8 @@ std::string json_text(const Value& value) {
     return std::visit(ToJson(), value.held()).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+std::string compact_json(const Value& value) {
+    return std::visit(ToJson(), value.held()).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 }  // namespace tiretherm::post

@@ -75,5 +75,7 @@ struct Value::Member {
 
 /// As JSON, indented by two blanks.  @returns lines, each ended by a newline
 [[nodiscard]] std::string json_text(const Value& value);
+/// As JSON in one line, without blanks.
+[[nodiscard]] std::string compact_json(const Value& value);
 
 }  // namespace tiretherm::post

@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "post/page/html_page.hpp"
 #include "post/report/file.hpp"
 
 namespace tiretherm::post {
@@ -13,7 +14,12 @@ RunFiles::RunFiles(std::filesystem::path directory, const solver::Problem& probl
                    const std::set<std::string>& switched)
     : directory_(create_folder(std::move(directory))),
       problem_(problem),
-      with_pictures_(!switched.contains("pictures")) {
+      with_pictures_(!switched.contains("pictures")),
+      with_page_(!switched.contains("report")),
+      fields_(problem) {
+    if (with_page_) {
+        page_.push_back(directory_ / page_name);
+    }
     for (const std::string& name : names_in(directory_)) {
         std::error_code ignored;
         std::filesystem::remove(directory_ / name, ignored);
@@ -27,7 +33,7 @@ RunFiles::RunFiles(std::filesystem::path directory, const solver::Problem& probl
 }
 
 std::vector<std::string> RunFiles::names_in(const std::filesystem::path& directory) {
-    std::vector<std::string> names{"hot_spots.csv", "hot_spots.png"};
+    std::vector<std::string> names{page_name, "hot_spots.csv", "hot_spots.png"};
     for (const OutputFormat* format : output_formats()) {
         const std::vector<std::string> more = format->names_in(directory);
         names.insert(names.end(), more.begin(), more.end());
@@ -37,8 +43,17 @@ std::vector<std::string> RunFiles::names_in(const std::filesystem::path& directo
 
 void RunFiles::take(const solver::Snapshot& snapshot) {
     history_.take(snapshot);
+    if (with_page_) {
+        fields_.take(snapshot);
+    }
     for (const std::unique_ptr<RunOutput>& output : outputs_) {
         output->take(snapshot);
+    }
+}
+
+void RunFiles::write_page(const Report& report, const std::string& case_file) {
+    if (with_page_) {
+        write_html_page(page_.front(), report, "run", case_file);
     }
 }
 
@@ -56,7 +71,7 @@ void RunFiles::finish() {
 }
 
 std::vector<std::filesystem::path> RunFiles::written() const {
-    std::vector<std::filesystem::path> files;
+    std::vector<std::filesystem::path> files = page_;
     for (const std::unique_ptr<RunOutput>& output : outputs_) {
         const std::vector<std::filesystem::path> more = output->files();
         files.insert(files.end(), more.begin(), more.end());

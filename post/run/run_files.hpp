@@ -10,6 +10,7 @@
 
 #include "post/fields/output_format.hpp"
 #include "post/hot_spot/hot_spots_report.hpp"
+#include "post/page/field_chart.hpp"
 #include "post/report/history.hpp"
 
 namespace tiretherm::post {
@@ -19,7 +20,8 @@ class RunFiles {
 public:
     /// Creates the directory and opens the files, so that whatever is wrong with them shows before the run.
     /// @param problem, provenance must outlive this
-    /// @param switched names of formats that are refused although usual, or wanted although not   @errors FileError
+    /// @param switched names of formats that are refused although usual, or wanted although not; "report" refuses the page
+    /// @errors FileError
     RunFiles(std::filesystem::path directory, const solver::Problem& problem, const Provenance& provenance,
              const std::set<std::string>& switched);
     /// Names of all files that a run may leave in a folder, as many of a series as are there.
@@ -35,7 +37,11 @@ public:
     /// The courses of the hot spots as hot_spots.csv and hot_spots.png. @errors FileError
     void write_hot_spots(const diagnosis::HotSpots& hot_spots);
 
+    /// The page as HTML, where it was not refused (--no-report). @errors FileError
+    void write_page(const Report& report, const std::string& case_file);
+
     [[nodiscard]] const History& history() const { return history_; }
+    [[nodiscard]] const FieldFrames& fields() const { return fields_; }
     /// All files written so far, by their use: results, channels, fields, pictures.
     [[nodiscard]] std::vector<std::filesystem::path> written() const;
 
@@ -43,9 +49,12 @@ private:
     std::filesystem::path directory_;
     const solver::Problem& problem_;
     bool with_pictures_;
+    bool with_page_;
     History history_;
+    FieldFrames fields_;
     std::vector<std::unique_ptr<RunOutput>> outputs_;
     std::vector<std::filesystem::path> of_hot_spots_;
+    std::vector<std::filesystem::path> page_;
 };
 
 }  // namespace tiretherm::post

@@ -166,6 +166,7 @@ void add_results(Report& page, const RunRecord& run) {
     const mesh::Mesh& mesh = run.problem.mesh;
     Section section("Readings", readings(run, page.data));
     section.add(extremes(run));
+    add_channel_charts(section, run);
     if (is_meaningless(run.report)) {
         Section nothing("Results");
         nothing.say(
@@ -182,12 +183,19 @@ void add_results(Report& page, const RunRecord& run) {
                    {"symmetry", run.problem.symmetry},
                    {"hottest", extreme(run, run.report.hottest)},
                    {"coldest", extreme(run, run.report.coldest)}});
+    if (run.fields != nullptr && !run.fields->empty()) {
+        Section field("Temperature field");
+        field.chart("Temperature field", run.fields->caption(), run.fields->chart());
+        page.add(std::move(field));
+    }
     if (run.hot_spots != nullptr) {
         page.add(hot_spots_section(*run.hot_spots, mesh));
         page.data.set("hot_spots", hot_spots_data(*run.hot_spots, mesh));
     }
     if (!is_meaningless(run.report)) {
-        page.add(heat_budget_section(run));
+        Section heat = heat_budget_section(run);
+        add_heat_charts(heat, run);
+        page.add(std::move(heat));
     }
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "post/hot_spot/hot_spots_report.hpp"
+#include "post/page/field_chart.hpp"
 #include "post/report/history.hpp"
 #include "post/report/provenance.hpp"
 #include "post/report/report.hpp"
@@ -19,6 +20,7 @@ struct RunRecord {
     const solver::Problem& problem;
     const solver::Report& report;
     const History& history;
+    const FieldFrames* fields = nullptr;  ///< stored fields for the page; null: none
     Provenance provenance;
     double seconds = 0.0;                            ///< wall time of the whole run
     std::vector<std::string> warnings;               ///< of the reader; the report brings its own

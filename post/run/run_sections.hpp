@@ -9,6 +9,12 @@ namespace tiretherm::post {
 /// Watts at the end and kilojoules in all, effect by effect, their sum and what was stored; the energy closure.
 [[nodiscard]] Section heat_budget_section(const RunRecord& run);
 
+/// The channels against time, quantity by quantity, measured values beside them, and the speed below.
+void add_channel_charts(Section& section, const RunRecord& run);
+
+/// The heat of each effect as bars.
+void add_heat_charts(Section& section, const RunRecord& run);
+
 /// Mesh, steps, linear solver, wall time.
 [[nodiscard]] Section cost_section(const RunRecord& run);
 

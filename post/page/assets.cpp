@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The assembler takes the files of post/page/assets into the program; the build says where they are.
+#include "post/page/assets.hpp"
+
+#define TIRETHERM_ASSET(name, file)                 \
+    asm(".section .rodata\n"                        \
+        ".global tiretherm_asset_" #name            \
+        "\n"                                        \
+        "tiretherm_asset_" #name                    \
+        ":\n"                                       \
+        ".incbin \"" TIRETHERM_ASSETS "/" file      \
+        "\"\n"                                      \
+        ".global tiretherm_asset_" #name            \
+        "_end\n"                                    \
+        "tiretherm_asset_" #name                    \
+        "_end:\n"                                   \
+        ".byte 0\n"                                 \
+        ".previous\n");                             \
+    extern "C" const char tiretherm_asset_##name[]; \
+    extern "C" const char tiretherm_asset_##name##_end[]
+
+TIRETHERM_ASSET(style, "report.css");
+TIRETHERM_ASSET(script, "report.js");
+TIRETHERM_ASSET(charting_library, "echarts.min.js");
+
+namespace tiretherm::post::assets {
+
+std::string_view style() { return {tiretherm_asset_style, tiretherm_asset_style_end}; }
+std::string_view script() { return {tiretherm_asset_script, tiretherm_asset_script_end}; }
+std::string_view charting_library() { return {tiretherm_asset_charting_library, tiretherm_asset_charting_library_end}; }
+
+}  // namespace tiretherm::post::assets

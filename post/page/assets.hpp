@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Files that every page holds a copy of, as they are in post/page/assets.
+#pragma once
+
+#include <string_view>
+
+namespace tiretherm::post::assets {
+
+[[nodiscard]] std::string_view style();
+[[nodiscard]] std::string_view script();
+/// Apache ECharts; post/page/assets/README.md says how it is made.
+[[nodiscard]] std::string_view charting_library();
+
+}  // namespace tiretherm::post::assets

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws the charts of a page with Apache ECharts. Each <figure class="chart"> holds its data as JSON:
+//   lines: panels above one another over one axis, with measured points, bands, levels and spans
+//   bars:  signed values by name
+//   field: temperatures of quadrilaterals at several moments, with a slider
+// Keys on a chart: + and - zoom, the arrows move, 0 shows all.
+(function () {
+  "use strict";
+  const charts = [];
+  const dark = window.matchMedia("(prefers-color-scheme: dark)");
+  const reader = () => (dark.matches && !document.body.classList.contains("printing")
+    ? { ink: "#e6e9ec", faint: "#a3abb4", line: "#3a414a", paper: "#15181c", soft: "#2a3037" }
+    : { ink: "#1b1f24", faint: "#57606a", line: "#d0d7de", paper: "#ffffff", soft: "#eef1f4" });
+
+  // Okabe and Ito (2008) without their yellow; more curves take hues a golden angle apart.
+  const few = ["#0072b2", "#d55e00", "#009e73", "#c2569a", "#56b4e9", "#e69f00", "#7b5cc4", "#8a6d3b"];
+  const colour = (i, n) => (n <= few.length ? few[i] : `hsl(${(205 + 137.508 * i) % 360}, ${i % 2 ? 55 : 75}%, ${i % 3 === 1 ? 58 : 42}%)`);
+  // matplotlib's inferno (CC0), even steps.
+  const inferno = ["#000004", "#160b39", "#420a68", "#6a176e", "#932667", "#bc3754", "#dd513a", "#f37819", "#fca50a", "#f6d746", "#fcffa4"];
+
+  const number = (v) => (v === null || v === undefined || Number.isNaN(v) ? "-"
+    : Math.abs(v) >= 1e5 || (v !== 0 && Math.abs(v) < 1e-3) ? v.toExponential(3) : String(+v.toPrecision(5)));
+  const named = (axis) => (axis.unit ? `${axis.name} (${axis.unit})` : axis.name);
+
+  function seriesOf(panel, index, colours, look) {
+    const made = [];
+    for (const s of panel.series) {
+      const of = colours.get(s.group || s.name);
+      if (s.role === "band") {
+        const low = s.points.map((p) => [p[0], p[1]]);
+        const rise = s.points.map((p) => [p[0], p[2] - p[1]]);
+        const shared = { type: "line", xAxisIndex: index, yAxisIndex: index, stack: `band ${index} ${s.name}`, symbol: "none", silent: true,
+          lineStyle: { opacity: 0 }, tooltip: { show: false } };
+        made.push({ ...shared, name: s.name, data: low }, { ...shared, name: s.name, data: rise, areaStyle: { color: of, opacity: 0.2 } });
+        continue;
+      }
+      if (s.role === "range") {
+        made.push({ type: "custom", name: s.name, xAxisIndex: index, yAxisIndex: index, data: s.points, itemStyle: { color: of },
+          encode: { x: 0, y: [1, 2] }, z: 4,
+          renderItem: (params, api) => {
+            const a = api.coord([api.value(0), api.value(1)]), b = api.coord([api.value(0), api.value(2)]);
+            const style = { stroke: of, lineWidth: 3, fill: look.paper };
+            const end = (p) => ({ type: "circle", shape: { cx: p[0], cy: p[1], r: 5 }, style: { ...style, lineWidth: 2 } });
+            return { type: "group", children: [{ type: "line", shape: { x1: a[0], y1: a[1], x2: b[0], y2: b[1] }, style }, end(a), end(b)] };
+          } });
+        continue;
+      }
+      const points = s.role === "points";
+      made.push({ type: points ? "scatter" : "line", name: s.name, xAxisIndex: index, yAxisIndex: index, data: s.points,
+        symbol: points ? "circle" : "none", symbolSize: 5, itemStyle: { color: of, opacity: points ? 0.75 : 1 },
+        lineStyle: { color: of, width: 1.8, type: s.role === "dashed" ? [7, 4] : s.role === "dotted" ? [2, 3] : "solid" }, z: points ? 3 : 2 });
+    }
+    const levels = (panel.levels || []).map((level) => ({ yAxis: level.value, name: level.name,
+      label: { formatter: level.name, position: "insideEndTop", color: look.ink } }));
+    if (made.length && levels.length) {
+      made[0].markLine = { symbol: "none", silent: true, lineStyle: { color: look.ink, type: "dashed" }, data: levels };
+    }
+    return made;
+  }
+
+  function lines(data, look, width) {
+    const colours = new Map();
+    const groups = [...new Set(data.panels.flatMap((panel) => panel.series.map((s) => s.group || s.name)))];
+    groups.forEach((group, i) => colours.set(group, colour(i, groups.length)));
+    const names = [...new Set(data.panels.flatMap((panel) => panel.series.map((s) => s.name)))];
+    const small = width < 560, top = 46, gap = 34, foot = 84;
+    const heights = data.panels.map((panel) => (panel.short ? 130 : small ? 250 : 340));
+    const option = { grid: [], xAxis: [], yAxis: [], series: [] };
+    let y = top;
+    data.panels.forEach((panel, i) => {
+      const last = i + 1 === data.panels.length;
+      option.grid.push({ left: 66, right: 22, top: y, height: heights[i] });
+      option.xAxis.push({ type: "value", gridIndex: i, min: data.x.min, max: data.x.max, name: last ? named(data.x) : "", nameLocation: "middle", nameGap: 28,
+        axisLabel: { show: last, color: look.ink, hideOverlap: true }, nameTextStyle: { color: look.ink }, axisLine: { onZero: false, lineStyle: { color: look.faint } },
+        splitLine: { lineStyle: { color: look.soft } }, axisPointer: { label: { show: last } } });
+      option.yAxis.push({ type: "value", gridIndex: i, scale: true, name: named(panel), nameLocation: "middle", nameGap: 46, nameTextStyle: { color: look.ink },
+        axisLabel: { color: look.ink, formatter: (v) => number(v) }, splitLine: { lineStyle: { color: look.line } } });
+      option.series.push(...seriesOf(panel, i, colours, look));
+      y += heights[i] + gap;
+    });
+    const spans = data.spans || [];
+    if (spans.length && option.series.length) {
+      const first = option.series.find((s) => s.type === "line") || option.series[0];
+      first.markArea = { silent: true, label: { color: look.faint, position: "insideTop", show: spans.length <= 24 },
+        data: spans.map((span, i) => [{ xAxis: span.from, name: span.name, itemStyle: { color: i % 2 ? look.soft : "transparent" } }, { xAxis: span.to }]) };
+    }
+    const all = data.panels.map((_, i) => i);
+    Object.assign(option, {
+      legend: { type: "scroll", top: 4, left: 60, right: 16, data: names, textStyle: { color: look.ink }, pageTextStyle: { color: look.ink }, pageIconColor: look.ink },
+      tooltip: { trigger: "axis", confine: true, valueFormatter: number },
+      axisPointer: { link: [{ xAxisIndex: "all" }] },
+      dataZoom: [{ type: "inside", xAxisIndex: all, filterMode: "none", zoomOnMouseWheel: "ctrl", moveOnMouseMove: true },
+        { type: "slider", xAxisIndex: all, filterMode: "none", bottom: 8, height: 22, showDataShadow: false, textStyle: { color: look.ink } }],
+    });
+    return { option, height: y - gap + foot };
+  }
+
+  function bars(data, look) {
+    const items = [...data.items].reverse();
+    const height = 74 + 30 * items.length;
+    return { height, option: {
+      grid: { left: 10, right: 70, top: 12, bottom: 46, containLabel: true },
+      xAxis: { type: "value", name: named(data.x), nameLocation: "middle", nameGap: 28, nameTextStyle: { color: look.ink }, axisLabel: { color: look.ink },
+        splitLine: { lineStyle: { color: look.line } } },
+      yAxis: { type: "category", data: items.map((item) => item.name), axisLabel: { color: look.ink }, axisTick: { show: false } },
+      tooltip: { trigger: "item", confine: true, valueFormatter: (v) => `${number(v)} ${data.x.unit || ""}` },
+      series: [{ type: "bar", name: data.x.name, data: items.map((item) => ({ value: item.value, itemStyle: { color: item.value < 0 ? few[0] : few[1] } })),
+        barMaxWidth: 18, label: { show: true, position: "right", color: look.ink, formatter: (p) => number(p.value) } }],
+    } };
+  }
+
+  function frames(data) {
+    const bytes = Uint8Array.from(atob(data.values), (c) => c.charCodeAt(0));
+    const steps = new Uint16Array(bytes.buffer);
+    const quads = data.quads.length / 8, scale = (data.high - data.low) / 65535;
+    return data.times.map((_, f) => Array.from(steps.subarray(f * quads, (f + 1) * quads), (s) => data.low + scale * s));
+  }
+
+  function fieldData(data, values) {
+    return values.map((T, q) => {
+      const c = data.quads.slice(8 * q, 8 * q + 8);
+      return [(c[0] + c[2] + c[4] + c[6]) / 4, (c[1] + c[3] + c[5] + c[7]) / 4, T, q];
+    });
+  }
+
+  function field(data, look, width, frame) {
+    const left = 62, right = width < 560 ? 18 : 96, top = 14, foot = 50;
+    const wide = Math.max(data.x.max - data.x.min, 1e-9), high = Math.max(data.y.max - data.y.min, 1e-9);
+    let inner = width - left - right, tall = inner * high / wide;
+    if (tall > 620) { tall = 620; inner = tall * wide / high; }
+    const quads = data.quads;
+    const mark = data.marks && data.marks[frame];
+    const series = [{ type: "custom", name: "temperature", data: fieldData(data, data.frames[frame]), encode: { x: 0, y: 1, value: 2 }, clip: true, animation: false,
+      renderItem: (params, api) => {
+        const q = 8 * api.value(3), fill = api.visual("color");
+        const points = [0, 2, 4, 6].map((i) => api.coord([quads[q + i], quads[q + i + 1]]));
+        return { type: "polygon", shape: { points }, style: { fill, stroke: fill, lineWidth: 0.6 } };
+      } }];
+    series.push({ type: "custom", name: "borders", silent: true, data: (data.borders || []).map((_, i) => [0, 0, i]), z: 3, animation: false, tooltip: { show: false },
+      renderItem: (params, api) => {
+        const b = data.borders[params.dataIndex], p = [0, 2].map((i) => api.coord([b[i], b[i + 1]]));
+        return { type: "line", shape: { x1: p[0][0], y1: p[0][1], x2: p[1][0], y2: p[1][1] }, style: { stroke: "rgba(255,255,255,0.65)", lineWidth: 1 } };
+      } });
+    if (mark) {
+      series.push({ type: "scatter", name: "hottest place", data: [[mark[0], mark[1], mark[2]]], symbolSize: 13, z: 5, animation: false,
+        itemStyle: { color: "rgba(255,255,255,0.25)", borderColor: "#fff", borderWidth: 2.5, shadowColor: "#000", shadowBlur: 3 },
+        tooltip: { formatter: () => `hottest place: ${mark[2].toFixed(1)} °C` } });
+    }
+    series.push({ type: "scatter", name: "names", silent: true, data: (data.names || []).map((n) => ({ value: [n.x, n.y], label: { formatter: n.name, align: n.align || "center" } })), symbolSize: 0,
+      label: { show: true, color: look.ink, fontSize: 12 }, z: 6, animation: false, tooltip: { show: false } });
+    return { height: tall + top + foot, option: {
+      grid: { left, width: inner, top, height: tall },
+      xAxis: { type: "value", min: data.x.min, max: data.x.max, name: named(data.x), nameLocation: "middle", nameGap: 26, nameTextStyle: { color: look.ink },
+        axisLabel: { color: look.ink, hideOverlap: true, showMinLabel: false, showMaxLabel: false, formatter: number }, splitLine: { show: false }, axisLine: { onZero: false } },
+      yAxis: { type: "value", min: data.y.min, max: data.y.max, inverse: !!data.y.down, name: named(data.y), nameLocation: "middle", nameGap: 42, nameTextStyle: { color: look.ink },
+        axisLabel: { color: look.ink, hideOverlap: true, showMinLabel: false, showMaxLabel: false, formatter: number }, splitLine: { show: false }, axisLine: { onZero: false } },
+      visualMap: { type: "continuous", seriesIndex: 0, dimension: 2, min: data.low, max: data.high > data.low ? data.high : data.low + 1, inRange: { color: inferno }, calculable: true,
+        orient: "vertical", right: 2, top: "middle", text: [`${data.high.toFixed(1)} °C`, `${data.low.toFixed(1)} °C`], textStyle: { color: look.ink }, show: width >= 560,
+        formatter: (v) => v.toFixed(1) },
+      tooltip: { trigger: "item", confine: true, formatter: (p) => {
+        const layer = data.layer_names ? data.layer_names[data.layers[p.value[3]]] : "";
+        return `${p.value[2].toFixed(2)} °C${layer ? `<br>${layer.replace(/[<&]/g, "")}` : ""}`;
+      } },
+      series,
+    } };
+  }
+
+  function showMoment(chart, frame) {
+    chart.frame = frame;
+    const t = chart.data.times[frame];
+    chart.output.textContent = `${number(t)} ${chart.data.time_unit}`;
+    chart.input.setAttribute("aria-valuetext", chart.output.textContent);
+    chart.input.value = frame;
+    draw(chart);
+  }
+
+  function addMoments(chart) {
+    const data = chart.data;
+    data.frames = frames(data);
+    chart.frame = data.hottest;
+    const row = document.createElement("div");
+    row.className = "moment";
+    const label = document.createElement("label");
+    label.textContent = "time ";
+    chart.output = document.createElement("output");
+    chart.input = Object.assign(document.createElement("input"), { type: "range", min: 0, max: data.times.length - 1, step: 1, value: chart.frame });
+    label.append(chart.output);
+    chart.input.setAttribute("aria-label", "time");
+    chart.input.addEventListener("input", () => showMoment(chart, +chart.input.value));
+    const button = Object.assign(document.createElement("button"), { type: "button", textContent: "hottest moment" });
+    button.addEventListener("click", () => showMoment(chart, data.hottest));
+    row.append(label, chart.input, button);
+    if (data.times.length < 2) {
+      chart.input.hidden = button.hidden = true;
+    }
+    chart.figure.insertBefore(row, chart.plot);
+    showMoment(chart, chart.frame);
+  }
+
+  function draw(chart) {
+    const look = reader(), width = chart.plot.clientWidth;
+    const made = chart.data.kind === "field" ? field(chart.data, look, width, chart.frame)
+      : chart.data.kind === "bars" ? bars(chart.data, look) : lines(chart.data, look, width);
+    chart.plot.style.height = `${Math.round(made.height)}px`;
+    const renderer = chart.data.kind === "field" ? "canvas" : "svg";
+    chart.echart = window.echarts.getInstanceByDom(chart.plot) || window.echarts.init(chart.plot, null, { renderer });
+    chart.echart.resize({ width, height: Math.round(made.height) });
+    const zoom = chart.data.kind === "lines" && chart.drawn ? chart.echart.getOption().dataZoom[0] : null;
+    chart.echart.setOption({ animation: false, aria: { enabled: true }, backgroundColor: "transparent",
+      textStyle: { fontFamily: getComputedStyle(document.body).fontFamily }, ...made.option }, { notMerge: true });
+    if (zoom) {
+      chart.echart.dispatchAction({ type: "dataZoom", start: zoom.start, end: zoom.end });
+    }
+    chart.drawn = true;
+    if (chart.data.link && chart.data.kind === "lines") {
+      chart.echart.group = chart.data.link;
+    }
+  }
+
+  function onKey(chart, event) {
+    if (chart.data.kind !== "lines" || event.target !== chart.figure) {
+      return;
+    }
+    const zoom = chart.echart.getOption().dataZoom[0];
+    const middle = (zoom.start + zoom.end) / 2, half = (zoom.end - zoom.start) / 2;
+    let range = null;
+    if (event.key === "+" || event.key === "=") range = [middle - half / 1.5, middle + half / 1.5];
+    else if (event.key === "-") range = [middle - half * 1.5, middle + half * 1.5];
+    else if (event.key === "0" || event.key === "Home") range = [0, 100];
+    else if (event.key === "ArrowLeft") range = [Math.max(0, zoom.start - half / 3), Math.max(2 * half, zoom.end - half / 3)];
+    else if (event.key === "ArrowRight") range = [Math.min(100 - 2 * half, zoom.start + half / 3), Math.min(100, zoom.end + half / 3)];
+    if (range) {
+      event.preventDefault();
+      chart.echart.dispatchAction({ type: "dataZoom", start: Math.max(0, range[0]), end: Math.min(100, range[1]) });
+    }
+  }
+
+  function start() {
+    for (const figure of document.querySelectorAll("figure.chart")) {
+      const chart = { figure, plot: figure.querySelector(".plot"), data: JSON.parse(figure.querySelector("script").textContent) };
+      charts.push(chart);
+      figure.addEventListener("keydown", (event) => onKey(chart, event));
+      if (chart.data.kind === "field") {
+        addMoments(chart);
+      } else {
+        draw(chart);
+      }
+    }
+    for (const group of new Set(charts.map((chart) => chart.data.link).filter(Boolean))) {
+      window.echarts.connect(group);
+    }
+    const again = () => charts.forEach(draw);
+    let width = window.innerWidth;
+    window.addEventListener("resize", () => {
+      if (window.innerWidth !== width) {
+        width = window.innerWidth;
+        again();
+      }
+    });
+    dark.addEventListener("change", again);
+    window.addEventListener("beforeprint", () => { document.body.classList.add("printing"); again(); });
+    window.addEventListener("afterprint", () => { document.body.classList.remove("printing"); again(); });
+    window.tiretherm = { charts };  // for tests
+  }
+  document.addEventListener("DOMContentLoaded", start);
+})();

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Thins and rounds what a chart shows.
+#include "post/page/charts.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+namespace tiretherm::post {
+
+namespace {
+
+constexpr std::size_t most_points = 2400;  ///< of a curve: more than a wide screen has pixels
+
+/// Indices of the points of a curve that are shown: all, or the lowest and the highest of each piece.
+std::vector<std::size_t> shown_points(std::span<const double> y) {
+    std::vector<std::size_t> kept;
+    if (y.size() <= most_points) {
+        for (std::size_t i = 0; i < y.size(); ++i) {
+            kept.push_back(i);
+        }
+        return kept;
+    }
+    constexpr std::size_t pieces = most_points / 2;
+    for (std::size_t piece = 0; piece < pieces; ++piece) {
+        const std::size_t from = piece * y.size() / pieces;
+        const std::size_t to = (piece + 1) * y.size() / pieces;
+        const auto [low, high] = std::minmax_element(y.begin() + static_cast<std::ptrdiff_t>(from),
+                                                     y.begin() + static_cast<std::ptrdiff_t>(to));
+        const auto a = static_cast<std::size_t>(std::min(low, high) - y.begin());
+        const auto b = static_cast<std::size_t>(std::max(low, high) - y.begin());
+        kept.push_back(a);
+        if (b != a) {
+            kept.push_back(b);
+        }
+    }
+    kept.front() = 0;
+    if (kept.back() != y.size() - 1) {
+        kept.push_back(y.size() - 1);
+    }
+    return kept;
+}
+
+Value number(double value) { return std::isfinite(value) ? Value(rounded(value)) : Value(); }
+
+const char* word(CurveRole role) {
+    switch (role) {
+        case CurveRole::dashed:
+            return "dashed";
+        case CurveRole::dotted:
+            return "dotted";
+        case CurveRole::points:
+            return "points";
+        case CurveRole::line:
+            break;
+    }
+    return "line";
+}
+
+}  // namespace
+
+TimeUnit time_unit(double span) {
+    return span > 3.0 * 3600.0 ? TimeUnit{"h", 3600.0} : span > 600.0 ? TimeUnit{"min", 60.0} : TimeUnit{"s", 1.0};
+}
+
+double rounded(double value, int digits) { return std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr); }
+
+LineChart::LineChart(std::string x, std::string unit, double low, double high)
+    : axis_{{"name", std::move(x)}, {"unit", std::move(unit)}, {"min", number(low)}, {"max", number(high)}} {}
+
+void LineChart::add_panel(std::string name, std::string unit, bool is_short) {
+    panels_.push_back({.name = std::move(name), .unit = std::move(unit), .is_short = is_short});
+}
+
+void LineChart::add_curve(const std::string& name, const std::string& group, CurveRole role, std::span<const double> x,
+                          std::span<const double> y) {
+    assert(!panels_.empty() && x.size() == y.size());
+    Value::List points;
+    for (const std::size_t i : shown_points(y)) {
+        points.push_back(Value::List{number(x[i]), number(y[i])});
+    }
+    panels_.back().series.push_back(
+        Value{{"name", name}, {"group", group}, {"role", word(role)}, {"points", std::move(points)}});
+}
+
+void LineChart::add_areas(const std::string& role, const std::string& name, const std::string& group,
+                          std::span<const double> x, std::span<const double> low, std::span<const double> high) {
+    assert(!panels_.empty() && x.size() == low.size() && x.size() == high.size());
+    Value::List points;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        points.push_back(Value::List{number(x[i]), number(low[i]), number(high[i])});
+    }
+    panels_.back().series.push_back(
+        Value{{"name", name}, {"group", group}, {"role", role}, {"points", std::move(points)}});
+}
+
+void LineChart::add_ranges(const std::string& name, const std::string& group, std::span<const double> x,
+                           std::span<const double> low, std::span<const double> high) {
+    add_areas("range", name, group, x, low, high);
+}
+
+void LineChart::add_band(const std::string& name, const std::string& group, std::span<const double> x,
+                         std::span<const double> low, std::span<const double> high) {
+    add_areas("band", name, group, x, low, high);
+}
+
+void LineChart::add_level(const std::string& name, double value) {
+    assert(!panels_.empty());
+    panels_.back().levels.push_back(Value{{"name", name}, {"value", number(value)}});
+}
+
+void LineChart::add_span(const std::string& name, double from, double to) {
+    spans_.push_back(Value{{"name", name}, {"from", number(from)}, {"to", number(to)}});
+}
+
+Value LineChart::data() const {
+    Value::List panels;
+    for (const Panel& panel : panels_) {
+        panels.push_back(Value{{"name", panel.name},
+                               {"unit", panel.unit},
+                               {"short", panel.is_short},
+                               {"series", panel.series},
+                               {"levels", panel.levels}});
+    }
+    return {{"kind", "lines"}, {"x", axis_}, {"panels", panels}, {"spans", spans_}, {"link", text_or_null(link_)}};
+}
+
+Value bar_chart(std::string_view what, std::string_view unit, const std::vector<Bar>& bars) {
+    Value::List items;
+    for (const Bar& bar : bars) {
+        items.push_back(Value{{"name", bar.name}, {"value", number(bar.value)}});
+    }
+    return {{"kind", "bars"}, {"x", Value{{"name", what}, {"unit", unit}}}, {"items", items}};
+}
+
+std::string base64(std::span<const unsigned char> bytes) {
+    constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t left = std::min<std::size_t>(3, bytes.size() - i);
+        unsigned group = 0;
+        for (std::size_t b = 0; b < 3; ++b) {
+            group = group << 8U | (b < left ? bytes[i + b] : 0U);
+        }
+        for (std::size_t b = 0; b < 4; ++b) {
+            text += b <= left ? letters[group >> (18U - 6U * b) & 63U] : '=';
+        }
+    }
+    return text;
+}
+
+}  // namespace tiretherm::post

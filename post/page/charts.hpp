@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Data of the charts of a page, in the units that are shown, as report.js takes them.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "post/report/value.hpp"
+
+namespace tiretherm::post {
+
+/// Seconds, minutes or hours, whichever gives an axis without large numbers.
+struct TimeUnit {
+    const char* name;
+    double seconds;
+};
+/// @param span s
+[[nodiscard]] TimeUnit time_unit(double span);
+
+/// How a curve is drawn.
+enum class CurveRole { line, dashed, dotted, points };
+
+/// Curves above one another over one axis. Of a long curve the lowest and the highest value of each of some hundred pieces are
+/// kept, so that no peak is lost; numbers have six digits.
+class LineChart {
+public:
+    /// @param x name of the shared axis  @param unit as it is shown  @param low, high ends of the axis, in this unit
+    LineChart(std::string x, std::string unit, double low, double high);
+
+    /// A further panel below those that are there; what follows goes into it. @param is_short a low one, of residuals or inputs
+    void add_panel(std::string name, std::string unit, bool is_short = false);
+    /// @param group curves of one group have one colour; empty: the name  @param x, y [points], not finite ones are gaps
+    void add_curve(const std::string& name, const std::string& group, CurveRole role, std::span<const double> x,
+                   std::span<const double> y);
+    /// Ranges at single places. @param x, low, high [points]
+    void add_ranges(const std::string& name, const std::string& group, std::span<const double> x,
+                    std::span<const double> low, std::span<const double> high);
+    /// The area between two curves. @param x, low, high [points]
+    void add_band(const std::string& name, const std::string& group, std::span<const double> x,
+                  std::span<const double> low, std::span<const double> high);
+    /// A horizontal line with a name.
+    void add_level(const std::string& name, double value);
+    /// A part of the shared axis with a name: a step, a lap, a run.
+    void add_span(const std::string& name, double from, double to);
+    /// Charts of one page with the same link zoom and show their cursors together.
+    void set_link(std::string link) { link_ = std::move(link); }
+
+    [[nodiscard]] bool empty() const { return panels_.empty(); }
+    [[nodiscard]] Value data() const;
+
+private:
+    struct Panel {
+        std::string name;
+        std::string unit;
+        bool is_short = false;
+        Value::List series{};
+        Value::List levels{};
+    };
+    void add_areas(const std::string& role, const std::string& name, const std::string& group,
+                   std::span<const double> x, std::span<const double> low, std::span<const double> high);
+
+    Value axis_;
+    std::vector<Panel> panels_;
+    Value::List spans_;
+    std::string link_;
+};
+
+struct Bar {
+    std::string name;
+    double value = 0.0;
+};
+
+/// Signed values by name. @param what the values are, "heat"  @param unit as it is shown
+[[nodiscard]] Value bar_chart(std::string_view what, std::string_view unit, const std::vector<Bar>& bars);
+
+/// A number with so many digits as a chart shows.
+[[nodiscard]] double rounded(double value, int digits = 6);
+
+/// Bytes as text (RFC 4648).
+[[nodiscard]] std::string base64(std::span<const unsigned char> bytes);
+
+}  // namespace tiretherm::post

@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Quadrilaterals of the drawn section, their temperatures in 65536 steps of one common scale, borders and names.
+#include "post/page/field_chart.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include <fmt/format.h>
+
+#include "mesh/ring.hpp"
+#include "post/page/charts.hpp"
+#include "post/pictures/section_plane.hpp"
+#include "solver/celsius.hpp"
+
+namespace tiretherm::post {
+
+namespace {
+
+constexpr std::size_t values_on_a_page = 500'000;  ///< 1.3 MB as text
+constexpr double per_metre = 1e3;                  ///< mm
+constexpr double steps = 65535.0;
+
+std::size_t corner(const mesh::Mesh& mesh, int cell, std::size_t i) {
+    return static_cast<std::size_t>(mesh.drawing.corners[4 * static_cast<std::size_t>(cell) + i]);
+}
+
+double mm(double metres) { return rounded(per_metre * metres, 5); }
+
+std::string words(std::string name) {
+    std::ranges::replace(name, '_', ' ');
+    return name;
+}
+
+/// Numbers of a quadrilateral, corner after corner.
+void add_quad(Value::List& quads, const std::array<double, 8>& at) {
+    for (const double value : at) {
+        quads.push_back(mm(value));
+    }
+}
+
+struct Range {
+    double low = 1e300;
+    double high = -1e300;
+
+    void include(double value) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+};
+
+Value axis(std::string_view name, const Range& range, double margin, bool down) {
+    return {{"name", name},
+            {"unit", "mm"},
+            {"min", rounded(range.low - margin, 5)},
+            {"max", rounded(range.high + margin, 5)},
+            {"down", down}};
+}
+
+/// Lines where layers meet and where zones meet. mm
+Value::List borders_of(const mesh::Mesh& mesh) {
+    Value::List borders;
+    const auto add = [&](const mesh::Point& a, const mesh::Point& b) {
+        borders.push_back(Value::List{mm(a[0]), mm(a[2]), mm(b[0]), mm(b[2])});
+    };
+    const auto& points = mesh.drawing.points;
+    for (std::size_t i = 0; i < mesh.columns.size(); ++i) {
+        const mesh::Column& column = mesh.columns[i];
+        for (int k = 0; k + 1 < column.cells(); ++k) {
+            const int cell = column.first_cell + k;
+            if (mesh.layer[static_cast<std::size_t>(cell)] != mesh.layer[static_cast<std::size_t>(cell) + 1]) {
+                add(points[corner(mesh, cell, 0)], points[corner(mesh, cell, 1)]);
+            }
+        }
+        if (i + 1 < mesh.columns.size() && mesh.columns[i + 1].zone != column.zone) {
+            add(points[corner(mesh, column.first_cell, 2)],
+                points[corner(mesh, column.first_cell + column.cells() - 1, 1)]);
+        }
+    }
+    return borders;
+}
+
+/// The name of each zone beside its middle column, inside the cavity.
+Value::List names_of(const mesh::Mesh& mesh) {
+    Value::List names;
+    for (std::size_t zone = 0; zone < mesh.zones.size(); ++zone) {
+        std::vector<const mesh::Column*> own;
+        for (const mesh::Column& column : mesh.columns) {
+            if (column.zone == static_cast<int>(zone)) {
+                own.push_back(&column);
+            }
+        }
+        if (own.empty()) {
+            continue;
+        }
+        const mesh::Column& middle = *own[own.size() / 2];
+        const mesh::Point& at = mesh.drawing.points[corner(mesh, middle.first_cell + middle.cells() - 1, 0)];
+        constexpr double beside = 4.0;  // mm
+        names.push_back(Value{{"name", words(mesh.zones[zone])},
+                              {"x", mm(at[0]) + (at[0] < -0.05  ? beside
+                                                 : at[0] > 0.05 ? -beside
+                                                                : 0.0)},
+                              {"y", mm(at[2]) - beside},
+                              {"align", at[0] < -0.05  ? "left"
+                                        : at[0] > 0.05 ? "right"
+                                                       : "center"}});
+    }
+    return names;
+}
+
+}  // namespace
+
+FieldFrames::FieldFrames(const solver::Problem& problem)
+    : problem_(problem),
+      folded_(!problem.mesh.columns.empty() && !problem.mesh.drawing.places.empty()),
+      section_(folded_ && problem.mesh.sectors > 1 ? mesh::drawn_section(problem.mesh) : mesh::Mesh{}),
+      drawn_(problem.mesh.sectors > 1 ? section_ : problem.mesh) {}
+
+FieldFrames::Frame FieldFrames::frame_of(const solver::Snapshot& snapshot) const {
+    Frame frame{.time = snapshot.time, .hottest = -1e300};
+    if (!folded_) {
+        const SectionPlane plane = section_plane(problem_, snapshot.temperature, Shading::cells);
+        const std::size_t width = plane.x.size() - 1;
+        for (std::size_t i = 0; i < plane.kelvin.size(); ++i) {
+            const double celsius = solver::celsius(plane.kelvin[i]);
+            frame.celsius.push_back(static_cast<float>(celsius));
+            if (celsius > frame.hottest) {
+                const std::size_t column = i % width;
+                const std::size_t row = i / width;
+                frame.hottest = celsius;
+                frame.at = {mm(0.5 * (plane.x[column] + plane.x[column + 1])),
+                            mm(0.5 * (plane.depth[row] + plane.depth[row + 1]))};
+            }
+        }
+        return frame;
+    }
+    const bool is_ring = problem_.mesh.sectors > 1;
+    const mesh::Mesh& mesh = is_ring ? section_ : problem_.mesh;
+    const std::vector<double> mean =
+        is_ring ? mesh::around(problem_.mesh, snapshot.temperature) : std::vector<double>{};
+    const std::vector<double> kelvin = drawn_.at_points(is_ring ? std::span<const double>(mean) : snapshot.temperature);
+    for (int cell = 0; cell < mesh.n_cells; ++cell) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            sum += kelvin[corner(mesh, cell, i)];
+        }
+        frame.celsius.push_back(static_cast<float>(solver::celsius(0.25 * sum)));
+    }
+    const auto hottest = std::ranges::max_element(kelvin);
+    const mesh::Point& at = mesh.drawing.points[static_cast<std::size_t>(hottest - kelvin.begin())];
+    frame.hottest = solver::celsius(*hottest);
+    frame.at = {mm(at[0]), mm(at[2])};
+    return frame;
+}
+
+void FieldFrames::take(const solver::Snapshot& snapshot) {
+    if (!snapshot.field || !(has_section(problem_.mesh) || folded_)) {
+        return;
+    }
+    Frame frame = frame_of(snapshot);
+    if (seen_ == 0 || frame.hottest > hottest_.hottest) {
+        hottest_ = frame;
+    }
+    if (seen_ % stride_ == 0) {
+        frames_.push_back(frame);
+        thin();
+    }
+    ++seen_;
+    last_ = std::move(frame);
+}
+
+void FieldFrames::thin() {
+    const std::size_t most = std::clamp<std::size_t>(values_on_a_page / frames_.front().celsius.size(), 2, 120);
+    if (frames_.size() <= most) {
+        return;
+    }
+    std::vector<Frame> kept;
+    for (std::size_t i = 0; i < frames_.size(); i += 2) {
+        kept.push_back(std::move(frames_[i]));
+    }
+    frames_ = std::move(kept);
+    stride_ *= 2;
+}
+
+Value FieldFrames::outline() const {
+    Value::List quads;
+    Value::List layers;
+    Range across;
+    Range along;
+    if (folded_) {
+        const mesh::Mesh& mesh = problem_.mesh.sectors > 1 ? section_ : problem_.mesh;
+        for (int cell = 0; cell < mesh.n_cells; ++cell) {
+            std::array<double, 8> at{};
+            for (std::size_t i = 0; i < 4; ++i) {
+                const mesh::Point& p = mesh.drawing.points[corner(mesh, cell, i)];
+                at[2 * i] = p[0];
+                at[2 * i + 1] = p[2];
+                across.include(per_metre * p[0]);
+                along.include(per_metre * p[2]);
+            }
+            add_quad(quads, at);
+            layers.push_back(mesh.layer[static_cast<std::size_t>(cell)]);
+        }
+        return {{"x", axis("across, outboard to inboard", across, 6.0, false)},
+                {"y", axis("radius", along, 6.0, false)},
+                {"quads", std::move(quads)},
+                {"layers", std::move(layers)},
+                {"layer_names", mesh.layers},
+                {"borders", borders_of(mesh)},
+                {"names", names_of(mesh)}};
+    }
+    const mesh::Grid& grid = *problem_.mesh.grid;
+    const bool mirrored = grid.mirror[0];
+    for (int side = 0; side < (mirrored ? 2 : 1); ++side) {
+        for (int k = 0; k < grid.size(2); ++k) {
+            for (int i = 0; i < grid.size(0); ++i) {
+                const double sign = side == 0 ? 1.0 : -1.0;
+                const double x0 = sign * grid.edge[0][static_cast<std::size_t>(i)];
+                const double x1 = sign * grid.edge[0][static_cast<std::size_t>(i) + 1];
+                const double z0 = grid.edge[2][static_cast<std::size_t>(k)];
+                const double z1 = grid.edge[2][static_cast<std::size_t>(k) + 1];
+                add_quad(quads, {x0, z0, x1, z0, x1, z1, x0, z1});
+                layers.push_back(problem_.mesh.layer[static_cast<std::size_t>(grid.cell(i, 0, k))]);
+                across.include(per_metre * x0);
+                across.include(per_metre * x1);
+                along.include(per_metre * z0);
+                along.include(per_metre * z1);
+            }
+        }
+    }
+    Value::List borders;
+    for (int k = 0; k + 1 < grid.size(2); ++k) {
+        const auto layer = [&](int row) { return problem_.mesh.layer[static_cast<std::size_t>(grid.cell(0, 0, row))]; };
+        if (layer(k) != layer(k + 1)) {
+            const double z = mm(grid.edge[2][static_cast<std::size_t>(k) + 1]);
+            borders.push_back(Value::List{across.low, z, across.high, z});
+        }
+    }
+    return {{"x", axis("across", across, 0.0, false)},
+            {"y", axis("depth", along, 0.0, true)},
+            {"quads", std::move(quads)},
+            {"layers", std::move(layers)},
+            {"layer_names", problem_.mesh.layers},
+            {"borders", std::move(borders)},
+            {"names", Value::List{}}};
+}
+
+Value FieldFrames::chart() const {
+    std::vector<const Frame*> shown;
+    for (const Frame& frame : frames_) {
+        shown.push_back(&frame);
+    }
+    for (const Frame* extra : {&hottest_, &last_}) {
+        if (std::ranges::none_of(shown, [&](const Frame* frame) { return frame->time == extra->time; })) {
+            shown.push_back(extra);
+        }
+    }
+    std::ranges::sort(shown, {}, &Frame::time);
+    Range range;
+    for (const Frame* frame : shown) {
+        for (const float celsius : frame->celsius) {
+            range.include(static_cast<double>(celsius));
+        }
+    }
+    const TimeUnit unit = time_unit(shown.back()->time - shown.front()->time);
+    const bool mirrored = !folded_ && problem_.mesh.grid->mirror[0];
+    std::vector<unsigned char> bytes;
+    Value::List times;
+    Value::List marks;
+    std::size_t hottest = 0;
+    for (std::size_t f = 0; f < shown.size(); ++f) {
+        const Frame& frame = *shown[f];
+        for (int side = 0; side < (mirrored ? 2 : 1); ++side) {
+            for (const float celsius : frame.celsius) {
+                const double share =
+                    (static_cast<double>(celsius) - range.low) / std::max(range.high - range.low, 1e-9);
+                const auto step = static_cast<std::uint16_t>(std::lround(steps * share));
+                bytes.push_back(static_cast<unsigned char>(step & 0xFFU));
+                bytes.push_back(static_cast<unsigned char>(step >> 8U));
+            }
+        }
+        times.push_back(rounded(frame.time / unit.seconds));
+        marks.push_back(Value::List{frame.at[0], frame.at[1], rounded(frame.hottest, 7)});
+        hottest = frame.time == hottest_.time ? f : hottest;
+    }
+    Value data{{"kind", "field"},
+               {"times", times},
+               {"time_unit", unit.name},
+               {"low", rounded(range.low, 7)},
+               {"high", rounded(range.high, 7)},
+               {"hottest", hottest},
+               {"marks", marks},
+               {"values", base64(bytes)}};
+    data.set(outline());
+    return data;
+}
+
+std::string FieldFrames::caption() const {
+    return fmt::format(
+        "One colour scale for all moments; the circle is the hottest place of the moment that is shown.{}{}",
+        problem_.mesh.sectors > 1 ? " Mean around the tire." : "",
+        folded_ ? "" : " The colour of a cell is its mean; the circle stands in the hottest cell.");
+}
+
+}  // namespace tiretherm::post

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The temperature field of a run at several moments, for the page's chart with a slider.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "mesh/mesh.hpp"
+#include "post/pictures/drawn_field.hpp"
+#include "post/report/value.hpp"
+#include "solver/problem.hpp"
+#include "solver/time_integration/march.hpp"
+
+namespace tiretherm::post {
+
+/// Keeps stored fields as they will be drawn: the folded section of a tire, or the plane through a specimen's thickness. Where
+/// there are too many for a page, every second one is left out, but for the hottest and the last.
+class FieldFrames {
+public:
+    explicit FieldFrames(const solver::Problem& problem);
+
+    /// A row of the run; a field is kept where it is due for storing.
+    void take(const solver::Snapshot& snapshot);
+    /// Whether the mesh has something to draw and a field was taken.
+    [[nodiscard]] bool empty() const { return frames_.empty(); }
+    /// @pre !empty()
+    [[nodiscard]] Value chart() const;
+    /// How the chart is read.
+    [[nodiscard]] std::string caption() const;
+
+private:
+    struct Frame {
+        double time = 0.0;           ///< s
+        std::vector<float> celsius;  ///< [quadrilaterals]
+        double hottest = 0.0;        ///< degC
+        std::array<double, 2> at{};  ///< mm, where it is that hot
+    };
+    [[nodiscard]] Frame frame_of(const solver::Snapshot& snapshot) const;
+    [[nodiscard]] Value outline() const;
+    void thin();
+
+    const solver::Problem& problem_;
+    bool folded_ = false;
+    mesh::Mesh section_;  ///< of a ring, or empty
+    DrawnField drawn_;
+    std::vector<Frame> frames_;
+    Frame hottest_;
+    std::size_t stride_ = 1;  ///< of the fields that are kept
+    std::size_t seen_ = 0;
+    Frame last_;
+};
+
+}  // namespace tiretherm::post

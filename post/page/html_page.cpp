@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes the sections of a report as HTML and its charts as JSON, which report.js draws.
+#include "post/page/html_page.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "post/page/assets.hpp"
+#include "post/report/file.hpp"
+
+namespace tiretherm::post {
+
+namespace {
+
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+        text.replace(at, from.size(), to);
+    }
+}
+
+/// A text of the program or of the user's files as text of HTML.
+std::string html(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        switch (c) {
+            case '&':
+                out += "&amp;";
+                break;
+            case '<':
+                out += "&lt;";
+                break;
+            case '>':
+                out += "&gt;";
+                break;
+            case '"':
+                out += "&quot;";
+                break;
+            default:
+                out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+        }
+    }
+    replace_all(out, "degC", "°C");
+    return out;
+}
+
+/// "Heat budget" as the name of a place in the page: "heat-budget".
+std::string anchor(std::string_view heading) {
+    std::string name;
+    for (const char c : heading) {
+        const bool letter = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+        const bool capital = c >= 'A' && c <= 'Z';
+        name += letter ? c : capital ? static_cast<char>(c - 'A' + 'a') : '-';
+    }
+    return name;
+}
+
+struct Columns {
+    std::vector<std::string> headings;
+    std::vector<bool> right;
+
+    void take(const DataTable::Row& row) {
+        std::size_t column = 0;
+        for (const Field& field : row) {
+            if (field.on_page && column++ == headings.size()) {
+                headings.push_back(field.heading);
+                right.push_back(field.cell.to_right);
+            }
+        }
+    }
+};
+
+std::string table_html(const DataTable& table) {
+    Columns columns;
+    columns.take(table.columns());
+    for (const DataTable::Row& row : table.rows()) {
+        columns.take(row);
+    }
+    const auto side = [&](std::size_t column) { return columns.right[column] ? " class=\"right\"" : ""; };
+    std::string text = "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"table\"><table>\n";
+    if (std::ranges::any_of(columns.headings, [](const std::string& heading) { return !heading.empty(); })) {
+        text += "<thead><tr>";
+        for (std::size_t i = 0; i < columns.headings.size(); ++i) {
+            const std::string& heading = columns.headings[i];
+            text += heading.empty() ? "<td></td>" : fmt::format("<th scope=\"col\"{}>{}</th>", side(i), html(heading));
+        }
+        text += "</tr></thead>\n";
+    }
+    text += "<tbody>\n";
+    for (const DataTable::Row& row : table.rows()) {
+        text += "<tr>";
+        std::size_t column = 0;
+        for (const Field& field : row) {
+            if (field.on_page) {
+                text += fmt::format("<td{}>{}</td>", side(column++), html(field.cell.text));
+            }
+        }
+        text += "</tr>\n";
+    }
+    return text + "</tbody></table></div>\n";
+}
+
+std::string chart_html(const PageItem& item) {
+    std::string data = compact_json(item.chart);
+    replace_all(data, "<", "\\u003c");  // nothing in the data ends the element
+    return fmt::format(
+        "<figure class=\"chart\" tabindex=\"0\" aria-label=\"{0}\">\n<script type=\"application/json\">{1}</script>\n"
+        "<div class=\"plot\"></div>\n<figcaption><b>{0}.</b> {2}</figcaption>\n</figure>\n",
+        html(item.text), data, html(item.caption));
+}
+
+std::string blocks_html(const std::vector<PageItem>& blocks, int level) {
+    std::string text;
+    bool in_list = false;
+    for (const PageItem& block : blocks) {
+        const bool is_item = block.kind == PageItem::Kind::item;
+        if (is_item != in_list) {
+            text += is_item ? "<ul>\n" : "</ul>\n";
+            in_list = is_item;
+        }
+        switch (block.kind) {
+            case PageItem::Kind::paragraph:
+                text += fmt::format("<p>{}</p>\n", html(block.text));
+                break;
+            case PageItem::Kind::item:
+                text += fmt::format("<li>{}</li>\n", html(block.text));
+                break;
+            case PageItem::Kind::line:
+                text += fmt::format("<pre>{}</pre>\n", html(block.text));
+                break;
+            case PageItem::Kind::gap:
+                break;
+            case PageItem::Kind::table:
+                text += table_html(block.table);
+                break;
+            case PageItem::Kind::part:
+                text += fmt::format("<h{0}>{1}</h{0}>\n", level, html(block.text)) +
+                        blocks_html(block.blocks, std::min(level + 1, 6));
+                break;
+            case PageItem::Kind::chart:
+                text += chart_html(block);
+                break;
+        }
+    }
+    return text + (in_list ? "</ul>\n" : "");
+}
+
+}  // namespace
+
+std::string html_page(const Report& report, const std::string& kind, const std::string& source) {
+    std::string text = fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{} - tiretherm "
+        "{}</title>\n<style>\n",
+        html(report.title), html(kind));
+    text += assets::style();
+    text += fmt::format("</style>\n</head>\n<body>\n<header>\n<h1>{}</h1>\n", html(report.title));
+    for (const std::string& line : report.lead) {
+        text += fmt::format("<p class=\"lead\">{}</p>\n", html(line));
+    }
+    std::string contents;
+    std::string sections;
+    for (const Section& section : report.sections) {
+        if (section.blocks().empty()) {
+            continue;
+        }
+        const std::string& heading = section.heading();
+        if (heading.empty()) {
+            sections += "<section>\n";
+        } else {
+            const std::string name = anchor(heading);
+            contents += fmt::format("<a href=\"#{}\">{}</a>", name, html(heading));
+            sections += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n", name, html(heading));
+        }
+        sections += blocks_html(section.blocks(), 3) + "</section>\n";
+    }
+    text += fmt::format("<nav aria-label=\"sections\">{}</nav>\n</header>\n<main>\n{}</main>\n", contents, sections);
+    text += fmt::format(
+        "<footer>tiretherm {} {}{}. Charts: ctrl + wheel or + and - zoom, drag or the arrows move, 0 shows all. Drawn "
+        "with Apache "
+        "ECharts.</footer>\n",
+        TIRETHERM_VERSION, html(kind), source.empty() ? "" : " of " + html(source));
+    text += "<script>\n";
+    text += assets::charting_library();
+    text += "</script>\n<script>\n";
+    text += assets::script();
+    return text + "</script>\n</body>\n</html>\n";
+}
+
+void write_html_page(const std::filesystem::path& path, const Report& report, const std::string& kind,
+                     const std::string& source) {
+    replace_file(path, html_page(report, kind, source));
+}
+
+}  // namespace tiretherm::post
