@@ -43,13 +43,14 @@ int compare(const MeasuredCall& call) {
     }
     comparison.warnings = reading->warnings;
     comparison.findings = reading->data_warnings;
-    const auto files = write_measured(call, *folder, names, [&](const std::filesystem::path& stage) {
-        return post::write_comparison(comparison, stage);
-    });
-    if (!files) {
+    const auto page = write_measured_page(
+        call, *folder, names, "compare",
+        [&](const std::filesystem::path& stage) { return post::write_comparison(comparison, stage); },
+        [&](const auto& files) { return post::comparison_report(comparison, files); });
+    if (!page) {
         return Exit::input_error;
     }
-    print_report(post::comparison_report(comparison, *files), call.json);
+    print_report(*page, call.json);
     return Exit::done;
 }
 
@@ -62,7 +63,8 @@ void add_compare_command(CLI::App& program, int& exit_code) {
                          "files of an earlier comparison there are replaced. Default: out/<case name>");
     command->footer(
         "The case is simulated as it stands: nothing is fitted. Differences are simulated - measured.\n"
-        "Files: compare.csv (a row for each sample), compare_statistics.csv (a row for each figure); of cameras\n"
+        "Files: report.html (this page with charts, for a browser), compare.csv (a row for each sample), "
+        "compare_statistics.csv (a row for each figure); of cameras\n"
         "compare_pixels.csv (a row for each pixel) and a picture of each run's worst frame.\n\n"
         "The files appear together at the end.\n\n"
         "Exit code: 0 done, however far apart; 1 an error in the call, the case or the data; 2 the solver failed;\n"

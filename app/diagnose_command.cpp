@@ -150,7 +150,8 @@ int diagnose(const Options& call, const TableOptions& of_table) {
                                  .data = call.data_files(),
                                  .warnings = remarks,
                                  .findings = reading->data_warnings,
-                                 .by_run = std::move(by_run)};
+                                 .by_run = std::move(by_run),
+                                 .with_page = !call.no_report};
     std::ranges::copy(reading->warnings, std::back_inserter(record.warnings));
     std::ranges::copy(thinned.remarks, std::back_inserter(record.findings));
     const auto files = write_measured(call, *folder, names, [&](const std::filesystem::path& stage) {
@@ -207,7 +208,8 @@ void add_diagnose_command(CLI::App& program, int& exit_code) {
         "took\n"
         "no part in fitting them. Its file is diagnosis.json.\n"
         "Differences are simulated - measured.\n"
-        "Files: diagnosis.json, extended.toml (the case with the cause switched on, where there is one),\n"
+        "Files: report.html (this page with charts, for a browser), diagnosis.json, extended.toml (the case with the "
+        "cause switched on, where there is one),\n"
         "residuals.csv (a row for each sample), residuals.png, missing_heat.csv and .png (heat that windows of the "
         "runs lack).\n\n"
         "The files appear together at the end, also after Ctrl-C or --time-limit: they then hold the best answer so "

@@ -18,6 +18,7 @@
 #include "app/messages.hpp"
 #include "input/model/reader.hpp"
 #include "post/identification/identification_report.hpp"
+#include "post/report/file.hpp"
 #include "solver/sensitivity/kept_results.hpp"
 #include "solver/stop_signal.hpp"
 
@@ -135,17 +136,22 @@ int identify(const Options& options) {
                                       .data = options.data_files(),
                                       .warnings = reading->warnings,
                                       .findings = reading->data_warnings};
-    const auto files = write_measured(options, *folder, {}, [&](const std::filesystem::path& stage) {
-        return post::write_identification(record, stage, folder->path());
-    });
-    if (!files) {
+    const auto page = write_measured_page(
+        options, *folder, post::identification_names(), "identify",
+        [&](const std::filesystem::path& stage) {
+            auto files = post::write_identification(record, stage, folder->path());
+            // A law that fits where the data are may fail elsewhere, and the case with it.
+            const input::Reading fitted = input::read_case(folder->home(files.front()), post::read_text(files.front()));
+            if (!fitted.problem) {
+                record.warnings.push_back("the fitted case cannot be run as it is: " + fitted.errors.front().what);
+            }
+            return files;
+        },
+        [&](const auto& files) { return post::identification_report(record, files); });
+    if (!page) {
         return Exit::input_error;
     }
-    // A law that fits where the data are may fail elsewhere, and the case with it.
-    if (const input::Reading fitted = input::read_case(files->front()); !fitted.problem) {
-        record.warnings.push_back("the fitted case cannot be run as it is: " + fitted.errors.front().what);
-    }
-    print_report(post::identification_report(record, *files), options.json);
+    print_report(*page, options.json);
     return result.converged ? Exit::done : Exit::numerical_failure;
 }
 
@@ -173,7 +179,8 @@ void add_identify_command(CLI::App& program, int& exit_code) {
         "has (tiretherm effects NAME), or doubtful because an error of the model may pass for noise.\n"
         "Of a camera's frames every pixel is taken, and what the grid and the steps make of them is corrected.\n"
         "A plan takes every sensor with a standard_deviation, at the times of the runs' files or of [time] output.\n"
-        "Files: identified.toml (the case with the fitted values), identify.csv (a row for each sample);\n"
+        "Files: report.html (this page with charts, for a browser), identified.toml (the case with the fitted values), "
+        "identify.csv (a row for each sample);\n"
         "plan.json of a plan.\n\n"
         "The files appear together at the end. A fit that was interrupted or killed goes on when the same call is "
         "made\n"

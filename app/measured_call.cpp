@@ -12,6 +12,7 @@
 #include "app/commands.hpp"
 #include "app/failure.hpp"
 #include "app/messages.hpp"
+#include "post/page/html_page.hpp"
 
 namespace tiretherm::app {
 
@@ -24,6 +25,7 @@ void add_measured_options(CLI::App& command, MeasuredCall& call, const char* cas
                     "A measured run (CSV or HDF5), once for each; they take the place of the case's own")
         ->option_text("FILE ...");
     add_out_option(command, call.directory, fmt::format("Where the files go; {}", out_is));
+    command.add_flag("--no-report", call.no_report, "No report.html");
     command.add_flag("--json", call.json, "One JSON object instead of the page");
 }
 
@@ -133,6 +135,26 @@ int report_failure(const MeasuredCall& call, const solver::Status& status, post:
 
 std::filesystem::path folder_of(const MeasuredCall& call, const std::filesystem::path& standard) {
     return call.directory.empty() ? standard : std::filesystem::path(call.directory);
+}
+
+std::optional<post::Report> write_measured_page(
+    const MeasuredCall& call, post::OutputFolder& folder, const std::vector<std::string>& stale,
+    const std::string& kind,
+    const std::function<std::vector<std::filesystem::path>(const std::filesystem::path&)>& write,
+    const std::function<post::Report(const std::vector<std::filesystem::path>&)>& report) {
+    std::optional<post::Report> page;
+    const auto written = write_measured(call, folder, stale, [&](const std::filesystem::path& stage) {
+        std::vector<std::filesystem::path> files = write(stage);
+        if (!call.no_report) {
+            files.push_back(stage / post::page_name);
+        }
+        page = report(folder.homes(files));
+        if (!call.no_report) {
+            post::write_html_page(files.back(), *page, kind, call.case_file);
+        }
+        return files;
+    });
+    return written ? std::move(page) : std::nullopt;
 }
 
 }  // namespace tiretherm::app

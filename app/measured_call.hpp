@@ -13,6 +13,7 @@
 #include "app/output.hpp"
 #include "input/measurements/experiment.hpp"
 #include "post/report/prediction_journal.hpp"
+#include "post/report/report.hpp"
 
 namespace CLI {
 class App;
@@ -27,11 +28,12 @@ struct MeasuredCall {
     std::string directory;
     bool json = false;
     bool fresh = false;  ///< of identify and diagnose
+    bool no_report = false;
 
     [[nodiscard]] std::vector<std::filesystem::path> data_files() const { return {data.begin(), data.end()}; }
 };
 
-/// CASE, --data, --out and --json.
+/// CASE, --data, --out, --no-report and --json.
 /// @param case_is what the case must have   @param out_is what --out does to files that are there
 void add_measured_options(CLI::App& command, MeasuredCall& call, const char* case_is, const char* out_is);
 
@@ -89,5 +91,14 @@ private:
 [[nodiscard]] std::optional<std::vector<std::filesystem::path>> write_measured(
     const MeasuredCall& call, post::OutputFolder& folder, const std::vector<std::string>& stale,
     const std::function<std::vector<std::filesystem::path>(const std::filesystem::path&)>& write);
+
+/// The same with the page as report.html, unless it is refused.
+/// @param kind "compare"  @param write as above  @param report of the files in their place
+/// @returns the page; nothing when a file could not be written
+[[nodiscard]] std::optional<post::Report> write_measured_page(
+    const MeasuredCall& call, post::OutputFolder& folder, const std::vector<std::string>& stale,
+    const std::string& kind,
+    const std::function<std::vector<std::filesystem::path>(const std::filesystem::path&)>& write,
+    const std::function<post::Report(const std::vector<std::filesystem::path>&)>& report);
 
 }  // namespace tiretherm::app

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "post/comparison/comparison_report.hpp"
+#include "post/page/html_page.hpp"
 #include "post/pictures/camera_picture.hpp"
 #include "post/report/csv.hpp"
 #include "post/report/file.hpp"
@@ -88,7 +89,7 @@ std::string picture_name(const std::string& camera, const std::string& run) {
 
 std::vector<std::string> comparison_names(const std::filesystem::path& directory) {
     constexpr const char* pixels = "compare_pixels.csv";
-    std::vector<std::string> names{"compare.csv", "compare_statistics.csv", pixels};
+    std::vector<std::string> names{page_name, "compare.csv", "compare_statistics.csv", pixels};
     // The table of the pixels says which pictures stand beside it: a row begins with run and camera.
     std::error_code error;
     if (!std::filesystem::is_regular_file(directory / pixels, error)) {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "post/comparison/comparison_sentences.hpp"
+#include "post/page/measured_chart.hpp"
 #include "post/report/number_text.hpp"
 
 namespace tiretherm::post {
@@ -217,6 +218,25 @@ Section numbers_section(DataTable table) {
 
 }  // namespace
 
+namespace {
+
+std::vector<MeasuredSeries> series_of(const Comparison& comparison) {
+    std::vector<MeasuredSeries> all;
+    for (const ComparedChannel& channel : comparison.channels) {
+        for (const ComparedSeries& series : channel.series) {
+            all.push_back({.channel = channel.name,
+                           .unit = channel.unit,
+                           .run = comparison.runs[series.run],
+                           .time = series.time,
+                           .measured = series.measured,
+                           .models = {{.name = "simulated", .simulated = series.simulated}}});
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
 Report comparison_report(const Comparison& comparison, const std::vector<std::filesystem::path>& files) {
     Value::List runs;
     for (std::size_t r = 0; r < comparison.runs.size(); ++r) {
@@ -235,6 +255,7 @@ Report comparison_report(const Comparison& comparison, const std::vector<std::fi
     if (!comparison.channels.empty()) {
         report.add(per_run(comparison, std::move(of_channels)));
         report.add(interpretation(comparison));
+        report.add(measured_section(series_of(comparison)));
         report.add(by_phase(comparison));
         Section signals("By signal");
         for (const ComparedChannel& channel : comparison.channels) {

@@ -9,6 +9,7 @@
 #include "input/parameters/fitted_case.hpp"
 #include "post/diagnosis/diagnosis_report.hpp"
 #include "post/diagnosis/diagnosis_sentences.hpp"
+#include "post/page/html_page.hpp"
 #include "post/report/csv.hpp"
 #include "post/report/file.hpp"
 #include "post/report/table.hpp"
@@ -98,8 +99,8 @@ std::string extended_toml(const DiagnosisRecord& record, const std::filesystem::
 }  // namespace
 
 std::vector<std::string> diagnosis_names() {
-    return {"diagnosis.json", "extended.toml",    "residuals.csv",
-            "residuals.png",  "missing_heat.csv", "missing_heat.png"};
+    return {page_name,       "diagnosis.json",   "extended.toml",   "residuals.csv",
+            "residuals.png", "missing_heat.csv", "missing_heat.png"};
 }
 
 std::vector<std::filesystem::path> write_diagnosis(DiagnosisRecord& record, const std::filesystem::path& directory,
@@ -132,10 +133,18 @@ std::vector<std::filesystem::path> write_diagnosis(DiagnosisRecord& record, cons
         files.push_back(directory / "residuals.png");
         draw_residuals(files.back(), record);
     }
+    const std::filesystem::path page_file = directory / page_name;
+    if (record.with_page) {
+        files.push_back(page_file);
+    }
     std::vector<std::filesystem::path> named;
     std::ranges::transform(files, std::back_inserter(named),
                            [&](const std::filesystem::path& file) { return there / file.filename(); });
-    replace_file(files.front(), json_text(diagnosis_report(record, named).data));
+    const Report page = diagnosis_report(record, named);
+    replace_file(files.front(), json_text(page.data));
+    if (record.with_page) {
+        write_html_page(page_file, page, "diagnose", record.case_file.string());
+    }
     return files;
 }
 

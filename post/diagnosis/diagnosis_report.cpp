@@ -11,6 +11,7 @@
 #include "post/diagnosis/residual_breakdown.hpp"
 #include "post/diagnosis/run_verdicts.hpp"
 #include "post/diagnosis/unused_columns.hpp"
+#include "post/page/observed_series.hpp"
 #include "post/report/number_text.hpp"
 #include "post/report/table.hpp"
 #include "solver/channel_unit.hpp"
@@ -385,6 +386,11 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
     report.add(std::move(verdict));
     report.add(interpretation(record));
     report.add(run_verdicts_section(record));
+    std::vector<std::pair<std::string, const Eigen::VectorXd*>> models{{"base", &result.base}};
+    if (result.extended.size() == result.base.size() && result.extended != result.base) {
+        models.emplace_back("extended", &result.extended);
+    }
+    report.add(measured_section(observed_series(record.experiment, record.observations, models)));
     if (!of_error.empty()) {
         Section of_error_section("Error of the model that is left", std::move(of_error));
         of_error_section.say(

@@ -22,6 +22,7 @@ struct DiagnosisRecord {
     std::vector<std::string> warnings;
     std::vector<std::string> findings;
     diagnosis::RunVerdicts by_run{};  ///< of several runs
+    bool with_page = false;           ///< report.html is written
 };
 
 /// A page for a thermal engineer, and all figures. @param files that were written
@@ -31,7 +32,7 @@ struct DiagnosisRecord {
 /// extended.toml, where there is something to add: the case with the cause switched on at its fitted value.
 /// residuals.csv: a row for each sample. residuals.png: the same as lines,
 /// where there are series. missing_heat.csv: the missing heat, a row for each window and place.
-/// diagnosis.json: all figures.
+/// diagnosis.json: all figures. report.html, where it is wanted: the page with charts.
 /// A sentence is added to the record's warnings where the extended case cannot be run.
 /// @param home where they will stand, if elsewhere: paths in them lead from there
 /// @errors FileError  @returns their paths

@@ -4,6 +4,7 @@
 
 #include "input/parameters/fitted_case.hpp"
 #include "post/identification/identification_report.hpp"
+#include "post/page/html_page.hpp"
 #include "post/report/csv.hpp"
 #include "post/report/file.hpp"
 #include "solver/channel_unit.hpp"
@@ -59,7 +60,7 @@ std::string toml(const IdentificationRecord& record, const std::filesystem::path
 
 }  // namespace
 
-std::vector<std::string> identification_names() { return {"identified.toml", "identify.csv"}; }
+std::vector<std::string> identification_names() { return {page_name, "identified.toml", "identify.csv"}; }
 
 std::vector<std::filesystem::path> write_identification(const IdentificationRecord& record,
                                                         const std::filesystem::path& directory,

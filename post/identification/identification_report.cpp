@@ -9,6 +9,7 @@
 #include "diagnosis/fit/fit.hpp"
 #include "post/identification/fit_section.hpp"
 #include "post/identification/identification_report.hpp"
+#include "post/page/observed_series.hpp"
 #include "post/report/number_text.hpp"
 #include "post/report/table.hpp"
 #include "solver/channel_unit.hpp"
@@ -247,6 +248,8 @@ Report identification_report(const IdentificationRecord& record, const std::vect
     report.add(correlations(record));
     if (!record.planned) {
         report.add(fit_section(record, std::move(of_channels), std::move(of_numbers)));
+        report.add(measured_section(observed_series(record.experiment, record.observations,
+                                                    {{"case", &result.before}, {"fitted", &result.after}})));
     }
     Section switches("At a switch or a clamp");
     if (!result.non_smooth_parameters.empty()) {

@@ -80,9 +80,9 @@ void LineChart::add_curve(const std::string& name, const std::string& group, Cur
     assert(!panels_.empty() && x.size() == y.size());
     Value::List points;
     for (const std::size_t i : shown_points(y)) {
-        points.push_back(Value::List{number(x[i]), number(y[i])});
+        points.emplace_back(Value::List{number(x[i]), number(y[i])});
     }
-    panels_.back().series.push_back(
+    panels_.back().series.emplace_back(
         Value{{"name", name}, {"group", group}, {"role", word(role)}, {"points", std::move(points)}});
 }
 
@@ -91,9 +91,9 @@ void LineChart::add_areas(const std::string& role, const std::string& name, cons
     assert(!panels_.empty() && x.size() == low.size() && x.size() == high.size());
     Value::List points;
     for (std::size_t i = 0; i < x.size(); ++i) {
-        points.push_back(Value::List{number(x[i]), number(low[i]), number(high[i])});
+        points.emplace_back(Value::List{number(x[i]), number(low[i]), number(high[i])});
     }
-    panels_.back().series.push_back(
+    panels_.back().series.emplace_back(
         Value{{"name", name}, {"group", group}, {"role", role}, {"points", std::move(points)}});
 }
 
@@ -109,21 +109,21 @@ void LineChart::add_band(const std::string& name, const std::string& group, std:
 
 void LineChart::add_level(const std::string& name, double value) {
     assert(!panels_.empty());
-    panels_.back().levels.push_back(Value{{"name", name}, {"value", number(value)}});
+    panels_.back().levels.emplace_back(Value{{"name", name}, {"value", number(value)}});
 }
 
 void LineChart::add_span(const std::string& name, double from, double to) {
-    spans_.push_back(Value{{"name", name}, {"from", number(from)}, {"to", number(to)}});
+    spans_.emplace_back(Value{{"name", name}, {"from", number(from)}, {"to", number(to)}});
 }
 
 Value LineChart::data() const {
     Value::List panels;
     for (const Panel& panel : panels_) {
-        panels.push_back(Value{{"name", panel.name},
-                               {"unit", panel.unit},
-                               {"short", panel.is_short},
-                               {"series", panel.series},
-                               {"levels", panel.levels}});
+        panels.emplace_back(Value{{"name", panel.name},
+                                  {"unit", panel.unit},
+                                  {"short", panel.is_short},
+                                  {"series", panel.series},
+                                  {"levels", panel.levels}});
     }
     return {{"kind", "lines"}, {"x", axis_}, {"panels", panels}, {"spans", spans_}, {"link", text_or_null(link_)}};
 }
@@ -131,7 +131,7 @@ Value LineChart::data() const {
 Value bar_chart(std::string_view what, std::string_view unit, const std::vector<Bar>& bars) {
     Value::List items;
     for (const Bar& bar : bars) {
-        items.push_back(Value{{"name", bar.name}, {"value", number(bar.value)}});
+        items.emplace_back(Value{{"name", bar.name}, {"value", number(bar.value)}});
     }
     return {{"kind", "bars"}, {"x", Value{{"name", what}, {"unit", unit}}}, {"items", items}};
 }

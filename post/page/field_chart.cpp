@@ -36,7 +36,7 @@ std::string words(std::string name) {
 /// Numbers of a quadrilateral, corner after corner.
 void add_quad(Value::List& quads, const std::array<double, 8>& at) {
     for (const double value : at) {
-        quads.push_back(mm(value));
+        quads.emplace_back(mm(value));
     }
 }
 
@@ -62,7 +62,7 @@ Value axis(std::string_view name, const Range& range, double margin, bool down) 
 Value::List borders_of(const mesh::Mesh& mesh) {
     Value::List borders;
     const auto add = [&](const mesh::Point& a, const mesh::Point& b) {
-        borders.push_back(Value::List{mm(a[0]), mm(a[2]), mm(b[0]), mm(b[2])});
+        borders.emplace_back(Value::List{mm(a[0]), mm(a[2]), mm(b[0]), mm(b[2])});
     };
     const auto& points = mesh.drawing.points;
     for (std::size_t i = 0; i < mesh.columns.size(); ++i) {
@@ -97,14 +97,14 @@ Value::List names_of(const mesh::Mesh& mesh) {
         const mesh::Column& middle = *own[own.size() / 2];
         const mesh::Point& at = mesh.drawing.points[corner(mesh, middle.first_cell + middle.cells() - 1, 0)];
         constexpr double beside = 4.0;  // mm
-        names.push_back(Value{{"name", words(mesh.zones[zone])},
-                              {"x", mm(at[0]) + (at[0] < -0.05  ? beside
-                                                 : at[0] > 0.05 ? -beside
-                                                                : 0.0)},
-                              {"y", mm(at[2]) - beside},
-                              {"align", at[0] < -0.05  ? "left"
-                                        : at[0] > 0.05 ? "right"
-                                                       : "center"}});
+        names.emplace_back(Value{{"name", words(mesh.zones[zone])},
+                                 {"x", mm(at[0]) + (at[0] < -0.05  ? beside
+                                                    : at[0] > 0.05 ? -beside
+                                                                   : 0.0)},
+                                 {"y", mm(at[2]) - beside},
+                                 {"align", at[0] < -0.05  ? "left"
+                                           : at[0] > 0.05 ? "right"
+                                                          : "center"}});
     }
     return names;
 }
@@ -118,7 +118,9 @@ FieldFrames::FieldFrames(const solver::Problem& problem)
       drawn_(problem.mesh.sectors > 1 ? section_ : problem.mesh) {}
 
 FieldFrames::Frame FieldFrames::frame_of(const solver::Snapshot& snapshot) const {
-    Frame frame{.time = snapshot.time, .hottest = -1e300};
+    Frame frame;
+    frame.time = snapshot.time;
+    frame.hottest = -1e300;
     if (!folded_) {
         const SectionPlane plane = section_plane(problem_, snapshot.temperature, Shading::cells);
         const std::size_t width = plane.x.size() - 1;
@@ -200,7 +202,7 @@ Value FieldFrames::outline() const {
                 along.include(per_metre * p[2]);
             }
             add_quad(quads, at);
-            layers.push_back(mesh.layer[static_cast<std::size_t>(cell)]);
+            layers.emplace_back(mesh.layer[static_cast<std::size_t>(cell)]);
         }
         return {{"x", axis("across, outboard to inboard", across, 6.0, false)},
                 {"y", axis("radius", along, 6.0, false)},
@@ -221,7 +223,7 @@ Value FieldFrames::outline() const {
                 const double z0 = grid.edge[2][static_cast<std::size_t>(k)];
                 const double z1 = grid.edge[2][static_cast<std::size_t>(k) + 1];
                 add_quad(quads, {x0, z0, x1, z0, x1, z1, x0, z1});
-                layers.push_back(problem_.mesh.layer[static_cast<std::size_t>(grid.cell(i, 0, k))]);
+                layers.emplace_back(problem_.mesh.layer[static_cast<std::size_t>(grid.cell(i, 0, k))]);
                 across.include(per_metre * x0);
                 across.include(per_metre * x1);
                 along.include(per_metre * z0);
@@ -234,7 +236,7 @@ Value FieldFrames::outline() const {
         const auto layer = [&](int row) { return problem_.mesh.layer[static_cast<std::size_t>(grid.cell(0, 0, row))]; };
         if (layer(k) != layer(k + 1)) {
             const double z = mm(grid.edge[2][static_cast<std::size_t>(k) + 1]);
-            borders.push_back(Value::List{across.low, z, across.high, z});
+            borders.emplace_back(Value::List{across.low, z, across.high, z});
         }
     }
     return {{"x", axis("across", across, 0.0, false)},
@@ -280,8 +282,8 @@ Value FieldFrames::chart() const {
                 bytes.push_back(static_cast<unsigned char>(step >> 8U));
             }
         }
-        times.push_back(rounded(frame.time / unit.seconds));
-        marks.push_back(Value::List{frame.at[0], frame.at[1], rounded(frame.hottest, 7)});
+        times.emplace_back(rounded(frame.time / unit.seconds));
+        marks.emplace_back(Value::List{frame.at[0], frame.at[1], rounded(frame.hottest, 7)});
         hottest = frame.time == hottest_.time ? f : hottest;
     }
     Value data{{"kind", "field"},

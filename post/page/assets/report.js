@@ -50,8 +50,9 @@
         symbol: points ? "circle" : "none", symbolSize: 5, itemStyle: { color: of, opacity: points ? 0.75 : 1 },
         lineStyle: { color: of, width: 1.8, type: s.role === "dashed" ? [7, 4] : s.role === "dotted" ? [2, 3] : "solid" }, z: points ? 3 : 2 });
     }
-    const levels = (panel.levels || []).map((level) => ({ yAxis: level.value, name: level.name,
-      label: { formatter: level.name, position: "insideEndTop", color: look.ink } }));
+    const heights = [...new Set((panel.levels || []).map((level) => level.value))];
+    const levels = heights.map((value) => ({ yAxis: value, label: { position: "insideEndTop", color: look.ink,
+      formatter: panel.levels.filter((level) => level.value === value && level.name).map((level) => level.name).join("; ") } }));
     if (made.length && levels.length) {
       made[0].markLine = { symbol: "none", silent: true, lineStyle: { color: look.ink, type: "dashed" }, data: levels };
     }
@@ -63,7 +64,14 @@
     const groups = [...new Set(data.panels.flatMap((panel) => panel.series.map((s) => s.group || s.name)))];
     groups.forEach((group, i) => colours.set(group, colour(i, groups.length)));
     const names = [...new Set(data.panels.flatMap((panel) => panel.series.map((s) => s.name)))];
-    const small = width < 560, top = 46, gap = 34, foot = 84;
+    const small = width < 560, gap = 34, foot = 96;
+    let rows = 1, reach = 0;  // of the legend
+    for (const name of names) {
+      const wide = 44 + 6.8 * name.length;
+      if (reach + wide > width - 76 && reach > 0) { rows += 1; reach = 0; }
+      reach += wide;
+    }
+    const top = 20 + 24 * rows;
     const heights = data.panels.map((panel) => (panel.short ? 130 : small ? 250 : 340));
     const option = { grid: [], xAxis: [], yAxis: [], series: [] };
     let y = top;
@@ -86,11 +94,11 @@
     }
     const all = data.panels.map((_, i) => i);
     Object.assign(option, {
-      legend: { type: "scroll", top: 4, left: 60, right: 16, data: names, textStyle: { color: look.ink }, pageTextStyle: { color: look.ink }, pageIconColor: look.ink },
+      legend: { top: 2, left: 56, right: 16, itemWidth: 22, data: names, textStyle: { color: look.ink } },
       tooltip: { trigger: "axis", confine: true, valueFormatter: number },
       axisPointer: { link: [{ xAxisIndex: "all" }] },
       dataZoom: [{ type: "inside", xAxisIndex: all, filterMode: "none", zoomOnMouseWheel: "ctrl", moveOnMouseMove: true },
-        { type: "slider", xAxisIndex: all, filterMode: "none", bottom: 8, height: 22, showDataShadow: false, textStyle: { color: look.ink } }],
+        { type: "slider", xAxisIndex: all, filterMode: "none", bottom: 18, height: 20, showDataShadow: false, textStyle: { color: look.ink } }],
     });
     return { option, height: y - gap + foot };
   }
@@ -124,10 +132,11 @@
   }
 
   function field(data, look, width, frame) {
-    const left = 62, right = width < 560 ? 18 : 96, top = 14, foot = 50;
+    const left = 62, right = width < 560 ? 18 : 110, top = 14, foot = 50;
     const wide = Math.max(data.x.max - data.x.min, 1e-9), high = Math.max(data.y.max - data.y.min, 1e-9);
     let inner = width - left - right, tall = inner * high / wide;
     if (tall > 620) { tall = 620; inner = tall * wide / high; }
+    tall = Math.max(tall, 60);
     const quads = data.quads;
     const mark = data.marks && data.marks[frame];
     const series = [{ type: "custom", name: "temperature", data: fieldData(data, data.frames[frame]), encode: { x: 0, y: 1, value: 2 }, clip: true, animation: false,
@@ -148,15 +157,15 @@
     }
     series.push({ type: "scatter", name: "names", silent: true, data: (data.names || []).map((n) => ({ value: [n.x, n.y], label: { formatter: n.name, align: n.align || "center" } })), symbolSize: 0,
       label: { show: true, color: look.ink, fontSize: 12 }, z: 6, animation: false, tooltip: { show: false } });
-    return { height: tall + top + foot, option: {
+    return { height: Math.max(tall, width < 560 ? 0 : 110) + top + foot, option: {
       grid: { left, width: inner, top, height: tall },
       xAxis: { type: "value", min: data.x.min, max: data.x.max, name: named(data.x), nameLocation: "middle", nameGap: 26, nameTextStyle: { color: look.ink },
         axisLabel: { color: look.ink, hideOverlap: true, showMinLabel: false, showMaxLabel: false, formatter: number }, splitLine: { show: false }, axisLine: { onZero: false } },
       yAxis: { type: "value", min: data.y.min, max: data.y.max, inverse: !!data.y.down, name: named(data.y), nameLocation: "middle", nameGap: 42, nameTextStyle: { color: look.ink },
         axisLabel: { color: look.ink, hideOverlap: true, showMinLabel: false, showMaxLabel: false, formatter: number }, splitLine: { show: false }, axisLine: { onZero: false } },
       visualMap: { type: "continuous", seriesIndex: 0, dimension: 2, min: data.low, max: data.high > data.low ? data.high : data.low + 1, inRange: { color: inferno }, calculable: true,
-        orient: "vertical", right: 2, top: "middle", text: [`${data.high.toFixed(1)} °C`, `${data.low.toFixed(1)} °C`], textStyle: { color: look.ink }, show: width >= 560,
-        formatter: (v) => v.toFixed(1) },
+        orient: "vertical", right: 0, top: "middle", itemHeight: Math.max(60, Math.min(160, tall - 30)), textStyle: { color: look.ink }, show: width >= 560,
+        formatter: (v) => `${(+v).toFixed(1)} °C` },
       tooltip: { trigger: "item", confine: true, formatter: (p) => {
         const layer = data.layer_names ? data.layer_names[data.layers[p.value[3]]] : "";
         return `${p.value[2].toFixed(2)} °C${layer ? `<br>${layer.replace(/[<&]/g, "")}` : ""}`;

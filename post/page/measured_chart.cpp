@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Panels by unit, and one of differences below each.
+#include "post/page/measured_chart.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "post/page/charts.hpp"
+
+namespace tiretherm::post {
+
+namespace {
+
+std::string shown_unit_name(std::string_view unit) { return unit == "degC" ? "°C" : std::string(unit); }
+
+/// Of a difference of two temperatures.
+std::string difference_unit_name(std::string_view unit) { return unit == "degC" ? "K" : std::string(unit); }
+
+template <typename Convert>
+std::vector<double> converted(const std::vector<double>& values, Convert convert) {
+    std::vector<double> shown;
+    for (const double value : values) {
+        shown.push_back(convert(value));
+    }
+    return shown;
+}
+
+/// Names in the order in which they first appear.
+template <typename NameOf>
+std::vector<std::string> distinct(const std::vector<const MeasuredSeries*>& series, NameOf name_of) {
+    std::vector<std::string> names;
+    for (const MeasuredSeries* one : series) {
+        if (const std::string name = name_of(*one); std::ranges::find(names, name) == names.end()) {
+            names.push_back(name);
+        }
+    }
+    return names;
+}
+
+std::string curve_name(const MeasuredSeries& series, const MeasuredSeries::Model& model) {
+    return series.models.size() == 1 && model.name == "simulated" ? series.channel : series.channel + ", " + model.name;
+}
+
+CurveRole role_of(const MeasuredSeries& series, std::size_t model) {
+    return model + 1 < series.models.size() ? CurveRole::dashed : CurveRole::line;
+}
+
+void add_panels(LineChart& chart, const std::vector<const MeasuredSeries*>& series, double seconds) {
+    const std::string_view unit = series.front()->unit.name;
+    const bool is_temperature = unit == "degC";
+    const auto minutes = [&](double t) { return t / seconds; };
+    chart.add_panel(is_temperature ? "temperature" : series.front()->channel, shown_unit_name(unit));
+    for (const MeasuredSeries* one : series) {
+        const std::vector<double> t = converted(one->time, minutes);
+        const auto value = [&](double si) { return one->unit.value(si); };
+        chart.add_curve(one->channel + ", measured", one->channel, CurveRole::points, t,
+                        converted(one->measured, value));
+        for (std::size_t m = 0; m < one->models.size(); ++m) {
+            chart.add_curve(curve_name(*one, one->models[m]), one->channel, role_of(*one, m), t,
+                            converted(one->models[m].simulated, value));
+        }
+    }
+    chart.add_panel("simulated - measured", difference_unit_name(unit), true);
+    for (const MeasuredSeries* one : series) {
+        const std::vector<double> t = converted(one->time, minutes);
+        for (std::size_t m = 0; m < one->models.size(); ++m) {
+            std::vector<double> difference;
+            for (std::size_t i = 0; i < one->measured.size(); ++i) {
+                difference.push_back(one->unit.difference(one->models[m].simulated[i] - one->measured[i]));
+            }
+            chart.add_curve(curve_name(*one, one->models[m]), one->channel, role_of(*one, m), t, difference);
+        }
+    }
+    chart.add_level("", 0.0);
+}
+
+}  // namespace
+
+Section measured_section(const std::vector<MeasuredSeries>& series) {
+    Section section("Measured and simulated");
+    std::vector<const MeasuredSeries*> all;
+    double low = 1e300;
+    double high = -1e300;
+    for (const MeasuredSeries& one : series) {
+        if (one.time.size() > 1) {
+            all.push_back(&one);
+            low = std::min(low, one.time.front());
+            high = std::max(high, one.time.back());
+        }
+    }
+    const std::vector<std::string> runs = distinct(all, [](const MeasuredSeries& one) { return one.run; });
+    const TimeUnit unit = time_unit(high - low);
+    for (const std::string& run : runs) {
+        std::vector<const MeasuredSeries*> own;
+        std::ranges::copy_if(all, std::back_inserter(own), [&](const MeasuredSeries* one) { return one->run == run; });
+        LineChart chart("time", unit.name, low / unit.seconds, high / unit.seconds);
+        for (const std::string& name :
+             distinct(own, [](const MeasuredSeries& one) { return std::string(one.unit.name); })) {
+            std::vector<const MeasuredSeries*> of_unit;
+            std::ranges::copy_if(own, std::back_inserter(of_unit),
+                                 [&](const MeasuredSeries* one) { return one->unit.name == name; });
+            add_panels(chart, of_unit, unit.seconds);
+        }
+        if (runs.size() > 1) {
+            chart.set_link("time");
+        }
+        const bool several = own.front()->models.size() > 1;
+        section.chart(run.empty() ? "Measured and simulated" : run,
+                      fmt::format("Points are measured; {}.{}",
+                                  several ? fmt::format("dashed: {}, solid: {}", own.front()->models.front().name,
+                                                        own.front()->models.back().name)
+                                          : "lines are simulated",
+                                  runs.size() > 1 ? " All runs zoom together." : ""),
+                      chart.data());
+    }
+    return section;
+}
+
+}  // namespace tiretherm::post

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Measured and simulated in one chart for each run, the differences below.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "post/report/report.hpp"
+#include "solver/channel_unit.hpp"
+
+namespace tiretherm::post {
+
+/// A channel of a run with what one or several models say of it.
+struct MeasuredSeries {
+    struct Model {
+        std::string name;               ///< "case", "fitted"
+        std::vector<double> simulated;  ///< [samples] SI
+    };
+    std::string channel;
+    solver::ShownUnit unit;
+    std::string run;
+    std::vector<double> time;      ///< [samples] s
+    std::vector<double> measured;  ///< [samples] SI
+    std::vector<Model> models;     ///< from the first to the best
+};
+
+/// A section with a chart for each run: channels of one unit in one panel, simulated less measured below. The first model is
+/// dashed where there is another. All charts zoom together. Nothing where there is no series of two samples or more.
+[[nodiscard]] Section measured_section(const std::vector<MeasuredSeries>& series);
+
+}  // namespace tiretherm::post
