@@ -28,10 +28,14 @@ std::vector<std::size_t> shown_points(std::span<const double> y) {
     for (std::size_t piece = 0; piece < pieces; ++piece) {
         const std::size_t from = piece * y.size() / pieces;
         const std::size_t to = (piece + 1) * y.size() / pieces;
-        const auto [low, high] = std::minmax_element(y.begin() + static_cast<std::ptrdiff_t>(from),
-                                                     y.begin() + static_cast<std::ptrdiff_t>(to));
-        const auto a = static_cast<std::size_t>(std::min(low, high) - y.begin());
-        const auto b = static_cast<std::size_t>(std::max(low, high) - y.begin());
+        std::size_t low = from;
+        std::size_t high = from;
+        for (std::size_t i = from; i < to; ++i) {
+            low = !(y[i] >= y[low]) && !std::isnan(y[i]) ? i : low;
+            high = !(y[i] <= y[high]) && !std::isnan(y[i]) ? i : high;
+        }
+        const std::size_t a = std::min(low, high);
+        const std::size_t b = std::max(low, high);
         kept.push_back(a);
         if (b != a) {
             kept.push_back(b);

@@ -33,7 +33,7 @@ TEST(Run, LeavesTheFilesThatItNames) {
     const Call run = call("run " + two_node + " --json --out " + scratch.path().string());
     const Json json = Json::parse(run.out);
     EXPECT_EQ(run.exit_code, 0);
-    EXPECT_EQ(json["outputs"].size(), 4u);
+    EXPECT_EQ(json["outputs"].size(), 5u);
     for (const std::string file : json["outputs"]) {
         EXPECT_GT(std::filesystem::file_size(file), 100u) << file;
     }
@@ -62,6 +62,16 @@ TEST(Run, WritesBelowOutInTheCurrentDirectoryUnlessTold) {
     const sample::Scratch scratch;
     EXPECT_EQ(call("run --no-vtk --no-pictures --quiet " + two_node, scratch.path()).exit_code, 0);
     EXPECT_TRUE(std::filesystem::exists(scratch / "out/two_node/4000N_100kmh/results.h5"));
+}
+
+TEST(Run, ThePageIsAFileUnlessItIsRefused) {
+    const sample::Scratch scratch;
+    call("run --quiet " + two_node + " --out " + scratch.path().string());
+    const std::string page = post::read_text(scratch / "report.html");
+    EXPECT_NE(page.find("<figure class=\"chart\""), std::string::npos);
+    EXPECT_NE(page.find("\"name\":\"bulk_temperature\""), std::string::npos);
+    call("run --quiet --no-report " + two_node + " --out " + scratch.path().string());
+    EXPECT_FALSE(std::filesystem::exists(scratch / "report.html"));  // not even that of the run before
 }
 
 TEST(Run, QuietSaysNothing) {

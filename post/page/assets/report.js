@@ -48,7 +48,7 @@
       const points = s.role === "points";
       made.push({ type: points ? "scatter" : "line", name: s.name, xAxisIndex: index, yAxisIndex: index, data: s.points,
         symbol: points ? "circle" : "none", symbolSize: 5, itemStyle: { color: of, opacity: points ? 0.75 : 1 },
-        lineStyle: { color: of, width: 1.8, type: s.role === "dashed" ? [7, 4] : s.role === "dotted" ? [2, 3] : "solid" }, z: points ? 3 : 2 });
+        lineStyle: { color: of, width: s.role === "line" ? 1.8 : 1.5, opacity: s.role === "line" ? 1 : 0.75, type: s.role === "dashed" ? [7, 4] : s.role === "dotted" ? [2, 3] : "solid" }, z: points ? 3 : 2 });
     }
     const heights = [...new Set((panel.levels || []).map((level) => level.value))];
     const levels = heights.map((value) => ({ yAxis: value, label: { position: "insideEndTop", color: look.ink,
@@ -64,6 +64,7 @@
     const groups = [...new Set(data.panels.flatMap((panel) => panel.series.map((s) => s.group || s.name)))];
     groups.forEach((group, i) => colours.set(group, colour(i, groups.length)));
     const names = [...new Set(data.panels.flatMap((panel) => panel.series.map((s) => s.name)))];
+    const drawn = new Map(data.panels.flatMap((panel) => panel.series.map((s) => [s.name, ["points", "range", "band"].includes(s.role) ? "mark" : "line"])));
     const small = width < 560, gap = 34, foot = 96;
     let rows = 1, reach = 0;  // of the legend
     for (const name of names) {
@@ -94,7 +95,8 @@
     }
     const all = data.panels.map((_, i) => i);
     Object.assign(option, {
-      legend: { top: 2, left: 56, right: 16, itemWidth: 22, data: names, textStyle: { color: look.ink } },
+      legend: { top: 2, left: small ? 4 : 56, right: 16, itemWidth: 28, textStyle: { color: look.ink },
+        data: names.map((name) => ({ name, itemStyle: { opacity: drawn.get(name) === "line" ? 0 : 1 } })) },
       tooltip: { trigger: "axis", confine: true, valueFormatter: number },
       axisPointer: { link: [{ xAxisIndex: "all" }] },
       dataZoom: [{ type: "inside", xAxisIndex: all, filterMode: "none", zoomOnMouseWheel: "ctrl", moveOnMouseMove: true },
@@ -221,6 +223,9 @@
       chart.echart.dispatchAction({ type: "dataZoom", start: zoom.start, end: zoom.end });
     }
     chart.drawn = true;
+    const shown = chart.echart.getOption().series;
+    chart.figure.dataset.series = shown.length;  // for tests: what the chart itself holds
+    chart.figure.dataset.last = JSON.stringify(shown[0] && shown[0].data.length ? shown[0].data[shown[0].data.length - 1] : null);
     if (chart.data.link && chart.data.kind === "lines") {
       chart.echart.group = chart.data.link;
     }

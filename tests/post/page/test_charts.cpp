@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Data of charts: no peak is lost, gaps stay gaps, bytes as RFC 4648 has them.
+
+#include "post/page/charts.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace tiretherm::post {
+namespace {
+
+using Json = nlohmann::json;
+
+/// The points of the only curve of a chart.
+Json points_of(const LineChart& chart) {
+    return Json::parse(compact_json(chart.data()))["panels"][0]["series"][0]["points"];
+}
+
+LineChart chart_of(const std::vector<double>& y) {
+    std::vector<double> x;
+    for (std::size_t i = 0; i < y.size(); ++i) {
+        x.push_back(static_cast<double>(i));
+    }
+    LineChart chart("time", "s", 0.0, static_cast<double>(y.size()));
+    chart.add_panel("temperature", "°C");
+    chart.add_curve("a", "", CurveRole::line, x, y);
+    return chart;
+}
+
+TEST(Charts, ShortCurvesAreWhole) {
+    const Json points = points_of(chart_of({1.0, 2.0, 4.0}));
+    EXPECT_EQ(points, Json::parse("[[0.0,1.0],[1.0,2.0],[2.0,4.0]]"));
+}
+
+TEST(Charts, ALongCurveKeepsItsPeaksAndItsEnds) {
+    std::vector<double> y(100'000, 20.0);
+    y.front() = 19.0;
+    y[54'321] = 93.25;
+    y[54'325] = -7.5;
+    y.back() = 21.0;
+    const Json points = points_of(chart_of(y));
+    EXPECT_LE(points.size(), 2401u);  // two of each of 1200 pieces, and the last
+    EXPECT_EQ(points.front(), Json::parse("[0.0,19.0]"));
+    EXPECT_EQ(points.back(), Json::parse("[99999.0,21.0]"));
+    EXPECT_NE(std::ranges::find(points, Json::parse("[54321.0,93.25]")), points.end());
+    EXPECT_NE(std::ranges::find(points, Json::parse("[54325.0,-7.5]")), points.end());
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        EXPECT_LT(points[i - 1][0], points[i][0]);
+    }
+}
+
+TEST(Charts, WhatIsNoNumberIsAGap) {
+    const Json points = points_of(chart_of({1.0, std::numeric_limits<double>::quiet_NaN(), 3.0}));
+    EXPECT_TRUE(points[1][1].is_null());
+}
+
+TEST(Charts, LongCurvesWithGapsStillKeepTheirPeak) {
+    std::vector<double> y(10'000, std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t i = 0; i < y.size(); i += 2) {
+        y[i] = 20.0;
+    }
+    y[5000] = 80.0;
+    bool found = false;
+    for (const Json& point : points_of(chart_of(y))) {
+        found = found || point[1] == 80.0;
+    }
+    EXPECT_TRUE(found);
+}
+
+TEST(Charts, NumbersHaveSixDigits) {
+    EXPECT_EQ(rounded(1.0 / 3.0), 0.333333);
+    EXPECT_EQ(rounded(123456789.0), 123457000.0);
+    EXPECT_EQ(rounded(-0.00012345649, 5), -0.00012346);
+}
+
+TEST(Charts, BytesAsTextAreThoseOfTheStandard) {
+    // RFC 4648, section 10.
+    const auto text = [](std::string_view bytes) {
+        return base64({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()});
+    };
+    EXPECT_EQ(text(""), "");
+    EXPECT_EQ(text("f"), "Zg==");
+    EXPECT_EQ(text("fo"), "Zm8=");
+    EXPECT_EQ(text("foo"), "Zm9v");
+    EXPECT_EQ(text("foob"), "Zm9vYg==");
+    EXPECT_EQ(text("fooba"), "Zm9vYmE=");
+    EXPECT_EQ(text("foobar"), "Zm9vYmFy");
+}
+
+}  // namespace
+}  // namespace tiretherm::post

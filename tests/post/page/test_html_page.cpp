@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The page as HTML: what the user's files hold stays text, charts stand in it and in no other form, nothing is fetched.
+
+#include "post/page/html_page.hpp"
+
+#include <gtest/gtest.h>
+
+#include "post/page/assets.hpp"
+#include "post/page/charts.hpp"
+
+namespace tiretherm::post {
+namespace {
+
+std::size_t count(std::string_view text, std::string_view what) {
+    std::size_t n = 0;
+    for (std::size_t at = text.find(what); at != std::string_view::npos; at = text.find(what, at + what.size())) {
+        ++n;
+    }
+    return n;
+}
+
+/// What is tiretherm's own in a page: all before the scripts at its end.
+std::string own_part(const Report& report) {
+    const std::string page = html_page(report, "run", "a.toml");
+    return page.substr(0, page.find("</footer>"));
+}
+
+Report sample() {
+    Report report{.title = "A <b>tire</b> & \"rim\""};
+    report.lead = {"hottest 80 degC"};
+    Section section("Heat budget");
+    section.say("one");
+    section.item("two");
+    section.item("three");
+    DataTable table;
+    table.add({Field("unit", "unit", "degC"), Field("final", "final", shown("{:.2f}", 80.0))});
+    section.add(std::move(table));
+    section.chart("Sensors </script><script>alert(1)", "How it is read.", bar_chart("heat", "W", {{"</script>", 1.5}}));
+    report.add(std::move(section));
+    return report;
+}
+
+TEST(HtmlPage, NamesOfTheUserStayText) {
+    const std::string page = own_part(sample());
+    EXPECT_EQ(count(page, "<b>tire"), 0u);
+    EXPECT_EQ(count(page, "A &lt;b&gt;tire&lt;/b&gt; &amp; &quot;rim&quot;"), 2u);  // title of the window, heading
+    // Of the data of the chart and of its name; the one that is left ends the data.
+    EXPECT_EQ(count(page, "</script>"), 1u);
+    EXPECT_EQ(count(page, "<script>"), 0u);
+}
+
+TEST(HtmlPage, SectionsTablesListsAndCharts) {
+    const std::string page = own_part(sample());
+    EXPECT_EQ(count(page, "<h2>Heat budget</h2>"), 1u);
+    EXPECT_EQ(count(page, "<a href=\"#heat-budget\">"), 1u);
+    EXPECT_EQ(count(page, "<li>"), 2u);
+    EXPECT_EQ(count(page, "<ul>"), 1u);
+    EXPECT_EQ(count(page, "<td class=\"right\">80.00</td>"), 1u);
+    EXPECT_EQ(count(page, "<figure class=\"chart\""), 1u);
+}
+
+TEST(HtmlPage, DegreesAreWrittenAsOnAThermometer) {
+    const std::string page = own_part(sample());
+    EXPECT_EQ(count(page, "degC"), 0u);
+    EXPECT_EQ(count(page, "°C"), 2u);
+}
+
+TEST(HtmlPage, NothingIsFetched) {
+    const std::string page = html_page(sample(), "run", "a.toml");
+    EXPECT_EQ(count(page, "src="), count(assets::charting_library(), "src=") + count(assets::script(), "src="));
+    EXPECT_EQ(count(own_part(sample()), "<link"), 0u);
+    EXPECT_EQ(count(own_part(sample()), "http"), 0u);
+    EXPECT_LT(page.size(), 1'000'000u);
+}
+
+TEST(HtmlPage, TheTextHasNoCharts) {
+    Report report = sample();
+    const std::string with = page_text(report, false);
+    Section only("Only a chart");
+    only.chart("title", "caption", bar_chart("heat", "W", {}));
+    report.add(std::move(only));
+    EXPECT_EQ(page_text(report, false), with);
+    EXPECT_EQ(with.find("How it is read"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tiretherm::post
