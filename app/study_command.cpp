@@ -45,6 +45,7 @@ struct Options {
     bool json = false;
     bool quiet = false;
     bool no_pictures = false;
+    bool no_report = false;
 };
 
 using Clock = std::chrono::steady_clock;
@@ -137,7 +138,7 @@ int study(const Options& options) {
     std::optional<post::StudyFiles> files;
     std::optional<post::StudyJournal> journal;
     try {
-        files.emplace(*folder, !options.no_pictures);
+        files.emplace(*folder, !options.no_pictures, !options.no_report);
         journal.emplace(files->journal(), study.channels.size(), build_identity(), options.fresh);
     } catch (const std::runtime_error& error) {
         report_error(error.what(), "nothing was run; choose another directory with --out", options.json);
@@ -202,14 +203,19 @@ int study(const Options& options) {
     for (const std::string& key : record.without_effect()) {
         record.warnings.push_back(fmt::format("\"{}\" changed nothing: no effect that is on looks at it", key));
     }
+    post::Report page;
     try {
-        call.files = files->write(record);
+        files->write(record, [&](const std::vector<std::filesystem::path>& named) {
+            call.files = named;
+            page = post::study_report(record, call);
+            return page;
+        });
     } catch (const std::runtime_error& error) {
         report_error(folder->in_place(error.what()), kept, options.json);
         return Exit::input_error;
     }
     if (options.json || !options.quiet) {
-        print_report(post::study_report(record, call), options.json);
+        print_report(page, options.json);
     }
     const std::vector<std::size_t> failed = record.failed();
     return report_failed(failed, runs, failed.empty() ? "" : record.outcomes[failed.front()].failure, directory,
@@ -275,6 +281,7 @@ void add_study_command(CLI::App& program, int& exit_code) {
         ->excludes(part);
     command->add_flag("--fresh", options->fresh, "Make all runs again, also those that are kept");
     command->add_flag("--no-pictures", options->no_pictures, "No study.png");
+    command->add_flag("--no-report", options->no_report, "No report.html");
     command->add_flag("--quiet", options->quiet, "No summary and no progress");
     command->add_flag("--json", options->json, "One JSON object instead of the summary");
     command->footer(
@@ -292,7 +299,8 @@ void add_study_command(CLI::App& program, int& exit_code) {
         "  [sample]\n"
         "  count = 200\n"
         "A key is a path into the case; in lists a name stands for its table: mesh.layer.tread.thickness.\n\n"
-        "Files: study.csv and study.h5 (a row for each run), study.png (map, curve or distribution of the hottest\n"
+        "Files: report.html (this page with charts, for a browser), study.csv and study.h5 (a row for each run), "
+        "study.png (map, curve or distribution of the hottest\n"
         "temperature), runs.jsonl (the runs as they are made). Each run that is done is kept, whatever ends the\n"
         "program; the next call makes what is missing and what has changed. Ctrl-C ends a study early.\n\n"
         "Several machines share a study by --part, each part in any order and as often as it takes, for example in a "

@@ -9,6 +9,7 @@
 #include "diagnosis/fit/fit.hpp"
 #include "post/identification/fit_section.hpp"
 #include "post/identification/identification_report.hpp"
+#include "post/identification/law_charts.hpp"
 #include "post/page/observed_series.hpp"
 #include "post/report/number_text.hpp"
 #include "post/report/table.hpp"
@@ -241,6 +242,9 @@ Report identification_report(const IdentificationRecord& record, const std::vect
                    {"freedom", result.freedom},
                    {"non_smooth_parameters", result.non_smooth_parameters}};
     report.add(numbers(record, std::move(of_parameters)));
+    if (!record.planned) {
+        report.add(law_charts(record));
+    }
     std::vector<std::string> findings = result.findings;
     findings.insert(findings.end(), record.findings.begin(), record.findings.end());
     report.add("Findings", "findings", findings);

@@ -9,6 +9,7 @@
 
 #include "input/text/unit_text.hpp"
 #include "post/charts/study_picture.hpp"
+#include "post/page/html_page.hpp"
 #include "post/report/file.hpp"
 #include "post/study/study_tables.hpp"
 
@@ -16,7 +17,8 @@ namespace tiretherm::post {
 
 namespace fs = std::filesystem;
 
-StudyFiles::StudyFiles(OutputFolder& folder, bool pictures) : folder_(folder), pictures_(pictures) {
+StudyFiles::StudyFiles(OutputFolder& folder, bool pictures, bool page)
+    : folder_(folder), pictures_(pictures), page_(page) {
     // Runs are added to the journal in place: one of our own, not what a link leads to.
     std::error_code error;
     if (fs::is_symlink(journal(), error)) {
@@ -24,9 +26,10 @@ StudyFiles::StudyFiles(OutputFolder& folder, bool pictures) : folder_(folder), p
     }
 }
 
-std::vector<std::string> StudyFiles::names() { return {"runs.jsonl", "study.csv", "study.h5", "study.png"}; }
+std::vector<std::string> StudyFiles::names() { return {page_name, "runs.jsonl", "study.csv", "study.h5", "study.png"}; }
 
-std::vector<fs::path> StudyFiles::write(const diagnosis::StudyRecord& study) const {
+void StudyFiles::write(const diagnosis::StudyRecord& study,
+                       const std::function<Report(const std::vector<fs::path>&)>& report) const {
     std::vector<fs::path> written{folder_.stage() / "study.csv", folder_.stage() / "study.h5"};
     replace_file(written[0], study_csv(study));
     write_study_hdf5(written[1], study);
@@ -34,10 +37,17 @@ std::vector<fs::path> StudyFiles::write(const diagnosis::StudyRecord& study) con
         written.push_back(folder_.stage() / "study.png");
         draw_study(written.back(), study);
     }
-    folder_.commit({"study.png"});
-    written = folder_.homes(written);
-    written.push_back(journal());
-    return written;
+    std::vector<fs::path> named = folder_.homes(written);
+    named.push_back(journal());
+    const fs::path page = folder_.stage() / page_name;
+    if (page_) {
+        named.push_back(folder_.home(page));
+    }
+    const Report result = report(named);
+    if (page_) {
+        write_html_page(page, result, "study", study.study_file);
+    }
+    folder_.commit({"study.png", page_name});
 }
 
 diagnosis::StudyRecord study_record(const input::Study& study, std::vector<diagnosis::StudyOutcome> outcomes) {

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "diagnosis/study/study_record.hpp"
 #include "input/studies/study.hpp"
 #include "post/report/output_folder.hpp"
+#include "post/report/report.hpp"
 
 namespace tiretherm::post {
 
@@ -16,18 +18,21 @@ namespace tiretherm::post {
 class StudyFiles {
 public:
     /// @param folder must outlive this  @errors FileError
-    StudyFiles(OutputFolder& folder, bool pictures);
+    StudyFiles(OutputFolder& folder, bool pictures, bool page = true);
 
     /// Names of the files that a study leaves in a folder.
     [[nodiscard]] static std::vector<std::string> names();
     [[nodiscard]] std::filesystem::path journal() const { return folder_.path() / "runs.jsonl"; }
     /// Writes the tables and the picture; those of an earlier study are replaced, all at once.
-    /// @returns what was written   @errors FileError
-    std::vector<std::filesystem::path> write(const diagnosis::StudyRecord& study) const;
+    /// @param report the page, of all files in their place; report.html, unless it is refused
+    /// @errors FileError
+    void write(const diagnosis::StudyRecord& study,
+               const std::function<Report(const std::vector<std::filesystem::path>&)>& report) const;
 
 private:
     OutputFolder& folder_;
     bool pictures_;
+    bool page_;
 };
 
 /// A study with its outcomes, as it is written and drawn. @param outcomes [runs]

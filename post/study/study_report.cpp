@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "diagnosis/study/study_statistics.hpp"
+#include "post/study/study_chart.hpp"
 #include "post/study/study_sections.hpp"
 #include "solver/celsius.hpp"
 
@@ -169,6 +170,7 @@ Report study_report(const StudyRecord& study, const StudyCall& call) {
     if (study.is_sampled) {
         report.data.set("points", of_points.data());
     }
+    report.add(study_chart_section(study));
     report.add(std::move(grid));
     if (with_points) {
         report.add(
