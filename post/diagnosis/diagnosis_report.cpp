@@ -2,6 +2,7 @@
 // A diagnosis as a report: verdict, causes with their sizes, where it shows, limits, gain and noise.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include "post/diagnosis/residual_breakdown.hpp"
 #include "post/diagnosis/run_verdicts.hpp"
 #include "post/diagnosis/unused_columns.hpp"
+#include "post/page/charts.hpp"
 #include "post/page/observed_series.hpp"
 #include "post/report/number_text.hpp"
 #include "post/report/table.hpp"
@@ -104,6 +106,17 @@ Section causes_section(const Diagnosis& result) {
         return section;
     }
     section.add(std::move(table));
+    std::vector<Bar> gains;
+    for (const Cause& cause : result.causes) {
+        if (gains.size() < most_others) {
+            gains.push_back({fmt::format("{}{}{}", cause.in_set ? "* " : "", cause.id,
+                                         cause.place.empty() && cause.channel.empty()
+                                             ? ""
+                                             : " of " + (cause.place.empty() ? cause.channel : cause.place)),
+                             cause.gain});
+        }
+    }
+    section.chart("Gain of each cause", "In log likelihood; *: in the set.", bar_chart("gain", "", gains));
     section.say(
         fmt::format("{}sigma: standard deviations from no effect or from the case's number; gain: in log "
                     "likelihood over the model without it, the free numbers fitted anew each time.",
@@ -259,6 +272,41 @@ Value gain_data(const Gain& gain) {
 }
 
 /// The windows in which most heat is missing.
+/// Watts against time, a curve for each place, a chart for each run.
+void add_missing_heat_charts(Section& section, const DiagnosisRecord& record) {
+    for (std::size_t run = 0; run < record.experiment.runs.size(); ++run) {
+        std::map<std::string, std::pair<std::vector<double>, std::vector<double>>> places;  // time, watts
+        double low = 1e300;
+        double high = -1e300;
+        for (const MissingHeat& one : record.result.missing_heat) {
+            if (one.run == run) {
+                auto& [time, watts] = places[one.place];
+                // Level over its window.
+                time.insert(time.end(), {one.from, one.to});
+                watts.insert(watts.end(), {one.watts, one.watts});
+                low = std::min(low, one.from);
+                high = std::max(high, one.to);
+            }
+        }
+        if (places.empty()) {
+            continue;
+        }
+        const TimeUnit unit = time_unit(high - low);
+        LineChart chart("time", unit.name, low / unit.seconds, high / unit.seconds);
+        chart.add_panel("missing heat", "W");
+        for (auto& [place, curve] : places) {
+            for (double& t : curve.first) {
+                t /= unit.seconds;
+            }
+            chart.add_curve(place, place, CurveRole::line, curve.first, curve.second);
+        }
+        chart.add_level("", 0.0);
+        chart.set_link("time");
+        section.chart("Missing heat, " + record.experiment.runs[run].name,
+                      "What the base model would need at each place, window by window.", chart.data());
+    }
+}
+
 Section missing_heat_section(const DiagnosisRecord& record) {
     Section section("Inferred heat source");
     std::vector<MissingHeat> missing = record.result.missing_heat;
@@ -279,6 +327,7 @@ Section missing_heat_section(const DiagnosisRecord& record) {
     section.say(
         "The heat that is missing in a window if all else is as in the base model; all windows are listed in "
         "missing_heat.csv. A large sigma here is no verdict: there are many windows.");
+    add_missing_heat_charts(section, record);
     return section;
 }
 
