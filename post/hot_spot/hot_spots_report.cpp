@@ -44,7 +44,9 @@ std::string surface_then(const HotSpot& spot, const TestMoment& moment) {
 
 DataTable steps(const HotSpots& all, const HotSpot& spot) {
     DataTable table;
-    for (std::size_t s = 0; s < all.steps.size(); ++s) {
+    // A run that failed has not come to its last steps.
+    const std::size_t known = std::min({all.steps.size(), spot.at_end.size(), spot.steady.size()});
+    for (std::size_t s = 0; s < known; ++s) {
         const solver::ScheduleStep& step = all.steps[s];
         const std::string speed = (step.ramp ? "to " : "") + kmh(step.speed);
         table.add({{"step", "step", {step.number, step.ramp ? "ramp" : fmt::format("{}", step.number)}},

@@ -53,6 +53,19 @@ Stepper::Stepper(const Problem& problem)
         v->resize(effects);
     }
     system_.enthalpy(initial, H_start_);
+    std::vector<bool> has_taker(n, false);
+    for (const mesh::Face& face : problem.mesh.faces) {
+        const std::size_t a = at(face.a);
+        const std::size_t b = at(face.b);
+        if (face.is_coupling || system_.has_capacity(a) == system_.has_capacity(b)) {
+            continue;
+        }
+        const std::size_t surface = system_.has_capacity(a) ? b : a;
+        if (!has_taker[surface]) {
+            has_taker[surface] = true;
+            takers_.emplace_back(surface, surface == a ? b : a);
+        }
+    }
 }
 
 void Stepper::update_heat_budget(int stage) {
@@ -206,6 +219,10 @@ void Stepper::accept() {
     watts_ = stage_watts_.back();
     T_[0] = T_.back();
     std::ranges::copy(newton_.left(), left_.begin());
+    for (const auto& [surface, cell] : takers_) {
+        left_[cell] += left_[surface];
+        left_[surface] = 0.0;
+    }
     end_q_ = q_.back();
     end_watts_ = stage_watts_.back();
     std::ranges::copy(forcing_.stage(tableau_->stages - 1), end_coefficients_.begin());

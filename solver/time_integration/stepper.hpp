@@ -5,6 +5,7 @@
 
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "solver/time_integration/checkpoint.hpp"
@@ -112,6 +113,9 @@ private:
     std::vector<double> end_watts_;                 ///< [n_effects] W
     std::vector<double> end_coefficients_;          ///< under these
     std::vector<double> left_;  ///< [n] J that the last accepted stage left of its balance: the next step carries it
+    /// Surfaces without capacity, each with the cell that takes what it leaves: in a step a thousand times as short it would be
+    /// a thousand times as many kelvin there.
+    std::vector<std::pair<std::size_t, std::size_t>> takers_;
     std::vector<double> known_;
     std::vector<double> H_;
     std::vector<double> H_start_;

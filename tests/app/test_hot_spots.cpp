@@ -275,4 +275,18 @@ TEST(HotSpots, ErrorsOfCriticalTemperaturesAreAnObjectToo) {
     EXPECT_FALSE(std::filesystem::exists(scratch / "out"));
 }
 
+// The run fails in its second step: of the others nothing is known.
+TEST(HotSpots, ARunThatFailsHasThePageOfWhatItCameTo) {
+    const sample::Scratch scratch;
+    post::replace_file(
+        scratch / "fire.toml",
+        "include = [\"" TIRETHERM_SOURCE_DIR
+        "/cases/durability/fmvss_139_high_speed.toml\"]\n"
+        "[[source]]\nname = \"fire\"\nfollows = \"(time > 8000) * 1e15\"\nat = \"surface\"\nwatts = \"1 W\"\n");
+    const Call run = call("run fire.toml --no-pictures --no-vtk --out o", scratch.path());
+    EXPECT_EQ(run.exit_code, 2) << run.err;
+    EXPECT_NE(run.out.find("The run ended early: nothing is said of steady states"), std::string::npos) << run.out;
+    EXPECT_TRUE(std::filesystem::exists(scratch / "o/report.html"));
+}
+
 }  // namespace tiretherm::app_test

@@ -88,7 +88,7 @@ TEST(Study, MakesAllRunsAndLeavesTheFilesThatItNames) {
     EXPECT_EQ(json["hottest"]["values"]["drive.speed"], "120 km/h");
     EXPECT_EQ(json["hottest"]["values"]["drive.vertical_load"], "4000 N");
     EXPECT_NEAR(json["hottest"]["temperature"].get<double>(), 67.6, 0.06);
-    EXPECT_EQ(json["outputs"].size(), 4U);
+    EXPECT_EQ(json["outputs"].size(), 5U);
     for (const std::string file : json["outputs"]) {
         EXPECT_GT(std::filesystem::file_size(scratch.path() / file), 100U) << file;
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "input/model/continued_schedule.hpp"
@@ -166,6 +167,37 @@ TEST(DurabilityStudy, DrawsWhatTheCaseSaysIsUncertain) {
         EXPECT_LT(std::abs(sum / 400.0), 4.0 / 20.0 * one.deviation) << one.key;
         EXPECT_NEAR(std::sqrt(squares / 400.0), one.deviation, 4.0 / std::sqrt(800.0) * one.deviation) << one.key;
     }
+}
+
+// Run 101 of the study: after two hours in the steady state the speed falls to zero within no time, and steps shrink from half
+// an hour to a fraction of a second. What the long step left at the surfaces must not come back there as kelvin.
+TEST(DurabilityStudy, ShortStepsFollowLongOnes) {
+    const Written written;
+    const Reading reading = read_case(written.add("run_101.toml", fmt::format(R"(include = ["{}"]
+[effects.strain_energy_loss]
+tan_delta_a = 2.67153959e15
+belt_edge_gain = 1.11238517
+[effects.air_convection]
+lambda_h = 0.859508588
+[effects.sidewall_convection]
+conductance = "9.8357735 W/K"
+[effects.road_contact]
+Hc = "470.792418 W/m2K"
+[effects.layer_conductivity]
+scale = 0.935282777
+[effects.load_input_gain]
+gain = 1.01970576
+[drive]
+inflation_pressure = "200.860525 kPa"
+air_temperature = "36.1321294 degC"
+road_temperature = "42.088251 degC"
+)",
+                                                                              file("fmvss_139_high_speed").string())));
+    ASSERT_TRUE(reading.problem.has_value());
+    const solver::Report report = solver::run(*reading.problem, [](const solver::Snapshot&) { return true; });
+    EXPECT_TRUE(report.status.ok()) << report.status.message;
+    EXPECT_LT(report.rejected, report.steps);
+    EXPECT_LT(report.energy_closure, 1e-12);
 }
 
 // A softer tire loses more and runs hotter: the whole tire's hottest place in the test of UN R30, as `study` finds it in

@@ -85,7 +85,7 @@ TEST(Mat, IsWrittenOnRequestAndNeverLeftFromAnEarlierRun) {
     const solver::Problem problem = sample::problem();
     const Provenance provenance;
     replace_file(scratch / "channels.mat", "of an earlier run");
-    RunFiles files(scratch.path(), problem, provenance, {"vtk", "pictures"});
+    RunFiles files(scratch.path(), problem, provenance, {"vtk", "pictures", "report"});
     files.take(sample::Moment(problem, 0.0, {296.15, 250.0}, true).snapshot);
     files.finish();
     EXPECT_EQ(files.written().size(), 2u);
