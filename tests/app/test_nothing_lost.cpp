@@ -277,13 +277,15 @@ TEST(NothingLost, FullDiskIsASentenceAndCostsNothing) {
     const auto begin = [&] {
         fs::remove(disk / "fill");
         fs::remove_all(disk / "o");
-        EXPECT_EQ(call("run " + two_node + " --quiet --no-pictures --no-report --out disk/o", scratch.path()).exit_code, 0);
+        EXPECT_EQ(call("run " + two_node + " --quiet --no-pictures --no-report --out disk/o", scratch.path()).exit_code,
+                  0);
         return files_of(disk / "o");
     };
     const auto before = begin();
     int failed = 0;
     for (std::size_t free = 0; free <= 400 * 1024; free += 20 * 1024) {
-        for (const std::string& command : {"run " + two_node + " --no-report --fields 300", "compare --no-report " + bench + data({})}) {
+        for (const std::string& command :
+             {"run " + two_node + " --no-report --fields 300", "compare --no-report " + bench + data({})}) {
             SCOPED_TRACE(fmt::format("{} B free: {}", free, command));
             fs::remove(disk / "fill");
             const std::size_t room = fs::space(disk).available;
