@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "post/page/charts.hpp"
 #include "post/pictures/axes.hpp"
 #include "post/pictures/picture.hpp"
 #include "solver/celsius.hpp"
@@ -20,15 +21,6 @@ constexpr int page_height = 820;
 constexpr double left = 130.0;
 constexpr double top = 100.0;
 constexpr double bottom = 720.0;
-
-/// Seconds, minutes or hours, whichever gives an axis without large numbers.
-struct TimeUnit {
-    const char* name;
-    double seconds;
-};
-TimeUnit time_unit(double span) {
-    return span > 3.0 * 3600.0 ? TimeUnit{"h", 3600.0} : span > 600.0 ? TimeUnit{"min", 60.0} : TimeUnit{"s", 1.0};
-}
 
 /// The channels that are temperatures; the others have other units.
 std::vector<std::size_t> temperatures(const solver::Problem& problem) {

@@ -70,6 +70,8 @@ TimeUnit time_unit(double span) {
     return span > 3.0 * 3600.0 ? TimeUnit{"h", 3600.0} : span > 600.0 ? TimeUnit{"min", 60.0} : TimeUnit{"s", 1.0};
 }
 
+std::string axis_unit(std::string_view unit) { return unit == "degC" ? "°C" : std::string(unit); }
+
 double rounded(double value, int digits) { return std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr); }
 
 LineChart::LineChart(std::string x, std::string unit, double low, double high)

@@ -19,6 +19,9 @@ struct TimeUnit {
 /// @param span s
 [[nodiscard]] TimeUnit time_unit(double span);
 
+/// A unit as it is written beside an axis: "degC" as °C.
+[[nodiscard]] std::string axis_unit(std::string_view unit);
+
 /// How a curve is drawn.
 enum class CurveRole { line, dashed, dotted, points };
 

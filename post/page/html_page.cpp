@@ -55,28 +55,9 @@ std::string anchor(std::string_view heading) {
     return name;
 }
 
-struct Columns {
-    std::vector<std::string> headings;
-    std::vector<bool> right;
-
-    void take(const DataTable::Row& row) {
-        std::size_t column = 0;
-        for (const Field& field : row) {
-            if (field.on_page && column++ == headings.size()) {
-                headings.push_back(field.heading);
-                right.push_back(field.cell.to_right);
-            }
-        }
-    }
-};
-
 std::string table_html(const DataTable& table) {
-    Columns columns;
-    columns.take(table.columns());
-    for (const DataTable::Row& row : table.rows()) {
-        columns.take(row);
-    }
-    const auto side = [&](std::size_t column) { return columns.right[column] ? " class=\"right\"" : ""; };
+    const PageColumns columns = page_columns(table);
+    const auto side = [&](std::size_t column) { return columns.to_right[column] ? " class=\"right\"" : ""; };
     std::string text = "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"table\"><table>\n";
     if (std::ranges::any_of(columns.headings, [](const std::string& heading) { return !heading.empty(); })) {
         text += "<thead><tr>";

@@ -13,8 +13,6 @@ namespace tiretherm::post {
 
 namespace {
 
-std::string shown_unit_name(std::string_view unit) { return unit == "degC" ? "°C" : std::string(unit); }
-
 /// Of a difference of two temperatures.
 std::string difference_unit_name(std::string_view unit) { return unit == "degC" ? "K" : std::string(unit); }
 
@@ -51,7 +49,7 @@ void add_panels(LineChart& chart, const std::vector<const MeasuredSeries*>& seri
     const std::string_view unit = series.front()->unit.name;
     const bool is_temperature = unit == "degC";
     const auto minutes = [&](double t) { return t / seconds; };
-    chart.add_panel(is_temperature ? "temperature" : series.front()->channel, shown_unit_name(unit));
+    chart.add_panel(is_temperature ? "temperature" : series.front()->channel, axis_unit(unit));
     for (const MeasuredSeries* one : series) {
         const std::vector<double> t = converted(one->time, minutes);
         const auto value = [&](double si) { return one->unit.value(si); };

@@ -14,31 +14,6 @@ namespace tiretherm::post {
 
 namespace {
 
-struct Columns {
-    std::vector<bool> left;
-    std::vector<std::string> headings;
-
-    /// Rows may differ in length: a column is as the first row says that has it.
-    void take(const DataTable::Row& row) {
-        std::size_t column = 0;
-        for (const Field& field : row) {
-            if (field.on_page && column++ == left.size()) {
-                left.push_back(!field.cell.to_right);
-                headings.push_back(field.heading);
-            }
-        }
-    }
-};
-
-Columns columns_of(const DataTable& table) {
-    Columns columns;
-    columns.take(table.columns());
-    for (const DataTable::Row& row : table.rows()) {
-        columns.take(row);
-    }
-    return columns;
-}
-
 std::vector<std::string> cells_of(const DataTable::Row& row) {
     std::vector<std::string> cells;
     for (const Field& field : row) {
@@ -50,8 +25,10 @@ std::vector<std::string> cells_of(const DataTable::Row& row) {
 }
 
 std::string table_text(const DataTable& table, std::size_t indent) {
-    Columns columns = columns_of(table);
-    Table lines(std::move(columns.left));
+    PageColumns columns = page_columns(table);
+    std::vector<bool> left = columns.to_right;
+    left.flip();
+    Table lines(std::move(left));
     if (std::ranges::any_of(columns.headings, [](const std::string& heading) { return !heading.empty(); })) {
         lines.add(std::move(columns.headings));
     }
@@ -97,6 +74,22 @@ std::string blocks_text(const std::vector<PageItem>& blocks, std::size_t indent)
 }
 
 }  // namespace
+
+PageColumns page_columns(const DataTable& table) {
+    PageColumns columns;
+    const auto take = [&](const DataTable::Row& row) {
+        std::size_t column = 0;
+        for (const Field& field : row) {
+            if (field.on_page && column++ == columns.headings.size()) {
+                columns.headings.push_back(field.heading);
+                columns.to_right.push_back(field.cell.to_right);
+            }
+        }
+    };
+    take(table.columns());
+    std::ranges::for_each(table.rows(), take);
+    return columns;
+}
 
 Cell shown(std::string_view format, double value) {
     return {value, std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-"};
@@ -226,7 +219,7 @@ std::string markdown_text(const DataTable& table) {
     const auto line = [](const std::vector<std::string>& cells) {
         return fmt::format("| {} |\n", fmt::join(cells, " | "));
     };
-    const std::vector<std::string> headings = columns_of(table).headings;
+    const std::vector<std::string> headings = page_columns(table).headings;
     std::string text = line(headings) + line(std::vector<std::string>(headings.size(), "---"));
     for (const DataTable::Row& row : table.rows()) {
         text += line(cells_of(row));

@@ -70,6 +70,13 @@ private:
     std::vector<Row> rows_;
 };
 
+/// The columns of a table on the page. Rows may differ in length: a column is as the first row says that has it.
+struct PageColumns {
+    std::vector<std::string> headings;
+    std::vector<bool> to_right;
+};
+[[nodiscard]] PageColumns page_columns(const DataTable& table);
+
 /// A piece of a section, in the order of the page.
 struct PageItem {
     enum class Kind {

@@ -41,9 +41,6 @@ std::vector<Group> groups_of(const solver::Problem& problem) {
     return groups;
 }
 
-/// "degC" as it is written beside an axis.
-std::string shown_name(std::string_view unit) { return unit == "degC" ? "°C" : std::string(unit); }
-
 void add_measured(LineChart& chart, const RunRecord& run, std::size_t channel, const solver::ShownUnit& unit,
                   const TimeUnit& time) {
     std::vector<double> t;
@@ -73,9 +70,9 @@ void add_channel_charts(Section& section, const RunRecord& run) {
     const std::vector<double> t = scaled(run.history.time(), 1.0 / time.seconds);
     LineChart chart("time", time.name, t.front(), t.back());
     for (const Group& group : groups_of(run.problem)) {
-        const bool is_temperature = shown_name(group.unit.name) == "°C";
+        const bool is_temperature = axis_unit(group.unit.name) == "°C";
         chart.add_panel(is_temperature ? "temperature" : run.problem.channels[group.channels.front()].name,
-                        shown_name(group.unit.name), !is_temperature);
+                        axis_unit(group.unit.name), !is_temperature);
         for (const std::size_t c : group.channels) {
             std::vector<double> values = run.history.channel(c);
             for (double& value : values) {
