@@ -19,7 +19,8 @@ Mesh build(const TwoNode& description) {
     mesh.faces = {{.a = surface, .b = bulk, .area = description.area, .axis = Axis::through, .link = 0}};
     mesh.add_patch_face(mesh.add_patch("outside"), surface, description.area, 0.0, outside, Axis::through);
     mesh.add_patch_face(mesh.add_patch("inside"), bulk, description.area, 0.0, inside, Axis::through);
-    mesh.drawing = {.shape = CellShape::vertex, .points = {outside, inside}, .corners = {0, 1}};
+    mesh.drawing = {
+        .shape = CellShape::vertex, .points = {outside, {0.0, 0.0, -description.bulk_depth}}, .corners = {0, 1}};
     return mesh;
 }
 

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Builds the VTK grid of a mesh with layers and zones, writes field files and the series file, and registers the format
-// "vtk".
+// Builds the VTK grid of a mesh with layers and zones once, writes it with each field, and registers the format "vtk".
 
 #include "post/fields/vtk_writer.hpp"
 
 #include <algorithm>
 #include <iterator>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -21,6 +23,7 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include "post/fields/field_view.hpp"
 #include "post/report/file.hpp"
 #include "solver/celsius.hpp"
 
@@ -29,6 +32,8 @@ namespace tiretherm::post {
 namespace {
 
 constexpr const char* series_name = "field.pvd";
+constexpr const char* borders_name = "field_borders.vtu";
+constexpr const char* view_name = "field_view.py";
 constexpr const char* temperature_name = "temperature [degC]";
 
 std::string field_name(std::size_t index) { return fmt::format("field_{:04}.vtu", index); }
@@ -47,47 +52,49 @@ int cell_type(mesh::CellShape shape) {
     return VTK_EMPTY_CELL;
 }
 
+void add_texts(vtkUnstructuredGrid* grid, const std::string& name, const std::vector<std::string>& texts) {
+    vtkNew<vtkStringArray> words;
+    words->SetName(name.c_str());
+    for (const std::string& text : texts) {
+        words->InsertNextValue(text);
+    }
+    grid->GetFieldData()->AddArray(words);
+}
+
 /// Which layer or zone each cell belongs to, and what these are called.
 /// @param of_node [n_nodes] index into names
-void add_parts(vtkUnstructuredGrid* grid, const std::string& what, const std::vector<int>& of_node,
-               const std::vector<std::string>& names) {
+void add_parts(vtkUnstructuredGrid* grid, const WholeDrawing& whole, const std::string& what,
+               const std::vector<int>& of_node, const std::vector<std::string>& names) {
     if (names.empty()) {
         return;
     }
     vtkNew<vtkIntArray> index;
     index->SetName(what.c_str());
-    for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell) {
+    for (const int cell : whole.cell) {
         index->InsertNextValue(of_node[static_cast<std::size_t>(cell)]);
     }
-    vtkNew<vtkStringArray> words;
-    words->SetName((what + " names").c_str());
-    for (const std::string& name : names) {
-        words->InsertNextValue(name);
-    }
     grid->GetCellData()->AddArray(index);
-    grid->GetFieldData()->AddArray(words);
+    add_texts(grid, what + " names", names);
 }
 
-vtkNew<vtkUnstructuredGrid> drawing(const mesh::Mesh& mesh) {
+/// Points and cells, in numbers as short as they may be.
+/// @param corners [n_cells * of_a_cell]
+void fill(vtkUnstructuredGrid* grid, const std::vector<mesh::Point>& places, int type, std::span<const int> corners,
+          std::size_t of_a_cell) {
     vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    // The mesh draws its half plane in the middle of its cells; turned about z it must stand at y = 0.
-    const bool round = mesh.grid && mesh.grid->metric == mesh::Metric::axisymmetric;
-    for (const auto& [x, y, z] : mesh.drawing.points) {
-        points->InsertNextPoint(x, round ? 0.0 : y, z);
+    points->SetDataTypeToFloat();
+    for (const auto& [x, y, z] : places) {
+        points->InsertNextPoint(x, y, z);
     }
-    vtkNew<vtkUnstructuredGrid> grid;
     grid->SetPoints(points);
-    const int n = mesh::corners_per_cell(mesh.drawing.shape);
-    grid->Allocate(mesh.n_cells);
-    std::vector<vtkIdType> corners(static_cast<std::size_t>(n));
-    for (auto next = mesh.drawing.corners.begin(); next != mesh.drawing.corners.end(); next += n) {
-        std::copy_n(next, n, corners.begin());
-        grid->InsertNextCell(cell_type(mesh.drawing.shape), n, corners.data());
+    vtkNew<vtkCellArray> cells;
+    cells->Use32BitStorage();
+    std::vector<vtkIdType> ids(of_a_cell);
+    for (auto next = corners.begin(); next != corners.end(); next += static_cast<std::ptrdiff_t>(of_a_cell)) {
+        std::copy_n(next, of_a_cell, ids.begin());
+        cells->InsertNextCell(static_cast<vtkIdType>(of_a_cell), ids.data());
     }
-    add_parts(grid, "layer", mesh.layer, mesh.layers);
-    add_parts(grid, "zone", mesh.zone, mesh.zones);
-    return grid;
+    grid->SetCells(type, cells);
 }
 
 /// The file's bytes are made in memory, so that writing them fails with the system's reason.
@@ -105,8 +112,19 @@ std::string file_text(vtkUnstructuredGrid* grid) {
 
 }  // namespace
 
-VtkWriter::VtkWriter(std::filesystem::path directory, const mesh::Mesh& mesh)
-    : directory_(std::move(directory)), mesh_(mesh), drawn_(mesh) {
+struct VtkWriter::Grid {
+    vtkNew<vtkUnstructuredGrid> grid;
+    vtkNew<vtkFloatArray> in_cells;   ///< degC
+    vtkNew<vtkFloatArray> in_points;  ///< degC
+    vtkNew<vtkDoubleArray> time;      ///< s
+};
+
+VtkWriter::VtkWriter(std::filesystem::path directory, const solver::Problem& problem)
+    : directory_(std::move(directory)),
+      problem_(problem),
+      drawn_(problem.mesh),
+      whole_(whole_drawing(problem.mesh)),
+      grid_(std::make_unique<Grid>()) {
     for (const std::string& name : names_in(directory_)) {
         std::error_code error;
         std::filesystem::remove(directory_ / name, error);
@@ -114,10 +132,36 @@ VtkWriter::VtkWriter(std::filesystem::path directory, const mesh::Mesh& mesh)
             throw FileError("remove the earlier fields in", directory_, error.message());
         }
     }
+    vtkUnstructuredGrid* grid = grid_->grid;
+    const mesh::Mesh& mesh = problem.mesh;
+    fill(grid, whole_.points, cell_type(whole_.shape), whole_.corners,
+         static_cast<std::size_t>(mesh::corners_per_cell(whole_.shape)));
+    add_parts(grid, whole_, "layer", mesh.layer, mesh.layers);
+    add_parts(grid, whole_, "zone", mesh.zone, mesh.zones);
+    vtkNew<vtkFloatArray> volume;
+    volume->SetName("volume [m3]");
+    for (const double cell : whole_.volume) {
+        volume->InsertNextValue(static_cast<float>(cell));
+    }
+    grid->GetCellData()->AddArray(volume);
+    grid_->in_cells->SetName(temperature_name);
+    grid_->in_cells->SetNumberOfValues(grid->GetNumberOfCells());
+    grid->GetCellData()->SetScalars(grid_->in_cells);
+    if (drawn_.exists()) {
+        grid_->in_points->SetName(temperature_name);
+        grid_->in_points->SetNumberOfValues(grid->GetNumberOfPoints());
+        grid->GetPointData()->SetScalars(grid_->in_points);
+    }
+    grid_->time->SetName("TimeValue");  // the name under which readers look for it
+    grid_->time->SetNumberOfValues(1);
+    grid->GetFieldData()->AddArray(grid_->time);
+    add_texts(grid, "title", {problem.title.empty() ? problem.name : problem.title});
 }
 
+VtkWriter::~VtkWriter() = default;
+
 std::vector<std::string> VtkWriter::names_in(const std::filesystem::path& directory) {
-    std::vector<std::string> names{series_name};
+    std::vector<std::string> names{series_name, borders_name, view_name};
     std::error_code error;
     for (std::size_t i = 0; std::filesystem::exists(symlink_status(directory / field_name(i), error)); ++i) {
         names.push_back(field_name(i));
@@ -126,27 +170,27 @@ std::vector<std::string> VtkWriter::names_in(const std::filesystem::path& direct
 }
 
 void VtkWriter::write(double time, std::span<const double> temperature) {
-    const vtkNew<vtkUnstructuredGrid> grid = drawing(mesh_);
-    vtkNew<vtkDoubleArray> in_cells;
-    in_cells->SetName(temperature_name);
-    for (int cell = 0; cell < mesh_.n_cells; ++cell) {
-        in_cells->InsertNextValue(solver::celsius(temperature[static_cast<std::size_t>(cell)]));
-    }
-    grid->GetCellData()->SetScalars(in_cells);
-    if (drawn_.exists()) {
-        vtkNew<vtkDoubleArray> in_points;
-        in_points->SetName(temperature_name);
-        for (const double kelvin : drawn_.at_points(temperature)) {
-            in_points->InsertNextValue(solver::celsius(kelvin));
+    const auto see = [&](double celsius) {
+        low_ = std::min(low_, celsius);
+        if (celsius > high_) {
+            high_ = celsius;
+            hottest_time_ = time;
         }
-        grid->GetPointData()->SetScalars(in_points);
+        return static_cast<float>(celsius);
+    };
+    for (std::size_t cell = 0; cell < whole_.cell.size(); ++cell) {
+        grid_->in_cells->SetValue(static_cast<vtkIdType>(cell),
+                                  see(solver::celsius(temperature[static_cast<std::size_t>(whole_.cell[cell])])));
     }
-    vtkNew<vtkDoubleArray> moment;
-    moment->SetName("TimeValue");  // the name under which readers look for it
-    moment->InsertNextValue(time);
-    grid->GetFieldData()->AddArray(moment);
-
-    replace_file(directory_ / field_name(times_.size()), file_text(grid));
+    if (drawn_.exists()) {
+        const std::vector<double> at_points = drawn_.at_points(temperature);
+        for (std::size_t point = 0; point < whole_.point.size(); ++point) {
+            grid_->in_points->SetValue(static_cast<vtkIdType>(point),
+                                       see(solver::celsius(at_points[static_cast<std::size_t>(whole_.point[point])])));
+        }
+    }
+    grid_->time->SetValue(0, time);
+    replace_file(directory_ / field_name(times_.size()), file_text(grid_->grid));
     times_.push_back(time);
     write_series();
 }
@@ -157,12 +201,49 @@ void VtkWriter::take(const solver::Snapshot& snapshot) {
     }
 }
 
+void VtkWriter::finish() {
+    if (times_.empty()) {
+        return;
+    }
+    std::vector<int> ends;
+    for (const auto& line : borders(whole_, problem_.mesh)) {
+        ends.insert(ends.end(), line.begin(), line.end());
+    }
+    std::vector<mesh::Point> places;
+    std::vector<int> number(whole_.points.size(), -1);
+    for (int& end : ends) {
+        int& known = number[static_cast<std::size_t>(end)];
+        if (known < 0) {
+            known = static_cast<int>(places.size());
+            places.push_back(whole_.points[static_cast<std::size_t>(end)]);
+        }
+        end = known;
+    }
+    if (!ends.empty()) {
+        vtkNew<vtkUnstructuredGrid> lines;
+        fill(lines, places, VTK_LINE, ends, 2);
+        replace_file(directory_ / borders_name, file_text(lines));
+    }
+    write_view();
+    has_view_ = true;
+}
+
 std::filesystem::path VtkWriter::series() const { return directory_ / series_name; }
+std::filesystem::path VtkWriter::view() const { return directory_ / view_name; }
+
+std::vector<std::filesystem::path> VtkWriter::files() const {
+    std::vector<std::filesystem::path> all{series()};
+    if (has_view_) {
+        all.push_back(view());
+    }
+    return all;
+}
 
 void VtkWriter::write_series() const {
     std::string text =
         "<?xml version=\"1.0\"?>\n"
         "<VTKFile type=\"Collection\" version=\"0.1\">\n"
+        "  <!-- timestep: s -->\n"
         "  <Collection>\n";
     for (std::size_t index = 0; index < times_.size(); ++index) {
         fmt::format_to(std::back_inserter(text), "    <DataSet timestep=\"{:.12g}\" file=\"{}\"/>\n", times_[index],
@@ -172,14 +253,23 @@ void VtkWriter::write_series() const {
     replace_file(series(), text);
 }
 
+void VtkWriter::write_view() const {
+    replace_file(view(), field_view({.problem = problem_,
+                                     .shape = whole_.shape,
+                                     .low = low_,
+                                     .high = high_,
+                                     .hottest_time = hottest_time_,
+                                     .end = times_.back()}));
+}
+
 namespace formats {
 
 extern const OutputFormat vtk;
 const OutputFormat vtk{.name = "vtk",
                        .use = OutputFormat::Use::unless_refused,
-                       .help = "No field_*.vtu and field.pvd for ParaView",
+                       .help = "No field_*.vtu, field.pvd and field_view.py for ParaView",
                        .open = [](const RunTarget& target) -> std::unique_ptr<RunOutput> {
-                           return std::make_unique<VtkWriter>(target.directory, target.problem.mesh);
+                           return std::make_unique<VtkWriter>(target.directory, target.problem);
                        },
                        .names_in = &VtkWriter::names_in};
 
