@@ -15,6 +15,7 @@ from paraview.simple import *
 TEMPERATURE = "temperature [degC]"
 SOLID = KIND in ("ring", "block")
 INK = [0.1, 0.1, 0.1]
+BODY = (0.6, 0.45)  # ambient and diffuse light
 
 
 def folder():
@@ -41,14 +42,21 @@ def show_field(source, view, association):
     display = Show(source, view)
     ColorBy(display, (association, TEMPERATURE))
     display.SetScalarBarVisibility(view, True)
-    display.Ambient, display.Diffuse = (0.35, 0.65) if SOLID else (1.0, 0.0)  # a plane in its true colours
+    display.Ambient, display.Diffuse = BODY if SOLID else (1.0, 0.0)  # a plane in its true colours
     return display
+
+
+def far_half(source, name):
+    """What is beyond y = 0, so that one looks onto the cut."""
+    half = Clip(registrationName=name, Input=source, ClipType="Plane")
+    half.ClipType.Origin, half.ClipType.Normal, half.Invert = [0.0, 0.0, 0.0], [0.0, 1.0, 0.0], 0
+    return half
 
 
 def hide_field(source, view, association):
     """Ready in the pipeline: a click on its eye shows it."""
     display = show_field(source, view, association)
-    display.Ambient, display.Diffuse = 0.35, 0.65
+    display.Ambient, display.Diffuse = BODY
     Hide(source, view)
 
 
@@ -124,19 +132,11 @@ def main():
 
     colours = GetColorTransferFunction(TEMPERATURE)
     colours.ApplyPreset("Inferno (matplotlib)", True)
-    colours.RescaleTransferFunction(LOWEST, HIGHEST if HIGHEST > LOWEST else LOWEST + 1.0)
-    colours.AutomaticRescaleRangeMode = "Never"  # one scale over all times
     give_names("layer", LAYERS)
     if ZONES:
         give_names("zone", ZONES)
 
-    shown = field
-    if KIND == "ring":
-        shown = Clip(registrationName="half of the ring", Input=field, ClipType="Plane")
-        shown.ClipType.Origin, shown.ClipType.Normal, shown.Invert = [0.0, 0.0, 0.0], [0.0, 1.0, 0.0], 0
-    elif KIND == "block":
-        shown = Clip(registrationName="half of the block", Input=field, ClipType="Plane")
-        shown.ClipType.Origin, shown.ClipType.Normal, shown.Invert = [0.0, 0.0, 0.0], [0.0, 1.0, 0.0], 0
+    shown = far_half(field, "half of the " + KIND) if SOLID else field
     display = show_field(shown, view, association)
     if KIND == "nodes":
         display.PointSize, display.RenderPointsAsSpheres = 60.0, 1
@@ -155,11 +155,13 @@ def main():
     lines = os.path.join(here, "field_borders.vtu")
     if os.path.exists(lines):
         borders = XMLUnstructuredGridReader(registrationName="borders of layers and zones", FileName=[lines])
-        display = Show(borders, view)
-        ColorBy(display, None)
+        display = Show(far_half(borders, "half of the borders") if SOLID else borders, view)
         display.AmbientColor = display.DiffuseColor = [1.0, 1.0, 1.0] if not SOLID else INK
         display.LineWidth = 1.5
 
+    # One scale over all times; after the first Show, which takes that of the first time.
+    colours.AutomaticRescaleRangeMode = "Never"
+    colours.RescaleTransferFunction(LOWEST, HIGHEST if HIGHEST > LOWEST else LOWEST + 1.0)
     bar = GetScalarBar(colours, view)
     bar.Title, bar.ComponentTitle = "temperature / °C", ""
     bar.TitleColor = bar.LabelColor = INK
