@@ -221,7 +221,7 @@ void add_run_command(CLI::App& program, int& exit_code) {
     command->footer(
         "Files: report.html (the summary with charts, for a browser), results.h5 (everything, SI units), "
         "channels.csv,\n"
-        "field.pvd with field_*.vtu (ParaView),\n"
+        "field.pvd with field_*.vtu (ParaView; File > Load State > field_view.py shows them),\n"
         "picture.png (temperature across the thickness), channels.png (channels against time).\n"
         "A case with [[critical]] temperatures: where and when it passes them, what is left if it does not, in\n"
         "which further step it would, and what drives that; hot_spots.csv and .png have the hottest places against "

@@ -83,8 +83,8 @@ def show_time(source, view):
     display.FontSize, display.Color = 14, INK
 
 
-def show_axes(view, bounds):
-    """A frame in metres with ticks; across a plane there is none."""
+def show_axes(view):
+    """A frame in metres with ticks, of x and z around a plane; a line has none."""
     grid = view.AxesGrid
     grid.Visibility = 1
     tire = KIND in ("section", "ring")
@@ -97,10 +97,8 @@ def show_axes(view, bounds):
             setattr(grid, axis + part + "Color", INK)
             setattr(grid, axis + part + "FontSize", 14)
     grid.GridColor = [0.5, 0.5, 0.5]
-    if KIND in ("nodes", "layers"):
-        grid.AxesToLabel = 4 + 32  # z alone
-    elif not SOLID:
-        grid.AxesToLabel = 1 + 4 + 8 + 32  # x and z
+    if not SOLID:
+        grid.AxesToLabel = 1 + 4 + 8 + 32
 
 
 def look(view, bounds):
@@ -169,12 +167,15 @@ def main():
     bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, "%-#.4g", "%-#.4g"
     bar.Visibility = 1
     show_text(view, "title", TITLE, [0.03, 0.94], 18)
+    if KIND in ("nodes", "layers"):
+        show_text(view, "depth", "outer surface above, %.4g mm deep" % (1e3 * (bounds[5] - bounds[4])), [0.03, 0.82], 14)
     if STEADY:
         show_text(view, "state", "steady state", [0.03, 0.88], 14)
     else:
         show_time(field, view)
         show_text(view, "hottest", "hottest of all times: %.1f °C at %g s" % (HIGHEST, HOTTEST_TIME), [0.03, 0.02], 12)
-    show_axes(view, bounds)
+    show_axes(view)
+    Render(view)  # the first one sets the camera itself
     look(view, bounds)
 
     scene = GetAnimationScene()
