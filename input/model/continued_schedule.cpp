@@ -102,6 +102,9 @@ void append_row(const SpeedTable& table, double time, double speed) {
 
 ContinuedSchedule continue_schedule(const HotSpotCase& of, const solver::Settings& settings,
                                     std::span<const solver::ScheduleStep> steps) {
+    if (std::ranges::any_of(steps, &solver::ScheduleStep::recognised)) {
+        return {.refusal = "the speed comes from a log"};
+    }
     const Pattern pattern = pattern_of(steps);
     if (!pattern.refusal.empty()) {
         return {.refusal = pattern.refusal};

@@ -72,7 +72,7 @@ std::string surface_text(const HotSpots& all, const HotSpot& spot) {
     if (std::isnan(spot.surface_threshold)) {
         return fmt::format("No alarm threshold for {}: {}.", name,
                            all.steps.empty()
-                               ? "the speed does not come from a schedule, so the steps are not known"
+                               ? "the speed is logged, and no steps of constant speed and load were recognised in it"
                                : "no two steady states of the steps lie on either side of the critical temperature");
     }
     const std::string threshold =

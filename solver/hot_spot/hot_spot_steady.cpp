@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Solves one steady state for each constant step of a schedule; the surface threshold is interpolated linearly between
+// Solves one steady state for each constant step of a test, of a log at the means of the inputs; the surface threshold is interpolated linearly between
 // the two steps around the critical temperature.
 
 #include "solver/hot_spot/hot_spot_steady.hpp"
@@ -19,6 +19,10 @@ std::vector<std::vector<SpotAndSurface>> steady_spots(const Problem& problem, st
         }
         // Just inside of the step: at its end the inputs may jump.
         steady.settings.end = steps[s].to - 1e-6 * steps[s].duration();
+        if (steps[s].recognised) {
+            steady.input_signals = held_at_means(problem.input_signals, steps[s]);
+            steady.input_signals.start_at(problem.settings.start);
+        }
         std::vector<HotSpotHistory> histories;
         for (const Critical& critical : criticals) {
             histories.emplace_back(steady.mesh, critical);

@@ -23,10 +23,10 @@ bool follows_log(const InputSignals& input_signals) {
 }  // namespace
 
 std::vector<ScheduleStep> schedule_steps(const InputSignals& input_signals, double start, double end) {
-    std::vector<ScheduleStep> steps;
     if (follows_log(input_signals)) {
-        return steps;
+        return recognised_steps(input_signals, start, end);
     }
+    std::vector<ScheduleStep> steps;
     std::vector<double> border{start};
     std::ranges::copy_if(input_signals.stops(), std::back_inserter(border),
                          [&](double t) { return t > start && t < end; });
