@@ -151,7 +151,8 @@ int diagnose(const Options& call, const TableOptions& of_table) {
                                  .warnings = remarks,
                                  .findings = reading->data_warnings,
                                  .by_run = std::move(by_run),
-                                 .with_page = !call.no_report};
+                                 .with_page = !call.no_report,
+                                 .inputs = reading->files};
     std::ranges::copy(reading->warnings, std::back_inserter(record.warnings));
     std::ranges::copy(thinned.remarks, std::back_inserter(record.findings));
     const auto files = write_measured(call, *folder, names, [&](const std::filesystem::path& stage) {

@@ -150,7 +150,8 @@ std::optional<post::Report> write_measured_page(
         }
         page = report(folder.homes(files));
         if (!call.no_report) {
-            post::write_html_page(files.back(), *page, kind, call.case_file);
+            post::write_html_page(files.back(), *page,
+                                  {.kind = kind, .source = call.case_file, .files = folder.inputs()});
         }
         return files;
     });

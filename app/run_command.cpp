@@ -162,7 +162,7 @@ int run(const Options& options) {
                                  .hot_spots = hot_spots ? &*hot_spots : nullptr,
                                  .run = reading.run,
                                  .runs = reading.runs});
-        files->write_page(page, options.case_file);
+        files->write_page(page, {.kind = "run", .source = options.case_file, .files = reading.files});
     });
     if (!written) {
         return Exit::input_error;

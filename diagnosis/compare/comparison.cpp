@@ -128,6 +128,7 @@ Comparison compare(const input::Experiment& experiment, const std::string& name)
     for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
         const input::MeasuredRun& run = experiment.runs[r];
         result.runs.push_back(run.name);
+        result.inputs.push_back(run.problem.input_signals);
         result.files.push_back(run.file);
         Beside beside{.run = run, .index = r, .times = times_of(run), .prediction = {}, .regressors = regressors};
         const Clock::time_point begin = Clock::now();

@@ -84,7 +84,8 @@ struct Comparison {
     std::string name;
     std::vector<std::string> runs;
     std::vector<std::string> files;
-    std::vector<ComparedChannel> channels;  ///< of which anything was logged
+    std::vector<solver::InputSignals> inputs;  ///< [runs] what was put in
+    std::vector<ComparedChannel> channels;     ///< of which anything was logged
     std::vector<ComparedNumber> numbers;
     std::vector<ComparedImages> images;  ///< of cameras, run by run
     std::vector<std::string> warnings;

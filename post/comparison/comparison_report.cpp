@@ -235,6 +235,28 @@ std::vector<MeasuredSeries> series_of(const Comparison& comparison) {
     return all;
 }
 
+/// The channels with the largest differences, in the order of their size against the sensor.
+std::vector<std::string> verdict_of(const Comparison& comparison) {
+    constexpr std::size_t most = 3;
+    std::vector<const ComparedChannel*> channels;
+    for (const ComparedChannel& channel : comparison.channels) {
+        if (std::isfinite(channel.figures.rmse)) {
+            channels.push_back(&channel);
+        }
+    }
+    std::ranges::stable_sort(channels, std::greater<>(), [](const ComparedChannel* channel) {
+        return channel->figures.rmse / (channel->sensor > 0.0 ? channel->sensor : 1.0);
+    });
+    std::vector<std::string> verdict;
+    for (std::size_t i = 0; i < std::min(most, channels.size()); ++i) {
+        const ComparedChannel& channel = *channels[i];
+        verdict.push_back(fmt::format("{}: simulated - measured {:+.3g} {} in the mean, {:.3g} {} rms.", channel.name,
+                                      channel.unit.difference(channel.figures.bias), difference_unit(channel),
+                                      channel.unit.difference(channel.figures.rmse), difference_unit(channel)));
+    }
+    return verdict;
+}
+
 }  // namespace
 
 Report comparison_report(const Comparison& comparison, const std::vector<std::filesystem::path>& files) {
@@ -252,10 +274,15 @@ Report comparison_report(const Comparison& comparison, const std::vector<std::fi
     report.data = {{"case", comparison.name},        {"difference", "simulated - measured"},
                    {"seconds", comparison.seconds},  {"runs", runs},
                    {"channels", of_channels.data()}, {"numbers", numbers.data()}};
+    report.verdict = verdict_of(comparison);
     if (!comparison.channels.empty()) {
         report.add(per_run(comparison, std::move(of_channels)));
         report.add(interpretation(comparison));
-        report.add(measured_section(series_of(comparison)));
+        std::vector<RunInputs> inputs;
+        for (std::size_t r = 0; r < comparison.inputs.size(); ++r) {
+            inputs.push_back({.run = comparison.runs[r], .inputs = &comparison.inputs[r]});
+        }
+        report.add(measured_section(series_of(comparison), inputs));
         report.add(by_phase(comparison));
         Section signals("By signal");
         for (const ComparedChannel& channel : comparison.channels) {

@@ -143,7 +143,8 @@ std::vector<std::filesystem::path> write_diagnosis(DiagnosisRecord& record, cons
     const Report page = diagnosis_report(record, named);
     replace_file(files.front(), json_text(page.data));
     if (record.with_page) {
-        write_html_page(page_file, page, "diagnose", record.case_file.string());
+        write_html_page(page_file, page,
+                        {.kind = "diagnose", .source = record.case_file.string(), .files = record.inputs});
     }
     return files;
 }

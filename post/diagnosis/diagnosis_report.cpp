@@ -2,18 +2,18 @@
 // A diagnosis as a report: verdict, causes with their sizes, where it shows, limits, gain and noise.
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include <fmt/format.h>
 
 #include "diagnosis/detect/confounded_effects.hpp"
+#include "post/diagnosis/diagnosis_charts.hpp"
 #include "post/diagnosis/diagnosis_report.hpp"
 #include "post/diagnosis/diagnosis_sentences.hpp"
 #include "post/diagnosis/residual_breakdown.hpp"
 #include "post/diagnosis/run_verdicts.hpp"
 #include "post/diagnosis/unused_columns.hpp"
-#include "post/page/charts.hpp"
 #include "post/page/observed_series.hpp"
+#include "post/page/page_origin.hpp"
 #include "post/report/number_text.hpp"
 #include "post/report/table.hpp"
 #include "solver/channel_unit.hpp"
@@ -106,17 +106,7 @@ Section causes_section(const Diagnosis& result) {
         return section;
     }
     section.add(std::move(table));
-    std::vector<Bar> gains;
-    for (const Cause& cause : result.causes) {
-        if (gains.size() < most_others) {
-            gains.push_back({fmt::format("{}{}{}", cause.in_set ? "* " : "", cause.id,
-                                         cause.place.empty() && cause.channel.empty()
-                                             ? ""
-                                             : " of " + (cause.place.empty() ? cause.channel : cause.place)),
-                             cause.gain});
-        }
-    }
-    section.chart("Gain of each cause", "In log likelihood; *: in the set.", bar_chart("gain", "", gains));
+    add_cause_charts(section, result);
     section.say(
         fmt::format("{}sigma: standard deviations from no effect or from the case's number; gain: in log "
                     "likelihood over the model without it, the free numbers fitted anew each time.",
@@ -212,6 +202,7 @@ Section next_section(const Diagnosis& result) {
     if (!table.empty()) {
         section.add(std::move(table));
         section.say("sigma: standard deviations by which the explanations differ");
+        add_experiment_chart(section, result);
     }
     return section;
 }
@@ -236,9 +227,9 @@ DataTable channels(const DiagnosisRecord& record) {
     return table;
 }
 
-Section gain_section(const Diagnosis& result, DataTable table) {
+Section gain_section(const DiagnosisRecord& record, DataTable table) {
     Section section("Gain");
-    const Gain& gain = result.gain;
+    const Gain& gain = record.result.gain;
     if (table.empty()) {
         return section;
     }
@@ -255,6 +246,8 @@ Section gain_section(const Diagnosis& result, DataTable table) {
                                          decades > 6.0 ? "more than 10^6" : fmt::format("10^{:.0f}", decades))
                            : "not confirmed there"));
     }
+    add_channel_gain_charts(section, record);
+    add_held_out_chart(section, record);
     return section;
 }
 
@@ -271,42 +264,7 @@ Value gain_data(const Gain& gain) {
             {"log_e", where(gain.measured, gain.log_e)}};
 }
 
-/// The windows in which most heat is missing.
-/// Watts against time, a curve for each place, a chart for each run.
-void add_missing_heat_charts(Section& section, const DiagnosisRecord& record) {
-    for (std::size_t run = 0; run < record.experiment.runs.size(); ++run) {
-        std::map<std::string, std::pair<std::vector<double>, std::vector<double>>> places;  // time, watts
-        double low = 1e300;
-        double high = -1e300;
-        for (const MissingHeat& one : record.result.missing_heat) {
-            if (one.run == run) {
-                auto& [time, watts] = places[one.place];
-                // Level over its window.
-                time.insert(time.end(), {one.from, one.to});
-                watts.insert(watts.end(), {one.watts, one.watts});
-                low = std::min(low, one.from);
-                high = std::max(high, one.to);
-            }
-        }
-        if (places.empty()) {
-            continue;
-        }
-        const TimeUnit unit = time_unit(high - low);
-        LineChart chart("time", unit.name, low / unit.seconds, high / unit.seconds);
-        chart.add_panel("missing heat", "W");
-        for (auto& [place, curve] : places) {
-            for (double& t : curve.first) {
-                t /= unit.seconds;
-            }
-            chart.add_curve(place, place, CurveRole::line, curve.first, curve.second);
-        }
-        chart.add_level("", 0.0);
-        chart.set_link("time");
-        section.chart("Missing heat, " + record.experiment.runs[run].name,
-                      "What the base model would need at each place, window by window.", chart.data());
-    }
-}
-
+/// The windows in which most heat is missing, and all of them as a map.
 Section missing_heat_section(const DiagnosisRecord& record) {
     Section section("Inferred heat source");
     std::vector<MissingHeat> missing = record.result.missing_heat;
@@ -327,7 +285,7 @@ Section missing_heat_section(const DiagnosisRecord& record) {
     section.say(
         "The heat that is missing in a window if all else is as in the base model; all windows are listed in "
         "missing_heat.csv. A large sigma here is no verdict: there are many windows.");
-    add_missing_heat_charts(section, record);
+    add_missing_heat_maps(section, record);
     return section;
 }
 
@@ -433,13 +391,15 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
         verdict.say(fmt::format("It was stopped during the {}: this is the best answer so far.", result.stopped));
     }
     report.add(std::move(verdict));
+    report.appendix.push_back(citations_section(record.experiment.runs.front().problem));
     report.add(interpretation(record));
     report.add(run_verdicts_section(record));
     std::vector<std::pair<std::string, const Eigen::VectorXd*>> models{{"base", &result.base}};
     if (result.extended.size() == result.base.size() && result.extended != result.base) {
         models.emplace_back("extended", &result.extended);
     }
-    report.add(measured_section(observed_series(record.experiment, record.observations, models)));
+    report.add(measured_section(observed_series(record.experiment, record.observations, models),
+                                inputs_of_runs(record.experiment)));
     if (!of_error.empty()) {
         Section of_error_section("Error of the model that is left", std::move(of_error));
         of_error_section.say(
@@ -451,7 +411,7 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
     report.add(missing_heat_section(record));
     report.add(causes_section(result));
     report.add(Section("Upper limits (95 %)", std::move(of_limits)));
-    report.add(gain_section(result, std::move(of_channels)));
+    report.add(gain_section(record, std::move(of_channels)));
     report.add(Section("Free numbers", std::move(of_numbers)));
     Section of_noise_section = Section("Noise", std::move(of_noise));
     if (!result.noise.empty() && result.numerical_error_sigma > 0.0) {

@@ -21,8 +21,9 @@ struct DiagnosisRecord {
     std::vector<std::filesystem::path> data;  ///< runs that were given beside the case
     std::vector<std::string> warnings;
     std::vector<std::string> findings;
-    diagnosis::RunVerdicts by_run{};  ///< of several runs
-    bool with_page = false;           ///< report.html is written
+    diagnosis::RunVerdicts by_run{};    ///< of several runs
+    bool with_page = false;             ///< report.html is written
+    std::vector<std::string> inputs{};  ///< files that were read, for the foot of the page
 };
 
 /// A page for a thermal engineer, and all figures. @param files that were written

@@ -8,9 +8,11 @@
 
 #include "diagnosis/fit/fit.hpp"
 #include "post/identification/fit_section.hpp"
+#include "post/identification/identifiability_charts.hpp"
 #include "post/identification/identification_report.hpp"
 #include "post/identification/law_charts.hpp"
 #include "post/page/observed_series.hpp"
+#include "post/page/page_origin.hpp"
 #include "post/report/number_text.hpp"
 #include "post/report/table.hpp"
 #include "solver/channel_unit.hpp"
@@ -174,6 +176,21 @@ Section correlations(const IdentificationRecord& record) {
     return {"Pairs that the data hardly tell apart (correlation)", std::move(table)};
 }
 
+/// How many of the numbers the data determine, and which they do not.
+std::string verdict_of(const IdentificationRecord& record) {
+    const std::vector<Fitted>& fitted = record.result.fitted;
+    const auto determined = std::ranges::count(fitted, Identifiability::determined, &Fitted::identifiability);
+    std::string others;
+    for (std::size_t j = 0; j < fitted.size(); ++j) {
+        if (fitted[j].identifiability != Identifiability::determined) {
+            others += fmt::format("{}{} ({})", others.empty() ? "" : ", ", record.experiment.parameters[j].name,
+                                  word_of(fitted[j].identifiability));
+        }
+    }
+    return fmt::format("{} of {} {} determined by the data{}", determined, plural(fitted.size(), "number"),
+                       determined == 1 ? "is" : "are", others.empty() ? "." : "; the others: " + others + ".");
+}
+
 }  // namespace
 
 std::string describe(const Direction& direction, const input::Experiment& experiment, const Eigen::VectorXd& values) {
@@ -241,6 +258,8 @@ Report identification_report(const IdentificationRecord& record, const std::vect
                    {"misfit", result.misfit},
                    {"freedom", result.freedom},
                    {"non_smooth_parameters", result.non_smooth_parameters}};
+    report.verdict = {verdict_of(record)};
+    report.appendix.push_back(citations_section(record.experiment.runs.front().problem));
     report.add(numbers(record, std::move(of_parameters)));
     if (!record.planned) {
         report.add(law_charts(record));
@@ -248,12 +267,14 @@ Report identification_report(const IdentificationRecord& record, const std::vect
     std::vector<std::string> findings = result.findings;
     findings.insert(findings.end(), record.findings.begin(), record.findings.end());
     report.add("Findings", "findings", findings);
+    report.add(identifiability_section(record));
     report.add(directions(record));
     report.add(correlations(record));
     if (!record.planned) {
         report.add(fit_section(record, std::move(of_channels), std::move(of_numbers)));
         report.add(measured_section(observed_series(record.experiment, record.observations,
-                                                    {{"case", &result.before}, {"fitted", &result.after}})));
+                                                    {{"case", &result.before}, {"fitted", &result.after}}),
+                                    inputs_of_runs(record.experiment)));
     }
     Section switches("At a switch or a clamp");
     if (!result.non_smooth_parameters.empty()) {

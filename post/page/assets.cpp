@@ -2,26 +2,24 @@
 // The assembler takes the files of post/page/assets into the program; the build says where they are.
 #include "post/page/assets.hpp"
 
-#define TIRETHERM_ASSET(name, file)                 \
-    asm(".section .rodata\n"                        \
-        ".global tiretherm_asset_" #name            \
-        "\n"                                        \
-        "tiretherm_asset_" #name                    \
-        ":\n"                                       \
-        ".incbin \"" TIRETHERM_ASSETS "/" file      \
-        "\"\n"                                      \
-        ".global tiretherm_asset_" #name            \
-        "_end\n"                                    \
-        "tiretherm_asset_" #name                    \
-        "_end:\n"                                   \
-        ".byte 0\n"                                 \
-        ".previous\n");                             \
-    extern "C" const char tiretherm_asset_##name[]; \
+#define TIRETHERM_ASSET(name, files)                                          \
+    asm(".section .rodata\n"                                                  \
+        ".global tiretherm_asset_" #name                                      \
+        "\n"                                                                  \
+        "tiretherm_asset_" #name ":\n" files ".global tiretherm_asset_" #name \
+        "_end\n"                                                              \
+        "tiretherm_asset_" #name                                              \
+        "_end:\n"                                                             \
+        ".byte 0\n"                                                           \
+        ".previous\n");                                                       \
+    extern "C" const char tiretherm_asset_##name[];                           \
     extern "C" const char tiretherm_asset_##name##_end[]
 
-TIRETHERM_ASSET(style, "report.css");
-TIRETHERM_ASSET(script, "report.js");
-TIRETHERM_ASSET(charting_library, "echarts.min.js");
+#define TIRETHERM_FILE(file) ".incbin \"" TIRETHERM_ASSETS "/" file "\"\n"
+
+TIRETHERM_ASSET(style, TIRETHERM_FILE("report.css"));
+TIRETHERM_ASSET(script, TIRETHERM_FILE("parts.js") TIRETHERM_FILE("maps_and_bars.js") TIRETHERM_FILE("report.js"));
+TIRETHERM_ASSET(charting_library, TIRETHERM_FILE("echarts.min.js"));
 
 namespace tiretherm::post::assets {
 

@@ -7,6 +7,7 @@
 namespace tiretherm::post::assets {
 
 [[nodiscard]] std::string_view style();
+/// parts.js, maps_and_bars.js and report.js, one after the other.
 [[nodiscard]] std::string_view script();
 /// Apache ECharts; post/page/assets/README.md says how it is made.
 [[nodiscard]] std::string_view charting_library();

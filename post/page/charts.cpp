@@ -13,10 +13,8 @@ namespace tiretherm::post {
 
 namespace {
 
-constexpr std::size_t most_points = 2400;  ///< of a curve: more than a wide screen has pixels
-
 /// Indices of the points of a curve that are shown: all, or the lowest and the highest of each piece.
-std::vector<std::size_t> shown_points(std::span<const double> y) {
+std::vector<std::size_t> shown_points(std::span<const double> y, std::size_t most_points) {
     std::vector<std::size_t> kept;
     if (y.size() <= most_points) {
         for (std::size_t i = 0; i < y.size(); ++i) {
@@ -24,7 +22,7 @@ std::vector<std::size_t> shown_points(std::span<const double> y) {
         }
         return kept;
     }
-    constexpr std::size_t pieces = most_points / 2;
+    const std::size_t pieces = most_points / 2;
     for (std::size_t piece = 0; piece < pieces; ++piece) {
         const std::size_t from = piece * y.size() / pieces;
         const std::size_t to = (piece + 1) * y.size() / pieces;
@@ -85,7 +83,7 @@ void LineChart::add_curve(const std::string& name, const std::string& group, Cur
                           std::span<const double> y) {
     assert(!panels_.empty() && x.size() == y.size());
     Value::List points;
-    for (const std::size_t i : shown_points(y)) {
+    for (const std::size_t i : shown_points(y, most_points_)) {
         points.emplace_back(Value::List{number(x[i]), number(y[i])});
     }
     panels_.back().series.emplace_back(
@@ -118,6 +116,11 @@ void LineChart::add_level(const std::string& name, double value) {
     panels_.back().levels.emplace_back(Value{{"name", name}, {"value", number(value)}});
 }
 
+void LineChart::add_mark(const std::string& name, const std::string& group, double x, double y) {
+    assert(!panels_.empty());
+    panels_.back().marks.emplace_back(Value{{"name", name}, {"group", group}, {"x", number(x)}, {"y", number(y)}});
+}
+
 void LineChart::add_span(const std::string& name, double from, double to) {
     spans_.emplace_back(Value{{"name", name}, {"from", number(from)}, {"to", number(to)}});
 }
@@ -129,17 +132,59 @@ Value LineChart::data() const {
                                   {"unit", panel.unit},
                                   {"short", panel.is_short},
                                   {"series", panel.series},
-                                  {"levels", panel.levels}});
+                                  {"levels", panel.levels},
+                                  {"marks", panel.marks}});
     }
     return {{"kind", "lines"}, {"x", axis_}, {"panels", panels}, {"spans", spans_}, {"link", text_or_null(link_)}};
 }
 
-Value bar_chart(std::string_view what, std::string_view unit, const std::vector<Bar>& bars) {
+namespace {
+
+Value::List named_values(const std::vector<Bar>& levels) {
+    Value::List list;
+    for (const Bar& level : levels) {
+        list.emplace_back(Value{{"name", level.name}, {"value", number(level.value)}});
+    }
+    return list;
+}
+
+}  // namespace
+
+Value bar_chart(std::string_view what, std::string_view unit, const std::vector<Bar>& bars,
+                const std::vector<Bar>& levels) {
     Value::List items;
     for (const Bar& bar : bars) {
-        items.emplace_back(Value{{"name", bar.name}, {"value", number(bar.value)}});
+        Value item{{"name", bar.name}, {"value", number(bar.value)}};
+        if (std::isfinite(bar.low) && std::isfinite(bar.high)) {
+            item.set({{"low", number(bar.low)}, {"high", number(bar.high)}});
+        }
+        if (bar.is_marked) {
+            item.set("marked", true);
+        }
+        items.push_back(std::move(item));
     }
-    return {{"kind", "bars"}, {"x", Value{{"name", what}, {"unit", unit}}}, {"items", items}};
+    return {{"kind", "bars"},
+            {"x", Value{{"name", what}, {"unit", unit}}},
+            {"items", items},
+            {"levels", named_values(levels)}};
+}
+
+Value grouped_bar_chart(std::string_view what, std::string_view unit, const std::vector<std::string>& series,
+                        const std::vector<BarGroup>& groups, const std::vector<Bar>& levels) {
+    Value::List items;
+    for (const BarGroup& group : groups) {
+        assert(group.values.size() == series.size());
+        Value::List values;
+        for (const double value : group.values) {
+            values.push_back(number(value));
+        }
+        items.emplace_back(Value{{"name", group.name}, {"values", std::move(values)}});
+    }
+    return {{"kind", "bars"},
+            {"x", Value{{"name", what}, {"unit", unit}}},
+            {"series", series},
+            {"items", items},
+            {"levels", named_values(levels)}};
 }
 
 std::string base64(std::span<const unsigned char> bytes) {

@@ -2,6 +2,8 @@
 // Data of the charts of a page, in the units that are shown, as report.js takes them.
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -45,8 +47,12 @@ public:
                   std::span<const double> low, std::span<const double> high);
     /// A horizontal line with a name.
     void add_level(const std::string& name, double value);
-    /// A part of the shared axis with a name: a step, a lap, a run.
+    /// A point with a name, such as the moment at which a level is passed.
+    void add_mark(const std::string& name, const std::string& group, double x, double y);
+    /// A part of the shared axis with a name: a step, a lap, a run. Without a name it is shaded alike.
     void add_span(const std::string& name, double from, double to);
+    /// How many points of a curve are shown at most; charts with many curves need fewer of each. Holds for later curves.
+    void limit_points(std::size_t most) { most_points_ = most; }
     /// Charts of one page with the same link zoom and show their cursors together.
     void set_link(std::string link) { link_ = std::move(link); }
 
@@ -60,23 +66,40 @@ private:
         bool is_short = false;
         Value::List series{};
         Value::List levels{};
+        Value::List marks{};
     };
     void add_areas(const std::string& role, const std::string& name, const std::string& group,
                    std::span<const double> x, std::span<const double> low, std::span<const double> high);
 
     Value axis_;
     std::vector<Panel> panels_;
+    std::size_t most_points_ = 2400;  ///< more than a wide screen has pixels
     Value::List spans_;
     std::string link_;
 };
 
+/// A value with a name, and its interval where there is one.
 struct Bar {
     std::string name;
     double value = 0.0;
+    double low = std::numeric_limits<double>::quiet_NaN();
+    double high = std::numeric_limits<double>::quiet_NaN();
+    bool is_marked = false;  ///< stands out: in the set
 };
 
-/// Signed values by name. @param what the values are, "heat"  @param unit as it is shown
-[[nodiscard]] Value bar_chart(std::string_view what, std::string_view unit, const std::vector<Bar>& bars);
+/// Signed values by name. @param what the values are, "heat"  @param unit as it is shown  @param levels lines with a name
+[[nodiscard]] Value bar_chart(std::string_view what, std::string_view unit, const std::vector<Bar>& bars,
+                              const std::vector<Bar>& levels = {});
+
+/// Several values of each name side by side. Not finite: no bar.
+struct BarGroup {
+    std::string name;
+    std::vector<double> values;  ///< [series]
+};
+/// @param series what the values of each name are: "before", "after"
+[[nodiscard]] Value grouped_bar_chart(std::string_view what, std::string_view unit,
+                                      const std::vector<std::string>& series, const std::vector<BarGroup>& groups,
+                                      const std::vector<Bar>& levels = {});
 
 /// A number with so many digits as a chart shows.
 [[nodiscard]] double rounded(double value, int digits = 6);

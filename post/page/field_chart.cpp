@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -81,6 +82,33 @@ Value::List borders_of(const mesh::Mesh& mesh) {
     return borders;
 }
 
+/// Where a place of the unrolled section lies in the folded one: straight between the corners of its cell. m
+std::optional<std::array<double, 2>> folded_place(const mesh::Mesh& mesh, double along, double depth) {
+    for (const mesh::Column& column : mesh.columns) {
+        if (along < column.from || along > column.to) {
+            continue;
+        }
+        int k = 0;
+        while (k + 1 < column.cells() && depth > column.edge[static_cast<std::size_t>(k) + 1]) {
+            ++k;
+        }
+        const double top = column.edge[static_cast<std::size_t>(k)];
+        const double bottom = column.edge[static_cast<std::size_t>(k) + 1];
+        const double u = (along - column.from) / (column.to - column.from);
+        const double v = std::clamp((depth - top) / (bottom - top), 0.0, 1.0);
+        // Corners: inner side from outboard to inboard, then the outer side back.
+        std::array<double, 2> at{};
+        const std::array<double, 4> weight{(1.0 - u) * v, u * v, u * (1.0 - v), (1.0 - u) * (1.0 - v)};
+        for (std::size_t i = 0; i < 4; ++i) {
+            const mesh::Point& p = mesh.drawing.points[corner(mesh, column.first_cell + k, i)];
+            at[0] += weight[i] * p[0];
+            at[1] += weight[i] * p[2];
+        }
+        return at;
+    }
+    return std::nullopt;
+}
+
 /// The name of each zone beside its middle column, inside the cavity.
 Value::List names_of(const mesh::Mesh& mesh) {
     Value::List names;
@@ -107,6 +135,35 @@ Value::List names_of(const mesh::Mesh& mesh) {
                                                           : "center"}});
     }
     return names;
+}
+
+/// A point in the middle of each layer of the crown, side by side, and the cavity below it, where the names have room. mm
+Value::List layer_places_of(const mesh::Mesh& mesh) {
+    std::size_t middle = 0;  // column at the tire's plane
+    for (std::size_t i = 0; i < mesh.columns.size(); ++i) {
+        const auto off = [&](std::size_t c) { return std::abs(mesh.columns[c].from + mesh.columns[c].to); };
+        middle = off(i) < off(middle) ? i : middle;
+    }
+    const mesh::Column& column = mesh.columns[middle];
+    Value::List places;
+    int first = 0;
+    for (int k = 0; k < column.cells(); ++k) {
+        const auto layer = [&](int row) { return mesh.layer[static_cast<std::size_t>(column.first_cell + row)]; };
+        if (k + 1 < column.cells() && layer(k) == layer(k + 1)) {
+            continue;
+        }
+        const double depth =
+            0.5 * (column.edge[static_cast<std::size_t>(first)] + column.edge[static_cast<std::size_t>(k) + 1]);
+        first = k + 1;
+        // Side by side: 4 mm from one to the next.
+        const double along = 0.5 * (column.from + column.to) + 4e-3 * static_cast<double>(places.size());
+        if (const auto at = folded_place(mesh, along, depth)) {
+            places.emplace_back(Value{{"name", words(mesh.layers[static_cast<std::size_t>(layer(k))])},
+                                      {"x", mm((*at)[0])},
+                                      {"y", mm((*at)[1])}});
+        }
+    }
+    return places;
 }
 
 }  // namespace
@@ -191,7 +248,7 @@ Value FieldFrames::outline() const {
     Range across;
     Range along;
     if (folded_) {
-        const mesh::Mesh& mesh = problem_.mesh.sectors > 1 ? section_ : problem_.mesh;
+        const mesh::Mesh& mesh = drawn_mesh();
         for (int cell = 0; cell < mesh.n_cells; ++cell) {
             std::array<double, 8> at{};
             for (std::size_t i = 0; i < 4; ++i) {
@@ -210,7 +267,8 @@ Value FieldFrames::outline() const {
                 {"layers", std::move(layers)},
                 {"layer_names", mesh.layers},
                 {"borders", borders_of(mesh)},
-                {"names", names_of(mesh)}};
+                {"names", names_of(mesh)},
+                {"layer_places", layer_places_of(mesh)}};
     }
     const mesh::Grid& grid = *problem_.mesh.grid;
     const bool mirrored = grid.mirror[0];
@@ -232,6 +290,19 @@ Value FieldFrames::outline() const {
         }
     }
     Value::List borders;
+    Value::List layer_places;
+    int first = 0;  // row of the layer at hand
+    for (int k = 0; k < grid.size(2); ++k) {
+        const auto index = [&](int row) { return problem_.mesh.layer[static_cast<std::size_t>(grid.cell(0, 0, row))]; };
+        if (k + 1 == grid.size(2) || index(k) != index(k + 1)) {
+            const double top = grid.edge[2][static_cast<std::size_t>(first)];
+            const double bottom = grid.edge[2][static_cast<std::size_t>(k) + 1];
+            layer_places.emplace_back(Value{{"name", words(problem_.mesh.layers[static_cast<std::size_t>(index(k))])},
+                                            {"x", across.low},
+                                            {"y", mm(0.5 * (top + bottom))}});
+            first = k + 1;
+        }
+    }
     for (int k = 0; k + 1 < grid.size(2); ++k) {
         const auto layer = [&](int row) { return problem_.mesh.layer[static_cast<std::size_t>(grid.cell(0, 0, row))]; };
         if (layer(k) != layer(k + 1)) {
@@ -245,10 +316,36 @@ Value FieldFrames::outline() const {
             {"layers", std::move(layers)},
             {"layer_names", problem_.mesh.layers},
             {"borders", std::move(borders)},
-            {"names", Value::List{}}};
+            {"names", Value::List{}},
+            {"layer_places", std::move(layer_places)}};
 }
 
-Value FieldFrames::chart() const {
+Value::List FieldFrames::spots(const diagnosis::HotSpots& hot_spots, const std::vector<const Frame*>& shown) const {
+    Value::List list;
+    for (const diagnosis::HotSpot& spot : hot_spots.spots) {
+        const std::vector<double>& time = spot.history.time();
+        Value::List places;
+        for (const Frame* frame : shown) {
+            const auto row = static_cast<std::size_t>(std::ranges::lower_bound(time, frame->time) - time.begin());
+            if (row >= time.size()) {
+                places.emplace_back();
+                continue;
+            }
+            const solver::HotSpotFinder::Found& found = spot.history.found(row);
+            const std::optional<std::array<double, 2>> at = folded_place(drawn_mesh(), found.point[0], found.point[2]);
+            places.push_back(
+                at ? Value(Value::List{mm((*at)[0]), mm((*at)[1]), rounded(solver::celsius(found.temperature), 7)})
+                   : Value());
+        }
+        const solver::Critical& critical = spot.history.critical();
+        list.emplace_back(Value{{"name", critical.name},
+                                {"critical", rounded(solver::celsius(critical.temperature), 7)},
+                                {"at", std::move(places)}});
+    }
+    return list;
+}
+
+Value FieldFrames::chart(const diagnosis::HotSpots* hot_spots) const {
     std::vector<const Frame*> shown;
     for (const Frame& frame : frames_) {
         shown.push_back(&frame);
@@ -294,15 +391,26 @@ Value FieldFrames::chart() const {
                {"hottest", hottest},
                {"marks", marks},
                {"values", base64(bytes)}};
+    if (folded_ && hot_spots != nullptr) {
+        data.set("spots", spots(*hot_spots, shown));
+    }
     data.set(outline());
     return data;
 }
 
-std::string FieldFrames::caption() const {
+std::string FieldFrames::caption(const diagnosis::HotSpots* hot_spots) const {
+    std::string layers;
+    for (const std::string& layer : problem_.mesh.layers) {
+        layers += (layers.empty() ? "" : ", ") + words(layer);
+    }
     return fmt::format(
-        "One colour scale for all moments; the circle is the hottest place of the moment that is shown.{}{}",
+        "One colour scale for all moments; the circle is the hottest place of the moment that is shown.{}{}{} Layers "
+        "from the "
+        "outside in: {}.",
+        folded_ && hot_spots != nullptr ? " The diamonds are the hot spots of the parts with a critical temperature."
+                                        : "",
         problem_.mesh.sectors > 1 ? " Mean around the tire." : "",
-        folded_ ? "" : " The colour of a cell is its mean; the circle stands in the hottest cell.");
+        folded_ ? "" : " The colour of a cell is its mean; the circle stands in the hottest cell.", layers);
 }
 
 }  // namespace tiretherm::post

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/hot_spot/hot_spots.hpp"
 #include "mesh/mesh.hpp"
 #include "post/pictures/drawn_field.hpp"
 #include "post/report/value.hpp"
@@ -24,10 +25,10 @@ public:
     void take(const solver::Snapshot& snapshot);
     /// Whether the mesh has something to draw and a field was taken.
     [[nodiscard]] bool empty() const { return frames_.empty(); }
-    /// @pre !empty()
-    [[nodiscard]] Value chart() const;
-    /// How the chart is read.
-    [[nodiscard]] std::string caption() const;
+    /// @param hot_spots marked with their names where they are at each moment; null: none  @pre !empty()
+    [[nodiscard]] Value chart(const diagnosis::HotSpots* hot_spots = nullptr) const;
+    /// How the chart is read, and the layers from the outside in.
+    [[nodiscard]] std::string caption(const diagnosis::HotSpots* hot_spots = nullptr) const;
 
 private:
     struct Frame {
@@ -37,7 +38,9 @@ private:
         std::array<double, 2> at{};  ///< mm, where it is that hot
     };
     [[nodiscard]] Frame frame_of(const solver::Snapshot& snapshot) const;
+    [[nodiscard]] const mesh::Mesh& drawn_mesh() const { return problem_.mesh.sectors > 1 ? section_ : problem_.mesh; }
     [[nodiscard]] Value outline() const;
+    [[nodiscard]] Value::List spots(const diagnosis::HotSpots& hot_spots, const std::vector<const Frame*>& shown) const;
     void thin();
 
     const solver::Problem& problem_;

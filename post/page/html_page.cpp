@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "post/page/assets.hpp"
+#include "post/page/page_origin.hpp"
 #include "post/report/file.hpp"
 
 namespace tiretherm::post {
@@ -128,22 +129,25 @@ std::string blocks_html(const std::vector<PageItem>& blocks, int level) {
 
 }  // namespace
 
-std::string html_page(const Report& report, const std::string& kind, const std::string& source) {
+std::string html_page(const Report& report, const PageOrigin& origin) {
     std::string text = fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{} - tiretherm "
         "{}</title>\n<style>\n",
-        html(report.title), html(kind));
+        html(report.title), html(origin.kind));
     text += assets::style();
     text += fmt::format("</style>\n</head>\n<body>\n<header>\n<h1>{}</h1>\n", html(report.title));
+    for (const std::string& line : report.verdict) {
+        text += fmt::format("<p class=\"verdict\">{}</p>\n", html(line));
+    }
     for (const std::string& line : report.lead) {
         text += fmt::format("<p class=\"lead\">{}</p>\n", html(line));
     }
     std::string contents;
     std::string sections;
-    for (const Section& section : report.sections) {
+    const auto add = [&](const Section& section) {
         if (section.blocks().empty()) {
-            continue;
+            return;
         }
         const std::string& heading = section.heading();
         if (heading.empty()) {
@@ -154,13 +158,16 @@ std::string html_page(const Report& report, const std::string& kind, const std::
             sections += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n", name, html(heading));
         }
         sections += blocks_html(section.blocks(), 3) + "</section>\n";
-    }
+    };
+    std::ranges::for_each(report.sections, add);
+    std::ranges::for_each(report.appendix, add);
+    add(origin_section(origin));
     text += fmt::format("<nav aria-label=\"sections\">{}</nav>\n</header>\n<main>\n{}</main>\n", contents, sections);
     text += fmt::format(
         "<footer>tiretherm {} {}{}. Charts: ctrl + wheel or + and - zoom, drag or the arrows move, 0 shows all. Drawn "
         "with Apache "
         "ECharts.</footer>\n",
-        TIRETHERM_VERSION, html(kind), source.empty() ? "" : " of " + html(source));
+        TIRETHERM_VERSION, html(origin.kind), origin.source.empty() ? "" : " of " + html(origin.source));
     text += "<script>\n";
     text += assets::charting_library();
     text += "</script>\n<script>\n";
@@ -168,9 +175,8 @@ std::string html_page(const Report& report, const std::string& kind, const std::
     return text + "</script>\n</body>\n</html>\n";
 }
 
-void write_html_page(const std::filesystem::path& path, const Report& report, const std::string& kind,
-                     const std::string& source) {
-    replace_file(path, html_page(report, kind, source));
+void write_html_page(const std::filesystem::path& path, const Report& report, const PageOrigin& origin) {
+    replace_file(path, html_page(report, origin));
 }
 
 }  // namespace tiretherm::post

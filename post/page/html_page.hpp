@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "post/report/report.hpp"
 
@@ -11,13 +12,18 @@ namespace tiretherm::post {
 
 inline constexpr const char* page_name = "report.html";
 
-/// The page of a result with its charts: title and lead first, then the sections. Style, script and the charting library are
-/// in it. Temperatures read °C.
-/// @param kind of the result, "run"   @param source the case file, for the foot of the page; may be empty
-[[nodiscard]] std::string html_page(const Report& report, const std::string& kind, const std::string& source);
+/// What a page was made from, for its foot.
+struct PageOrigin {
+    std::string kind;                  ///< of the result, "run"
+    std::string source{};              ///< the case file; may be empty
+    std::vector<std::string> files{};  ///< all that were read: the case, what it includes, logs, tables
+};
+
+/// The page of a result with its charts: title, verdict and lead first, then the sections, the appendix, and the files and
+/// versions that it rests on. Style, script and the charting library are in it. Temperatures read °C.
+[[nodiscard]] std::string html_page(const Report& report, const PageOrigin& origin);
 
 /// The same as a file. @errors FileError
-void write_html_page(const std::filesystem::path& path, const Report& report, const std::string& kind,
-                     const std::string& source);
+void write_html_page(const std::filesystem::path& path, const Report& report, const PageOrigin& origin);
 
 }  // namespace tiretherm::post

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "post/page/charts.hpp"
+#include "post/page/input_panels.hpp"
 
 namespace tiretherm::post {
 
@@ -74,9 +75,27 @@ void add_panels(LineChart& chart, const std::vector<const MeasuredSeries*>& seri
     chart.add_level("", 0.0);
 }
 
+/// Points of a curve, so that the page stays small whatever number of curves it has.
+std::size_t points_of_each(const std::vector<const MeasuredSeries*>& series) {
+    constexpr std::size_t on_the_page = 120'000;
+    std::size_t curves = 1;
+    for (const MeasuredSeries* one : series) {
+        curves += 1 + 2 * one->models.size();
+    }
+    return std::clamp<std::size_t>(on_the_page / curves, 200, 2400);
+}
+
 }  // namespace
 
-Section measured_section(const std::vector<MeasuredSeries>& series) {
+std::vector<RunInputs> inputs_of_runs(const input::Experiment& experiment) {
+    std::vector<RunInputs> inputs;
+    for (const input::MeasuredRun& run : experiment.runs) {
+        inputs.push_back({.run = run.name, .inputs = &run.problem.input_signals});
+    }
+    return inputs;
+}
+
+Section measured_section(const std::vector<MeasuredSeries>& series, const std::vector<RunInputs>& inputs) {
     Section section("Measured and simulated");
     std::vector<const MeasuredSeries*> all;
     double low = 1e300;
@@ -94,6 +113,7 @@ Section measured_section(const std::vector<MeasuredSeries>& series) {
         std::vector<const MeasuredSeries*> own;
         std::ranges::copy_if(all, std::back_inserter(own), [&](const MeasuredSeries* one) { return one->run == run; });
         LineChart chart("time", unit.name, low / unit.seconds, high / unit.seconds);
+        chart.limit_points(points_of_each(all));
         for (const std::string& name :
              distinct(own, [](const MeasuredSeries& one) { return std::string(one.unit.name); })) {
             std::vector<const MeasuredSeries*> of_unit;
@@ -101,15 +121,28 @@ Section measured_section(const std::vector<MeasuredSeries>& series) {
                                  [&](const MeasuredSeries* one) { return one->unit.name == name; });
             add_panels(chart, of_unit, unit.seconds);
         }
-        if (runs.size() > 1) {
-            chart.set_link("time");
+        const auto put_in = std::ranges::find(inputs, run, &RunInputs::run);
+        bool has_steps = false;
+        if (put_in != inputs.end()) {
+            double start = 1e300;
+            double end = -1e300;
+            for (const MeasuredSeries* one : own) {
+                start = std::min(start, one->time.front());
+                end = std::max(end, one->time.back());
+            }
+            add_input_panels(chart, *put_in->inputs, start, end, unit.seconds);
+            const std::vector<solver::ScheduleStep> steps = solver::schedule_steps(*put_in->inputs, start, end);
+            add_step_bands(chart, steps, unit.seconds);
+            has_steps = std::ranges::count(steps, false, &solver::ScheduleStep::ramp) > 1;
         }
+        chart.set_link("time");
         const bool several = own.front()->models.size() > 1;
         section.chart(run.empty() ? "Measured and simulated" : run,
-                      fmt::format("Points are measured; {}.{}",
+                      fmt::format("Points are measured; {}.{}{}",
                                   several ? fmt::format("dashed: {}, solid: {}", own.front()->models.front().name,
                                                         own.front()->models.back().name)
                                           : "lines are simulated",
+                                  has_steps ? " The bands are steps of speed and load." : "",
                                   runs.size() > 1 ? " All runs zoom together." : ""),
                       chart.data());
     }

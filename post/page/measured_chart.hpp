@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "input/measurements/experiment.hpp"
 #include "post/report/report.hpp"
 #include "solver/channel_unit.hpp"
+#include "solver/input_signals.hpp"
 
 namespace tiretherm::post {
 
@@ -24,8 +26,17 @@ struct MeasuredSeries {
     std::vector<Model> models;     ///< from the first to the best
 };
 
-/// A section with a chart for each run: channels of one unit in one panel, simulated less measured below. The first model is
-/// dashed where there is another. All charts zoom together. Nothing where there is no series of two samples or more.
-[[nodiscard]] Section measured_section(const std::vector<MeasuredSeries>& series);
+/// What was put in during a run, for the panels below its channels.
+struct RunInputs {
+    std::string run;
+    const solver::InputSignals* inputs = nullptr;
+};
+[[nodiscard]] std::vector<RunInputs> inputs_of_runs(const input::Experiment& experiment);
+
+/// A section with a chart for each run: channels of one unit in one panel, simulated less measured below, the inputs that change
+/// at the bottom, and steps as bands. The first model is dashed where there is another. All charts zoom together. Nothing
+/// where there is no series of two samples or more.
+[[nodiscard]] Section measured_section(const std::vector<MeasuredSeries>& series,
+                                       const std::vector<RunInputs>& inputs = {});
 
 }  // namespace tiretherm::post

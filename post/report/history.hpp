@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The channels of a run kept in memory, for comparison with measured values and for pictures.
+// The channels and the heat budget of a run kept in memory, for comparison with measured values and for charts.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,8 @@
 
 namespace tiretherm::post {
 
-/// The channels of a run, row by row, kept for the comparison with measured values and for the picture at the end.
+/// The channels and the heat of each effect, row by row, kept for the comparison with measured values and for the charts at
+/// the end.
 class History {
 public:
     void take(const solver::Snapshot& snapshot);
@@ -19,6 +20,8 @@ public:
     [[nodiscard]] const std::vector<double>& time() const { return time_; }  ///< [rows] s
     /// A channel's values. @returns [rows] K
     [[nodiscard]] std::vector<double> channel(std::size_t index) const;
+    /// Heat of an effect into the mesh, not scaled by symmetry. @returns [rows] W; empty where rows came without
+    [[nodiscard]] std::vector<double> watts(std::size_t effect) const;
     /// Linear between rows, constant beyond them. @param t s  @pre rows() > 0  @returns K
     [[nodiscard]] double at(std::size_t channel, double t) const;
 
@@ -28,6 +31,8 @@ private:
     std::size_t width_ = 0;
     std::vector<double> time_;
     std::vector<double> value_;  ///< [rows * channels] K
+    std::size_t effects_ = 0;
+    std::vector<double> watts_;  ///< [rows * effects] W
 };
 
 }  // namespace tiretherm::post

@@ -36,6 +36,8 @@ public:
     OutputFolder& operator=(const OutputFolder&) = delete;
 
     [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
+    /// Files that the call reads.
+    [[nodiscard]] const std::vector<std::string>& inputs() const { return inputs_; }
     /// Where files are written before `commit`.
     [[nodiscard]] const std::filesystem::path& stage() const { return stage_; }
     /// A file beside the stage, which the next call finds when this one is killed; gone at the end of this one.

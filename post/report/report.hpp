@@ -133,6 +133,8 @@ struct Report {
     std::vector<std::string> lead = {};  ///< lines below the title
     std::vector<Section> sections = {};  ///< those with nothing in them are left out
     Value data = {};
+    std::vector<std::string> verdict = {};  ///< of the page as HTML, below its title: what came out, a sentence each
+    std::vector<Section> appendix = {};     ///< of the page as HTML, at its end
 
     void add(Section section) { sections.push_back(std::move(section)); }
     /// Sentences, on the page and under a key of the data.

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "post/page/charts.hpp"
+#include "post/page/input_panels.hpp"
 #include "post/run/run_sections.hpp"
 #include "solver/celsius.hpp"
 #include "solver/channel_unit.hpp"
@@ -60,15 +61,59 @@ void add_measured(LineChart& chart, const RunRecord& run, std::size_t channel, c
     }
 }
 
+/// Of each hot spot its course, its critical temperature, and the moment at which it passes that.
+void add_hot_spots(LineChart& chart, const diagnosis::HotSpots& hot_spots, const TimeUnit& time) {
+    for (const diagnosis::HotSpot& spot : hot_spots.spots) {
+        std::vector<double> hottest = spot.history.temperature();
+        for (double& value : hottest) {
+            value = solver::celsius(value);
+        }
+        const solver::Critical& critical = spot.history.critical();
+        const double level = solver::celsius(critical.temperature);
+        chart.add_curve("hottest, " + critical.name, critical.name, CurveRole::dashed,
+                        scaled(spot.history.time(), 1.0 / time.seconds), hottest);
+        chart.add_level(fmt::format("{}: critical {:.5g} °C", critical.name, level), level);
+        if (spot.passing) {
+            std::string text = fmt::format("{} passes {:.5g} °C: {:.4g} {}", critical.name, level,
+                                           spot.passing->time / time.seconds, time.name);
+            if (spot.passing->step && !spot.passing->step->ramp) {
+                text += fmt::format(", step {}", spot.passing->step->number);
+            }
+            text += fmt::format(", {:.0f} km/h", 3.6 * spot.passing->speed);
+            chart.add_mark(text, critical.name, spot.passing->time / time.seconds, level);
+        }
+    }
+}
+
+/// Fewer points of each, where there are many curves: a page stays small.
+std::size_t points_of_each(std::size_t curves) {
+    constexpr std::size_t of_a_chart = 60'000;
+    return std::clamp<std::size_t>(of_a_chart / std::max<std::size_t>(curves, 1), 300, 2400);
+}
+
+std::string caption_of(const RunRecord& run, const std::vector<solver::ScheduleStep>& steps) {
+    std::string text = "Lines are simulated";
+    text += run.problem.measured.empty() ? "." : "; a bar with circles is a measured value or range.";
+    if (std::ranges::count(steps, false, &solver::ScheduleStep::ramp) > 1) {
+        text += steps.front().recognised ? " The bands are steps of speed and load, recognised in the log."
+                                         : " The bands are the steps of the schedule.";
+    }
+    if (run.hot_spots != nullptr) {
+        text += " A pin marks where a hot spot passes its critical temperature.";
+    }
+    return text;
+}
+
 }  // namespace
 
 void add_channel_charts(Section& section, const RunRecord& run) {
-    if (run.history.rows() < 2 || run.problem.channels.empty()) {
+    if (run.history.rows() < 2 || (run.problem.channels.empty() && run.hot_spots == nullptr)) {
         return;
     }
     const TimeUnit time = time_unit(run.history.time().back() - run.history.time().front());
     const std::vector<double> t = scaled(run.history.time(), 1.0 / time.seconds);
     LineChart chart("time", time.name, t.front(), t.back());
+    chart.limit_points(points_of_each(run.problem.channels.size()));
     for (const Group& group : groups_of(run.problem)) {
         const bool is_temperature = axis_unit(group.unit.name) == "°C";
         chart.add_panel(is_temperature ? "temperature" : run.problem.channels[group.channels.front()].name,
@@ -83,21 +128,53 @@ void add_channel_charts(Section& section, const RunRecord& run) {
             add_measured(chart, run, c, group.unit, time);
         }
         if (is_temperature && run.hot_spots != nullptr) {
-            for (const diagnosis::HotSpot& spot : run.hot_spots->spots) {
-                std::vector<double> hottest = spot.history.temperature();
-                for (double& value : hottest) {
-                    value = solver::celsius(value);
-                }
-                const solver::Critical& critical = spot.history.critical();
-                chart.add_curve("hottest, " + critical.name, critical.name, CurveRole::dashed,
-                                scaled(spot.history.time(), 1.0 / time.seconds), hottest);
-                chart.add_level(
-                    fmt::format("{}: critical {:.5g} °C", critical.name, solver::celsius(critical.temperature)),
-                    solver::celsius(critical.temperature));
-            }
+            add_hot_spots(chart, *run.hot_spots, time);
         }
     }
-    section.chart("Sensors against time", "Lines are simulated; a bar with circles is a measured value or range.",
+    const double start = run.history.time().front();
+    const double end = run.history.time().back();
+    add_input_panels(chart, run.problem.input_signals, start, end, time.seconds);
+    const std::vector<solver::ScheduleStep> steps = solver::schedule_steps(run.problem.input_signals, start, end);
+    add_step_bands(chart, steps, time.seconds);
+    chart.set_link("time");
+    section.chart("Sensors against time", caption_of(run, steps), chart.data());
+}
+
+void add_heat_course(Section& section, const RunRecord& run) {
+    if (run.history.rows() < 2 || run.problem.settings.steady) {
+        return;
+    }
+    const TimeUnit time = time_unit(run.history.time().back() - run.history.time().front());
+    const std::vector<double> t = scaled(run.history.time(), 1.0 / time.seconds);
+    LineChart chart("time", time.name, t.front(), t.back());
+    chart.limit_points(points_of_each(run.problem.effects.size()));
+    chart.add_panel("heat into it", "W");
+    std::vector<double> sum(t.size(), 0.0);
+    bool any = false;
+    for (std::size_t e = 0; e < run.problem.effects.size(); ++e) {
+        const std::vector<double> watts = scaled(run.history.watts(e), run.problem.symmetry);
+        if (std::ranges::all_of(watts, [](double value) { return value == 0.0; })) {
+            continue;
+        }
+        any = true;
+        for (std::size_t row = 0; row < t.size(); ++row) {
+            sum[row] += watts[row];
+        }
+        const std::string name(run.problem.effects[e].title());
+        chart.add_curve(name, "heat of " + name, CurveRole::line, t, watts);
+    }
+    if (!any) {
+        return;
+    }
+    chart.add_curve("sum: what is stored", "sum of heat", CurveRole::dashed, t, sum);
+    chart.add_level("", 0.0);
+    const double start = run.history.time().front();
+    const double end = run.history.time().back();
+    add_step_bands(chart, solver::schedule_steps(run.problem.input_signals, start, end), time.seconds);
+    chart.set_link("time");
+    section.chart("Heat of each path against time",
+                  "Above zero a path brings heat in, below zero it takes heat out; the sum is what warms the tire or "
+                  "specimen.",
                   chart.data());
 }
 

@@ -5,7 +5,6 @@
 #include <system_error>
 #include <utility>
 
-#include "post/page/html_page.hpp"
 #include "post/report/file.hpp"
 
 namespace tiretherm::post {
@@ -51,9 +50,9 @@ void RunFiles::take(const solver::Snapshot& snapshot) {
     }
 }
 
-void RunFiles::write_page(const Report& report, const std::string& case_file) {
+void RunFiles::write_page(const Report& report, const PageOrigin& origin) {
     if (with_page_) {
-        write_html_page(page_.front(), report, "run", case_file);
+        write_html_page(page_.front(), report, origin);
     }
 }
 

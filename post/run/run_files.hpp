@@ -11,6 +11,7 @@
 #include "post/fields/output_format.hpp"
 #include "post/hot_spot/hot_spots_report.hpp"
 #include "post/page/field_chart.hpp"
+#include "post/page/html_page.hpp"
 #include "post/report/history.hpp"
 
 namespace tiretherm::post {
@@ -38,7 +39,7 @@ public:
     void write_hot_spots(const diagnosis::HotSpots& hot_spots);
 
     /// The page as HTML, where it was not refused (--no-report). @errors FileError
-    void write_page(const Report& report, const std::string& case_file);
+    void write_page(const Report& report, const PageOrigin& origin);
 
     [[nodiscard]] const History& history() const { return history_; }
     [[nodiscard]] const FieldFrames& fields() const { return fields_; }

@@ -12,6 +12,8 @@
 #include "input/text/suggestions.hpp"
 #include "mesh/place.hpp"
 #include "post/hot_spot/hot_spots_report.hpp"
+#include "post/page/charts.hpp"
+#include "post/page/page_origin.hpp"
 #include "post/report/number_text.hpp"
 #include "post/run/measured_values.hpp"
 #include "post/run/run_sections.hpp"
@@ -185,7 +187,7 @@ void add_results(Report& page, const RunRecord& run) {
                    {"coldest", extreme(run, run.report.coldest)}});
     if (run.fields != nullptr && !run.fields->empty()) {
         Section field("Temperature field");
-        field.chart("Temperature field", run.fields->caption(), run.fields->chart());
+        field.chart("Temperature field", run.fields->caption(run.hot_spots), run.fields->chart(run.hot_spots));
         page.add(std::move(field));
     }
     if (run.hot_spots != nullptr) {
@@ -194,9 +196,37 @@ void add_results(Report& page, const RunRecord& run) {
     }
     if (!is_meaningless(run.report)) {
         Section heat = heat_budget_section(run);
+        add_heat_course(heat, run);
         add_heat_charts(heat, run);
         page.add(std::move(heat));
     }
+}
+
+/// The hottest place of the run, and of each hot spot whether and when it passes its critical temperature.
+std::vector<std::string> verdict_of(const RunRecord& run) {
+    std::vector<std::string> verdict;
+    const solver::Report::Extreme& hottest = run.report.hottest;
+    if (hottest.node < 0 || is_meaningless(run.report)) {
+        return verdict;
+    }
+    const TimeUnit unit = time_unit(run.report.simulated);
+    const mesh::Place place = mesh::place_of(run.problem.mesh, hottest.node);
+    std::string where = place.layer + (place.zone.empty() ? "" : ", " + place.zone);
+    std::ranges::replace(where, '_', ' ');
+    verdict.push_back(fmt::format(
+        "Hottest: {:.1f} °C in {}{}.", solver::celsius(hottest.temperature), where,
+        run.problem.settings.steady ? "" : fmt::format(", after {:.4g} {}", hottest.time / unit.seconds, unit.name)));
+    for (const diagnosis::HotSpot& spot :
+         run.hot_spots != nullptr ? run.hot_spots->spots : std::vector<diagnosis::HotSpot>{}) {
+        const solver::Critical& critical = spot.history.critical();
+        const double level = solver::celsius(critical.temperature);
+        const double peak = spot.history.temperature()[spot.history.hottest_row()];
+        verdict.push_back(spot.passing ? fmt::format("{} passes its critical {:.5g} °C {}.", critical.name, level,
+                                                     moment_text(*spot.passing))
+                                       : fmt::format("{} stays {:.1f} K below its critical {:.5g} °C.", critical.name,
+                                                     critical.temperature - peak, level));
+    }
+    return verdict;
 }
 
 }  // namespace
@@ -235,6 +265,8 @@ Report run_report(const RunRecord& run) {
     if (run.history.rows() > 0) {
         add_results(page, run);
     }
+    page.verdict = verdict_of(run);
+    page.appendix.push_back(citations_section(run.problem));
     page.add(cost_section(run));
     std::vector<std::string> warnings = run.warnings;
     warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());

@@ -45,7 +45,7 @@ void StudyFiles::write(const diagnosis::StudyRecord& study,
     }
     const Report result = report(named);
     if (page_) {
-        write_html_page(page, result, "study", study.study_file);
+        write_html_page(page, result, {.kind = "study", .source = study.study_file, .files = folder_.inputs()});
     }
     folder_.commit({"study.png", page_name});
 }

@@ -178,6 +178,9 @@ Report study_report(const StudyRecord& study, const StudyCall& call) {
                     std::move(of_points)));
     }
     report.add(drivers_section(study));
+    for (const PageItem& block : extremes.blocks()) {
+        report.verdict.push_back(block.text);
+    }
     report.add(std::move(extremes));
     report.add("Warnings", "warnings", study.warnings);
     report.add(std::move(failures));

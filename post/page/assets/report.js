@@ -1,31 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Draws the charts of a page with Apache ECharts. Each <figure class="chart"> holds its data as JSON:
-//   lines: panels above one another over one axis, with measured points, bands, levels and spans
-//   bars:  signed values by name
+//   lines: panels above one another over one axis, with measured points, bands, levels, marks and spans
 //   field: temperatures of quadrilaterals at several moments, with a slider
+//   bars, cells: see maps_and_bars.js
 // Keys on a chart: + and - zoom, the arrows move, 0 shows all.
 (function () {
   "use strict";
   const charts = [];
   const dark = window.matchMedia("(prefers-color-scheme: dark)");
-  const reader = () => (dark.matches && !document.body.classList.contains("printing")
-    ? { ink: "#e6e9ec", faint: "#a3abb4", line: "#3a414a", paper: "#15181c", soft: "#2a3037" }
-    : { ink: "#1b1f24", faint: "#57606a", line: "#d0d7de", paper: "#ffffff", soft: "#eef1f4" });
+  const { number, named, plain, inferno } = chartParts;
+  const reader = () => (dark.matches && !document.body.classList.contains("printing") ? chartParts.dark : chartParts.light);
 
-  // Okabe and Ito (2008) without their yellow; more curves take hues a golden angle apart.
-  const few = ["#0072b2", "#d55e00", "#009e73", "#c2569a", "#56b4e9", "#e69f00", "#7b5cc4", "#8a6d3b"];
-  const colour = (i, n) => (n <= few.length ? few[i] : `hsl(${(205 + 137.508 * i) % 360}, ${i % 2 ? 55 : 75}%, ${i % 3 === 1 ? 58 : 42}%)`);
-  // matplotlib's inferno (CC0), even steps.
-  const inferno = ["#000004", "#160b39", "#420a68", "#6a176e", "#932667", "#bc3754", "#dd513a", "#f37819", "#fca50a", "#f6d746", "#fcffa4"];
-
-  const number = (v) => (v === null || v === undefined || Number.isNaN(v) ? "-"
-    : Math.abs(v) >= 1e5 || (v !== 0 && Math.abs(v) < 1e-3) ? v.toExponential(3) : String(+v.toPrecision(5)));
-  const named = (axis) => (axis.unit ? `${axis.name} (${axis.unit})` : axis.name);
-
-  function seriesOf(panel, index, colours, look) {
+  function seriesOf(panel, index, places, look, middle) {
     const made = [];
     for (const s of panel.series) {
-      const of = colours.get(s.group || s.name);
+      const { colour: of, dash } = chartParts.curve(places.get(s.group || s.name), look);
       if (s.role === "band") {
         const low = s.points.map((p) => [p[0], p[1]]);
         const rise = s.points.map((p) => [p[0], p[2] - p[1]]);
@@ -48,10 +37,16 @@
       const points = s.role === "points";
       made.push({ type: points ? "scatter" : "line", name: s.name, xAxisIndex: index, yAxisIndex: index, data: s.points,
         symbol: points ? "circle" : "none", symbolSize: 5, itemStyle: { color: of, opacity: points ? 0.75 : 1 },
-        lineStyle: { color: of, width: s.role === "line" ? 1.8 : 1.5, opacity: s.role === "line" ? 1 : 0.75, type: s.role === "dashed" ? [7, 4] : s.role === "dotted" ? [2, 3] : "solid" }, z: points ? 3 : 2 });
+        lineStyle: { color: of, width: s.role === "line" ? 1.8 : 1.5, opacity: s.role === "line" ? 1 : 0.75, type: s.role === "dashed" ? [7, 4] : s.role === "dotted" ? [2, 3] : dash }, z: points ? 3 : 2 });
+    }
+    for (const mark of panel.marks || []) {
+      const { colour: of } = chartParts.curve(places.get(mark.group) || 0, look);
+      made.push({ type: "scatter", name: "marks", xAxisIndex: index, yAxisIndex: index, data: [[mark.x, mark.y]], symbol: "pin", symbolSize: 26, z: 6, silent: true,
+        itemStyle: { color: of, borderColor: look.paper, borderWidth: 1 }, tooltip: { show: false },
+        label: { show: true, formatter: mark.name, position: mark.x > middle ? "left" : "right", offset: [0, -16], color: look.ink, fontSize: 12, textBorderColor: look.paper, textBorderWidth: 3 } });
     }
     const heights = [...new Set((panel.levels || []).map((level) => level.value))];
-    const levels = heights.map((value) => ({ yAxis: value, label: { position: "insideEndTop", color: look.ink,
+    const levels = heights.map((value) => ({ yAxis: value, label: { position: "insideEndTop", color: look.ink, textBorderColor: look.paper, textBorderWidth: 3,
       formatter: panel.levels.filter((level) => level.value === value && level.name).map((level) => level.name).join("; ") } }));
     if (made.length && levels.length) {
       made[0].markLine = { symbol: "none", silent: true, lineStyle: { color: look.ink, type: "dashed" }, data: levels };
@@ -59,17 +54,26 @@
     return made;
   }
 
-  function lines(data, look, width) {
-    const colours = new Map();
-    const groups = [...new Set(data.panels.flatMap((panel) => panel.series.map((s) => s.group || s.name)))];
-    groups.forEach((group, i) => colours.set(group, colour(i, groups.length)));
+  // Steps, laps and runs as bands of every panel; their names stand in the first one where they have room.
+  function bandsOf(data, look, width, named) {
+    const share = width / Math.max(data.x.max - data.x.min, 1e-9);
+    let held = 0;
+    return { silent: true, label: { color: look.ink, position: "insideTop", fontSize: 11 },
+      data: data.spans.map((span) => {
+        const fits = named && span.name && share * (span.to - span.from) > 6.2 * span.name.length;
+        const shaded = span.name ? held++ % 2 === 1 : false;
+        return [{ xAxis: span.from, name: fits ? span.name : "", itemStyle: { color: shaded ? look.line : look.soft, opacity: span.name ? 0.55 : 0 } }, { xAxis: span.to }];
+      }) };
+  }
+
+  function lines(data, look, width, places, picks) {
     const names = [...new Set(data.panels.flatMap((panel) => panel.series.map((s) => s.name)))];
     const drawn = new Map(data.panels.flatMap((panel) => panel.series.map((s) => [s.name, ["points", "range", "band"].includes(s.role) ? "mark" : "line"])));
     const small = width < 560, gap = 34, foot = 96;
-    let rows = 1, reach = 0;  // of the legend
+    let rows = picks ? 0 : 1, reach = 0;  // of the legend; a long one stands below the chart, to be picked from
     for (const name of names) {
       const wide = 44 + 6.8 * name.length;
-      if (reach + wide > width - 76 && reach > 0) { rows += 1; reach = 0; }
+      if (!picks && reach + wide > width - 76 && reach > 0) { rows += 1; reach = 0; }
       reach += wide;
     }
     const top = 20 + 24 * rows;
@@ -84,18 +88,17 @@
         splitLine: { lineStyle: { color: look.soft } }, axisPointer: { label: { show: last } } });
       option.yAxis.push({ type: "value", gridIndex: i, scale: true, name: named(panel), nameLocation: "middle", nameGap: 46, nameTextStyle: { color: look.ink },
         axisLabel: { color: look.ink, formatter: (v) => number(v) }, splitLine: { lineStyle: { color: look.line } } });
-      option.series.push(...seriesOf(panel, i, colours, look));
+      const made = seriesOf(panel, i, places, look, 0.5 * (data.x.min + data.x.max));
+      const first = made.find((series) => series.type === "line") || made[0];
+      if (first && (data.spans || []).length) {
+        first.markArea = bandsOf(data, look, width - 88, i === 0);
+      }
+      option.series.push(...made);
       y += heights[i] + gap;
     });
-    const spans = data.spans || [];
-    if (spans.length && option.series.length) {
-      const first = option.series.find((s) => s.type === "line") || option.series[0];
-      first.markArea = { silent: true, label: { color: look.faint, position: "insideTop", show: spans.length <= 24 },
-        data: spans.map((span, i) => [{ xAxis: span.from, name: span.name, itemStyle: { color: i % 2 ? look.soft : "transparent" } }, { xAxis: span.to }]) };
-    }
     const all = data.panels.map((_, i) => i);
     Object.assign(option, {
-      legend: { top: 2, left: small ? 4 : 56, right: 16, itemWidth: 28, textStyle: { color: look.ink },
+      legend: { show: !picks, top: 2, left: small ? 4 : 56, right: 16, itemWidth: 28, textStyle: { color: look.ink },
         data: names.map((name) => ({ name, itemStyle: { opacity: drawn.get(name) === "line" ? 0 : 1 } })) },
       tooltip: { trigger: "axis", confine: true, valueFormatter: number },
       axisPointer: { link: [{ xAxisIndex: "all" }] },
@@ -103,20 +106,6 @@
         { type: "slider", xAxisIndex: all, filterMode: "none", bottom: 18, height: 20, showDataShadow: false, textStyle: { color: look.ink } }],
     });
     return { option, height: y - gap + foot };
-  }
-
-  function bars(data, look) {
-    const items = [...data.items].reverse();
-    const height = 74 + 30 * items.length;
-    return { height, option: {
-      grid: { left: 10, right: 70, top: 12, bottom: 46, containLabel: true },
-      xAxis: { type: "value", name: named(data.x), nameLocation: "middle", nameGap: 28, nameTextStyle: { color: look.ink }, axisLabel: { color: look.ink },
-        splitLine: { lineStyle: { color: look.line } } },
-      yAxis: { type: "category", data: items.map((item) => item.name), axisLabel: { color: look.ink }, axisTick: { show: false } },
-      tooltip: { trigger: "item", confine: true, valueFormatter: (v) => `${number(v)} ${data.x.unit || ""}` },
-      series: [{ type: "bar", name: data.x.name, data: items.map((item) => ({ value: item.value, itemStyle: { color: item.value < 0 ? few[0] : few[1] } })),
-        barMaxWidth: 18, label: { show: true, position: "right", color: look.ink, formatter: (p) => number(p.value) } }],
-    } };
   }
 
   function frames(data) {
@@ -131,6 +120,25 @@
       const c = data.quads.slice(8 * q, 8 * q + 8);
       return [(c[0] + c[2] + c[4] + c[6]) / 4, (c[1] + c[3] + c[5] + c[7]) / 4, T, q];
     });
+  }
+
+  // Names of the layers: in a specimen at the left edge, in a section below the crown with a line to each.
+  function layersOf(data, look, width) {
+    const places = data.layer_places || [], inside = (data.names || []).length > 0, n = places.length;
+    return { type: "custom", name: "layers", silent: true, z: 8, animation: false, tooltip: { show: false }, data: width < 560 && inside ? [] : places.map((_, i) => [0, 0, i]),
+      renderItem: (params, api) => {
+        const i = params.dataIndex, at = api.coord([places[i].x, places[i].y]);
+        const style = { text: places[i].name.replace(/_/g, " "), fontSize: 12, fill: look.ink, stroke: look.paper, lineWidth: 3, verticalAlign: "middle" };
+        if (!inside) {
+          return { type: "text", x: at[0] + 8, y: at[1], style: { ...style, fill: "#fff", stroke: "#000" } };
+        }
+        // The rightmost name stands highest, so that no line crosses a name.
+        const low = api.coord([places[n - 1].x, places[n - 1].y])[1] + 38 + 17 * (n - 1 - i);
+        return { type: "group", children: [
+          { type: "line", shape: { x1: at[0], y1: at[1], x2: at[0], y2: low }, style: { stroke: look.ink, lineWidth: 1 } },
+          { type: "circle", shape: { cx: at[0], cy: at[1], r: 2.4 }, style: { fill: "#fff", stroke: "#000", lineWidth: 0.8 } },
+          { type: "text", x: at[0] + 5, y: low, style }] };
+      } };
   }
 
   function field(data, look, width, frame) {
@@ -152,6 +160,17 @@
         const b = data.borders[params.dataIndex], p = [0, 2].map((i) => api.coord([b[i], b[i + 1]]));
         return { type: "line", shape: { x1: p[0][0], y1: p[0][1], x2: p[1][0], y2: p[1][1] }, style: { stroke: "rgba(255,255,255,0.65)", lineWidth: 1 } };
       } });
+    for (const spot of data.spots || []) {
+      const at = spot.at[frame];
+      if (!at) continue;
+      const passed = at[2] >= spot.critical;
+      series.push({ type: "scatter", name: spot.name, data: [at], symbol: "diamond", symbolSize: 15, z: 7, animation: false,
+        itemStyle: { color: passed ? "#ffffff" : "rgba(255,255,255,0.35)", borderColor: "#000", borderWidth: 1.6 },
+        label: { show: true, formatter: `${spot.name} ${at[2].toFixed(1)} °C`, position: "top", distance: 9, color: look.ink, fontSize: 12, fontWeight: passed ? "bold" : "normal",
+          textBorderColor: look.paper, textBorderWidth: 3 },
+        tooltip: { formatter: () => `${plain(spot.name)}: ${at[2].toFixed(1)} °C, critical ${number(spot.critical)} °C` } });
+    }
+    series.push(layersOf(data, look, width));
     if (mark) {
       series.push({ type: "scatter", name: "hottest place", data: [[mark[0], mark[1], mark[2]]], symbolSize: 13, z: 5, animation: false,
         itemStyle: { color: "rgba(255,255,255,0.25)", borderColor: "#fff", borderWidth: 2.5, shadowColor: "#000", shadowBlur: 3 },
@@ -170,7 +189,7 @@
         formatter: (v) => `${(+v).toFixed(1)} °C` },
       tooltip: { trigger: "item", confine: true, formatter: (p) => {
         const layer = data.layer_names ? data.layer_names[data.layers[p.value[3]]] : "";
-        return `${p.value[2].toFixed(2)} °C${layer ? `<br>${layer.replace(/[<&]/g, "")}` : ""}`;
+        return `${p.value[2].toFixed(2)} °C${layer ? `<br>${plain(layer)}` : ""}`;
       } },
       series,
     } };
@@ -211,7 +230,8 @@
   function draw(chart) {
     const look = reader(), width = chart.plot.clientWidth;
     const made = chart.data.kind === "field" ? field(chart.data, look, width, chart.frame)
-      : chart.data.kind === "bars" ? bars(chart.data, look) : lines(chart.data, look, width);
+      : chart.data.kind === "lines" ? lines(chart.data, look, width, chart.places, !!chart.picks)
+        : mapsAndBars[chart.data.kind](chart.data, look, width);
     chart.plot.style.height = `${Math.round(made.height)}px`;
     const renderer = chart.data.kind === "field" ? "canvas" : "svg";
     chart.echart = window.echarts.getInstanceByDom(chart.plot) || window.echarts.init(chart.plot, null, { renderer });
@@ -222,6 +242,9 @@
     if (zoom) {
       chart.echart.dispatchAction({ type: "dataZoom", start: zoom.start, end: zoom.end });
     }
+    if (chart.picks) {
+      showPicks(chart, look);
+    }
     chart.drawn = true;
     const shown = chart.echart.getOption().series;
     chart.figure.dataset.series = shown.length;  // for tests: what the chart itself holds
@@ -229,6 +252,54 @@
     if (chart.data.link && chart.data.kind === "lines") {
       chart.echart.group = chart.data.link;
     }
+  }
+
+  const most_names = 10;  // in the legend of a chart
+
+  // A chart with many curves: a box for each group of them, in the place of a legend.
+  function addPicks(chart) {
+    const groups = [...chart.places.keys()];
+    const names = new Set(chart.data.panels.flatMap((panel) => panel.series.map((s) => s.name)));
+    if (names.size <= most_names) {
+      return;
+    }
+    const box = Object.assign(document.createElement("fieldset"), { className: "picks" });
+    box.append(Object.assign(document.createElement("legend"), { textContent: "curves" }));
+    chart.picks = groups.map((group) => {
+      const label = document.createElement("label"), input = Object.assign(document.createElement("input"), { type: "checkbox", checked: true });
+      const line = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+      line.innerHTML = '<line x1="0" y1="6" x2="26" y2="6" stroke-width="2.4"/>';
+      line.setAttribute("width", 26);
+      line.setAttribute("height", 12);
+      line.setAttribute("aria-hidden", "true");
+      label.append(input, line, ` ${group}`);
+      box.append(label);
+      const own = [...new Set(chart.data.panels.flatMap((panel) => panel.series.filter((s) => (s.group || s.name) === group).map((s) => s.name)))];
+      const pick = { group, input, line: line.firstChild, own };
+      input.addEventListener("change", () => apply(chart, [pick]));
+      return pick;
+    });
+    for (const [text, checked] of [["all", true], ["none", false]]) {
+      const button = Object.assign(document.createElement("button"), { type: "button", textContent: text });
+      button.addEventListener("click", () => { chart.picks.forEach((pick) => { pick.input.checked = checked; }); apply(chart, chart.picks); });
+      box.append(button);
+    }
+    chart.figure.insertBefore(box, chart.plot.nextSibling);
+  }
+
+  function apply(chart, picks) {
+    for (const pick of picks) {
+      pick.own.forEach((name) => chart.echart.dispatchAction({ type: pick.input.checked ? "legendSelect" : "legendUnSelect", name }));
+    }
+  }
+
+  function showPicks(chart, look) {
+    for (const pick of chart.picks) {
+      const { colour, dash } = chartParts.curve(chart.places.get(pick.group), look);
+      pick.line.setAttribute("stroke", colour);
+      pick.line.setAttribute("stroke-dasharray", dash === "solid" ? "none" : dash.join(" "));
+    }
+    apply(chart, chart.picks.filter((pick) => !pick.input.checked));
   }
 
   function onKey(chart, event) {
@@ -253,7 +324,14 @@
     for (const figure of document.querySelectorAll("figure.chart")) {
       const chart = { figure, plot: figure.querySelector(".plot"), data: JSON.parse(figure.querySelector("script").textContent) };
       charts.push(chart);
-      figure.addEventListener("keydown", (event) => onKey(chart, event));
+    }
+    const places = chartParts.assign(charts.map((chart) => chart.data));
+    for (const [i, chart] of charts.entries()) {
+      chart.places = places[i];
+      chart.figure.addEventListener("keydown", (event) => onKey(chart, event));
+      if (chart.data.kind === "lines") {
+        addPicks(chart);
+      }
       if (chart.data.kind === "field") {
         addMoments(chart);
       } else {

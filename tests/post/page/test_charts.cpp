@@ -3,6 +3,7 @@
 
 #include "post/page/charts.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -68,6 +69,52 @@ TEST(Charts, LongCurvesWithGapsStillKeepTheirPeak) {
         found = found || point[1] == 80.0;
     }
     EXPECT_TRUE(found);
+}
+
+TEST(Charts, ALimitOfPointsKeepsThePeak) {
+    std::vector<double> x;
+    std::vector<double> y(10'000, 20.0);
+    for (std::size_t i = 0; i < y.size(); ++i) {
+        x.push_back(static_cast<double>(i));
+    }
+    y[7777] = 80.0;
+    LineChart chart("time", "s", 0.0, 1e4);
+    chart.limit_points(100);
+    chart.add_panel("temperature", "°C");
+    chart.add_curve("a", "", CurveRole::line, x, y);
+    const Json points = points_of(chart);
+    EXPECT_LE(points.size(), 101u);  // two of each of 50 pieces, and the last
+    EXPECT_NE(std::ranges::find(points, Json::parse("[7777.0,80.0]")), points.end());
+}
+
+TEST(Charts, AMarkStandsInThePanelThatItWasAddedTo) {
+    LineChart chart("time", "min", 0.0, 10.0);
+    chart.add_panel("temperature", "°C");
+    chart.add_mark("belt edge passes 110 °C", "belt edge", 3.5, 110.0);
+    chart.add_panel("speed", "km/h", true);
+    const Json panels = Json::parse(compact_json(chart.data()))["panels"];
+    EXPECT_EQ(panels[0]["marks"],
+              Json::parse(R"([{"name":"belt edge passes 110 °C","group":"belt edge","x":3.5,"y":110.0}])"));
+    EXPECT_TRUE(panels[1]["marks"].empty());
+}
+
+TEST(Charts, BarsHaveTheirIntervalsOnlyWhereTheyAreKnown) {
+    const Json chart = Json::parse(
+        compact_json(bar_chart("gain", "%",
+                               {{.name = "all", .value = 40.0, .low = 30.0, .high = 50.0, .is_marked = true},
+                                {.name = "run 1", .value = -5.0}},
+                               {{.name = "half", .value = 50.0}})));
+    EXPECT_EQ(chart["items"], Json::parse(R"([{"name":"all","value":40.0,"low":30.0,"high":50.0,"marked":true},
+                                              {"name":"run 1","value":-5.0}])"));
+    EXPECT_EQ(chart["levels"], Json::parse(R"([{"name":"half","value":50.0}])"));
+}
+
+TEST(Charts, BarsSideBySideKeepTheirOrderAndTheirGaps) {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    const Json chart = Json::parse(
+        compact_json(grouped_bar_chart("rms", "K", {"before", "after"}, {{.name = "surface", .values = {2.0, none}}})));
+    EXPECT_EQ(chart["series"], Json::parse(R"(["before","after"])"));
+    EXPECT_EQ(chart["items"], Json::parse(R"([{"name":"surface","values":[2.0,null]}])"));
 }
 
 TEST(Charts, NumbersHaveSixDigits) {

@@ -21,7 +21,7 @@ std::size_t count(std::string_view text, std::string_view what) {
 
 /// What is tiretherm's own in a page: all before the scripts at its end.
 std::string own_part(const Report& report) {
-    const std::string page = html_page(report, "run", "a.toml");
+    const std::string page = html_page(report, {.kind = "run", .source = "a.toml"});
     return page.substr(0, page.find("</footer>"));
 }
 
@@ -66,7 +66,7 @@ TEST(HtmlPage, DegreesAreWrittenAsOnAThermometer) {
 }
 
 TEST(HtmlPage, NothingIsFetched) {
-    const std::string page = html_page(sample(), "run", "a.toml");
+    const std::string page = html_page(sample(), {.kind = "run", .source = "a.toml"});
     EXPECT_EQ(count(page, "src="), count(assets::charting_library(), "src=") + count(assets::script(), "src="));
     EXPECT_EQ(count(own_part(sample()), "<link"), 0u);
     EXPECT_EQ(count(own_part(sample()), "http"), 0u);
@@ -81,6 +81,23 @@ TEST(HtmlPage, TheTextHasNoCharts) {
     report.add(std::move(only));
     EXPECT_EQ(page_text(report, false), with);
     EXPECT_EQ(with.find("How it is read"), std::string::npos);
+}
+
+TEST(HtmlPage, TheVerdictStandsBelowTheTitleAndTheFilesAtTheEnd) {
+    Report report = sample();
+    report.verdict = {"Hottest: 80 degC."};
+    Section last("What to cite");
+    last.item("a thesis");
+    report.appendix.push_back(std::move(last));
+    const std::string page = html_page(report, {.kind = "run", .source = "a.toml", .files = {"a.toml", "log.csv"}});
+    const std::size_t verdict = page.find("<p class=\"verdict\">Hottest: 80 °C.</p>");
+    EXPECT_LT(page.find("<h1>"), verdict);
+    EXPECT_LT(verdict, page.find("<p class=\"lead\">"));
+    EXPECT_LT(page.find("<h2>Heat budget</h2>"), page.find("<h2>What to cite</h2>"));
+    EXPECT_LT(page.find("<h2>What to cite</h2>"), page.find("<h2>Files and versions</h2>"));
+    EXPECT_EQ(count(page, "<td>log.csv</td>"), 1u);
+    EXPECT_EQ(count(page, "<td>a.toml</td>"), 1u);                    // once, as the case file
+    EXPECT_EQ(page_text(report, false), page_text(sample(), false));  // of the page as HTML alone
 }
 
 }  // namespace

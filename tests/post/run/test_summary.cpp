@@ -204,5 +204,50 @@ TEST(Summary, LumpHasALayerButNoPosition) {
     EXPECT_TRUE(hottest["position"].is_null());
 }
 
+/// The chart of a report with this title; null where there is none.
+nlohmann::json chart_of(const Report& report, std::string_view title) {
+    for (const Section& section : report.sections) {
+        for (const PageItem& block : section.blocks()) {
+            if (block.kind == PageItem::Kind::chart && block.text == title) {
+                return nlohmann::json::parse(compact_json(block.chart));
+            }
+        }
+    }
+    return {};
+}
+
+// Each moment of the sample has 0, 1 and -0.25 W: conduction has no heat of its own, the sum is 0.75 W. With a quarter of the
+// specimen in the mesh all of it is four times as much.
+TEST(Summary, HeatOfEachPathStandsAtEveryRow) {
+    MadeUpRun run;
+    run.problem.symmetry = 4.0;
+    const History history = sample::history(run.problem);
+    const nlohmann::json chart = chart_of(run_report(run.record(history)), "Heat of each path against time");
+    ASSERT_FALSE(chart.is_null());
+    const nlohmann::json& series = chart["panels"][0]["series"];
+    ASSERT_EQ(series.size(), 3u);
+    EXPECT_EQ(series[0]["name"], "laser");
+    EXPECT_EQ(series[0]["points"], nlohmann::json::parse("[[0.0,4.0],[30.0,4.0],[60.0,4.0]]"));
+    EXPECT_EQ(series[1]["points"], nlohmann::json::parse("[[0.0,-1.0],[30.0,-1.0],[60.0,-1.0]]"));
+    EXPECT_EQ(series[2]["points"], nlohmann::json::parse("[[0.0,3.0],[30.0,3.0],[60.0,3.0]]"));
+    EXPECT_EQ(chart["panels"][0]["unit"], "W");
+}
+
+// 370.65 K are 97.5 degC.
+TEST(Summary, ThePageBeginsWithTheHottestPlaceAndEndsWithWhatToCite) {
+    const MadeUpRun run;
+    const History history = sample::history(run.problem);
+    const Report report = run_report(run.record(history));
+    ASSERT_EQ(report.verdict.size(), 1u);
+    EXPECT_EQ(report.verdict.front(), "Hottest: 97.5 °C in tread, after 60 s.");
+    ASSERT_EQ(report.appendix.size(), 1u);
+    std::string cited;
+    for (const PageItem& block : report.appendix.front().blocks()) {
+        cited += block.text + "\n";
+    }
+    EXPECT_NE(cited.find("A paper (this case)"), std::string::npos);
+    EXPECT_NE(cited.find(std::string(physics::find_effect("laser")->source)), std::string::npos);
+}
+
 }  // namespace
 }  // namespace tiretherm::post

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cuts the series of inputs to a run and groups them by their units.
+#include "post/page/input_panels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "solver/celsius.hpp"
+
+namespace tiretherm::post {
+
+namespace {
+
+constexpr std::size_t most_panels = 3;
+
+struct Curve {
+    std::string name;
+    std::vector<double> time;   ///< in the chart's unit
+    std::vector<double> value;  ///< in the shown unit
+};
+
+struct UnitGroup {
+    std::string_view unit;
+    std::vector<Curve> curves;
+};
+
+/// A series between two times, its ends included.
+Curve curve_of(const solver::Series& series, const solver::ShownUnit& unit, double start, double end, double seconds) {
+    Curve curve{.name = std::string(series.signal->name), .time = {}, .value = {}};
+    std::ranges::replace(curve.name, '_', ' ');
+    const auto add = [&](double t, double si) {
+        curve.time.push_back(t / seconds);
+        curve.value.push_back(unit.value(si));
+    };
+    add(start, series.at(start, solver::JumpSide::after));
+    for (std::size_t i = 0; i < series.time.size(); ++i) {
+        if (series.time[i] > start && series.time[i] < end) {
+            add(series.time[i], series.value[i]);
+        }
+    }
+    add(end, series.at(end, solver::JumpSide::before));
+    return curve;
+}
+
+bool stands_still(const Curve& curve) {
+    const auto [low, high] = std::ranges::minmax(curve.value);
+    return !(high - low > 1e-9 * std::max(1.0, std::abs(high)));
+}
+
+bool differ(std::span<const solver::ScheduleStep> steps, double solver::ScheduleStep::*member) {
+    const solver::ScheduleStep* first = nullptr;
+    for (const solver::ScheduleStep& step : steps) {
+        if (step.ramp) {
+            continue;
+        }
+        first = first == nullptr ? &step : first;
+        if (std::abs(step.*member - first->*member) > 1e-3 * std::max(1.0, std::abs(first->*member))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+solver::ShownUnit shown_unit(const physics::Signal& signal) {
+    if (signal.unit == "m s-1") {
+        return {"km/h", 3.6};
+    }
+    if (signal.unit == "radian") {
+        return {"°", 180.0 / std::numbers::pi};
+    }
+    if (signal.unit == "Pa") {
+        return {"kPa", 1e-3};
+    }
+    if (signal.unit == "K") {
+        return {"°C", 1.0, solver::zero_celsius};
+    }
+    return {signal.unit == "1" ? "" : signal.unit.data()};
+}
+
+std::vector<std::string> step_names(std::span<const solver::ScheduleStep> steps) {
+    const bool by_load = differ(steps, &solver::ScheduleStep::load);
+    const bool by_speed = differ(steps, &solver::ScheduleStep::speed) || !by_load;
+    std::vector<std::string> names;
+    for (const solver::ScheduleStep& step : steps) {
+        std::string name;
+        if (!step.ramp && by_speed) {
+            name = fmt::format("{:.0f} km/h", 3.6 * step.speed);
+        }
+        if (!step.ramp && by_load) {
+            name += fmt::format("{}{:.0f} N", name.empty() ? "" : ", ", step.load);
+        }
+        names.push_back(std::move(name));
+    }
+    return names;
+}
+
+void add_input_panels(LineChart& chart, const solver::InputSignals& inputs, double start, double end, double seconds) {
+    std::vector<UnitGroup> groups;
+    for (const physics::Signal& signal : physics::signals()) {  // speed and load come first in this order
+        const solver::ShownUnit unit = shown_unit(signal);
+        for (const solver::Series& series : inputs.series()) {
+            if (series.signal != &signal || series.time.empty() || signal.name == "wheel_angle") {
+                continue;
+            }
+            Curve curve = curve_of(series, unit, start, end, seconds);
+            if (stands_still(curve)) {
+                continue;
+            }
+            auto group = std::ranges::find(groups, std::string_view(unit.name), &UnitGroup::unit);
+            if (group == groups.end()) {
+                group = groups.insert(groups.end(), UnitGroup{unit.name, {}});
+            }
+            group->curves.push_back(std::move(curve));
+        }
+    }
+    for (std::size_t g = 0; g < std::min(groups.size(), most_panels); ++g) {
+        const UnitGroup& group = groups[g];
+        chart.add_panel(group.curves.size() == 1 ? group.curves.front().name : "inputs", std::string(group.unit), true);
+        for (const Curve& curve : group.curves) {
+            chart.add_curve(curve.name, curve.name, CurveRole::line, curve.time, curve.value);
+        }
+    }
+}
+
+void add_step_bands(LineChart& chart, std::span<const solver::ScheduleStep> steps, double seconds) {
+    if (std::ranges::count(steps, false, &solver::ScheduleStep::ramp) < 2) {
+        return;
+    }
+    const std::vector<std::string> names = step_names(steps);
+    for (std::size_t s = 0; s < steps.size(); ++s) {
+        chart.add_span(names[s], steps[s].from / seconds, steps[s].to / seconds);
+    }
+}
+
+}  // namespace tiretherm::post
