@@ -302,6 +302,17 @@
     apply(chart, chart.picks.filter((pick) => !pick.input.checked));
   }
 
+  // For those who hear the page: what a key has done.
+  function tell(chart, text) {
+    if (!chart.spoken) {
+      chart.spoken = document.createElement("span");
+      chart.spoken.setAttribute("role", "status");
+      chart.spoken.style.cssText = "position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)";
+      chart.figure.append(chart.spoken);
+    }
+    chart.spoken.textContent = text;
+  }
+
   function onKey(chart, event) {
     if (chart.data.kind !== "lines" || event.target !== chart.figure) {
       return;
@@ -316,7 +327,10 @@
     else if (event.key === "ArrowRight") range = [Math.min(100 - 2 * half, zoom.start + half / 3), Math.min(100, zoom.end + half / 3)];
     if (range) {
       event.preventDefault();
-      chart.echart.dispatchAction({ type: "dataZoom", start: Math.max(0, range[0]), end: Math.min(100, range[1]) });
+      const [start, end] = [Math.max(0, range[0]), Math.min(100, range[1])];
+      chart.echart.dispatchAction({ type: "dataZoom", start, end });
+      const { x } = chart.data, at = (percent) => number(+(x.min + 0.01 * percent * (x.max - x.min)).toPrecision(4));
+      tell(chart, `${x.name} ${at(start)} to ${at(end)} ${x.unit || ""}`);
     }
   }
 
