@@ -46,10 +46,13 @@ Sampled sampled(const InputSignals& inputs, const std::vector<double>& time, dou
     return of;
 }
 
-/// How far a stretch that begins at a sample stays about its own mean. @returns one behind its last sample
+/// How far a stretch that begins at a sample stays about its own mean. Of two samples that scatter to either side the second is
+/// twice as far from the first: as long as the mean is one of few, that much is allowed. @returns one behind its last sample
 std::size_t end_of_stretch(const Sampled& of, std::size_t from) {
+    constexpr std::size_t few = 10;
+    const auto allowed = [&](std::size_t to) { return to - from < few ? 2.0 * of.scatter : of.scatter; };
     std::size_t to = from + 1;
-    while (to < of.value.size() && std::abs(of.value[to] - of.mean(from, to)) <= of.scatter) {
+    while (to < of.value.size() && std::abs(of.value[to] - of.mean(from, to)) <= allowed(to)) {
         ++to;
     }
     return to;
