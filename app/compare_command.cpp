@@ -63,9 +63,11 @@ void add_compare_command(CLI::App& program, int& exit_code) {
                          "files of an earlier comparison there are replaced. Default: out/<case name>");
     command->footer(
         "The case is simulated as it stands: nothing is fitted. Differences are simulated - measured.\n"
-        "Files: report.html (this page with charts, for a browser), compare.csv (a row for each sample), "
-        "compare_statistics.csv (a row for each figure); of cameras\n"
-        "compare_pixels.csv (a row for each pixel) and a picture of each run's worst frame.\n\n"
+        "Files: report.html (this page with charts, for a browser), page.txt (this page), compare.csv (a row for each "
+        "sample),\n"
+        "compare_statistics.csv (a row for each figure); of cameras compare_pixels.csv (a row for each pixel) and a "
+        "picture\n"
+        "of each run's worst frame. Charts as pictures: tiretherm report DIR --png\n\n"
         "The files appear together at the end.\n\n"
         "Exit code: 0 done, however far apart; 1 an error in the call, the case or the data; 2 the solver failed;\n"
         "130 interrupted.\n\n"

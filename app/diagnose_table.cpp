@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads a table of measured numbers, diagnoses one model by it and writes diagnosis.json.
+// Reads a table of measured numbers, diagnoses one model by it and writes diagnosis.json and the page.
 
 #include "app/diagnose_table.hpp"
 
@@ -57,7 +57,7 @@ int diagnose_table(const MeasuredCall& call, const TableOptions& options) {
     }
     const std::filesystem::path directory =
         folder_of(call, "out/" + std::filesystem::path(call.case_file).stem().string());
-    const std::vector<std::string> names{"diagnosis.json"};
+    const std::vector<std::string> names = post::quoted_names();
     now_doing(fmt::format("diagnosing {} and writing to {}", call.case_file, directory.string()));
     std::vector<std::string> inputs{call.case_file};
     for (const input::ValidationRun& run : reading.table->runs) {
@@ -94,15 +94,17 @@ int diagnose_table(const MeasuredCall& call, const TableOptions& options) {
                               .seconds = std::chrono::duration<double>(Clock::now() - begin).count(),
                               .warnings = reading.warnings};
     record.warnings.insert(record.warnings.end(), failures.begin(), failures.end());
-    const auto files = write_measured(
-        call, *folder, names, [&](const std::filesystem::path& stage) { return post::write_quoted(record, stage); });
-    if (!files) {
+    const auto page = write_measured_page(
+        call, *folder, names, "diagnose",
+        [&](const std::filesystem::path& stage) { return post::write_quoted(record, stage); },
+        [&](const auto& files) { return post::quoted_report(record, files); });
+    if (!page) {
         return Exit::input_error;
     }
     if (options.markdown) {
         fmt::print("{}", post::quoted_markdown(record));
     } else {
-        print_report(post::quoted_report(record, *files), call.json);
+        print_report(*page, call.json);
     }
     return failures.empty() ? Exit::done : Exit::numerical_failure;
 }

@@ -39,7 +39,7 @@ constexpr double white_share = 0.3;
 int plan(const Options& options, input::ExperimentReading& reading) {
     std::unique_ptr<post::OutputFolder> folder;
     if (!options.directory.empty()) {
-        folder = open_output(options.directory, reading.files, {"plan.json"}, "nothing was planned", options.json);
+        folder = open_output(options.directory, reading.files, post::plan_names(), "nothing was planned", options.json);
         if (!folder) {
             return Exit::input_error;
         }
@@ -66,23 +66,28 @@ int plan(const Options& options, input::ExperimentReading& reading) {
                                             .warnings = reading.warnings,
                                             .findings = {},
                                             .planned = true};
-    std::vector<std::filesystem::path> files;
-    if (folder != nullptr) {
-        const auto written = write_measured(options, *folder, {}, [&](const std::filesystem::path& stage) {
-            return post::write_identification(record, stage, folder->path());
-        });
-        if (!written) {
-            return Exit::input_error;
-        }
-        files = *written;
+    const auto report = [&](const std::vector<std::filesystem::path>& files) {
+        post::Report page = post::identification_report(record, files);
+        post::Section noise("");
+        noise.say(
+            fmt::format("Noise assumed: as stated with the sensors; {:.0f} % of its variance is white noise, the rest "
+                        "forgotten over "
+                        "{:g} s (--correlation-time).",
+                        100.0 * (options.correlation_time > 0.0 ? white_share : 1.0), options.correlation_time));
+        page.add(std::move(noise));
+        return page;
+    };
+    const auto page = folder == nullptr ? std::optional(report({}))
+                                        : write_measured_page(
+                                              options, *folder, post::plan_names(), "identify",
+                                              [&](const std::filesystem::path& stage) {
+                                                  return post::write_identification(record, stage, folder->path());
+                                              },
+                                              report);
+    if (!page) {
+        return Exit::input_error;
     }
-    print_report(post::identification_report(record, files), options.json);
-    if (!options.json) {
-        fmt::print(
-            "\nNoise assumed: as stated with the sensors; {:.0f} % of its variance is white noise, the rest "
-            "forgotten over {:g} s (--correlation-time).\n",
-            100.0 * (options.correlation_time > 0.0 ? white_share : 1.0), options.correlation_time);
-    }
+    print_report(*page, options.json);
     return Exit::done;
 }
 
@@ -179,9 +184,10 @@ void add_identify_command(CLI::App& program, int& exit_code) {
         "has (tiretherm effects NAME), or doubtful because an error of the model may pass for noise.\n"
         "Of a camera's frames every pixel is taken, and what the grid and the steps make of them is corrected.\n"
         "A plan takes every sensor with a standard_deviation, at the times of the runs' files or of [time] output.\n"
-        "Files: report.html (this page with charts, for a browser), identified.toml (the case with the fitted values), "
-        "identify.csv (a row for each sample);\n"
-        "plan.json of a plan.\n\n"
+        "Files: report.html (this page with charts, for a browser), page.txt (this page), identified.toml (the case "
+        "with the\n"
+        "fitted values), identify.csv (a row for each sample); of a plan the page and plan.json.\n"
+        "Charts as pictures: tiretherm report DIR --png\n\n"
         "The files appear together at the end. A fit that was interrupted or killed goes on when the same call is "
         "made\n"
         "again: its simulations are kept in the hidden folder .tiretherm until then.\n\n"

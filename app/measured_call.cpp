@@ -4,7 +4,9 @@
 
 #include "app/measured_call.hpp"
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -25,7 +27,7 @@ void add_measured_options(CLI::App& command, MeasuredCall& call, const char* cas
                     "A measured run (CSV or HDF5), once for each; they take the place of the case's own")
         ->option_text("FILE ...");
     add_out_option(command, call.directory, fmt::format("Where the files go; {}", out_is));
-    command.add_flag("--no-report", call.no_report, "No report.html");
+    command.add_flag("--no-report", call.no_report, "No report.html and no page.txt");
     command.add_flag("--json", call.json, "One JSON object instead of the page");
 }
 
@@ -146,12 +148,11 @@ std::optional<post::Report> write_measured_page(
     const auto written = write_measured(call, folder, stale, [&](const std::filesystem::path& stage) {
         std::vector<std::filesystem::path> files = write(stage);
         if (!call.no_report) {
-            files.push_back(stage / post::page_name);
+            std::ranges::copy(post::page_files(stage), std::back_inserter(files));
         }
         page = report(folder.homes(files));
         if (!call.no_report) {
-            post::write_html_page(files.back(), *page,
-                                  {.kind = kind, .source = call.case_file, .files = folder.inputs()});
+            post::write_page(stage, *page, {.kind = kind, .source = call.case_file, .files = folder.inputs()});
         }
         return files;
     });

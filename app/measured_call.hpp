@@ -92,7 +92,7 @@ private:
     const MeasuredCall& call, post::OutputFolder& folder, const std::vector<std::string>& stale,
     const std::function<std::vector<std::filesystem::path>(const std::filesystem::path&)>& write);
 
-/// The same with the page as report.html, unless it is refused.
+/// The same with the files of the page, unless they are refused.
 /// @param kind "compare"  @param write as above  @param report of the files in their place
 /// @returns the page; nothing when a file could not be written
 [[nodiscard]] std::optional<post::Report> write_measured_page(

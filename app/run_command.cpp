@@ -214,18 +214,18 @@ void add_run_command(CLI::App& program, int& exit_code) {
         }
     }
     command->add_flag_callback(
-        "--no-report", [options] { options->switched.insert("report"); }, "No report.html");
+        "--no-report", [options] { options->switched.insert("report"); }, "No report.html and no page.txt");
     add_fresh_option(*command, options->fresh);
     command->add_flag("--quiet", options->quiet, "No summary and no progress");
     command->add_flag("--json", options->json, "One JSON object instead of the summary");
     command->footer(
-        "Files: report.html (the summary with charts, for a browser), results.h5 (everything, SI units), "
-        "channels.csv,\n"
-        "field.pvd with field_*.vtu (ParaView; File > Load State > field_view.py shows them),\n"
-        "picture.png (temperature across the thickness), channels.png (channels against time).\n"
+        "Files: report.html (the summary with charts, for a browser), page.txt (the summary), results.h5 (everything, "
+        "SI\n"
+        "units), channels.csv, field.pvd with field_*.vtu (ParaView; File > Load State > field_view.py shows them),\n"
+        "picture.png (temperature across the thickness), of a ring tread.png.\n"
+        "Charts as pictures: tiretherm report DIR --png\n"
         "A case with [[critical]] temperatures: where and when it passes them, what is left if it does not, in\n"
-        "which further step it would, and what drives that; hot_spots.csv and .png have the hottest places against "
-        "time.\n"
+        "which further step it would, and what drives that; hot_spots.csv has the hottest places against time.\n"
         "The files appear together when the run ends; those of an earlier run stay until then. Ctrl-C ends a run "
         "early\n"
         "and keeps what it has. A run that was killed goes on when the same call is made again; what it has come to is "

@@ -44,7 +44,6 @@ struct Options {
     bool fresh = false;
     bool json = false;
     bool quiet = false;
-    bool no_pictures = false;
     bool no_report = false;
 };
 
@@ -138,7 +137,7 @@ int study(const Options& options) {
     std::optional<post::StudyFiles> files;
     std::optional<post::StudyJournal> journal;
     try {
-        files.emplace(*folder, !options.no_pictures, !options.no_report);
+        files.emplace(*folder, !options.no_report);
         journal.emplace(files->journal(), study.channels.size(), build_identity(), options.fresh);
     } catch (const std::runtime_error& error) {
         report_error(error.what(), "nothing was run; choose another directory with --out", options.json);
@@ -280,8 +279,7 @@ void add_study_command(CLI::App& program, int& exit_code) {
                    "TIRETHERM_MPI")
         ->excludes(part);
     command->add_flag("--fresh", options->fresh, "Make all runs again, also those that are kept");
-    command->add_flag("--no-pictures", options->no_pictures, "No study.png");
-    command->add_flag("--no-report", options->no_report, "No report.html");
+    command->add_flag("--no-report", options->no_report, "No report.html and no page.txt");
     command->add_flag("--quiet", options->quiet, "No summary and no progress");
     command->add_flag("--json", options->json, "One JSON object instead of the summary");
     command->footer(
@@ -299,10 +297,12 @@ void add_study_command(CLI::App& program, int& exit_code) {
         "  [sample]\n"
         "  count = 200\n"
         "A key is a path into the case; in lists a name stands for its table: mesh.layer.tread.thickness.\n\n"
-        "Files: report.html (this page with charts, for a browser), study.csv and study.h5 (a row for each run), "
-        "study.png (map, curve or distribution of the hottest\n"
-        "temperature), runs.jsonl (the runs as they are made). Each run that is done is kept, whatever ends the\n"
-        "program; the next call makes what is missing and what has changed. Ctrl-C ends a study early.\n\n"
+        "Files: report.html (this page with maps, curves or the distribution of the hottest temperature, for a "
+        "browser),\n"
+        "page.txt (this page), study.csv and study.h5 (a row for each run), runs.jsonl (the runs as they are made).\n"
+        "Charts as pictures: tiretherm report DIR --png\n"
+        "Each run that is done is kept, whatever ends the program; the next call makes what is missing and what has\n"
+        "changed. Ctrl-C ends a study early.\n\n"
         "Several machines share a study by --part, each part in any order and as often as it takes, for example in a "
         "job\n"
         "array: tiretherm study STUDY --part $SLURM_ARRAY_TASK_ID/16 --out DIR. Then --merge with the same --out; it "

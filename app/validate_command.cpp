@@ -14,6 +14,7 @@
 
 #include "app/commands.hpp"
 #include "app/failure.hpp"
+#include "app/measured_call.hpp"
 #include "app/messages.hpp"
 #include "diagnosis/validation/validation_rows.hpp"
 #include "diagnosis/validation/validation_runs.hpp"
@@ -28,11 +29,10 @@ namespace {
 
 constexpr const char* shipped = "cases/validation.toml";
 
-struct Options {
+struct Options : MeasuredCall {
     std::string table = shipped;
     std::vector<std::string> only;
     unsigned threads = 0;
-    bool json = false;
     bool markdown = false;
     bool inputs = false;
 };
@@ -64,6 +64,30 @@ bool refuses(input::ValidationReading& reading, const Options& options) {
     return false;
 }
 
+/// Writes the files of the call and prints its page.
+int finish(const Options& options, const diagnosis::ValidationRecord& record, post::OutputFolder& folder) {
+    const auto page = write_measured_page(
+        options, folder, post::validation_names(), "validate",
+        [&](const std::filesystem::path& stage) { return post::write_validation(record, stage); },
+        [&](const auto& files) { return post::validation_report(record, options.inputs, files); });
+    if (!page) {
+        return Exit::input_error;
+    }
+    print_report(*page, options.json);
+    return Exit::done;
+}
+
+/// Files that the call reads: the table and its cases.
+std::vector<std::string> files_of(const Options& options, const input::Validation& table) {
+    std::vector<std::string> files{options.table};
+    for (const input::ValidationRun& run : table.runs) {
+        if (std::ranges::find(files, run.file.string()) == files.end()) {
+            files.push_back(run.file.string());
+        }
+    }
+    return files;
+}
+
 int validate(const Options& options) {
     solver::install_stop_handlers();
     now_doing(fmt::format("reading {} and the files that it names", options.table));
@@ -72,6 +96,15 @@ int validate(const Options& options) {
         return Exit::input_error;
     }
     const input::Validation& table = *reading.table;
+    std::unique_ptr<post::OutputFolder> folder;
+    if (!options.markdown) {  // a table for a page of documentation is printed alone
+        folder =
+            open_output(folder_of(options, "out/" + std::filesystem::path(options.table).stem().string() + "/validate"),
+                        files_of(options, table), post::validation_names(), "nothing was run", options.json);
+        if (!folder) {
+            return Exit::input_error;
+        }
+    }
     now_doing("making the runs of " + options.table);
     const Clock::time_point begin = Clock::now();
     const bool watched = on_terminal(stderr) && on_terminal(stdout);
@@ -102,7 +135,9 @@ int validate(const Options& options) {
     } else if (options.markdown) {
         fmt::print("{}", post::validation_markdown(record));
     } else {
-        print_report(post::validation_report(record, options.inputs), options.json);
+        if (const int written = finish(options, record, *folder); written != Exit::done) {
+            return written;
+        }
     }
     const bool failed = std::any_of(results.failures.begin(), results.failures.end(),
                                     [](const std::string& failure) { return !failure.empty(); });
@@ -125,14 +160,22 @@ void add_validate_command(CLI::App& program, int& exit_code) {
     command->add_option("--threads", options->threads, "Runs at a time. Default: as many as the machine can do")
         ->option_text("N")
         ->check(CLI::Range(1, 1024));
+    add_out_option(*command, options->directory,
+                   "Where the files go; those of an earlier validation there are replaced. Default: out/<table "
+                   "name>/validate");
+    command->add_flag("--no-report", options->no_report, "No report.html and no page.txt");
     command->add_flag("--json", options->json, "One JSON object instead of the table");
-    command->add_flag("--markdown", options->markdown, "The table for a README")->excludes("--json");
+    command->add_flag("--markdown", options->markdown, "The table for a README alone, and no files")
+        ->excludes("--json")
+        ->excludes("--out");
     command->add_flag("--inputs", options->inputs,
                       "Also the inputs of the experiments, and what those that are not printed change");
     command->footer(
         "u is the standard uncertainty of a measured number and of what the source does not print; a model is within\n"
         "it up to 2 u. A number whose verdict depends on what is not printed is not decidable.\n"
-        "What a table may say is described in cases/README.md.\n\n"
+        "What a table may say is described in cases/README.md.\n"
+        "Files: report.html (this page with charts, for a browser), page.txt (this page), validation.json (all "
+        "figures).\n\n"
         "Exit code: 0 done, whatever the verdicts; 1 an error in the call, the table or a case; 2 a run failed;\n"
         "130 interrupted.\n\n"
         "Example:\n"

@@ -144,7 +144,7 @@ def laser_plans(entry, sources, run):
 def hot_spot_study(entry, sources, run):
     """Samples of the hot spot of the whole tire, and how many pass 110 degC."""
     out = sources.scratch / "hot_spot_study"
-    run([str(sources.program), "study", "cases/studies/fmvss_139_hot_spot.toml", "--quiet", "--no-pictures", "--out",
+    run([str(sources.program), "study", "cases/studies/fmvss_139_hot_spot.toml", "--quiet", "--out",
          str(out)], ROOT)
     with open(out / "study.csv", newline="") as file:
         hottest = [float(row["hottest [degC]"]) for row in csv.DictReader(file)]

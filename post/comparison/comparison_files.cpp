@@ -89,7 +89,8 @@ std::string picture_name(const std::string& camera, const std::string& run) {
 
 std::vector<std::string> comparison_names(const std::filesystem::path& directory) {
     constexpr const char* pixels = "compare_pixels.csv";
-    std::vector<std::string> names{page_name, "compare.csv", "compare_statistics.csv", pixels};
+    std::vector<std::string> names = page_names();
+    names.insert(names.end(), {"compare.csv", "compare_statistics.csv", pixels});
     // The table of the pixels says which pictures stand beside it: a row begins with run and camera.
     std::error_code error;
     if (!std::filesystem::is_regular_file(directory / pixels, error)) {

@@ -99,8 +99,9 @@ std::string extended_toml(const DiagnosisRecord& record, const std::filesystem::
 }  // namespace
 
 std::vector<std::string> diagnosis_names() {
-    return {page_name,       "diagnosis.json",   "extended.toml",   "residuals.csv",
-            "residuals.png", "missing_heat.csv", "missing_heat.png"};
+    std::vector<std::string> names = page_names();
+    names.insert(names.end(), {"diagnosis.json", "extended.toml", "residuals.csv", "missing_heat.csv"});
+    return names;
 }
 
 std::vector<std::filesystem::path> write_diagnosis(DiagnosisRecord& record, const std::filesystem::path& directory,
@@ -125,17 +126,9 @@ std::vector<std::filesystem::path> write_diagnosis(DiagnosisRecord& record, cons
     if (!record.result.missing_heat.empty()) {
         files.push_back(directory / "missing_heat.csv");
         replace_file(files.back(), missing_heat_csv(record));
-        files.push_back(directory / "missing_heat.png");
-        draw_missing_heat(files.back(), record);
     }
-    const auto is_series = [](const Block& block) { return block.channel >= 0; };
-    if (std::ranges::any_of(record.observations.blocks, is_series)) {
-        files.push_back(directory / "residuals.png");
-        draw_residuals(files.back(), record);
-    }
-    const std::filesystem::path page_file = directory / page_name;
     if (record.with_page) {
-        files.push_back(page_file);
+        std::ranges::copy(page_files(directory), std::back_inserter(files));
     }
     std::vector<std::filesystem::path> named;
     std::ranges::transform(files, std::back_inserter(named),
@@ -143,8 +136,7 @@ std::vector<std::filesystem::path> write_diagnosis(DiagnosisRecord& record, cons
     const Report page = diagnosis_report(record, named);
     replace_file(files.front(), json_text(page.data));
     if (record.with_page) {
-        write_html_page(page_file, page,
-                        {.kind = "diagnose", .source = record.case_file.string(), .files = record.inputs});
+        write_page(directory, page, {.kind = "diagnose", .source = record.case_file.string(), .files = record.inputs});
     }
     return files;
 }

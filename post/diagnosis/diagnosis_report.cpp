@@ -264,6 +264,22 @@ Value gain_data(const Gain& gain) {
             {"log_e", where(gain.measured, gain.log_e)}};
 }
 
+/// The noise of its sensor to each series.
+void add_noise(std::vector<MeasuredSeries>& series, const DiagnosisRecord& record) {
+    for (const Block& block : record.observations.blocks) {
+        if (block.channel < 0 || block.time.empty()) {
+            continue;
+        }
+        const Observations::Row& row = record.observations.rows[static_cast<std::size_t>(block.first)];
+        const input::MeasuredRun& run = record.experiment.runs[row.run];
+        for (MeasuredSeries& one : series) {
+            if (one.run == run.name && one.channel == run.problem.channels[row.channel].name) {
+                one.noise = record.result.noise[static_cast<std::size_t>(block.channel)].sigma;
+            }
+        }
+    }
+}
+
 /// The windows in which most heat is missing, and all of them as a map.
 Section missing_heat_section(const DiagnosisRecord& record) {
     Section section("Inferred heat source");
@@ -398,8 +414,9 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
     if (result.extended.size() == result.base.size() && result.extended != result.base) {
         models.emplace_back("extended", &result.extended);
     }
-    report.add(measured_section(observed_series(record.experiment, record.observations, models),
-                                inputs_of_runs(record.experiment)));
+    std::vector<MeasuredSeries> series = observed_series(record.experiment, record.observations, models);
+    add_noise(series, record);
+    report.add(measured_section(series, inputs_of_runs(record.experiment)));
     if (!of_error.empty()) {
         Section of_error_section("Error of the model that is left", std::move(of_error));
         of_error_section.say(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A diagnosis as a report, its files and its pictures.
+// A diagnosis as a report and its files.
 #pragma once
 
 #include <filesystem>
@@ -22,7 +22,7 @@ struct DiagnosisRecord {
     std::vector<std::string> warnings;
     std::vector<std::string> findings;
     diagnosis::RunVerdicts by_run{};    ///< of several runs
-    bool with_page = false;             ///< report.html is written
+    bool with_page = false;             ///< report.html and page.txt are written
     std::vector<std::string> inputs{};  ///< files that were read, for the foot of the page
 };
 
@@ -31,23 +31,13 @@ struct DiagnosisRecord {
 /// Names of the files that a diagnosis leaves in a folder.
 [[nodiscard]] std::vector<std::string> diagnosis_names();
 /// extended.toml, where there is something to add: the case with the cause switched on at its fitted value.
-/// residuals.csv: a row for each sample. residuals.png: the same as lines,
-/// where there are series. missing_heat.csv: the missing heat, a row for each window and place.
-/// diagnosis.json: all figures. report.html, where it is wanted: the page with charts.
+/// residuals.csv: a row for each sample. missing_heat.csv: the missing heat, a row for each window and place.
+/// diagnosis.json: all figures. report.html and page.txt, where they are wanted: the page.
 /// A sentence is added to the record's warnings where the extended case cannot be run.
 /// @param home where they will stand, if elsewhere: paths in them lead from there
 /// @errors FileError  @returns their paths
 [[nodiscard]] std::vector<std::filesystem::path> write_diagnosis(DiagnosisRecord& record,
                                                                  const std::filesystem::path& directory,
                                                                  const std::filesystem::path& home = {});
-
-/// Simulated less measured along time, a panel for each channel and run, with the fitted base model and with the
-/// extended one.
-/// @errors FileError
-void draw_residuals(const std::filesystem::path& path, const DiagnosisRecord& record);
-
-/// The missing heat, in standard deviations: places below each other, windows along time, a panel for each
-/// run. @errors FileError
-void draw_missing_heat(const std::filesystem::path& path, const DiagnosisRecord& record);
 
 }  // namespace tiretherm::post

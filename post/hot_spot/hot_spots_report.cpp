@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The hot spots of a run as a section of its page and as data.
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "mesh/place.hpp"
 #include "post/hot_spot/hot_spots_report.hpp"
+#include "post/page/charts.hpp"
 #include "solver/celsius.hpp"
 
 namespace tiretherm::post {
@@ -204,6 +207,37 @@ Value uncertainty(const HotSpot& spot) {
             {"drivers", drivers(*spot.spread).data()}};
 }
 
+/// The hottest places and the surfaces above them against time, with the critical temperatures.
+void add_history_chart(Section& section, const HotSpots& hot_spots) {
+    if (hot_spots.spots.empty() || hot_spots.spots.front().history.time().size() < 2) {
+        return;
+    }
+    const std::vector<double>& seconds = hot_spots.spots.front().history.time();
+    const TimeUnit unit = time_unit(seconds.back() - seconds.front());
+    std::vector<double> t = seconds;
+    std::ranges::for_each(t, [&](double& time) { time /= unit.seconds; });
+    LineChart chart("time", unit.name, t.front(), t.back());
+    chart.add_panel("temperature", "°C");
+    std::set<std::string> drawn;
+    const auto add = [&](const std::string& name, const std::string& group, CurveRole role,
+                         std::vector<double> kelvin) {
+        if (drawn.insert(name).second) {
+            std::ranges::transform(kelvin, kelvin.begin(), solver::celsius);
+            chart.add_curve(name, group, role, t, kelvin);
+        }
+    };
+    for (const HotSpot& spot : hot_spots.spots) {
+        const solver::Critical& critical = spot.history.critical();
+        add(critical.name, critical.name, CurveRole::line, spot.history.temperature());
+        if (!critical.surface_name.empty()) {
+            add(critical.surface_name, critical.name, CurveRole::dashed, spot.history.surface());
+        }
+        chart.add_level(fmt::format("{}: critical {:.6g} °C", critical.name, solver::celsius(critical.temperature)),
+                        solver::celsius(critical.temperature));
+    }
+    section.chart("Hot spots against time", "Solid: the hottest place; dashed: the surface above it.", chart.data());
+}
+
 }  // namespace
 
 std::string moment_text(const TestMoment& moment) {
@@ -227,6 +261,7 @@ Section hot_spots_section(const HotSpots& hot_spots, const mesh::Mesh& mesh) {
     for (const HotSpot& spot : hot_spots.spots) {
         section.add(spot_part(hot_spots, spot, mesh));
     }
+    add_history_chart(section, hot_spots);
     for (const std::string& note : hot_spots.notes) {
         section.say(note);
     }

@@ -22,9 +22,4 @@ namespace tiretherm::post {
 void write_hot_spots_csv(const std::filesystem::path& path, const diagnosis::HotSpots& hot_spots,
                          const solver::Problem& problem);
 
-/// The histories, their surfaces and their critical temperatures against time as a PNG.
-/// @pre at least one hot spot with two rows   @errors FileError
-void draw_hot_spots(const std::filesystem::path& path, const diagnosis::HotSpots& hot_spots,
-                    const solver::Problem& problem);
-
 }  // namespace tiretherm::post

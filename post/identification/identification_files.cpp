@@ -60,7 +60,17 @@ std::string toml(const IdentificationRecord& record, const std::filesystem::path
 
 }  // namespace
 
-std::vector<std::string> identification_names() { return {page_name, "identified.toml", "identify.csv"}; }
+std::vector<std::string> identification_names() {
+    std::vector<std::string> names = page_names();
+    names.insert(names.end(), {"identified.toml", "identify.csv"});
+    return names;
+}
+
+std::vector<std::string> plan_names() {
+    std::vector<std::string> names = page_names();
+    names.push_back("plan.json");
+    return names;
+}
 
 std::vector<std::filesystem::path> write_identification(const IdentificationRecord& record,
                                                         const std::filesystem::path& directory,

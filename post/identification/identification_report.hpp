@@ -29,6 +29,8 @@ struct IdentificationRecord {
                                            const std::vector<std::filesystem::path>& files);
 /// Names of the files that a fit leaves in a folder.
 [[nodiscard]] std::vector<std::string> identification_names();
+/// The same of a plan.
+[[nodiscard]] std::vector<std::string> plan_names();
 /// identified.toml: the case with the fitted values, which runs as it is. identify.csv: a row for each sample. Of a plan
 /// plan.json. @param home where they will stand, if elsewhere: paths in them lead from there
 /// @errors FileError  @returns their paths

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that every page holds a copy of, as they are in post/page/assets.
+// Files that pages hold a copy of, as they are in post/page/assets.
 #pragma once
 
 #include <string_view>
@@ -9,6 +9,8 @@ namespace tiretherm::post::assets {
 [[nodiscard]] std::string_view style();
 /// parts.js, maps_and_bars.js and report.js, one after the other.
 [[nodiscard]] std::string_view script();
+/// Of a copy of a page from which pictures are made.
+[[nodiscard]] std::string_view export_script();
 /// Apache ECharts; post/page/assets/README.md says how it is made.
 [[nodiscard]] std::string_view charting_library();
 

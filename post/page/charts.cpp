@@ -54,6 +54,8 @@ const char* word(CurveRole role) {
             return "dashed";
         case CurveRole::dotted:
             return "dotted";
+        case CurveRole::faint:
+            return "faint";
         case CurveRole::points:
             return "points";
         case CurveRole::line:
@@ -74,6 +76,10 @@ double rounded(double value, int digits) { return std::strtod(fmt::format("{:.{}
 
 LineChart::LineChart(std::string x, std::string unit, double low, double high)
     : axis_{{"name", std::move(x)}, {"unit", std::move(unit)}, {"min", number(low)}, {"max", number(high)}} {}
+
+void LineChart::set_labels(const std::vector<std::string>& labels, const std::vector<std::string>& notes) {
+    axis_.set({{"labels", Value(labels)}, {"notes", Value(notes)}});
+}
 
 void LineChart::add_panel(std::string name, std::string unit, bool is_short) {
     panels_.push_back({.name = std::move(name), .unit = std::move(unit), .is_short = is_short});
@@ -185,22 +191,6 @@ Value grouped_bar_chart(std::string_view what, std::string_view unit, const std:
             {"series", series},
             {"items", items},
             {"levels", named_values(levels)}};
-}
-
-std::string base64(std::span<const unsigned char> bytes) {
-    constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::size_t left = std::min<std::size_t>(3, bytes.size() - i);
-        unsigned group = 0;
-        for (std::size_t b = 0; b < 3; ++b) {
-            group = group << 8U | (b < left ? bytes[i + b] : 0U);
-        }
-        for (std::size_t b = 0; b < 4; ++b) {
-            text += b <= left ? letters[group >> (18U - 6U * b) & 63U] : '=';
-        }
-    }
-    return text;
 }
 
 }  // namespace tiretherm::post

@@ -25,7 +25,7 @@ struct TimeUnit {
 [[nodiscard]] std::string axis_unit(std::string_view unit);
 
 /// How a curve is drawn.
-enum class CurveRole { line, dashed, dotted, points };
+enum class CurveRole { line, dashed, dotted, faint, points };
 
 /// Curves above one another over one axis. Of a long curve the lowest and the highest value of each of some hundred pieces are
 /// kept, so that no peak is lost; numbers have six digits.
@@ -34,6 +34,9 @@ public:
     /// @param x name of the shared axis  @param unit as it is shown  @param low, high ends of the axis, in this unit
     LineChart(std::string x, std::string unit, double low, double high);
 
+    /// The shared axis has places 0, 1, ... with names in the place of numbers.
+    /// @param notes longer names for who points at a place; empty: none
+    void set_labels(const std::vector<std::string>& labels, const std::vector<std::string>& notes = {});
     /// A further panel below those that are there; what follows goes into it. @param is_short a low one, of residuals or inputs
     void add_panel(std::string name, std::string unit, bool is_short = false);
     /// @param group curves of one group have one colour; empty: the name  @param x, y [points], not finite ones are gaps
@@ -103,8 +106,5 @@ struct BarGroup {
 
 /// A number with so many digits as a chart shows.
 [[nodiscard]] double rounded(double value, int digits = 6);
-
-/// Bytes as text (RFC 4648).
-[[nodiscard]] std::string base64(std::span<const unsigned char> bytes);
 
 }  // namespace tiretherm::post

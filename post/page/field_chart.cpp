@@ -13,6 +13,7 @@
 #include "mesh/ring.hpp"
 #include "post/page/charts.hpp"
 #include "post/pictures/section_plane.hpp"
+#include "post/report/base64.hpp"
 #include "solver/celsius.hpp"
 
 namespace tiretherm::post {

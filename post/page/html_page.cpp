@@ -3,9 +3,11 @@
 #include "post/page/html_page.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 #include <fmt/format.h>
 
+#include "input/text/suggestions.hpp"
 #include "post/page/assets.hpp"
 #include "post/page/page_origin.hpp"
 #include "post/report/file.hpp"
@@ -127,6 +129,16 @@ std::string blocks_html(const std::vector<PageItem>& blocks, int level) {
     return text + (in_list ? "</ul>\n" : "");
 }
 
+/// The page of a terminal without bold letters; control characters of titles and names as blanks.
+std::string plain_text(const Report& report) {
+    std::string plain;
+    std::istringstream lines(page_text(report, false));
+    for (std::string line; std::getline(lines, line);) {
+        plain += input::printable(line) + "\n";
+    }
+    return plain;
+}
+
 }  // namespace
 
 std::string html_page(const Report& report, const PageOrigin& origin) {
@@ -175,8 +187,15 @@ std::string html_page(const Report& report, const PageOrigin& origin) {
     return text + "</script>\n</body>\n</html>\n";
 }
 
-void write_html_page(const std::filesystem::path& path, const Report& report, const PageOrigin& origin) {
-    replace_file(path, html_page(report, origin));
+std::vector<std::string> page_names() { return {page_name, text_page_name}; }
+
+std::vector<std::filesystem::path> page_files(const std::filesystem::path& folder) {
+    return {folder / page_name, folder / text_page_name};
+}
+
+void write_page(const std::filesystem::path& folder, const Report& report, const PageOrigin& origin) {
+    replace_file(folder / page_name, html_page(report, origin));
+    replace_file(folder / text_page_name, plain_text(report));
 }
 
 }  // namespace tiretherm::post

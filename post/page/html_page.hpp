@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A result as one HTML file that opens without a network.
+// The page of a result as files: one HTML file that opens without a network, and text.
 #pragma once
 
 #include <filesystem>
@@ -11,6 +11,7 @@
 namespace tiretherm::post {
 
 inline constexpr const char* page_name = "report.html";
+inline constexpr const char* text_page_name = "page.txt";
 
 /// What a page was made from, for its foot.
 struct PageOrigin {
@@ -23,7 +24,12 @@ struct PageOrigin {
 /// versions that it rests on. Style, script and the charting library are in it. Temperatures read °C.
 [[nodiscard]] std::string html_page(const Report& report, const PageOrigin& origin);
 
-/// The same as a file. @errors FileError
-void write_html_page(const std::filesystem::path& path, const Report& report, const PageOrigin& origin);
+/// Names of the files of a page, of which --no-report leaves out all: report.html, and page.txt as the terminal shows it.
+[[nodiscard]] std::vector<std::string> page_names();
+/// The same in a folder.
+[[nodiscard]] std::vector<std::filesystem::path> page_files(const std::filesystem::path& folder);
+
+/// Writes these files. @errors FileError
+void write_page(const std::filesystem::path& folder, const Report& report, const PageOrigin& origin);
 
 }  // namespace tiretherm::post

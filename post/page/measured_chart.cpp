@@ -3,7 +3,10 @@
 #include "post/page/measured_chart.hpp"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -46,6 +49,27 @@ CurveRole role_of(const MeasuredSeries& series, std::size_t model) {
     return model + 1 < series.models.size() ? CurveRole::dashed : CurveRole::line;
 }
 
+constexpr double parts = 40.0;  ///< of a run, over which means are taken
+constexpr std::size_t least_for_means = 120;
+constexpr double normal_95 = 1.959964;  ///< standard deviations
+
+/// Means over equal parts of the time, which show what the noise hides. @returns [parts with samples] times, values
+std::pair<std::vector<double>, std::vector<double>> means(const std::vector<double>& time,
+                                                          const std::vector<double>& value) {
+    std::map<int, std::array<double, 3>> sums;  // of times, of values, count
+    const double width = (time.back() - time.front()) / parts;
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        std::array<double, 3>& sum = sums[width > 0.0 ? static_cast<int>((time[i] - time.front()) / width) : 0];
+        sum = {sum[0] + time[i], sum[1] + value[i], sum[2] + 1.0};
+    }
+    std::pair<std::vector<double>, std::vector<double>> found;
+    for (const auto& [part, sum] : sums) {
+        found.first.push_back(sum[0] / sum[2]);
+        found.second.push_back(sum[1] / sum[2]);
+    }
+    return found;
+}
+
 void add_panels(LineChart& chart, const std::vector<const MeasuredSeries*>& series, double seconds) {
     const std::string_view unit = series.front()->unit.name;
     const bool is_temperature = unit == "degC";
@@ -69,7 +93,19 @@ void add_panels(LineChart& chart, const std::vector<const MeasuredSeries*>& seri
             for (std::size_t i = 0; i < one->measured.size(); ++i) {
                 difference.push_back(one->unit.difference(one->models[m].simulated[i] - one->measured[i]));
             }
-            chart.add_curve(curve_name(*one, one->models[m]), one->channel, role_of(*one, m), t, difference);
+            const std::string name = curve_name(*one, one->models[m]);
+            if (one->noise > 0.0 && t.size() > least_for_means) {
+                const auto [middle, mean] = means(t, difference);
+                chart.add_curve(name, one->channel, CurveRole::faint, t, difference);
+                chart.add_curve(name, one->channel, role_of(*one, m), middle, mean);
+            } else {
+                chart.add_curve(name, one->channel, role_of(*one, m), t, difference);
+            }
+        }
+        if (one->noise > 0.0) {
+            const double reach = normal_95 * one->unit.difference(one->noise);
+            chart.add_band(one->channel + ", noise 95 %", one->channel, std::array{t.front(), t.back()},
+                           std::array{-reach, -reach}, std::array{reach, reach});
         }
     }
     chart.add_level("", 0.0);
@@ -137,14 +173,19 @@ Section measured_section(const std::vector<MeasuredSeries>& series, const std::v
         }
         chart.set_link("time");
         const bool several = own.front()->models.size() > 1;
-        section.chart(run.empty() ? "Measured and simulated" : run,
-                      fmt::format("Points are measured; {}.{}{}",
-                                  several ? fmt::format("dashed: {}, solid: {}", own.front()->models.front().name,
-                                                        own.front()->models.back().name)
-                                          : "lines are simulated",
-                                  has_steps ? " The bands are steps of speed and load." : "",
-                                  runs.size() > 1 ? " All runs zoom together." : ""),
-                      chart.data());
+        section.chart(
+            run.empty() ? "Measured and simulated" : run,
+            fmt::format("Points are measured; {}.{}{}{}",
+                        several ? fmt::format("dashed: {}, solid: {}", own.front()->models.front().name,
+                                              own.front()->models.back().name)
+                                : "lines are simulated",
+                        own.front()->noise > 0.0 ? " Of many samples the differences are faint and their means "
+                                                   "over a fortieth of the run are drawn over them; the band "
+                                                   "is the sensor's noise, 95 %."
+                                                 : "",
+                        has_steps ? " The bands are steps of speed and load." : "",
+                        runs.size() > 1 ? " All runs zoom together." : ""),
+            chart.data());
     }
     return section;
 }

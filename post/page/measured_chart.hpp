@@ -24,6 +24,7 @@ struct MeasuredSeries {
     std::vector<double> time;      ///< [samples] s
     std::vector<double> measured;  ///< [samples] SI
     std::vector<Model> models;     ///< from the first to the best
+    double noise = 0.0;            ///< standard deviation of the sensor's noise, SI; 0: not known
 };
 
 /// What was put in during a run, for the panels below its channels.
@@ -34,8 +35,9 @@ struct RunInputs {
 [[nodiscard]] std::vector<RunInputs> inputs_of_runs(const input::Experiment& experiment);
 
 /// A section with a chart for each run: channels of one unit in one panel, simulated less measured below, the inputs that change
-/// at the bottom, and steps as bands. The first model is dashed where there is another. All charts zoom together. Nothing
-/// where there is no series of two samples or more.
+/// at the bottom, and steps as bands. The first model is dashed where there is another. Where the noise is known the
+/// differences have its 95 % band, and of many samples their means over a fortieth of the run. All charts zoom together.
+/// Nothing where there is no series of two samples or more.
 [[nodiscard]] Section measured_section(const std::vector<MeasuredSeries>& series,
                                        const std::vector<RunInputs>& inputs = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pictures of a run: field across the thickness, folded tire section, unrolled tread, and channels against time.
+// The pictures of a run: field across the thickness, folded tire section, and unrolled tread.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,6 @@
 #include <string>
 
 #include "post/pictures/section_plane.hpp"
-#include "post/report/history.hpp"
 #include "solver/problem.hpp"
 
 namespace tiretherm::post {
@@ -33,9 +32,5 @@ void draw_folded(const std::filesystem::path& path, const solver::Problem& probl
 /// @param time s  @param temperature [n_nodes] K   @pre mesh.sectors > 1   @errors FileError
 void draw_tread(const std::filesystem::path& path, const solver::Problem& problem, double time,
                 std::span<const double> temperature);
-
-/// The channels against time as a PNG, measured values beside them.
-/// @param history at least two rows   @errors FileError
-void draw_channels(const std::filesystem::path& path, const solver::Problem& problem, const History& history);
 
 }  // namespace tiretherm::post

@@ -4,10 +4,13 @@
 #include "post/quoted/quoted_report.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "post/page/charts.hpp"
+#include "post/page/html_page.hpp"
 #include "post/report/file.hpp"
 #include "post/report/number_text.hpp"
 
@@ -97,6 +100,55 @@ DataTable row_table(const QuotedDiagnosis& result, const Analysis& analysis) {
                    page_only("left / u", shown("{:.1f}", after / row.total()))});
     }
     return table;
+}
+
+/// What each addition removes, as bars, and the rows that count before and after.
+Section quoted_charts(const QuotedRecord& record) {
+    const QuotedDiagnosis& result = record.result;
+    Section section("Before and after");
+    std::vector<Bar> removed;
+    for (const Attempt& attempt : result.decidable.attempts) {
+        if (removed.size() < most_shown) {
+            removed.push_back(
+                {attempt.addition.name() + (attempt.in_set ? " *" : ""), 100.0 * attempt.held_out.removed.value});
+        }
+    }
+    if (!removed.empty()) {
+        section.chart("What each addition removes",
+                      "Of the error on experiments that were left out, decidable numbers; *: in the set.",
+                      bar_chart("removed", "%", removed));
+    }
+    std::vector<std::string> labels;
+    std::vector<std::string> notes;
+    std::vector<double> place;
+    std::vector<double> before;
+    std::vector<double> after;
+    const Analysis& all = result.all;
+    for (std::size_t r = 0; r < result.numbers.rows.size(); ++r) {
+        const Row& row = result.numbers.rows[r];
+        if (all.counts[r]) {
+            place.push_back(static_cast<double>(place.size()));
+            labels.push_back(row.id);
+            notes.push_back(fmt::format("{}: {}", row.id, row.what));
+            before.push_back(row.residual(row.value) / row.total());
+            after.push_back(row.residual(row.value + all.after[r]) / row.total());
+        }
+    }
+    if (!place.empty()) {
+        LineChart chart("experiment", "", -0.5, static_cast<double>(place.size()) - 0.5);
+        chart.set_labels(labels, notes);
+        chart.add_panel("simulated - measured", "u");
+        chart.add_band("within 2 u", "", std::array{-0.5, static_cast<double>(place.size()) - 0.5},
+                       std::array{-2.0, -2.0}, std::array{2.0, 2.0});
+        chart.add_curve("before", "", CurveRole::points, place, before);
+        if (!all.steps.empty()) {
+            chart.add_curve("after", "", CurveRole::points, place, after);
+        }
+        section.chart("Differences in units of their uncertainty",
+                      "All numbers; u counts the ranges of unknown inputs. To the nearest end of a measured range.",
+                      chart.data());
+    }
+    return section;
 }
 
 Value share_data(const Share& share) { return {{"value", share.value}, {"low", share.low}, {"high", share.high}}; }
@@ -261,6 +313,7 @@ Report quoted_report(const QuotedRecord& record, const std::vector<std::filesyst
                    {"decidable", decidable},
                    {"all", analysis_data(result, result.all)}};
     report.add(Section("Verdict", sentences));
+    report.add(quoted_charts(record));
     report.add(attempt_section("What each addition removes: decidable numbers", result.decidable));
     report.add(attempt_section("What each addition removes: all numbers", result.all));
     Section method("");
@@ -294,6 +347,12 @@ std::string quoted_markdown(const QuotedRecord& record) {
     return text + "Decidable numbers:\n\n" + markdown_text(attempt_table(result.decidable, most_shown)) +
            "\nAll numbers:\n\n" + markdown_text(attempt_table(result.all, most_shown)) + "\nBefore and after:\n\n" +
            markdown_text(row_table(result, result.all));
+}
+
+std::vector<std::string> quoted_names() {
+    std::vector<std::string> names = page_names();
+    names.push_back("diagnosis.json");
+    return names;
 }
 
 std::vector<std::filesystem::path> write_quoted(const QuotedRecord& record, const std::filesystem::path& directory) {

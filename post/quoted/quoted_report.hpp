@@ -28,6 +28,8 @@ struct QuotedRecord {
 [[nodiscard]] std::vector<std::string> quoted_sentences(const QuotedRecord& record);
 /// The tables of a page of the documentation: the additions, then the rows.
 [[nodiscard]] std::string quoted_markdown(const QuotedRecord& record);
+/// Names of the files that such a diagnosis leaves in a folder.
+[[nodiscard]] std::vector<std::string> quoted_names();
 /// diagnosis.json. @errors FileError  @returns its path
 [[nodiscard]] std::vector<std::filesystem::path> write_quoted(const QuotedRecord& record,
                                                               const std::filesystem::path& directory);

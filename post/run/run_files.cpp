@@ -13,11 +13,10 @@ RunFiles::RunFiles(std::filesystem::path directory, const solver::Problem& probl
                    const std::set<std::string>& switched)
     : directory_(create_folder(std::move(directory))),
       problem_(problem),
-      with_pictures_(!switched.contains("pictures")),
       with_page_(!switched.contains("report")),
       fields_(problem) {
     if (with_page_) {
-        page_.push_back(directory_ / page_name);
+        page_ = page_files(directory_);
     }
     for (const std::string& name : names_in(directory_)) {
         std::error_code ignored;
@@ -32,7 +31,8 @@ RunFiles::RunFiles(std::filesystem::path directory, const solver::Problem& probl
 }
 
 std::vector<std::string> RunFiles::names_in(const std::filesystem::path& directory) {
-    std::vector<std::string> names{page_name, "hot_spots.csv", "hot_spots.png"};
+    std::vector<std::string> names = page_names();
+    names.push_back("hot_spots.csv");
     for (const OutputFormat* format : output_formats()) {
         const std::vector<std::string> more = format->names_in(directory);
         names.insert(names.end(), more.begin(), more.end());
@@ -52,15 +52,12 @@ void RunFiles::take(const solver::Snapshot& snapshot) {
 
 void RunFiles::write_page(const Report& report, const PageOrigin& origin) {
     if (with_page_) {
-        write_html_page(page_.front(), report, origin);
+        post::write_page(directory_, report, origin);
     }
 }
 
 void RunFiles::write_hot_spots(const diagnosis::HotSpots& hot_spots) {
     write_hot_spots_csv(of_hot_spots_.emplace_back(directory_ / "hot_spots.csv"), hot_spots, problem_);
-    if (with_pictures_ && history_.rows() > 1) {
-        draw_hot_spots(of_hot_spots_.emplace_back(directory_ / "hot_spots.png"), hot_spots, problem_);
-    }
 }
 
 void RunFiles::finish() {

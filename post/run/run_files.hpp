@@ -21,7 +21,7 @@ class RunFiles {
 public:
     /// Creates the directory and opens the files, so that whatever is wrong with them shows before the run.
     /// @param problem, provenance must outlive this
-    /// @param switched names of formats that are refused although usual, or wanted although not; "report" refuses the page
+    /// @param switched names of formats that are refused although usual, or wanted although not; "report" refuses the files of the page
     /// @errors FileError
     RunFiles(std::filesystem::path directory, const solver::Problem& problem, const Provenance& provenance,
              const std::set<std::string>& switched);
@@ -35,10 +35,10 @@ public:
     /// Completes the files and draws the pictures. @errors FileError
     void finish();
 
-    /// The courses of the hot spots as hot_spots.csv and hot_spots.png. @errors FileError
+    /// The courses of the hot spots as hot_spots.csv. @errors FileError
     void write_hot_spots(const diagnosis::HotSpots& hot_spots);
 
-    /// The page as HTML, where it was not refused (--no-report). @errors FileError
+    /// The files of the page, where they were not refused (--no-report). @errors FileError
     void write_page(const Report& report, const PageOrigin& origin);
 
     [[nodiscard]] const History& history() const { return history_; }
@@ -49,7 +49,6 @@ public:
 private:
     std::filesystem::path directory_;
     const solver::Problem& problem_;
-    bool with_pictures_;
     bool with_page_;
     History history_;
     FieldFrames fields_;

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pictures of a run: the last field and, where there are temperatures, the channels against time.
-#include <algorithm>
-
+// The pictures of a run: the last field.
 #include "post/fields/output_format.hpp"
 #include "post/pictures/picture.hpp"
 
@@ -30,12 +28,6 @@ public:
                 draw_tread(add("tread.png"), problem, time_, field_);
             }
         }
-        const bool has_temperature = std::ranges::any_of(problem.channels, [](const solver::Channel& channel) {
-            return channel.quantity == solver::Quantity::temperature;
-        });
-        if (target_.history.rows() > 1 && has_temperature) {
-            draw_channels(add("channels.png"), problem, target_.history);
-        }
     }
 
     [[nodiscard]] std::vector<std::filesystem::path> files() const override { return written_; }
@@ -57,10 +49,10 @@ extern const OutputFormat pictures;
 const OutputFormat pictures{
     .name = "pictures",
     .use = OutputFormat::Use::unless_refused,
-    .help = "No picture.png, channels.png and hot_spots.png",
+    .help = "No picture.png and tread.png",
     .open = [](const RunTarget& target) -> std::unique_ptr<RunOutput> { return std::make_unique<RunPictures>(target); },
     .names_in = [](const std::filesystem::path&) -> std::vector<std::string> {
-        return {"picture.png", "tread.png", "channels.png"};
+        return {"picture.png", "tread.png"};
     }};
 
 }  // namespace formats

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves and maps over the sides of a study's grid, or the distribution of its samples.
+// Curves over the sides of a study's grid, or the distribution of its samples.
 #include "post/study/study_chart.hpp"
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 
 #include "diagnosis/study/study_statistics.hpp"
-#include "post/charts/study_axis.hpp"
-#include "post/page/cell_chart.hpp"
 #include "post/page/charts.hpp"
+#include "post/pictures/ticks.hpp"
+#include "post/study/study_axis.hpp"
 #include "solver/celsius.hpp"
 
 namespace tiretherm::post {
@@ -36,7 +36,8 @@ struct Curve {
 };
 
 /// The values of one side against another, at the first value of all further sides.
-std::vector<Curve> curves_of(const StudyRecord& study, std::size_t x, const std::vector<std::size_t>& others) {
+std::vector<Curve> curves_of(const StudyRecord& study, std::size_t x, const StudyAxis& axis,
+                             const std::vector<std::size_t>& others) {
     std::vector<Curve> curves;
     for (std::size_t point = 0; point < study.points(); ++point) {
         const bool first = std::ranges::all_of(others.begin() + (others.empty() ? 0 : 1), others.end(),
@@ -50,8 +51,8 @@ std::vector<Curve> curves_of(const StudyRecord& study, std::size_t x, const std:
         if (curve == curves.end()) {
             curve = curves.insert(curves.end(), Curve{name, {}});
         }
-        curve->points.push_back({study.columns[x].numbers[point * study.samples], quantile(hottest, 0.5),
-                                 quantile(hottest, 0.05), quantile(hottest, 0.95)});
+        curve->points.push_back({axis.at[along(study, point, x)], quantile(hottest, 0.5), quantile(hottest, 0.05),
+                                 quantile(hottest, 0.95)});
     }
     for (Curve& curve : curves) {
         std::ranges::sort(curve.points, {}, [](const auto& point) { return point[0]; });
@@ -71,41 +72,33 @@ std::string level_name(const StudyRecord& study) {
     return fmt::format("critical {:.5g} °C", solver::celsius(*study.critical));
 }
 
-/// Samples by classes of equal width, as many as the square root of their number: a class with its share, its colour by
-/// how often it occurs.
-void add_histogram(Section& section, const StudyRecord& study, const std::vector<double>& hottest) {
-    const auto classes =
-        static_cast<std::size_t>(std::clamp(std::ceil(std::sqrt(static_cast<double>(hottest.size()))), 4.0, 40.0));
-    const double width = std::max(hottest.back() - hottest.front(), 1e-3) / static_cast<double>(classes);
-    std::vector<double> samples(classes, 0.0);
-    for (const double temperature : hottest) {
-        const auto i = static_cast<std::size_t>((temperature - hottest.front()) / width);
-        samples[std::min(i, classes - 1)] += 1.0;
-    }
-    const double low = hottest.front();
-    const double high = low + width * static_cast<double>(classes);
-    LineChart chart("hottest temperature", "°C", low, high);
-    chart.add_panel("samples", "");
-    std::vector<double> x;
-    std::vector<double> zero;
+/// Equal steps from a round temperature on. degC
+struct Bins {
+    double from = 0.0;
+    double step = 1.0;
     std::vector<double> count;
-    for (std::size_t i = 0; i < classes; ++i) {
-        x.insert(x.end(), {low + width * static_cast<double>(i), low + width * static_cast<double>(i + 1)});
-        count.insert(count.end(), {samples[i], samples[i]});
-        zero.insert(zero.end(), {0.0, 0.0});
+};
+
+/// Steps of D. Freedman and P. Diaconis (1981), 2 IQR / n^(1/3), rounded to those of an axis.   @param sorted [samples] degC
+Bins bins_of(const std::vector<double>& sorted) {
+    const double spread = std::max(sorted.back() - sorted.front(), 1e-3);
+    const double wanted =
+        2.0 * (quantile(sorted, 0.75) - quantile(sorted, 0.25)) / std::cbrt(static_cast<double>(sorted.size()));
+    const int about = wanted > 0.0 ? std::clamp(static_cast<int>(spread / wanted), 4, 40) : 4;
+    const Ticks round = ticks(sorted.front(), sorted.front() + spread, about);
+    const double step = round.values.size() > 1 ? round.values[1] - round.values[0] : spread;
+    Bins bins{.from = std::floor(sorted.front() / step) * step, .step = step, .count = {}};
+    for (const double value : sorted) {
+        const auto i = static_cast<std::size_t>((value - bins.from) / step);
+        bins.count.resize(std::max(bins.count.size(), i + 1));
+        bins.count[i] += 1.0;
     }
-    chart.add_band("samples of each class", "samples", x, zero, count);
-    chart.add_curve("samples of each class", "samples", CurveRole::line, x, count);
-    if (study.critical) {
-        const double critical = solver::celsius(*study.critical);
-        if (critical > low && critical < high) {
-            chart.add_span(level_name(study), critical, high);
-        }
-    }
-    section.chart("Histogram of the hottest temperature",
-                  fmt::format("{} samples in {} classes of {:.3g} K.{}", hottest.size(), classes, width,
-                              study.critical ? " Shaded: above the critical temperature." : ""),
-                  chart.data());
+    return bins;
+}
+
+/// A line from bottom to top of a panel.
+void add_upright(LineChart& chart, const std::string& name, double x, double top) {
+    chart.add_curve(name, name, CurveRole::dashed, std::array{x, x}, std::array{0.0, top});
 }
 
 Section distribution(const StudyRecord& study) {
@@ -118,132 +111,41 @@ Section distribution(const StudyRecord& study) {
     for (std::size_t i = 0; i < hottest.size(); ++i) {
         share.push_back(100.0 * (static_cast<double>(i) + 0.5) / static_cast<double>(hottest.size()));
     }
-    const double margin = 0.02 * std::max(hottest.back() - hottest.front(), 1e-3);
-    LineChart chart("hottest temperature", "°C", hottest.front() - margin, hottest.back() + margin);
-    chart.add_panel("runs that stay below", "%");
-    chart.add_curve("share of runs", "", CurveRole::line, hottest, share);
+    const Bins bins = bins_of(hottest);
+    std::vector<double> edges;
+    std::vector<double> counts;
+    for (std::size_t i = 0; i < bins.count.size(); ++i) {
+        const double from = bins.from + static_cast<double>(i) * bins.step;
+        edges.insert(edges.end(), {from, from + bins.step});
+        counts.insert(counts.end(), {bins.count[i], bins.count[i]});
+    }
+    double low = edges.front();
+    double high = edges.back();
     if (study.critical) {
-        const double critical = solver::celsius(*study.critical);
-        if (critical > hottest.front() - margin && critical < hottest.back() + margin) {
-            chart.add_span(level_name(study), critical, hottest.back() + margin);
-        }
+        low = std::min(low, solver::celsius(*study.critical) - bins.step);
+        high = std::max(high, solver::celsius(*study.critical) + bins.step);
     }
-    add_histogram(section, study, hottest);
-    section.chart("Share of the samples that stay below a temperature", fmt::format("{} samples.", hottest.size()),
-                  chart.data());
+    LineChart chart("hottest temperature", "°C", low, high);
+    chart.add_panel("samples", "");
+    chart.add_band("samples", "samples", edges, std::vector<double>(edges.size(), 0.0), counts);
+    if (study.critical) {
+        add_upright(chart, level_name(study), solver::celsius(*study.critical), *std::ranges::max_element(counts));
+    }
+    chart.add_panel("share that stays below", "%");
+    chart.add_curve("share of the samples", "samples", CurveRole::line, hottest, share);
+    if (study.critical) {
+        add_upright(chart, level_name(study), solver::celsius(*study.critical), 100.0);
+    }
+    std::string caption =
+        fmt::format("{} samples: half lie below {:.1f} °C, nine tenths from {:.1f} to {:.1f} °C.", hottest.size(),
+                    quantile(hottest, 0.5), quantile(hottest, 0.05), quantile(hottest, 0.95));
+    if (study.critical) {
+        const Chance c = passes_critical(study, 0);
+        caption += fmt::format(" {} of {} pass {:.6g} °C: {:.1f} %, 95 % interval {:.1f} to {:.1f} %.", c.times, c.of,
+                               solver::celsius(*study.critical), 100.0 * c.share, 100.0 * c.low, 100.0 * c.high);
+    }
+    section.chart("Distribution of the hottest temperature", caption, chart.data());
     return section;
-}
-
-}  // namespace
-
-namespace {
-
-/// One side of the grid as an axis, and where each of its values lies on it.
-struct MapSide {
-    CellAxis axis;
-    std::vector<double> from;  ///< [side]
-    std::vector<double> to;
-};
-
-/// Numbers at even distances at their places, all else side by side.
-MapSide map_side(const StudyRecord& study, std::size_t side) {
-    const StudyColumn& column = study.columns[side];
-    const std::size_t n = study.sides[side];
-    std::vector<double> numbers;
-    std::vector<std::string> texts;
-    for (std::size_t i = 0; i < n; ++i) {
-        const std::size_t run = i * stride(study, side) * study.samples;
-        numbers.push_back(column.numbers[run]);
-        texts.push_back(column.texts[run]);
-    }
-    MapSide found{.axis = {.name = column.key, .unit = column.unit}, .from = {}, .to = {}};
-    std::vector<double> sorted = numbers;
-    std::ranges::sort(sorted);
-    double narrowest = 1e300;
-    double widest = 0.0;
-    for (std::size_t i = 0; i + 1 < n; ++i) {
-        narrowest = std::min(narrowest, sorted[i + 1] - sorted[i]);
-        widest = std::max(widest, sorted[i + 1] - sorted[i]);
-    }
-    if (column.is_number && narrowest > 0.0 && widest <= 4.0 * narrowest) {
-        const std::vector<double> borders = borders_between(sorted);
-        found.axis.low = borders.front();
-        found.axis.high = borders.back();
-        for (const double number : numbers) {
-            const auto at = static_cast<std::size_t>(std::ranges::lower_bound(sorted, number) - sorted.begin());
-            found.from.push_back(borders[at]);
-            found.to.push_back(borders[at + 1]);
-        }
-        return found;
-    }
-    found.axis.unit.clear();
-    found.axis.words = texts;
-    for (std::size_t i = 0; i < n; ++i) {
-        found.from.push_back(static_cast<double>(i));
-        found.to.push_back(static_cast<double>(i) + 1.0);
-    }
-    return found;
-}
-
-/// The hottest temperature over the first two sides, a map for each combination of the others.
-void add_maps(Section& section, const StudyRecord& study, const std::vector<std::size_t>& sides) {
-    constexpr std::size_t most_maps = 6;
-    constexpr std::size_t most_cells = 20'000;
-    if (sides.size() < 2 || study.sides[sides[0]] * study.sides[sides[1]] > most_cells) {
-        return;
-    }
-    // The side with more values goes along the longer axis.
-    const std::size_t x = study.sides[sides[0]] >= study.sides[sides[1]] ? sides[0] : sides[1];
-    const std::size_t y = x == sides[0] ? sides[1] : sides[0];
-    const MapSide across = map_side(study, x);
-    const MapSide up = map_side(study, y);
-    std::vector<std::pair<std::string, std::vector<MapCell>>> maps;  // by the values of the other sides
-    for (std::size_t point = 0; point < study.points(); ++point) {
-        std::string name;
-        for (std::size_t i = 2; i < sides.size(); ++i) {
-            name += fmt::format("{}{} {}", name.empty() ? "" : ", ", study.columns[sides[i]].key,
-                                text_of(study, sides[i], point));
-        }
-        auto map = std::ranges::find(maps, name, &std::pair<std::string, std::vector<MapCell>>::first);
-        if (map == maps.end()) {
-            map = maps.insert(maps.end(), {name, {}});
-        }
-        const std::vector<double> hottest = hottest_at(study, point);
-        if (hottest.empty()) {
-            continue;
-        }
-        const double median = quantile(hottest, 0.5);
-        map->second.push_back({.x_from = across.from[along(study, point, x)],
-                               .x_to = across.to[along(study, point, x)],
-                               .y_from = up.from[along(study, point, y)],
-                               .y_to = up.to[along(study, point, y)],
-                               .value = median,
-                               .is_marked = study.critical && median > solver::celsius(*study.critical)});
-    }
-    double low = 1e300;  // one scale for all maps
-    double high = -1e300;
-    for (const auto& [name, cells] : maps) {
-        for (const MapCell& cell : cells) {
-            low = std::min(low, cell.value);
-            high = std::max(high, cell.value);
-        }
-    }
-    for (std::size_t i = 0; i < std::min(maps.size(), most_maps); ++i) {
-        const auto& [name, cells] = maps[i];
-        section.chart(
-            "Map of the hottest temperature" + (name.empty() ? "" : ", " + name),
-            fmt::format(
-                "{}A cell for each {}; where there is none the run failed.{}",
-                study.samples > 1 ? "Median of the samples. " : "", study.samples > 1 ? "point of the grid" : "run",
-                study.critical ? fmt::format(" Framed: above {:.5g} °C.", solver::celsius(*study.critical)) : ""),
-            cell_chart(across.axis, up.axis,
-                       {.name = "hottest temperature",
-                        .unit = "°C",
-                        .low = low,
-                        .high = high,
-                        .marked = "above the critical temperature"},
-                       cells));
-    }
 }
 
 }  // namespace
@@ -258,19 +160,22 @@ Section study_chart_section(const StudyRecord& study) {
     const std::size_t x = *std::ranges::max_element(sides, {}, [&](std::size_t side) { return study.sides[side]; });
     std::vector<std::size_t> others = sides;
     std::erase(others, x);
-    const std::vector<double>& numbers = study.columns[x].numbers;
-    add_maps(section, study, sides);
-    if (std::ranges::any_of(numbers, [](double value) { return !std::isfinite(value); })) {
-        return section;
+    const StudyAxis axis = study_axis(study, x);
+    LineChart chart(axis.name, axis_unit(axis.unit), axis.low, axis.high);
+    if (!axis.is_number) {
+        chart.set_labels(axis.labels_in_order());
     }
-    const auto [low, high] = std::ranges::minmax(numbers);
-    LineChart chart(study.columns[x].key, study.columns[x].unit, low, high);
     chart.add_panel("hottest temperature", "°C");
-    for (const Curve& curve : curves_of(study, x, others)) {
-        if (study.samples > 1) {
+    for (const Curve& curve : curves_of(study, x, axis, others)) {
+        if (study.samples > 1 && axis.is_number) {
             chart.add_band(curve.name, curve.name, column(curve, 0), column(curve, 2), column(curve, 3));
+        } else if (study.samples > 1) {
+            chart.add_ranges(curve.name, curve.name, column(curve, 0), column(curve, 2), column(curve, 3));
         }
-        chart.add_curve(curve.name, curve.name, CurveRole::line, column(curve, 0), column(curve, 1));
+        if (axis.is_number) {
+            chart.add_curve(curve.name, curve.name, CurveRole::line, column(curve, 0), column(curve, 1));
+        }
+        chart.add_curve(curve.name, curve.name, CurveRole::points, column(curve, 0), column(curve, 1));
     }
     if (study.critical) {
         chart.add_level(level_name(study), solver::celsius(*study.critical));
@@ -286,6 +191,9 @@ Section study_chart_section(const StudyRecord& study) {
         caption += fmt::format("Median of {} samples; nine tenths of them lie in the band.", study.samples);
     }
     section.chart("Hottest temperature over the run", caption, chart.data());
+    if (!others.empty()) {
+        add_study_maps(section, study);
+    }
     return section;
 }
 

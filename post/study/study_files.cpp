@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes CSV, HDF5 and picture of a study into its folder, and removes those of an earlier study.
+// Writes CSV, HDF5 and page of a study into its folder, and removes those of an earlier study.
 
 #include "post/study/study_files.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <system_error>
 #include <thread>
 
 #include "input/text/unit_text.hpp"
-#include "post/charts/study_picture.hpp"
 #include "post/page/html_page.hpp"
 #include "post/report/file.hpp"
 #include "post/study/study_tables.hpp"
@@ -17,8 +17,7 @@ namespace tiretherm::post {
 
 namespace fs = std::filesystem;
 
-StudyFiles::StudyFiles(OutputFolder& folder, bool pictures, bool page)
-    : folder_(folder), pictures_(pictures), page_(page) {
+StudyFiles::StudyFiles(OutputFolder& folder, bool page) : folder_(folder), page_(page) {
     // Runs are added to the journal in place: one of our own, not what a link leads to.
     std::error_code error;
     if (fs::is_symlink(journal(), error)) {
@@ -26,28 +25,27 @@ StudyFiles::StudyFiles(OutputFolder& folder, bool pictures, bool page)
     }
 }
 
-std::vector<std::string> StudyFiles::names() { return {page_name, "runs.jsonl", "study.csv", "study.h5", "study.png"}; }
+std::vector<std::string> StudyFiles::names() {
+    std::vector<std::string> names = page_names();
+    names.insert(names.end(), {"runs.jsonl", "study.csv", "study.h5"});
+    return names;
+}
 
 void StudyFiles::write(const diagnosis::StudyRecord& study,
                        const std::function<Report(const std::vector<fs::path>&)>& report) const {
     std::vector<fs::path> written{folder_.stage() / "study.csv", folder_.stage() / "study.h5"};
     replace_file(written[0], study_csv(study));
     write_study_hdf5(written[1], study);
-    if (pictures_ && has_study_picture(study)) {
-        written.push_back(folder_.stage() / "study.png");
-        draw_study(written.back(), study);
-    }
     std::vector<fs::path> named = folder_.homes(written);
     named.push_back(journal());
-    const fs::path page = folder_.stage() / page_name;
     if (page_) {
-        named.push_back(folder_.home(page));
+        std::ranges::copy(page_files(folder_.path()), std::back_inserter(named));
     }
     const Report result = report(named);
     if (page_) {
-        write_html_page(page, result, {.kind = "study", .source = study.study_file, .files = folder_.inputs()});
+        write_page(folder_.stage(), result, {.kind = "study", .source = study.study_file, .files = folder_.inputs()});
     }
-    folder_.commit({"study.png", page_name});
+    folder_.commit(page_names());
 }
 
 diagnosis::StudyRecord study_record(const input::Study& study, std::vector<diagnosis::StudyOutcome> outcomes) {

@@ -18,20 +18,19 @@ namespace tiretherm::post {
 class StudyFiles {
 public:
     /// @param folder must outlive this  @errors FileError
-    StudyFiles(OutputFolder& folder, bool pictures, bool page = true);
+    explicit StudyFiles(OutputFolder& folder, bool page = true);
 
     /// Names of the files that a study leaves in a folder.
     [[nodiscard]] static std::vector<std::string> names();
     [[nodiscard]] std::filesystem::path journal() const { return folder_.path() / "runs.jsonl"; }
-    /// Writes the tables and the picture; those of an earlier study are replaced, all at once.
-    /// @param report the page, of all files in their place; report.html, unless it is refused
+    /// Writes the tables and the page; those of an earlier study are replaced, all at once.
+    /// @param report the page, of all files in their place; it is written, too, unless it is refused
     /// @errors FileError
     void write(const diagnosis::StudyRecord& study,
                const std::function<Report(const std::vector<std::filesystem::path>&)>& report) const;
 
 private:
     OutputFolder& folder_;
-    bool pictures_;
     bool page_;
 };
 

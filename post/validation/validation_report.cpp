@@ -7,12 +7,17 @@
 
 #include <fmt/format.h>
 
+#include "post/page/html_page.hpp"
+#include "post/report/file.hpp"
+#include "post/validation/validation_charts.hpp"
+
 namespace tiretherm::post {
 
 using namespace diagnosis;  // whose results are rendered here
 
 namespace {
 
+constexpr const char* data_name = "validation.json";
 constexpr const char* legend =
     "Off: model less measured, to the nearest end of a range. In brackets: from where to where the inputs that the "
     "source "
@@ -300,7 +305,21 @@ Section failures(const ValidationRecord& record) {
 
 }  // namespace
 
-Report validation_report(const ValidationRecord& record, bool with_inputs) {
+std::vector<std::string> validation_names() {
+    std::vector<std::string> names = page_names();
+    names.push_back(data_name);
+    return names;
+}
+
+std::vector<std::filesystem::path> write_validation(const ValidationRecord& record,
+                                                    const std::filesystem::path& directory) {
+    const std::filesystem::path file = directory / data_name;
+    replace_file(file, json_text(validation_report(record, false).data));
+    return {file};
+}
+
+Report validation_report(const ValidationRecord& record, bool with_inputs,
+                         const std::vector<std::filesystem::path>& files) {
     DataTable of_numbers = numbers(record);
     Value summary;
     for (std::size_t m = 0; m < record.models.size(); ++m) {
@@ -310,7 +329,9 @@ Report validation_report(const ValidationRecord& record, bool with_inputs) {
     Report report{.title = record.title};
     report.data = {{"title", record.title}, {"numbers", of_numbers.data()}, {"summary", std::move(summary)},
                    {"runs", record.runs},   {"seconds", record.seconds},    {"energy_closure", record.energy_closure}};
-    report.add(Section("", std::move(of_numbers)));
+    report.add(Section("Verdict", validation_verdict(record)));
+    report.add(validation_charts(record));
+    report.add(Section("Numbers", std::move(of_numbers)));
     Section of_models("Model against experiment", figure_table(record));
     of_models.gap();
     of_models.say(legend);
@@ -333,6 +354,9 @@ Report validation_report(const ValidationRecord& record, bool with_inputs) {
     cost.line(fmt::format("{} runs in {:.1f} s; energy closes to {:.1e} at worst", record.runs, record.seconds,
                           record.energy_closure));
     report.add(std::move(cost));
+    if (!files.empty()) {
+        report.add(files);
+    }
     return report;
 }
 

@@ -68,8 +68,8 @@ TEST(Diagnose, FindsWhatThePuzzleHides) {
     for (const char* section : {"\nVerdict\n", "\nWhere it shows\n", "\nCandidate causes\n", "\nFiles\n"}) {
         EXPECT_TRUE(has(page.out, section)) << section << page.out;
     }
-    for (const char* name : {"diagnosis.json", "extended.toml", "residuals.csv", "residuals.png", "missing_heat.csv",
-                             "missing_heat.png"}) {
+    for (const char* name :
+         {"diagnosis.json", "extended.toml", "residuals.csv", "missing_heat.csv", "report.html", "page.txt"}) {
         EXPECT_GT(std::filesystem::file_size(diagnoses.written.folder() / "out" / name), 100u) << name;
         EXPECT_TRUE(has(page.out, name)) << name;
     }

@@ -105,7 +105,7 @@ TEST(HotSpots, MarginAndFurtherStepsAreToldWhenNothingPasses) {
     EXPECT_NEAR(further["passed"]["speed"].get<double>(), 115.2, 1e-9);
     EXPECT_NEAR(further["passed"]["time"].get<double>(), (support::WarmingLump{}.passing(75.0, 7)), 1.8);
     for (const std::string& piece :
-         {std::string("plate: critical 75.0 degC"), std::string("hot_spots.csv"), std::string("hot_spots.png")}) {
+         {std::string("plate: critical 75.0 degC"), std::string("hot_spots.csv"), std::string("page.txt")}) {
         EXPECT_NE(flowing(done.out).find(piece), std::string::npos) << "lacks: " << piece << "\n" << done.out;
     }
     const std::string csv = post::read_text(scratch / "out/hot_spots.csv");
@@ -114,7 +114,7 @@ TEST(HotSpots, MarginAndFurtherStepsAreToldWhenNothingPasses) {
                         "zone,plate along [mm],plate depth [mm],plate surface [degC]\n"))
         << csv.substr(0, 200);
     EXPECT_NE(csv.find("\n600,72,0,"), std::string::npos);
-    EXPECT_TRUE(std::filesystem::exists(scratch / "out/hot_spots.png"));
+    EXPECT_TRUE(std::filesystem::exists(scratch / "out/page.txt"));
     // Files of a case that asks for hot spots do not outlive it.
     const Call again = run(scratch, warming_plate + three_steps, "--no-pictures");
     EXPECT_EQ(again.exit_code, 0) << again.err;
@@ -236,7 +236,7 @@ standard_deviation = "3 K"
                            draw("effects.air_convection.lambda_h", "1.0", "0.1") +
                            draw("effects.load_input_gain.gain", "1.0", "0.03") +
                            draw("drive.air_temperature", "\"23 degC\"", "\"3 K\""));
-    const Call many = call("study study.toml --out many --json --no-pictures", scratch.path());
+    const Call many = call("study study.toml --out many --json", scratch.path());
     ASSERT_EQ(many.exit_code, 0) << many.out << many.err;
     const Json point = Json::parse(many.out)["points"][0];
     EXPECT_NEAR(point["drivers"]["standard_deviation"].get<double>(), sd, 4.0 / std::sqrt(600.0) * sd);

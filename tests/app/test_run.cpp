@@ -83,10 +83,14 @@ TEST(Run, QuietSaysNothing) {
 
 TEST(Run, LeavesOutFieldsAndPicturesOnRequest) {
     const sample::Scratch scratch;
-    call("run " + two_node + " --out " + scratch.path().string());
-    EXPECT_TRUE(std::filesystem::exists(scratch / "channels.png"));
-    call("run --no-pictures --no-vtk --mat " + two_node + " --out " + scratch.path().string());
-    EXPECT_FALSE(std::filesystem::exists(scratch / "channels.png"));  // not even those of the run before
+    const std::string specimen = TIRETHERM_SOURCE_DIR "/cases/laser/one_watt.toml";
+    call("run " + specimen + " --out " + scratch.path().string());
+    EXPECT_TRUE(std::filesystem::exists(scratch / "picture.png"));
+    EXPECT_TRUE(std::filesystem::exists(scratch / "page.txt"));
+    call("run --no-pictures --no-report --no-vtk --mat " + specimen + " --out " + scratch.path().string());
+    EXPECT_FALSE(std::filesystem::exists(scratch / "page.txt"));
+    EXPECT_FALSE(std::filesystem::exists(scratch / "report.html"));
+    EXPECT_FALSE(std::filesystem::exists(scratch / "picture.png"));  // not even those of the run before
     EXPECT_FALSE(std::filesystem::exists(scratch / "field.pvd"));
     EXPECT_FALSE(std::filesystem::exists(scratch / "field_0000.vtu"));
     EXPECT_TRUE(std::filesystem::exists(scratch / "channels.mat"));

@@ -104,7 +104,7 @@ TEST(Study, ShippedSectionStudyFindsItsHotSpotInTheShoulder) {
     text.replace(text.find("count = 7"), 9, "count = 2");
     text.replace(text.find("count = 5"), 9, "count = 2");
     post::replace_file(scratch / "study.toml", text);
-    const Json json = Json::parse(call("study study.toml --json --no-pictures --out o", scratch.path()).out);
+    const Json json = Json::parse(call("study study.toml --json --out o", scratch.path()).out);
     EXPECT_EQ(json["runs"], 4);
     EXPECT_NEAR(json["hottest"]["temperature"].get<double>(), 109.1, 0.06);
     EXPECT_EQ(json["hottest"]["zone"], "outside_shoulder");
@@ -114,8 +114,7 @@ TEST(Study, ShippedSectionStudyFindsItsHotSpotInTheShoulder) {
 TEST(Study, ShippedSamplesAreTheSameEverywhere) {
     // 300 runs of two nodes. What this program gives, to 0.1 K: the draws follow from the seed alone.
     const sample::Scratch scratch;
-    const Call study =
-        call("study --json --no-pictures --out o " + studies + "uncertain_two_node.toml", scratch.path());
+    const Call study = call("study --json --out o " + studies + "uncertain_two_node.toml", scratch.path());
     EXPECT_EQ(study.exit_code, 0);
     const Json points = Json::parse(study.out)["points"];
     ASSERT_EQ(points.size(), 3U);
@@ -145,7 +144,7 @@ TEST(Study, FilesAreTheSameForAnyNumberOfThreads) {
     post::replace_file(scratch / "study.toml", six);
     call("study study.toml --quiet --threads 1 --out one", scratch.path());
     call("study study.toml --quiet --threads 3 --out three", scratch.path());
-    for (const char* file : {"study.csv", "study.h5", "study.png"}) {
+    for (const char* file : {"study.csv", "study.h5"}) {
         EXPECT_EQ(post::read_text(scratch / "one" / file), post::read_text(scratch / "three" / file)) << file;
     }
 }
@@ -162,7 +161,7 @@ TEST(Study, KilledInTheMiddleGoesOnToTheSameFiles) {
     EXPECT_EQ(json["kept"], done);
     EXPECT_EQ(json["made"], 40 - done);
     call("study study.toml --quiet --out whole", scratch.path());
-    for (const char* file : {"study.csv", "study.h5", "study.png"}) {
+    for (const char* file : {"study.csv", "study.h5"}) {
         EXPECT_EQ(post::read_text(scratch / "out" / file), post::read_text(scratch / "whole" / file)) << file;
     }
 }
@@ -242,7 +241,7 @@ TEST(Study, QuietSaysNothingAndUnwritableFolderIsNamed) {
 /// Bytes of the files of a study that follow from its runs.
 std::vector<std::string> tables_of(const std::filesystem::path& out) {
     std::vector<std::string> texts;
-    for (const char* name : {"study.csv", "study.h5", "study.png"}) {
+    for (const char* name : {"study.csv", "study.h5"}) {
         texts.push_back(post::read_text(out / name));
     }
     return texts;

@@ -9,7 +9,8 @@
   const charts = [];
   const dark = window.matchMedia("(prefers-color-scheme: dark)");
   const { number, named, plain, inferno } = chartParts;
-  const reader = () => (dark.matches && !document.body.classList.contains("printing") ? chartParts.dark : chartParts.light);
+  const looks = { dark: chartParts.dark, light: chartParts.light };
+  const reader = () => looks[dark.matches && !document.body.classList.contains("printing") ? "dark" : "light"];
 
   function seriesOf(panel, index, places, look, middle) {
     const made = [];
@@ -37,7 +38,7 @@
       const points = s.role === "points";
       made.push({ type: points ? "scatter" : "line", name: s.name, xAxisIndex: index, yAxisIndex: index, data: s.points,
         symbol: points ? "circle" : "none", symbolSize: 5, itemStyle: { color: of, opacity: points ? 0.75 : 1 },
-        lineStyle: { color: of, width: s.role === "line" ? 1.8 : 1.5, opacity: s.role === "line" ? 1 : 0.75, type: s.role === "dashed" ? [7, 4] : s.role === "dotted" ? [2, 3] : dash }, z: points ? 3 : 2 });
+        lineStyle: { color: of, width: s.role === "line" ? 1.8 : s.role === "faint" ? 0.8 : 1.5, opacity: s.role === "line" ? 1 : s.role === "faint" ? 0.35 : 0.75, type: s.role === "dashed" ? [7, 4] : s.role === "dotted" ? [2, 3] : dash }, z: points ? 3 : 2 });
     }
     for (const mark of panel.marks || []) {
       const { colour: of } = chartParts.curve(places.get(mark.group) || 0, look);
@@ -86,6 +87,7 @@
       option.xAxis.push({ type: "value", gridIndex: i, min: data.x.min, max: data.x.max, name: last ? named(data.x) : "", nameLocation: "middle", nameGap: 28,
         axisLabel: { show: last, color: look.ink, hideOverlap: true }, nameTextStyle: { color: look.ink }, axisLine: { onZero: false, lineStyle: { color: look.faint } },
         splitLine: { lineStyle: { color: look.soft } }, axisPointer: { label: { show: last } } });
+      placed(option.xAxis[i], data.x);
       option.yAxis.push({ type: "value", gridIndex: i, scale: true, name: named(panel), nameLocation: "middle", nameGap: 46, nameTextStyle: { color: look.ink },
         axisLabel: { color: look.ink, formatter: (v) => number(v) }, splitLine: { lineStyle: { color: look.line } } });
       const made = seriesOf(panel, i, places, look, 0.5 * (data.x.min + data.x.max));
@@ -106,6 +108,17 @@
         { type: "slider", xAxisIndex: all, filterMode: "none", bottom: 18, height: 20, showDataShadow: false, textStyle: { color: look.ink } }],
     });
     return { option, height: y - gap + foot };
+  }
+
+  /** Names in the place of the numbers 0, 1, ... of an axis. */
+  function placed(axis, { labels, notes }) {
+    if (labels) {
+      const places = labels.map((_, i) => i);
+      Object.assign(axis.axisLabel, { customValues: places, formatter: (v) => labels[v] });
+      axis.axisTick = { customValues: places };
+      axis.axisPointer = { label: { show: false, formatter: (p) => (notes && notes[Math.round(p.value)]) || labels[Math.round(p.value)] || "" } };
+    }
+    return axis;
   }
 
   function frames(data) {
@@ -227,18 +240,22 @@
     showMoment(chart, chart.frame);
   }
 
-  function draw(chart) {
-    const look = reader(), width = chart.plot.clientWidth;
-    const made = chart.data.kind === "field" ? field(chart.data, look, width, chart.frame)
+  /** Option of ECharts and height of a chart. */
+  function made(chart, look, width) {
+    return chart.data.kind === "field" ? field(chart.data, look, width, chart.frame)
       : chart.data.kind === "lines" ? lines(chart.data, look, width, chart.places, !!chart.picks)
         : mapsAndBars[chart.data.kind](chart.data, look, width);
-    chart.plot.style.height = `${Math.round(made.height)}px`;
+  }
+
+  function draw(chart) {
+    const look = reader(), { option, height } = made(chart, look, chart.plot.clientWidth);
+    chart.plot.style.height = `${Math.round(height)}px`;
     const renderer = chart.data.kind === "field" ? "canvas" : "svg";
     chart.echart = window.echarts.getInstanceByDom(chart.plot) || window.echarts.init(chart.plot, null, { renderer });
-    chart.echart.resize({ width, height: Math.round(made.height) });
+    chart.echart.resize({ width: chart.plot.clientWidth, height: Math.round(height) });
     const zoom = chart.data.kind === "lines" && chart.drawn ? chart.echart.getOption().dataZoom[0] : null;
     chart.echart.setOption({ animation: false, aria: { enabled: true }, backgroundColor: "transparent",
-      textStyle: { fontFamily: getComputedStyle(document.body).fontFamily }, ...made.option }, { notMerge: true });
+      textStyle: { fontFamily: getComputedStyle(document.body).fontFamily }, ...option }, { notMerge: true });
     if (zoom) {
       chart.echart.dispatchAction({ type: "dataZoom", start: zoom.start, end: zoom.end });
     }
@@ -367,6 +384,7 @@
     window.addEventListener("beforeprint", () => { document.body.classList.add("printing"); again(); });
     window.addEventListener("afterprint", () => { document.body.classList.remove("printing"); again(); });
     window.tiretherm = { charts };  // for tests
+    Object.assign(window.tiretherm, { looks, made });  // for export.js
   }
   document.addEventListener("DOMContentLoaded", start);
 })();

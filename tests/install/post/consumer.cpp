@@ -28,7 +28,7 @@ int main(int, char** argv) {
         std::puts(report.status.message.c_str());
         return 1;
     }
-    for (const char* name : {"results.h5", "channels.csv", "channels.png", "field.pvd"}) {
+    for (const char* name : {"results.h5", "channels.csv", "field.pvd"}) {
         if (!std::filesystem::exists(std::filesystem::path(argv[2]) / name)) {
             std::printf("%s was not written\n", name);
             return 1;

@@ -2,6 +2,7 @@
 // Data of charts: no peak is lost, gaps stay gaps, bytes as RFC 4648 has them.
 
 #include "post/page/charts.hpp"
+#include "post/report/base64.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -135,6 +136,15 @@ TEST(Charts, BytesAsTextAreThoseOfTheStandard) {
     EXPECT_EQ(text("foob"), "Zm9vYg==");
     EXPECT_EQ(text("fooba"), "Zm9vYmE=");
     EXPECT_EQ(text("foobar"), "Zm9vYmFy");
+}
+
+TEST(Charts, TextAsBytesIsTheOtherWayRound) {
+    EXPECT_EQ(from_base64("Zg=="), "f");
+    EXPECT_EQ(from_base64("Zm9vYmE="), "fooba");
+    EXPECT_EQ(from_base64("AAEC/w=="), (std::string("\0\1\2\xff", 4)));
+    EXPECT_EQ(from_base64("Zg="), std::nullopt);   // cut off
+    EXPECT_EQ(from_base64("Zm9 "), std::nullopt);  // a blank is no letter
+    EXPECT_EQ(from_base64("Z=9v"), std::nullopt);
 }
 
 }  // namespace

@@ -266,41 +266,5 @@ TEST(Picture, OfARingIsItsTreadUnrolledAndItsMeanFolded) {
     EXPECT_TRUE(std::equal(ring.rgb.begin() + below_heading, ring.rgb.end(), section.rgb.begin() + below_heading));
 }
 
-TEST(Picture, OfChannelsDrawsTheirTemperaturesToOneScale) {
-    // The spot goes from 23 to 80 degC in the first 30 s and to 97.5 in the next, the liner from 23 to 30 and to 40. Heights
-    // of the lines at 6, 24, 36 and 54 s: the same pixels a kelvin everywhere, to 4 px or half a kelvin: a line's ends are
-    // read to 2 px, on a slope of 0.7.
-    const sample::Scratch scratch;
-    solver::Problem problem = sample::problem();
-    problem.measured.clear();
-    draw_channels(scratch / "channels.png", problem, sample::history(problem));
-    const sample::Pixels picture = sample::pixels(scratch / "channels.png");
-    EXPECT_EQ(std::pair(picture.width, picture.height), (std::pair{1600, 820}));
-    constexpr std::uint32_t spot = 0x0072b2;   // Okabe and Ito: blue
-    constexpr std::uint32_t liner = 0xd55e00;  // vermilion
-    int first = 0;
-    while (first < picture.width && picture.in_column(first, spot) == 0) {
-        ++first;
-    }
-    int last = first;
-    while (last < picture.width && picture.in_column(last, spot) > 0) {
-        ++last;
-    }
-    ASSERT_GT(last - first, 1000);  // the name follows after a gap
-    const auto height = [&](std::uint32_t line, double seconds) {
-        const int x = static_cast<int>(std::lround(first + seconds / 60.0 * (last - 1 - first)));
-        const std::optional<double> y = picture.middle_in_column(x, line);
-        EXPECT_TRUE(y.has_value()) << seconds << " s";
-        return -y.value_or(0.0);
-    };
-    const double per_kelvin = (height(spot, 54.0) - height(spot, 6.0)) / (94.0 - 34.4);
-    EXPECT_GT(per_kelvin, 5.0);
-    EXPECT_NEAR(height(spot, 24.0) - height(spot, 6.0), per_kelvin * (68.6 - 34.4), 4.0);
-    EXPECT_NEAR(height(spot, 54.0) - height(spot, 36.0), per_kelvin * (94.0 - 83.5), 4.0);
-    EXPECT_NEAR(height(liner, 24.0) - height(liner, 6.0), per_kelvin * (28.6 - 24.4), 4.0);
-    EXPECT_NEAR(height(liner, 54.0) - height(liner, 36.0), per_kelvin * (38.0 - 32.0), 4.0);
-    EXPECT_NEAR(height(spot, 54.0) - height(liner, 54.0), per_kelvin * (94.0 - 38.0), 4.0);
-}
-
 }  // namespace
 }  // namespace tiretherm::post

@@ -10,9 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include "diagnosis/study/study_statistics.hpp"
-#include "post/charts/study_picture.hpp"
-#include "post/charts/study_plane.hpp"
 #include "post/report/file.hpp"
+#include "post/study/study_axis.hpp"
+#include "post/study/study_chart.hpp"
 #include "post/study/study_report.hpp"
 #include "post/study/study_tables.hpp"
 #include "tests/post/scratch.hpp"
@@ -87,10 +87,11 @@ StudyRecord samples() {
     return study;
 }
 
-std::string bytes(const StudyRecord& study) {
-    const sample::Scratch scratch;
-    draw_study(scratch / "study.png", study);
-    return read_text(scratch / "study.png");
+std::size_t charts_of(const StudyRecord& study) { return study_chart_section(study).blocks().size(); }
+
+nlohmann::json chart_of(const StudyRecord& study, std::size_t i) {
+    const Section section = study_chart_section(study);
+    return nlohmann::json::parse(json_text(section.blocks().at(i).chart));
 }
 
 const StudyCall made{.kept = 2, .seconds = 1.0, .run_seconds = 1.0, .files = {}};
@@ -217,54 +218,54 @@ TEST(StudyJson, GivesTheChanceOfPassingWithItsInterval) {
     EXPECT_EQ(json["points"][0]["hottest"]["median"], 50.5);
 }
 
-TEST(StudyPicture, IsDrawnForEverythingThatVaries) {
-    EXPECT_TRUE(has_study_picture(grid()));
-    EXPECT_EQ(bytes(grid()).substr(1, 3), "PNG");
-    EXPECT_EQ(bytes(samples()).substr(1, 3), "PNG");
-    StudyRecord curve = grid();
-    curve.sides = {6};
-    EXPECT_EQ(bytes(curve).substr(1, 3), "PNG");
-    StudyRecord words = grid();
-    words.columns[0].is_number = false;
-    EXPECT_EQ(bytes(words).substr(1, 3), "PNG");
+// The tiles of the grid of 50 and 60 km/h by 1, 2 and 3 kN reach halfway to their neighbours: from 45 to 55 and from 0.5 to 1.5 for
+// the first, which is at 50 + 1 degC; the last run has failed and has no value.
+TEST(StudyMap, HasATileForEachRun) {
+    const auto map = chart_of(grid(), 1);
+    EXPECT_EQ(map["kind"], "map");
+    EXPECT_EQ(map["tiles"].size(), 6U);
+    EXPECT_EQ(map["tiles"][0], nlohmann::json::parse("[45, 55, 0.5, 1.5, 51]"));
+    EXPECT_TRUE(map["tiles"][5][4].is_null());
+    EXPECT_EQ(map["level"], 62.0);
 }
 
-TEST(StudyPicture, ShowsTheTemperaturesAndTheCriticalOne) {
-    StudyRecord other = grid();
-    other.outcomes[0] = run_at(40.0);
-    EXPECT_NE(bytes(grid()), bytes(other));
-    StudyRecord limit = grid();
-    limit.critical = zero + 55.0;
-    EXPECT_NE(bytes(grid()), bytes(limit));
-    EXPECT_EQ(bytes(grid()), bytes(grid()));
-}
-
-// Speed + load is its own interpolation: 51 to 63 degC, and at the middle of pixel i of n the share (i + 1/2)/n of a side.
-TEST(StudyPlane, IsStraightBetweenTheRuns) {
-    StudyRecord study = grid();
-    study.outcomes[5] = run_at(63.0);
-    bool more = true;
-    const std::vector<StudyPlane> planes = study_planes(study, more);
-    ASSERT_EQ(planes.size(), 1U);
-    EXPECT_FALSE(more);
-    EXPECT_TRUE(planes[0].smooth());
-    const Raster raster = rasterise(planes[0], 20, 10, 51.0, 63.0);
-    EXPECT_NEAR(raster.at(7, 0), 50.0 + 10.0 * 7.5 / 20.0 + 3.0 - 2.0 * 0.05, 1e-9);
-    EXPECT_NEAR(raster.at(19, 8), 50.0 + 10.0 * 19.5 / 20.0 + 1.0 + 2.0 * 0.15, 1e-9);
-}
-
-TEST(StudyPlane, OtherSidesMakePanelsWhileTheyAreFew) {
+TEST(StudyMap, OtherSidesMakeMapsWhileTheyAreFew) {
     StudyRecord study = grid();
     study.columns.insert(study.columns.begin(), column("drive.camber", "deg", std::vector<double>(6, 0.0)));
     study.sides = {1, 2, 3};
-    bool more = true;
-    EXPECT_EQ(study_planes(study, more).at(0).title, std::vector<std::string>{"drive.camber = 0 deg"});
-    EXPECT_FALSE(more);
-    study.sides = {2, 3, 1};
-    EXPECT_EQ(study_planes(study, more).size(), 1U);
+    EXPECT_EQ(charts_of(study), 2U);  // curves and one map
+    study.columns.push_back(column("drive.toe", "deg", std::vector<double>(12, 0.0)));
+    for (StudyColumn& one : study.columns) {
+        one.numbers.insert(one.numbers.end(), one.numbers.begin(), one.numbers.end());
+        one.texts.insert(one.texts.end(), one.texts.begin(), one.texts.end());
+    }
+    study.outcomes.insert(study.outcomes.end(), study.outcomes.begin(), study.outcomes.end());
+    study.sides = {2, 3, 1, 2};
+    EXPECT_EQ(charts_of(study), 3U);  // a map for each of two
 }
 
-// 1 and 2 would fall on one another beside 1e12; 2e15 is 2 on an axis in 1e15.
+// Words stand side by side, in the order in which they were written.
+TEST(StudyChart, WordsAreNamedPlaces) {
+    StudyRecord words = grid();
+    words.sides = {1, 3};
+    words.columns[1].is_number = false;
+    const auto chart = chart_of(words, 0);
+    EXPECT_EQ(chart["x"]["labels"], nlohmann::json::parse(R"(["1 kN", "2 kN", "3 kN"])"));
+    EXPECT_EQ(chart["panels"][0]["series"][0]["points"][2], nlohmann::json::parse("[2, 53]"));
+}
+
+// 41 to 60 degC in steps of 1: the counts of the bins are those of all 20, whatever their width.
+TEST(StudyChart, HistogramCountsEverySample) {
+    const auto chart = chart_of(samples(), 0);
+    double sum = 0.0;
+    const auto& points = chart["panels"][0]["series"][0]["points"];
+    for (std::size_t i = 0; i < points.size(); i += 2) {
+        sum += points[i][2].get<double>();
+    }
+    EXPECT_DOUBLE_EQ(sum, 20.0);
+    EXPECT_EQ(chart["panels"][0]["series"][1]["name"], "critical 58 °C");
+}
+
 TEST(StudyAxis, LongAndUnevenNumbersStayReadable) {
     StudyRecord study = grid();
     study.columns[1].numbers = {1.0, 2.0, 1e12, 1.0, 2.0, 1e12};
@@ -272,21 +273,15 @@ TEST(StudyAxis, LongAndUnevenNumbersStayReadable) {
     EXPECT_EQ(study_axis(study, 1).in_steps().at, (std::vector<double>{0.0, 1.0, 2.0}));
     study.columns[1].numbers = {3e15, 1e15, 2e15, 3e15, 1e15, 2e15};
     const StudyAxis axis = study_axis(study, 1);
-    EXPECT_EQ(axis.name, "drive.vertical_load [1e15 kN]");
-    EXPECT_NEAR(axis.at[2], 2.0, 1e-12);
+    EXPECT_TRUE(axis.is_number);
     EXPECT_EQ(axis.order(), (std::vector<std::size_t>{1, 2, 0}));
 }
 
-TEST(StudyPicture, IsNotDrawnOfNothing) {
-    StudyRecord one = grid();
-    one.sides = {1, 1};
+TEST(StudyChart, IsNotDrawnOfNothing) {
+    StudyRecord one = samples();
+    one.samples = 1;
     one.outcomes.resize(1);
-    EXPECT_FALSE(has_study_picture(one));
-    StudyRecord failed = grid();
-    for (StudyOutcome& outcome : failed.outcomes) {
-        outcome.failure = "it burns";
-    }
-    EXPECT_FALSE(has_study_picture(failed));
+    EXPECT_EQ(charts_of(one), 0U);
 }
 
 }  // namespace tiretherm::post

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `tiretherm report`: shows the page that a call has written into its folder, and makes pictures of its charts.
+
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "app/commands.hpp"
+#include "app/failure.hpp"
+#include "app/messages.hpp"
+#include "post/export/chart_pictures.hpp"
+#include "post/page/html_page.hpp"
+#include "post/report/file.hpp"
+#include "post/report/output_folder.hpp"
+#include "solver/stop_signal.hpp"
+
+namespace tiretherm::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* picture_folder = "charts";
+constexpr const char* no_pictures = "no picture was written";
+
+struct Options {
+    std::string folder;
+    int width = 1600;
+    double time_limit = 60.0;  ///< s
+    bool png = false;
+    bool dark = false;
+    bool json = false;
+
+    [[nodiscard]] fs::path page() const { return fs::path(folder) / post::page_name; }
+    [[nodiscard]] fs::path pictures() const { return fs::path(folder) / picture_folder; }
+};
+
+/// Why a folder has no page, and what to do.
+int report_missing(const Options& options) {
+    std::error_code error;
+    if (!fs::exists(options.folder, error)) {
+        report_error(fmt::format("there is no folder {}", options.folder),
+                     "name the folder that a call has written its files to: out/<case name>, or that of --out",
+                     options.json);
+    } else if (!fs::is_directory(options.folder, error)) {
+        report_error(fmt::format("{} is a file", options.folder), "name the folder in which it stands", options.json);
+    } else {
+        report_error(fmt::format("there is no {} in {}", post::page_name, options.folder),
+                     "run, compare, identify, diagnose, study and validate write it, unless --no-report is given",
+                     options.json);
+    }
+    return Exit::input_error;
+}
+
+std::optional<post::PageCharts> read_charts(const Options& options) {
+    try {
+        return post::read_page(options.page());
+    } catch (const std::runtime_error& error) {
+        const bool unreadable = dynamic_cast<const post::FileError*>(&error) != nullptr;
+        report_error(unreadable ? error.what() : fmt::format("{}: {}", options.page().string(), error.what()),
+                     "make the page again with the call that has written it", options.json);
+        return std::nullopt;
+    }
+}
+
+/// The size that the header of a PNG file states.
+post::Value size_at(const std::string& png, std::size_t at) {
+    std::uint32_t size = 0;
+    for (std::size_t i = 0; i < 4 && at + i < png.size(); ++i) {
+        size = size << 8U | static_cast<unsigned char>(png[at + i]);
+    }
+    return size;
+}
+
+post::Value data_of(const Options& options, const post::PageCharts& page, const std::vector<std::string>& pictures) {
+    std::error_code error;
+    const fs::path text = fs::path(options.folder) / post::text_page_name;
+    const std::vector<std::string> names = post::picture_names(page.charts);
+    post::Value::List charts;
+    post::Value::List outputs;
+    for (std::size_t i = 0; i < page.charts.size(); ++i) {
+        post::Value chart{{"title", page.charts[i].title}};
+        if (!pictures.empty()) {
+            const std::string file = (options.pictures() / names[i]).generic_string();
+            chart.set({{"file", file}, {"width", size_at(pictures[i], 16)}, {"height", size_at(pictures[i], 20)}});
+            outputs.push_back(file);
+        }
+        charts.push_back(std::move(chart));
+    }
+    return {{"report", options.page().generic_string()},
+            {"page", post::where(fs::exists(text, error), text.generic_string())},
+            {"version", page.version},
+            {"charts", std::move(charts)},
+            {"outputs", std::move(outputs)}};
+}
+
+/// The page as text, where its charts are, and how pictures are made of them.
+void show(const Options& options, const post::PageCharts& page) {
+    const fs::path text = fs::path(options.folder) / post::text_page_name;
+    std::error_code error;
+    if (fs::exists(text, error)) {
+        print_text(post::read_text(text) + "\n");
+    }
+    post::Report report{.title = fmt::format("Charts in {}", options.page().string())};
+    post::Section charts("");
+    for (const post::PageChart& chart : page.charts) {
+        charts.item(chart.title);
+    }
+    if (page.charts.empty()) {
+        charts.say("none");
+    } else {
+        charts.say(fmt::format("Open it in a browser. As pictures: tiretherm report {} --png", options.folder));
+    }
+    report.add(std::move(charts));
+    print_report(report, false);
+}
+
+/// What kept the browser from its pictures, with the remedy.
+int report_browser(const Options& options, const post::PageCharts& page, const post::BrowserError& error) {
+    using Cause = post::BrowserError::Cause;
+    std::string remedy = no_pictures;
+    switch (error.cause) {
+        case Cause::stopped:
+            report_error(error.what(), remedy, options.json);
+            return Exit::interrupted;
+        case Cause::timed_out:
+            remedy += "; give it longer with --time-limit";
+            break;
+        case Cause::failed:
+            remedy += fmt::format("; open {} in a browser to see the charts", options.page().string());
+            break;
+        case Cause::not_drawn:
+            remedy += page.version == TIRETHERM_VERSION
+                          ? "; make the page again with the call that has written it"
+                          : fmt::format("; version {} has written the page and this is {}: make it again with this one",
+                                        page.version, TIRETHERM_VERSION);
+            report_error(fmt::format("{}: {}", options.page().string(), error.what()), remedy, options.json);
+            return Exit::input_error;
+    }
+    report_error(error.what(), remedy, options.json);
+    return Exit::numerical_failure;
+}
+
+int make_pictures(const Options& options, const post::PageCharts& page) {
+    if (page.charts.empty()) {
+        report_error(fmt::format("{} has no chart", options.page().string()), no_pictures, options.json);
+        return Exit::input_error;
+    }
+    const std::optional<fs::path> browser = post::find_browser();
+    if (!browser) {
+        report_error(
+            "Chromium draws the pictures, and it is not installed",
+            fmt::format("apt-get install chromium (as root), or open {} in any browser", options.page().string()),
+            options.json);
+        return Exit::input_error;
+    }
+    const std::vector<std::string> names = post::picture_names(page.charts);
+    now_doing(fmt::format("drawing the charts of {}", options.page().string()));
+    std::vector<std::string> pictures;
+    try {
+        post::OutputFolder folder(options.pictures());
+        pictures = post::chart_pictures(*browser, page,
+                                        {.width = options.width,
+                                         .dark = options.dark,
+                                         .limit = std::chrono::milliseconds(std::lround(1e3 * options.time_limit)),
+                                         .stopped = solver::stop_requested});
+        for (std::size_t i = 0; i < pictures.size(); ++i) {
+            post::replace_file(folder.stage() / names[i], pictures[i]);
+        }
+        folder.commit();
+    } catch (const post::BrowserError& error) {
+        return report_browser(options, page, error);
+    } catch (const std::runtime_error& error) {  // of a file, or another call works there
+        report_error(error.what(), no_pictures, options.json);
+        return Exit::input_error;
+    }
+    post::Report report{.title = fmt::format("Charts of {}", options.page().string())};
+    report.data = data_of(options, page, pictures);
+    post::Section files("");
+    for (const std::string& name : names) {
+        files.line((options.pictures() / name).string());
+    }
+    report.add(std::move(files));
+    print_report(report, options.json);
+    return Exit::done;
+}
+
+int report(const Options& options) {
+    std::error_code error;
+    if (!fs::exists(options.page(), error)) {
+        return report_missing(options);
+    }
+    now_doing("reading " + options.page().string());
+    const std::optional<post::PageCharts> page = read_charts(options);
+    if (!page) {
+        return Exit::input_error;
+    }
+    if (options.png) {
+        solver::install_stop_handlers();
+        return make_pictures(options, *page);
+    }
+    if (options.json) {
+        fmt::print("{}", post::json_text(data_of(options, *page, {})));
+    } else {
+        show(options, *page);
+    }
+    return Exit::done;
+}
+
+}  // namespace
+
+void add_report_command(CLI::App& program, int& exit_code) {
+    CLI::App* command =
+        program.add_subcommand("report", "Show the page that a call has written, or make pictures of its charts");
+    const auto options = std::make_shared<Options>();
+    command->add_option("DIR", options->folder, "Folder that a call has written its files to")
+        ->required()
+        ->option_text(" ");
+    CLI::Option* png = command->add_flag("--png", options->png,
+                                         "Write every chart of report.html as a picture into the folder charts in DIR");
+    command->add_option("--width", options->width, "Of the pictures. Default: 1600")
+        ->option_text("PX")
+        ->check(CLI::Range(320, 8000))
+        ->needs(png);
+    command->add_flag("--dark", options->dark, "Pictures on dark paper")->needs(png);
+    command->add_option("--time-limit", options->time_limit, "Of the browser. Default: 60")
+        ->option_text("SECONDS")
+        ->check(CLI::Range(0.1, 86400.0))
+        ->needs(png);
+    command->add_flag("--json", options->json, "One JSON object instead of the text");
+    command->footer(
+        "Without --png: prints page.txt, the page of run, compare, identify, diagnose, study or validate as it stood "
+        "on\n"
+        "the terminal, and says which charts report.html holds.\n"
+        "With --png: Chromium without a window draws the charts (Debian package chromium; nothing is fetched from a\n"
+        "network). A field is drawn at its hottest moment. A file is named after its chart, "
+        "charts/heat-at-the-end.png;\n"
+        "other files there are left alone. The files appear together at the end.\n\n"
+        "Exit code: 0 done; 1 an error in the call, no page, a damaged one, or no Chromium; 2 Chromium failed or took\n"
+        "too long; 130 interrupted.\n\n"
+        "Example:\n"
+        "  tiretherm report out/laser/one_watt --png --width 1200");
+    command->callback([options, &exit_code] { exit_code = report(*options); });
+}
+
+}  // namespace tiretherm::app

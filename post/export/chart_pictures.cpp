@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A page with the charts alone and export.js is loaded; what the script leaves in the document is printed by --dump-dom.
+#include "post/export/chart_pictures.hpp"
+
+#include <stdlib.h>  // mkdtemp
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "post/export/child_process.hpp"
+#include "post/page/assets.hpp"
+#include "post/report/base64.hpp"
+#include "post/report/file.hpp"
+
+namespace tiretherm::post {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A folder of its own for the browser, gone at the end.
+class TemporaryFolder {
+public:
+    TemporaryFolder() {
+        std::string name = (fs::temp_directory_path() / "tiretherm_report_XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr) {
+            throw FileError("create the directory", name, system_reason(errno));
+        }
+        path_ = name;
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    [[nodiscard]] const fs::path& path() const { return path_; }
+
+private:
+    fs::path path_;
+};
+
+/// The charts, and the scripts that draw them. Its policy lets nothing in from elsewhere.
+std::string drawing_page(const PageCharts& page, const PictureRequest& request) {
+    std::string text =
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
+        "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; style-src "
+        "'unsafe-inline'; img-src data:\">\n<style>\n";
+    text += assets::style();
+    text += fmt::format("</style>\n</head>\n<body data-width=\"{}\"{}>\n<main>\n", request.width,
+                        request.dark ? " data-dark" : "");
+    for (const PageChart& chart : page.charts) {
+        text += chart.element + "\n";
+    }
+    text += "</main>\n";
+    for (const std::string_view script : {assets::charting_library(), assets::script(), assets::export_script()}) {
+        text += "<script>\n";
+        text += script;
+        text += "</script>\n";
+    }
+    return text + "</body>\n</html>\n";
+}
+
+std::vector<std::string> call_of(const fs::path& browser, const fs::path& page, const fs::path& profile) {
+    std::vector<std::string> call{browser.string(),
+                                  "--headless=new",
+                                  "--dump-dom",
+                                  "--disable-gpu",
+                                  "--disable-dev-shm-usage",
+                                  "--disable-background-networking",
+                                  "--disable-extensions",
+                                  "--disable-breakpad",
+                                  "--no-first-run",
+                                  "--host-resolver-rules=MAP * ~NOTFOUND",
+                                  "--window-size=1280,900",
+                                  "--user-data-dir=" + profile.string()};
+    if (geteuid() == 0) {
+        call.emplace_back("--no-sandbox");  // Chromium refuses to run as root with it
+    }
+    call.push_back("file://" + page.string());
+    return call;
+}
+
+/// The last line that says something.
+std::string last_line(const std::string& text) {
+    std::istringstream lines(text);
+    std::string last;
+    for (std::string line; std::getline(lines, line);) {
+        last = line.empty() ? last : line;
+    }
+    return last;
+}
+
+/// What the browser printed, or why that is nothing.
+std::string printed(const fs::path& browser, const ChildResult& done, const PictureRequest& request) {
+    const std::string said = done.err.empty() ? "" : fmt::format(": {}", last_line(done.err));
+    switch (done.end) {
+        case ChildResult::End::not_started:
+            throw BrowserError(BrowserError::Cause::failed,
+                               fmt::format("{} cannot be started: {}", browser.string(), system_reason(done.code)));
+        case ChildResult::End::timed_out:
+            throw BrowserError(BrowserError::Cause::timed_out,
+                               fmt::format("{} has not drawn the charts within {:g} s", browser.string(),
+                                           std::chrono::duration<double>(request.limit).count()));
+        case ChildResult::End::stopped:
+            throw BrowserError(BrowserError::Cause::stopped, "stopped");
+        case ChildResult::End::killed_by_signal:
+            throw BrowserError(BrowserError::Cause::failed,
+                               fmt::format("{} was ended by signal {}{}", browser.string(), done.code, said));
+        case ChildResult::End::exited:
+            break;
+    }
+    if (done.code != 0) {
+        throw BrowserError(BrowserError::Cause::failed,
+                           fmt::format("{} failed with exit code {}{}", browser.string(), done.code, said));
+    }
+    return done.out;
+}
+
+/// The lines of export.js.
+std::vector<std::string> pictures_of(const std::string& document, const PageCharts& page, const std::string& browser) {
+    const std::size_t begin = document.find("<pre id=\"pictures\">");
+    if (begin == std::string::npos) {
+        throw BrowserError(BrowserError::Cause::failed, fmt::format("{} has drawn nothing", browser));
+    }
+    std::vector<std::string> pictures(page.charts.size());
+    std::istringstream lines(document.substr(begin));
+    std::string line;
+    std::getline(lines, line);
+    while (std::getline(lines, line) && !line.starts_with("</pre>")) {
+        std::size_t chart = page.charts.size();
+        const auto [blank, error] = std::from_chars(line.data(), line.data() + line.size(), chart);
+        if (error != std::errc() || chart >= page.charts.size()) {
+            continue;
+        }
+        const std::string content = line.substr(static_cast<std::size_t>(blank - line.data()) + 1);
+        if (content.starts_with("- ")) {
+            throw BrowserError(
+                BrowserError::Cause::not_drawn,
+                fmt::format("the chart \"{}\" cannot be drawn: {}", page.charts[chart].title, content.substr(2)));
+        }
+        pictures[chart] = from_base64(content).value_or("");
+    }
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        if (!pictures[i].starts_with("\x89PNG")) {
+            throw BrowserError(BrowserError::Cause::failed,
+                               fmt::format("{} gave no picture of the chart \"{}\"", browser, page.charts[i].title));
+        }
+    }
+    return pictures;
+}
+
+}  // namespace
+
+std::optional<fs::path> find_browser() {
+    return find_program({"chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome"});
+}
+
+std::vector<std::string> chart_pictures(const fs::path& browser, const PageCharts& page,
+                                        const PictureRequest& request) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.path() / "charts.html";
+    replace_file(file, drawing_page(page, request));
+    const ChildResult done =
+        run_child(call_of(browser, file, folder.path() / "profile"), request.limit, request.stopped);
+    return pictures_of(printed(browser, done, request), page, browser.string());
+}
+
+}  // namespace tiretherm::post

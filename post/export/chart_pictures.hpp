@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Makes pictures of the charts of a page in Chromium without a window.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "post/export/page_charts.hpp"
+
+namespace tiretherm::post {
+
+struct PictureRequest {
+    int width = 1600;  ///< px
+    bool dark = false;
+    std::chrono::milliseconds limit = std::chrono::minutes(1);
+    std::function<bool()> stopped = [] { return false; };
+};
+
+/// Chromium, or a browser that is made from it, on the search path.
+[[nodiscard]] std::optional<std::filesystem::path> find_browser();
+
+/// Why there are no pictures.
+class BrowserError : public std::runtime_error {
+public:
+    enum class Cause {
+        failed,     ///< the browser ended with an error, or without pictures
+        timed_out,  ///< it took longer than the limit
+        stopped,    ///< the user asked for an end
+        not_drawn,  ///< the data of a chart cannot be drawn
+    };
+    BrowserError(Cause why, const std::string& sentence) : std::runtime_error(sentence), cause(why) {}
+
+    Cause cause;
+};
+
+/// The charts as they are in the page, each with its title on top, drawn by the scripts of this program: those of the page
+/// are not run, and nothing is fetched from a network.
+/// @returns the bytes of a PNG file for each   @errors BrowserError; FileError where no temporary file can be written
+[[nodiscard]] std::vector<std::string> chart_pictures(const std::filesystem::path& browser, const PageCharts& page,
+                                                      const PictureRequest& request);
+
+}  // namespace tiretherm::post

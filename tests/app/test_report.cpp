@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `tiretherm report`: prints a folder's page, lists its charts and draws them; folders without a page, damaged pages, and a browser
+// that is missing, fails or hangs.
+
+#include <set>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "post/export/chart_pictures.hpp"
+#include "tests/app/program.hpp"
+#include "tests/post/png_pixels.hpp"
+
+namespace tiretherm::app_test {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A program of this name at the only place of the search path beside the system's own.
+std::string with_browser(const sample::Scratch& scratch, const std::string& script) {
+    std::filesystem::create_directories(scratch / "bin");
+    post::replace_file(scratch / "bin/chromium", "#!/bin/sh\n" + script + "\n");
+    std::filesystem::permissions(scratch / "bin/chromium", std::filesystem::perms::owner_all);
+    return "export PATH='" + (scratch / "bin").string() + "'; ";
+}
+
+/// A call in a shell with something before it.
+Call call_with(const std::string& before, const std::string& arguments, const std::filesystem::path& directory) {
+    const sample::Scratch files;
+    const std::string line =
+        fmt::format("cd '{}' && {}'{}' {} >'{}' 2>'{}' </dev/null", directory.string(), before, TIRETHERM_PROGRAM,
+                    arguments, (files / "out").string(), (files / "err").string());
+    const int status = std::system(line.c_str());
+    return {.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+            .out = post::read_text(files / "out"),
+            .err = post::read_text(files / "err")};
+}
+
+void make_page(const sample::Scratch& scratch) {
+    ASSERT_EQ(call("run --no-vtk --no-pictures --quiet --out o " + two_node, scratch.path()).exit_code, 0);
+}
+
+}  // namespace
+
+TEST(Report, PrintsThePageAndListsTheCharts) {
+    const sample::Scratch scratch;
+    const Call run = call("run --no-vtk --no-pictures --out o " + two_node, scratch.path());
+    const std::string page = post::read_text(scratch / "o/page.txt");
+    EXPECT_EQ(page, run.out);
+    const Call shown = call("report o", scratch.path());
+    EXPECT_EQ(shown.exit_code, 0) << shown.err;
+    EXPECT_TRUE(shown.out.starts_with(page));
+    EXPECT_NE(shown.out.find("Sensors against time", page.size()), std::string::npos) << shown.out;
+    const Json json = Json::parse(call("report o --json", scratch.path()).out);
+    EXPECT_EQ(json["report"], "o/report.html");
+    EXPECT_EQ(json["page"], "o/page.txt");
+    EXPECT_EQ(json["charts"][0]["title"], "Sensors against time");
+}
+
+TEST(Report, FoldersWithoutAPageAreRefusedWithARemedy) {
+    const sample::Scratch scratch;
+    post::replace_file(scratch / "file", "x");
+    std::filesystem::create_directories(scratch / "empty");
+    for (const auto& [folder, words] :
+         {std::pair("nowhere", "there is no folder nowhere"), std::pair("file", "file is a file"),
+          std::pair("empty", "there is no report.html in empty")}) {
+        const Call refused = call(std::string("report ") + folder, scratch.path());
+        EXPECT_EQ(refused.exit_code, 1) << folder;
+        EXPECT_NE(refused.err.find(words), std::string::npos) << refused.err;
+    }
+}
+
+TEST(Report, DamagedPageIsRefused) {
+    const sample::Scratch scratch;
+    make_page(scratch);
+    const std::string page = post::read_text(scratch / "o/report.html");
+    for (const std::string& wrong : {page.substr(0, page.size() / 2), std::string("<html></html>"), std::string()}) {
+        post::replace_file(scratch / "o/report.html", wrong);
+        const Call refused = call("report o --png", scratch.path());
+        EXPECT_EQ(refused.exit_code, 1);
+        EXPECT_NE(refused.err.find("make the page again"), std::string::npos) << refused.err;
+    }
+    EXPECT_FALSE(std::filesystem::exists(scratch / "o/charts"));
+}
+
+TEST(Report, SaysWhichPackageIsMissing) {
+    const sample::Scratch scratch;
+    make_page(scratch);
+    const Call missing = call_with("export PATH=/nowhere; ", "report o --png", scratch.path());
+    EXPECT_EQ(missing.exit_code, 1);
+    EXPECT_NE(missing.err.find("apt-get install chromium"), std::string::npos) << missing.err;
+    EXPECT_EQ(
+        Json::parse(call_with("export PATH=/nowhere; ", "report o --png --json", scratch.path()).out).contains("error"),
+        true);
+}
+
+TEST(Report, BrowserThatFailsOrHangsLeavesNothing) {
+    const sample::Scratch scratch;
+    make_page(scratch);
+    const Call failed =
+        call_with(with_browser(scratch, "echo no display >&2; exit 7"), "report o --png", scratch.path());
+    EXPECT_EQ(failed.exit_code, 2);
+    EXPECT_NE(failed.err.find("failed with exit code 7: no display"), std::string::npos) << failed.err;
+    const Call hung =
+        call_with(with_browser(scratch, "exec /bin/sleep 1000"), "report o --png --time-limit 0.3", scratch.path());
+    EXPECT_EQ(hung.exit_code, 2);
+    EXPECT_NE(hung.err.find("within 0.3 s"), std::string::npos) << hung.err;
+    EXPECT_EQ(call_with(with_browser(scratch, "echo '<html></html>'"), "report o --png", scratch.path()).exit_code, 2);
+    EXPECT_FALSE(std::filesystem::exists(scratch / "o/charts"));
+}
+
+// Paper, ink, grid and curves, with the shades between them: far more than ten colours. The paper is report.css's, #ffffff or
+// #15181c, and fills the corner.
+TEST(Report, DrawsEveryChartAtTheWidthAskedFor) {
+    if (!post::find_browser()) {
+        GTEST_SKIP() << "Chromium is not installed";
+    }
+    const sample::Scratch scratch;
+    const std::string specimen = TIRETHERM_SOURCE_DIR "/cases/laser/one_watt.toml";  // its page has a field
+    ASSERT_EQ(call("run --no-vtk --no-pictures --quiet --out o " + specimen, scratch.path()).exit_code, 0);
+    for (const auto& [options, width, paper] :
+         {std::tuple("", 1600, 0xffffffU), std::tuple(" --width 700 --dark", 700, 0x15181cU)}) {
+        const Call drawn = call(std::string("report o --png --json --time-limit 300") + options, scratch.path());
+        ASSERT_EQ(drawn.exit_code, 0) << drawn.out << drawn.err;
+        const Json json = Json::parse(drawn.out);
+        ASSERT_GE(json["charts"].size(), 3U);
+        for (const Json& chart : json["charts"]) {
+            const sample::Pixels picture = sample::pixels(scratch / chart["file"].get<std::string>());
+            EXPECT_EQ(picture.width, width) << chart;
+            EXPECT_EQ(picture.height, chart["height"].get<int>());
+            EXPECT_EQ(picture.at(0, 0) & 0xffffffU, paper);
+            EXPECT_GT((std::set<std::uint32_t>(picture.rgb.begin(), picture.rgb.end()).size()), 10U) << chart;
+        }
+    }
+    EXPECT_TRUE(std::filesystem::exists(scratch / "o/charts/temperature-field.png"));
+}
+
+}  // namespace tiretherm::app_test
