@@ -132,7 +132,7 @@ int diagnose(const Options& call, const TableOptions& of_table) {
             options.richer.push_back({.name = "layers", .experiment = &*layers, .change = {.layers = *thickness}});
         }
     }
-    SimulationCount count(call.json);
+    SimulationCount count;
     options.progress = count.stages();
     const diagnosis::Diagnosis result = diagnosis::diagnose(experiment, observations, options);
     diagnosis::RunVerdicts by_run;

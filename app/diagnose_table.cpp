@@ -71,7 +71,7 @@ int diagnose_table(const MeasuredCall& call, const TableOptions& options) {
     }
     using Clock = std::chrono::steady_clock;
     const Clock::time_point begin = Clock::now();
-    SimulationCount count(call.json);
+    SimulationCount count;
     diagnosis::quoted::Trials trials(*reading.table, model, options.threads, count.shown());
     const auto stopped = [&] {
         count.wipe();

@@ -126,7 +126,7 @@ int identify(const Options& options) {
         finer = input::read_experiment(options.case_file, options.data_files(), input::ReadMode::measured, {.finer = 2})
                     .experiment;
     }
-    SimulationCount count(options.json);
+    SimulationCount count;
     const diagnosis::Identification result = diagnosis::identify(
         experiment, observations,
         {.profile = options.profile, .finer = finer ? &*finer : nullptr, .progress = count.shown()});

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Implements the shared command-line options, the error reports, the counter of simulations on a terminal and the
-// writing of files.
+// Implements the shared command-line options, the error reports and the writing of files.
 
 #include "app/measured_call.hpp"
 
@@ -50,47 +49,6 @@ bool has_free_parameters(const MeasuredCall& call, const input::Experiment& expe
     report_error(fmt::format("{}: no number of the case is free", call.case_file),
                  "name those to be fitted: [[parameter]], see cases/README.md", call.json);
     return false;
-}
-
-SimulationCount::SimulationCount(bool json) : quiet_(json), watched_(on_terminal(stdout) && on_terminal(stderr)) {}
-
-std::function<void(long)> SimulationCount::shown() {
-    if (quiet_ || !watched_) {
-        return nullptr;
-    }
-    return [this](long simulations) { show("", simulations); };
-}
-
-std::function<void(const std::string&, long)> SimulationCount::stages() {
-    if (quiet_) {
-        return nullptr;
-    }
-    return [this](const std::string& doing, long simulations) { show(doing, simulations); };
-}
-
-void SimulationCount::show(const std::string& doing, long simulations) {
-    constexpr auto tenth = std::chrono::milliseconds(100);
-    const Clock::time_point now = Clock::now();
-    if (now - written_ < (watched_ ? Clock::duration(tenth) : Clock::duration(std::chrono::minutes(1)))) {
-        return;
-    }
-    written_ = now;
-    const double seconds = std::chrono::duration<double>(now - begun_).count();
-    const std::string text =
-        fmt::format("{}{} simulations, {:.0f} s", doing.empty() ? "" : doing + ", ", simulations, seconds);
-    if (watched_) {
-        fmt::print(stderr, "\r{:<79.79}", text);
-        stands_ = true;
-    } else {
-        fmt::print(stderr, "{}\n", text);
-    }
-}
-
-void SimulationCount::wipe() {
-    if (stands_) {
-        fmt::print(stderr, "\r{:79}\r", "");
-        stands_ = false;
-    }
 }
 
 std::optional<std::vector<std::filesystem::path>> write_measured(

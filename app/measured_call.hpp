@@ -2,7 +2,7 @@
 // Options and steps that compare, identify and diagnose share: case file, measured data, output directory and --json.
 #pragma once
 
-#include <chrono>
+#include <cstdio>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -13,6 +13,7 @@
 #include "app/output.hpp"
 #include "input/measurements/experiment.hpp"
 #include "post/report/prediction_journal.hpp"
+#include "post/report/progress.hpp"
 #include "post/report/report.hpp"
 
 namespace CLI {
@@ -45,30 +46,24 @@ void add_measured_options(CLI::App& command, MeasuredCall& call, const char* cas
 /// Whether the case has any parameter to fit; reports it when not.
 [[nodiscard]] bool has_free_parameters(const MeasuredCall& call, const input::Experiment& experiment);
 
-/// Says what is being done and counts simulations for a person who waits: one line that is rewritten on a terminal, a line a
-/// minute where stderr goes into a file or a pipe. Quiet where JSON is wanted.
+/// Says on stderr what is being done and counts simulations for a person who waits.
 class SimulationCount {
 public:
-    explicit SimulationCount(bool json);
-    ~SimulationCount() { wipe(); }
-    SimulationCount(const SimulationCount&) = delete;
-    SimulationCount& operator=(const SimulationCount&) = delete;
-
-    [[nodiscard]] std::function<void(long)> shown();  ///< empty when quiet
+    [[nodiscard]] std::function<void(long)> shown() {
+        return [this](long simulations) { show("", simulations); };
+    }
     /// The same with what is being done.
-    [[nodiscard]] std::function<void(const std::string&, long)> stages();
-    void wipe();
+    [[nodiscard]] std::function<void(const std::string&, long)> stages() {
+        return [this](const std::string& doing, long simulations) { show(doing, simulations); };
+    }
+    void wipe() { line_.wipe(); }
 
 private:
-    using Clock = std::chrono::steady_clock;
+    void show(const std::string& doing, long simulations) {
+        line_.show({.stage = doing, .done = static_cast<std::size_t>(simulations), .thing = "simulation"});
+    }
 
-    void show(const std::string& doing, long simulations);
-
-    bool quiet_;
-    bool watched_;
-    bool stands_ = false;  ///< a line on the terminal
-    Clock::time_point begun_ = Clock::now();
-    Clock::time_point written_ = Clock::now();
+    post::ProgressLine line_{stderr, false};
 };
 
 /// Simulations that an interrupted call of the same kind has kept; tells of them.

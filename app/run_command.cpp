@@ -67,8 +67,8 @@ solver::Report march(const solver::Problem& problem, post::RunFiles& files, diag
     };
     const solver::Continuation continuation{
         .from = journal.checkpoint(), .every = 1, .keep = keep, .due = [&] { return journal.due(); }};
-    const bool watched = on_terminal(stdout) && on_terminal(stderr) && !options.quiet && !problem.settings.steady;
-    post::Progress progress(stderr, watched, problem.name, problem.settings.start, problem.settings.end);
+    post::ProgressLine line(stderr, options.quiet || problem.settings.steady);
+    post::Progress progress(line, problem.name, problem.settings.start, problem.settings.end);
     const auto watch = [&](const solver::Snapshot& snapshot) {
         const bool stop = solver::stop_requested();
         solver::Snapshot seen = snapshot;

@@ -25,6 +25,7 @@
 #include "diagnosis/study/study_runs.hpp"
 #include "input/measurements/runs.hpp"
 #include "input/studies/study.hpp"
+#include "post/report/progress.hpp"
 #include "post/study/study_files.hpp"
 #include "post/study/study_journal.hpp"
 #include "post/study/study_report.hpp"
@@ -48,36 +49,6 @@ struct Options {
 };
 
 using Clock = std::chrono::steady_clock;
-
-/// One line on a terminal, rewritten as runs end.
-class Counter {
-public:
-    Counter(bool shown, std::size_t runs) : shown_(shown), runs_(runs) {}
-    ~Counter() {
-        if (shown_) {
-            fmt::print(stderr, "\r\033[K");
-        }
-    }
-    Counter(const Counter&) = delete;
-    Counter& operator=(const Counter&) = delete;
-
-    void update(std::size_t done) {
-        if (!shown_) {
-            return;
-        }
-        first_ = first_ == 0 ? done - 1 : first_;
-        const double elapsed = std::chrono::duration<double>(Clock::now() - begin_).count();
-        const double left = elapsed / static_cast<double>(done - first_) * static_cast<double>(runs_ - done);
-        fmt::print(stderr, "\r\033[K{} of {} runs, about {:.0f} s left", done, runs_, left);
-        std::fflush(stderr);
-    }
-
-private:
-    bool shown_;
-    std::size_t runs_;
-    std::size_t first_ = 0;  ///< runs that were done before
-    Clock::time_point begin_ = Clock::now();
-};
 
 /// What a part's call has to say: its files come with the merge.
 void report_part(const diagnosis::StudyPart& part, const diagnosis::StudyResults& results, std::size_t runs,
@@ -164,9 +135,13 @@ int study(const Options& options) {
     const Clock::time_point begin = Clock::now();
     diagnosis::StudyResults results;
     {
-        Counter counter(on_terminal(stdout) && on_terminal(stderr) && !options.quiet, runs);
-        results = diagnosis::run_study(
-            study, *journal, options.threads, [&](std::size_t done) { counter.update(done); }, part);
+        post::ProgressLine line(stderr, options.quiet);
+        std::optional<std::size_t> kept;
+        const auto show = [&](std::size_t done) {
+            kept = kept.value_or(done - 1);
+            line.show({.done = done, .total = runs, .kept = *kept});
+        };
+        results = diagnosis::run_study(study, *journal, options.threads, show, part);
     }
     const std::string kept = fmt::format("{} of {} runs are kept in {}; the same call goes on from there", results.done,
                                          runs, directory.string());

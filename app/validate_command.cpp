@@ -20,6 +20,7 @@
 #include "diagnosis/validation/validation_runs.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/validation/validation.hpp"
+#include "post/report/progress.hpp"
 #include "post/validation/validation_report.hpp"
 #include "solver/stop_signal.hpp"
 
@@ -107,16 +108,10 @@ int validate(const Options& options) {
     }
     now_doing("making the runs of " + options.table);
     const Clock::time_point begin = Clock::now();
-    const bool watched = on_terminal(stderr) && on_terminal(stdout);
-    const diagnosis::RunResults results = diagnosis::run_all(table.runs, options.threads, [&](std::size_t done) {
-        if (watched) {
-            fmt::print(stderr, "\r{} of {} runs", done, table.runs.size());
-            std::fflush(stderr);
-        }
-    });
-    if (watched) {
-        fmt::print(stderr, "\r\033[K");
-    }
+    post::ProgressLine line(stderr, false);
+    const diagnosis::RunResults results = diagnosis::run_all(
+        table.runs, options.threads, [&](std::size_t done) { line.show({.done = done, .total = table.runs.size()}); });
+    line.wipe();
     if (solver::stop_requested()) {
         report_error("stopped", "there is no table", options.json);
         return Exit::interrupted;

@@ -137,9 +137,12 @@ struct Trial {
 /// Of the promising candidates those that remove most, fitted; what nobody would believe is put aside.
 std::vector<Trial> try_all(ScoreTestData& score_data, const PredictedModel& now, PredictionSearch& search) {
     std::vector<Trial> trials;
-    for (const std::size_t k : promising(score_data, now)) {
+    const std::vector<std::size_t> chosen = promising(score_data, now);
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        const std::size_t k = chosen[i];
         const Candidate& candidate = score_data.candidates[k];
-        score_data.say(fmt::format("trying {}", name_of(candidate, *score_data.experiment)));
+        score_data.say(
+            fmt::format("candidate {} of {}: {}", i + 1, chosen.size(), name_of(candidate, *score_data.experiment)));
         Trial trial{.hypothesis = extended(score_data, now.hypothesis, k, now.noise)};
         if (!trial.hypothesis.sound) {
             continue;
@@ -283,9 +286,12 @@ void search_by_prediction(ScoreTestData& score_data, PredictionSearch& search) {
     while (search.accepted.size() < most_causes) {
         const PredictedModel& now = search.accepted.empty() ? start : search.best();
         std::vector<Improvement> better;
-        for (Trial& trial : try_all(score_data, now, search)) {
+        std::vector<Trial> trials = try_all(score_data, now, search);
+        for (std::size_t i = 0; i < trials.size(); ++i) {
+            Trial& trial = trials[i];
             const Candidate& added = score_data.candidates[trial.hypothesis.candidates.back()];
-            score_data.say(fmt::format("predicting with {}", name_of(added, *score_data.experiment)));
+            score_data.say(
+                fmt::format("prediction {} of {}: {}", i + 1, trials.size(), name_of(added, *score_data.experiment)));
             Improvement one{.model = predicted(score_data, std::move(trial.hypothesis), now.noise)};
             one.gain = gain_over(search.accepted.empty() ? search.base : now, one.model, score_data);
             if (one.model.out.ok && is_better(one.gain)) {

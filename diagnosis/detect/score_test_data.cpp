@@ -65,6 +65,8 @@ void take_signatures(const input::Experiment& still, const Eigen::VectorXd& simu
             }
             continue;
         }
+        score_data.say(fmt::format("signature {} of {}: {}", k + 1, score_data.candidates.size(),
+                                   name_of(candidate, *score_data.experiment)));
         input::Experiment moved = with(still, {candidate}, {candidate.trial});
         moved.parameters.clear();
         Simulator one(moved, *score_data.observations);

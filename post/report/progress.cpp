@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rewrites the progress line at most ten times a second, cut to the width of the terminal.
+// Writes lines of progress, cut to the width of the terminal, as often as the stream bears.
 
 #include "post/report/progress.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <cstdlib>
 #include <utility>
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
+#include <unistd.h>
 
 #include "input/text/suggestions.hpp"
 #include "post/report/table.hpp"
@@ -17,13 +20,11 @@ namespace tiretherm::post {
 
 namespace {
 
-constexpr std::chrono::milliseconds interval{100};
+constexpr double on_a_terminal = 0.1;  // s
+constexpr double in_a_pipe = 60.0;     // s
 
 /// A longer line would wrap, and then it could not be rewritten.
-std::string cut_to_width(const std::string& line, std::FILE* stream) {
-    winsize size{};
-    const std::size_t width =
-        ioctl(fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col - 1u : 120u;
+std::string cut_to_width(const std::string& line, std::size_t width) {
     std::size_t seen = 0;
     for (std::size_t byte = 0; byte < line.size(); ++byte) {
         const bool starts_character = (static_cast<unsigned char>(line[byte]) & 0xC0) != 0x80;
@@ -34,7 +35,33 @@ std::string cut_to_width(const std::string& line, std::FILE* stream) {
     return line;
 }
 
+/// Seconds, minutes or hours, to the precision that an estimate has.
+std::string duration(double seconds) {
+    if (seconds < 9.95) {
+        return fmt::format("{:.1f} s", seconds);
+    }
+    if (seconds < 120.0) {
+        return fmt::format("{:.0f} s", seconds);
+    }
+    return seconds < 7200.0 ? fmt::format("{:.0f} min", seconds / 60.0) : fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+ProgressLine::Kind kind_for(std::FILE* stream, bool quiet) {
+    using Kind = ProgressLine::Kind;
+    return quiet ? Kind::silent : isatty(fileno(stream)) == 1 ? Kind::rewritten : Kind::each_minute;
+}
+
 }  // namespace
+
+std::size_t terminal_width(std::FILE* stream) {
+    if (const char* columns = std::getenv("COLUMNS")) {
+        if (const long said = std::strtol(columns, nullptr, 10); said > 0 && said < 10000) {
+            return static_cast<std::size_t>(said);
+        }
+    }
+    winsize size{};
+    return ioctl(fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80u;
+}
 
 std::string progress_line(const std::string& name, const Advance& advance) {
     const double done = advance.time - advance.start;
@@ -43,42 +70,81 @@ std::string progress_line(const std::string& name, const Advance& advance) {
                                    whole > 0.0 ? 100.0 * done / whole : 100.0, advance.time, advance.end,
                                    solver::celsius(advance.hottest));
     if (done > 0.0) {
-        line += fmt::format("  {} x real time  {:.1f} s left", grouped(done / advance.elapsed),
-                            advance.elapsed * (whole - done) / done);
+        line += fmt::format("  {} x real time  about {} left", grouped(done / advance.elapsed),
+                            duration(advance.elapsed * (whole - done) / done));
     }
     return line;
 }
 
-Progress::Progress(std::FILE* stream, bool shown, std::string name, double start, double end)
-    : stream_(stream),
-      shown_(shown),
-      name_(std::move(name)),
-      start_(start),
-      end_(end),
-      begun_(Clock::now()),
-      written_(begun_) {}
+std::string work_line(const WorkDone& work, double elapsed) {
+    const auto grouped_count = [](std::size_t n) { return grouped(static_cast<double>(n)); };
+    std::string line = work.stage.empty() ? "" : work.stage + ", ";
+    line += work.total > 0
+                ? fmt::format("{} of {} {}s", grouped_count(work.done), grouped_count(work.total), work.thing)
+                : fmt::format("{} {}{}", grouped_count(work.done), work.thing, work.done == 1 ? "" : "s");
+    const auto made = static_cast<double>(work.done - std::min(work.kept, work.done));
+    if (made > 0.0 && elapsed > 0.0) {
+        const double rate = made / elapsed;
+        line += rate >= 0.1 ? fmt::format(", {:.2g} {}s/s", rate, work.thing)
+                            : fmt::format(", {} a {}", duration(1.0 / rate), work.thing);
+        if (work.total > work.done) {
+            return line + fmt::format(", about {} left", duration(static_cast<double>(work.total - work.done) / rate));
+        }
+    }
+    return line + fmt::format(", {} so far", duration(elapsed));
+}
 
-Progress::~Progress() {
-    if (line_stands_) {
+double ProgressLine::wall_clock() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+ProgressLine::ProgressLine(std::FILE* stream, Kind kind, Clock clock)
+    : stream_(stream), kind_(kind), clock_(std::move(clock)), begun_(clock_()), written_(begun_) {}
+
+ProgressLine::ProgressLine(std::FILE* stream, bool quiet) : ProgressLine(stream, kind_for(stream, quiet)) {}
+
+void ProgressLine::show(const std::function<std::string(double elapsed)>& line) {
+    if (kind_ == Kind::silent) {
+        return;
+    }
+    const double now = clock_();
+    if (now - written_ < (kind_ == Kind::rewritten ? on_a_terminal : in_a_pipe)) {
+        return;
+    }
+    written_ = now;
+    const std::string text = input::printable(line(now - begun_));
+    if (kind_ == Kind::rewritten) {
+        fmt::print(stream_, "\r{}\033[K", cut_to_width(text, terminal_width(stream_) - 1));
+        stands_ = true;
+    } else {
+        fmt::print(stream_, "{}\n", text);
+    }
+    std::fflush(stream_);
+}
+
+void ProgressLine::show(const WorkDone& work) {
+    show([&](double elapsed) { return work_line(work, elapsed); });
+}
+
+void ProgressLine::wipe() {
+    if (stands_) {
         fmt::print(stream_, "\r\033[K");
         std::fflush(stream_);
+        stands_ = false;
     }
 }
 
+Progress::Progress(ProgressLine& line, std::string name, double start, double end)
+    : line_(&line), name_(std::move(name)), start_(start), end_(end) {}
+
 void Progress::update(double time, std::span<const double> temperature) {
-    const Clock::time_point now = Clock::now();
-    if (!shown_ || now - written_ < interval) {
-        return;
-    }
-    const Advance advance{.start = start_,
-                          .end = end_,
-                          .time = time,
-                          .hottest = *std::max_element(temperature.begin(), temperature.end()),
-                          .elapsed = std::chrono::duration<double>(now - begun_).count()};
-    fmt::print(stream_, "\r{}\033[K", cut_to_width(progress_line(input::printable(name_), advance), stream_));
-    std::fflush(stream_);
-    written_ = now;
-    line_stands_ = true;
+    line_->show([&](double elapsed) {
+        return progress_line(name_, {.start = start_,
+                                     .end = end_,
+                                     .time = time,
+                                     .hottest = *std::max_element(temperature.begin(), temperature.end()),
+                                     .elapsed = elapsed});
+    });
 }
 
 }  // namespace tiretherm::post

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The progress line of a run on a terminal: share done, simulated time, hottest temperature, speed and remaining time.
+// How far long work is, for a person who waits: stage, share done, speed and remaining time, in one line.
 #pragma once
 
-#include <chrono>
+#include <cstddef>
 #include <cstdio>
+#include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace tiretherm::post {
+
+/// Columns of a terminal: COLUMNS where it is set, otherwise as the terminal says; 80 where neither is known.
+[[nodiscard]] std::size_t terminal_width(std::FILE* stream);
 
 /// How far a run is, for the line below.
 struct Advance {
@@ -18,32 +23,68 @@ struct Advance {
     double elapsed = 0.0;  ///< s of wall time, > 0
 };
 
-/// `laser/one_watt  37 %  t = 662 s of 1800 s  hottest 98.1 °C  2 100 x real time  0.4 s left`
+/// `laser/one_watt  37 %  t = 662 s of 1800 s  hottest 98.1 °C  2 100 x real time  about 0.4 s left`
 [[nodiscard]] std::string progress_line(const std::string& name, const Advance& advance);
 
-/// One line on a terminal, rewritten at most ten times a second and removed at the end.
+/// How far work is that consists of equal pieces.
+struct WorkDone {
+    std::string stage{};             ///< "candidate 7 of 23: sidewall_convection"; empty: there is one alone
+    std::size_t done = 0;            ///< pieces
+    std::size_t total = 0;           ///< 0: not known, and then nothing is said of the time left
+    std::size_t kept = 0;            ///< of those done, by an earlier call: they took no time
+    std::string_view thing = "run";  ///< a piece
+};
+
+/// `candidate 7 of 23: sidewall_convection, 212 simulations, 3.4 simulations/s, 62 s so far`, or where the total is known
+/// `12 of 40 runs, 3.1 runs/s, about 9 s left`. @param elapsed s of wall time
+[[nodiscard]] std::string work_line(const WorkDone& work, double elapsed);
+
+/// One line of stderr: on a terminal rewritten at most ten times a second and removed at the end, in a file or a pipe a line
+/// a minute.
+class ProgressLine {
+public:
+    enum class Kind { silent, rewritten, each_minute };
+    /// Seconds of wall time from any moment on.
+    using Clock = std::function<double()>;
+
+    /// @param stream where the line goes, usually stderr
+    ProgressLine(std::FILE* stream, Kind kind, Clock clock = wall_clock);
+    /// As it suits the stream. @param quiet stays silent
+    ProgressLine(std::FILE* stream, bool quiet);
+    ~ProgressLine() { wipe(); }
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
+
+    /// @param line makes the line of the seconds since the beginning; called only where one is due
+    void show(const std::function<std::string(double elapsed)>& line);
+    void show(const WorkDone& work);
+    /// Removes the line, so that other text can follow.
+    void wipe();
+
+    [[nodiscard]] static double wall_clock();
+
+private:
+    std::FILE* stream_;
+    Kind kind_;
+    Clock clock_;
+    double begun_;
+    double written_;
+    bool stands_ = false;
+};
+
+/// The line of one run.
 class Progress {
 public:
-    /// @param stream where the line goes, usually stderr   @param shown false: stays silent
-    Progress(std::FILE* stream, bool shown, std::string name, double start, double end);
-    ~Progress();
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
+    Progress(ProgressLine& line, std::string name, double start, double end);
 
     /// @param time s  @param temperature [n_nodes] K
     void update(double time, std::span<const double> temperature);
 
 private:
-    using Clock = std::chrono::steady_clock;
-
-    std::FILE* stream_;
-    bool shown_;
+    ProgressLine* line_;
     std::string name_;
     double start_;
     double end_;
-    Clock::time_point begun_;
-    Clock::time_point written_;
-    bool line_stands_ = false;
 };
 
 }  // namespace tiretherm::post

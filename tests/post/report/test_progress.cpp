@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The progress line: its numbers, how often it is written, and its removal at the end.
+// Lines of progress: their numbers, how often they are written, and their removal at the end.
 
 #include <cstdio>
-#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -13,46 +12,54 @@
 namespace tiretherm::post {
 namespace {
 
-/// What a progress of three updates, 0.11 s apart, writes.
-std::string written(bool shown) {
+using Kind = ProgressLine::Kind;
+
+/// What a line writes that is shown at some seconds of a clock; each text is its time.
+std::string written(Kind kind, std::initializer_list<double> seconds) {
     const sample::Scratch scratch;
     std::FILE* file = std::fopen((scratch / "screen").c_str(), "wb");
+    double now = 0.0;
     {
-        Progress progress(file, shown, "spot", 0.0, 100.0);
-        const std::vector<double> temperature{300.0, 400.15};
-        for (int i = 1; i <= 2; ++i) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(110));
-            progress.update(10.0 * i, temperature);
-            progress.update(10.0 * i, temperature);  // too soon: not written
+        ProgressLine line(file, kind, [&] { return now; });
+        for (const double second : seconds) {
+            now = second;
+            line.show([](double elapsed) { return std::to_string(static_cast<int>(10.0 * elapsed + 0.5)); });
         }
     }
     std::fclose(file);
     return read_text(scratch / "screen");
 }
 
-std::size_t count(const std::string& text, const std::string& part) {
-    std::size_t n = 0;
-    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
-        ++n;
-    }
-    return n;
-}
-
 TEST(Progress, LineTellsShareTimeHottestSpeedAndRest) {
     // 900 s of 1800 s in 0.5 s: 1 800 times real time, and as long again.
     EXPECT_EQ(progress_line("laser/one_watt",
                             {.start = 0.0, .end = 1800.0, .time = 900.0, .hottest = 371.25, .elapsed = 0.5}),
-              "laser/one_watt  50 %  t = 900 s of 1800 s  hottest 98.1 °C  1 800 x real time  0.5 s left");
+              "laser/one_watt  50 %  t = 900 s of 1800 s  hottest 98.1 °C  1 800 x real time  about 0.5 s left");
 }
 
-TEST(Progress, LineIsRewrittenAtMostTenTimesASecondAndRemovedAtTheEnd) {
-    const std::string screen = written(true);
-    EXPECT_EQ(count(screen, "hottest 127.0 °C"), 2u) << screen;
-    EXPECT_EQ(count(screen, "\n"), 0u);
-    EXPECT_TRUE(screen.ends_with("\r\033[K"));
+TEST(Progress, TimeLeftFollowsFromTheRunsThatTookTime) {
+    // 12 of 40 runs are done, 2 of them by an earlier call: 10 in 20 s are 0.5 a second, and 28 more take 56 s.
+    EXPECT_EQ(work_line({.done = 12, .total = 40, .kept = 2}, 20.0), "12 of 40 runs, 0.5 runs/s, about 56 s left");
 }
 
-TEST(Progress, StaysSilentWhenNotShown) { EXPECT_EQ(written(false), ""); }
+TEST(Progress, NothingIsSaidOfTheTimeLeftWhereTheTotalIsUnknown) {
+    // 300 simulations in 150 s are 2 a second; one in 50 s is slower than 0.1 a second, which is said as seconds for one.
+    EXPECT_EQ(work_line({.stage = "candidate 7 of 23: sidewall_convection", .done = 300, .thing = "simulation"}, 150.0),
+              "candidate 7 of 23: sidewall_convection, 300 simulations, 2 simulations/s, 2 min so far");
+    EXPECT_EQ(work_line({.done = 1, .thing = "simulation"}, 50.0), "1 simulation, 50 s a simulation, 50 s so far");
+}
+
+// Updates within a tenth of a second after one that was written are not: of 0.10, 0.15, 0.20 s the second is left out.
+TEST(Progress, ALineOnATerminalIsRewrittenAtMostTenTimesASecondAndRemovedAtTheEnd) {
+    EXPECT_EQ(written(Kind::rewritten, {0.1, 0.15, 0.21}), "\r1\033[K\r2\033[K\r\033[K");
+}
+
+// The first line comes after a minute, the next a minute after it: of 30, 60, 100, 121 s the second and the last.
+TEST(Progress, InAPipeThereIsALineAMinute) {
+    EXPECT_EQ(written(Kind::each_minute, {30.0, 60.0, 100.0, 121.0}), "600\n1210\n");
+}
+
+TEST(Progress, StaysSilentWhenNotShown) { EXPECT_EQ(written(Kind::silent, {1.0, 100.0, 1000.0}), ""); }
 
 }  // namespace
 }  // namespace tiretherm::post
