@@ -32,21 +32,21 @@ std::string first_sentence(std::string_view text) {
 void print_list() {
     for (const physics::Effect* effect : physics::catalogue()) {
         fmt::print("{} ({}, {})\n", effect->id, post::kind_name(effect->kind), post::origin(*effect));
-        fmt::print("{}", post::wrap(first_sentence(effect->meaning), 4));
-        fmt::print("{}", post::wrap(std::string(effect->equation), 6));
+        fmt::print("{}", post::wrap(first_sentence(effect->meaning), 4, prose_width()));
+        fmt::print("{}", post::wrap(std::string(effect->equation), 6, prose_width()));
     }
     fmt::print("\nOne of them in full: tiretherm effects NAME\n");
 }
 
 void print_section(const char* name, std::string_view text) {
     if (!text.empty()) {
-        fmt::print("\n{}\n{}", name, post::wrap(std::string(text), 4));
+        fmt::print("\n{}\n{}", name, post::wrap(std::string(text), 4, prose_width()));
     }
 }
 
 void print_one(const physics::Effect& effect) {
     fmt::print("{} ({}, {})\n", effect.id, post::kind_name(effect.kind), post::origin(effect));
-    fmt::print("{}", post::wrap(std::string(effect.meaning), 4));
+    fmt::print("{}", post::wrap(std::string(effect.meaning), 4, prose_width()));
     print_section("Equation", effect.equation);
     print_section("Source", effect.source);
     print_section("Valid", effect.valid);
@@ -64,8 +64,8 @@ void print_one(const physics::Effect& effect) {
         for (const physics::PlausibleRange& range : ranges) {
             fmt::print("    {}: {:g} to {:g} {}\n", post::parameter_text(range), range.low, range.high,
                        post::range_unit(effect, range));
-            fmt::print("{}", post::wrap(fmt::format("source: {}", range.source), 8));
-            fmt::print("{}", post::wrap(fmt::format("beyond: {}", range.why), 8));
+            fmt::print("{}", post::wrap(fmt::format("source: {}", range.source), 8, prose_width()));
+            fmt::print("{}", post::wrap(fmt::format("beyond: {}", range.why), 8, prose_width()));
         }
     }
     if (!effect.choices.empty()) {

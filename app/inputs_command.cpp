@@ -66,11 +66,12 @@ std::string capital(std::string_view text) {
 
 void print_one(const physics::Signal& signal) {
     const Readers readers = readers_of(signal.name);
-    fmt::print("{} ({})\n{}", signal.name, range_text(signal), post::wrap(capital(signal.meaning) + ".", 4));
-    fmt::print("{}", post::wrap(std::string(physics::sign_convention(signal)), 4));
+    fmt::print("{} ({})\n{}", signal.name, range_text(signal),
+               post::wrap(capital(signal.meaning) + ".", 4, prose_width()));
+    fmt::print("{}", post::wrap(std::string(physics::sign_convention(signal)), 4, prose_width()));
     const auto line = [](const char* what, const std::vector<std::string>& names) {
         if (!names.empty()) {
-            fmt::print("{}", post::wrap(fmt::format("{}: {}", what, fmt::join(names, ", ")), 4));
+            fmt::print("{}", post::wrap(fmt::format("{}: {}", what, fmt::join(names, ", ")), 4, prose_width()));
         }
     };
     line("Needed by the effects", readers.needed_by);

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "input/text/suggestions.hpp"
+#include "post/report/progress.hpp"
 
 namespace tiretherm::app {
 
@@ -22,6 +23,13 @@ bool may_be_bold() { return on_terminal(stdout) && std::getenv("NO_COLOR") == nu
 }  // namespace
 
 bool on_terminal(std::FILE* stream) { return isatty(fileno(stream)) == 1; }
+
+std::size_t page_width() {
+    constexpr std::size_t least = 60;
+    return on_terminal(stdout) ? std::max(least, post::terminal_width(stdout)) : post::standard_width;
+}
+
+std::size_t prose_width() { return std::min(page_width(), post::widest_prose); }
 
 std::string terminal_text(std::string_view text, bool bold) {
     std::string shown;
@@ -45,7 +53,9 @@ void print_report(const post::Report& report, bool json) {
     if (json) {
         fmt::print("{}", post::json_text(report.data));
     } else {
-        print_text(post::page_text(report, may_be_bold()));
+        print_text(post::page_text(
+            report, may_be_bold(),
+            {.prose = prose_width(), .tables = on_terminal(stdout) ? page_width() : std::string::npos}));
     }
 }
 

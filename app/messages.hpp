@@ -2,6 +2,8 @@
 // Output of all commands: reports, errors with a remedy, and lists of input errors, as text or JSON.
 #pragma once
 
+#include <cstddef>
+#include <cstdio>
 #include <string>
 #include <string_view>
 
@@ -12,6 +14,13 @@ namespace tiretherm::app {
 
 /// Whether a person sees what is written there.
 [[nodiscard]] bool on_terminal(std::FILE* stream);
+
+/// Columns of the page on stdout: those of the terminal (COLUMNS, otherwise as it says), at least 60; in a file or a pipe
+/// post::standard_width.
+[[nodiscard]] std::size_t page_width();
+
+/// The same for prose, at most post::widest_prose.
+[[nodiscard]] std::size_t prose_width();
 
 /// A text as it may go to a terminal: control characters, which a title or a cell of a sheet may hold, as blanks.
 /// @param bold leaves the program's own marks of bold text

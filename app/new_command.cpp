@@ -171,7 +171,7 @@ void print_text(const input::NewCase& made, const input::NewCaseRequest& request
     if (!made.missing.empty()) {
         fmt::print("\nStill missing\n");
         for (const input::MissingPart& part : made.missing) {
-            app::print_text(post::wrap(fmt::format("{}; {}", part.what, part.remedy), 2));
+            app::print_text(post::wrap(fmt::format("{}; {}", part.what, part.remedy), 2, prose_width()));
         }
     }
     for (const std::string& warning : made.warnings) {

@@ -11,6 +11,11 @@
 
 namespace tiretherm::post {
 
+std::string without_sign_of_zero(std::string number) {
+    const bool is_zero = number.starts_with('-') && number.find_first_not_of("-0.") == std::string::npos;
+    return is_zero ? number.substr(1) : number;
+}
+
 std::string to_its_digits(double value, double half_width) {
     if (!std::isfinite(value)) {
         return "-";
@@ -20,14 +25,15 @@ std::string to_its_digits(double value, double half_width) {
         return fmt::format("{:.4g}", value);
     }
     const int digits = std::clamp(1 - static_cast<int>(std::floor(std::log10(half_width))), 0, 8);
-    return fmt::format("{:.{}f}", value, digits);
+    return without_sign_of_zero(fmt::format("{:.{}f}", value, digits));
 }
 
 std::string with_decimals(double value, int decimals) {
     if (!std::isfinite(value)) {
         return "-";
     }
-    return std::abs(value) < compact_from ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.4g}", value);
+    return std::abs(value) < compact_from ? without_sign_of_zero(fmt::format("{:.{}f}", value, decimals))
+                                          : fmt::format("{:.4g}", value);
 }
 
 std::string slashed_unit(std::string_view unit) {

@@ -7,6 +7,9 @@
 
 namespace tiretherm::post {
 
+/// "-0.00" as "0.00": a number that is zero in the digits that are shown has no sign.
+[[nodiscard]] std::string without_sign_of_zero(std::string number);
+
 /// A number with so many digits behind the point that an interval of this half width shows two of its own.
 [[nodiscard]] std::string to_its_digits(double value, double half_width);
 

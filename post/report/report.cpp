@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "post/report/number_text.hpp"
 #include "post/report/table.hpp"
 
 namespace tiretherm::post {
@@ -24,7 +25,7 @@ std::vector<std::string> cells_of(const DataTable::Row& row) {
     return cells;
 }
 
-std::string table_text(const DataTable& table, std::size_t indent) {
+std::string table_text(const DataTable& table, std::size_t indent, std::size_t width) {
     PageColumns columns = page_columns(table);
     std::vector<bool> left = columns.to_right;
     left.flip();
@@ -35,7 +36,7 @@ std::string table_text(const DataTable& table, std::size_t indent) {
     for (const DataTable::Row& row : table.rows()) {
         lines.add(cells_of(row));
     }
-    return lines.text(indent);
+    return lines.text(indent, width);
 }
 
 /// The name of a file or a title may have line ends.
@@ -44,15 +45,24 @@ std::string one_line(std::string text) {
     return text;
 }
 
-std::string blocks_text(const std::vector<PageItem>& blocks, std::size_t indent) {
+/// Further lines begin below the first word.
+std::string item_text(const std::string& item, std::size_t indent, std::size_t width) {
+    std::string text = wrap(item, indent + 2, width);
+    if (!text.empty()) {
+        text[indent] = '-';
+    }
+    return text;
+}
+
+std::string blocks_text(const std::vector<PageItem>& blocks, std::size_t indent, const PageWidth& width) {
     std::string text;
     for (const PageItem& block : blocks) {
         switch (block.kind) {
             case PageItem::Kind::paragraph:
-                text += wrap(block.text, indent);
+                text += wrap(block.text, indent, width.prose);
                 break;
             case PageItem::Kind::item:
-                text += wrap("- " + block.text, indent);
+                text += item_text(block.text, indent, width.prose);
                 break;
             case PageItem::Kind::line:
                 text += std::string(indent, ' ') + one_line(block.text) + "\n";
@@ -61,10 +71,10 @@ std::string blocks_text(const std::vector<PageItem>& blocks, std::size_t indent)
                 text += "\n";
                 break;
             case PageItem::Kind::table:
-                text += table_text(block.table, indent);
+                text += table_text(block.table, indent, width.tables);
                 break;
             case PageItem::Kind::part:
-                text += std::string(indent, ' ') + block.text + "\n" + blocks_text(block.blocks, indent + 2);
+                text += std::string(indent, ' ') + block.text + "\n" + blocks_text(block.blocks, indent + 2, width);
                 break;
             case PageItem::Kind::chart:
                 break;
@@ -92,7 +102,13 @@ PageColumns page_columns(const DataTable& table) {
 }
 
 Cell shown(std::string_view format, double value) {
-    return {value, std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-"};
+    if (!std::isfinite(value)) {
+        return {value, "-"};
+    }
+    const std::string sign = format.find('+') != std::string_view::npos ? "+" : "";
+    const std::string text = fmt::format(fmt::runtime(format), value);
+    const std::string without = without_sign_of_zero(text);
+    return {value, without == text ? text : sign + without};
 }
 
 Cell count(std::size_t n) { return {n, grouped(static_cast<double>(n))}; }
@@ -195,7 +211,7 @@ const Section& section(const Report& report, std::string_view heading) {
     return *found;
 }
 
-std::string page_text(const Report& report, bool bold) {
+std::string page_text(const Report& report, bool bold, const PageWidth& width) {
     const auto strong = [&](const std::string& line) {
         return bold ? fmt::format("\033[1m{}\033[0m\n", line) : line + "\n";
     };
@@ -210,7 +226,7 @@ std::string page_text(const Report& report, bool bold) {
         const bool after_title = section.heading().empty() && &section == &report.sections.front();
         text += after_title ? "" : "\n";
         text += section.heading().empty() ? "" : strong(section.heading());
-        text += blocks_text(section.blocks(), 2);
+        text += blocks_text(section.blocks(), 2, width);
     }
     return text;
 }

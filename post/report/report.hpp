@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "post/report/table.hpp"
 #include "post/report/value.hpp"
 
 namespace tiretherm::post {
@@ -149,9 +150,15 @@ struct Report {
 /// The section of this heading. @pre there is one
 [[nodiscard]] const Section& section(const Report& report, std::string_view heading);
 
-/// The page as text of at most 100 columns, tables but for.
+/// Columns that a page may take. In a file or a pipe a row of a table stays one line, whatever its length.
+struct PageWidth {
+    std::size_t prose = standard_width;
+    std::size_t tables = std::string::npos;
+};
+
+/// The page as text. Lines that cannot be broken, such as the name of a file, may be longer than the page is wide.
 /// @param bold headings in bold, for a terminal   @returns lines, each ended by a newline
-[[nodiscard]] std::string page_text(const Report& report, bool bold);
+[[nodiscard]] std::string page_text(const Report& report, bool bold, const PageWidth& width = {});
 
 /// The columns of the page as a table of Markdown.  @returns lines, each ended by a newline
 [[nodiscard]] std::string markdown_text(const DataTable& table);

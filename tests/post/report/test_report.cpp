@@ -99,6 +99,38 @@ TEST(Report, PartsAndItemsAreIndented) {
     EXPECT_EQ(json_text(report.data["outputs"]), "[\n  \"out/a.csv\"\n]\n");
 }
 
+TEST(Report, FurtherLinesOfAnItemBeginBelowItsFirstWord) {
+    Section section("List");
+    section.item("one two three");
+    Report report{.title = "A page"};
+    report.add(section);
+    EXPECT_EQ(page_text(report, false, {.prose = 11}), "A page\n\nList\n  - one two\n    three\n");
+}
+
+// "layer  hottest degC  cells" with its indent takes 28 columns. At 22 the last column goes to a block of its own beside the
+// names; belt has nothing there.
+TEST(Report, ATableThatIsWiderThanTheTerminalGoesOnInAFurtherBlock) {
+    Report report{.title = "Two layers"};
+    report.add(Section("Layers", two_layers()));
+    EXPECT_EQ(page_text(report, false, {.tables = 22}),
+              "Two layers\n\nLayers\n"
+              "  layer  hottest degC\n"
+              "  K1             81.2\n"
+              "  belt              -\n"
+              "\n"
+              "  layer  cells\n"
+              "  K1     4 800\n");
+    EXPECT_EQ(page_text(report, false, {.tables = 28}), page_text(report, false));
+}
+
+// A number that is shown as zero has no minus: -0.004 rounds to it, -0.006 does not. Where all numbers of a column have a
+// sign it has one, too.
+TEST(Report, ANumberThatIsShownAsZeroHasNoMinus) {
+    EXPECT_EQ(shown("{:.2f}", -0.004).text, "0.00");
+    EXPECT_EQ(shown("{:.2f}", -0.006).text, "-0.01");
+    EXPECT_EQ(shown("{:+.2f}", -0.004).text, "+0.00");
+}
+
 // JSON knows neither infinity nor text that is not UTF-8; neither may end the program.
 TEST(Report, WhatJsonCannotHoldIsReplaced) {
     EXPECT_EQ(json_text(Value(std::numeric_limits<double>::infinity())), "null\n");

@@ -17,6 +17,17 @@
 namespace tiretherm::post {
 namespace {
 
+// 2 + 4 + 2 + 2 = 10 columns are taken by indent, name and number; of 30 columns, 2 of them between, 18 are left to text.
+TEST(Table, TextIsWrappedInItsColumnWhereThePageIsTooNarrow) {
+    Table table({true, false, true});
+    table.add({"name", "22", "measured by a camera in 2014"});
+    table.add({"bulk", "3", "short"});
+    EXPECT_EQ(table.text(2, 30),
+              "  name  22  measured by a\n"
+              "            camera in 2014\n"
+              "  bulk   3  short\n");
+}
+
 TEST(Table, ColumnsAreAsWideAsTheirWidestCellInCharacters) {
     Table table({true, false, true});
     table.add({"a", "1", "x"});
