@@ -120,7 +120,7 @@ Section per_run(const Comparison& comparison, DataTable table) {
     Section section("Channels", std::move(table));
     section.say(
         "noise: what changes from one sample to the next; sensor: the standard deviation stated with it; rms model: "
-        "rms without sensor noise: the part that a better model could remove.");
+        "rms without sensor noise, the part that a better model could remove.");
     if (!std::ranges::all_of(comparison.channels, &ComparedChannel::sensor_is_stated)) {
         section.say("* not stated, noise is taken; state standard_deviation with the sensor.");
     }

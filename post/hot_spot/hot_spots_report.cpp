@@ -9,6 +9,7 @@
 #include "mesh/place.hpp"
 #include "post/hot_spot/hot_spots_report.hpp"
 #include "post/page/charts.hpp"
+#include "post/report/number_text.hpp"
 #include "solver/celsius.hpp"
 
 namespace tiretherm::post {
@@ -122,7 +123,7 @@ DataTable drivers(const solver::Spread& spread) {
                    data_only("unit", driver.unit),
                    {"value", "value", shown("{:.4g}", driver.value)},
                    {"+-", "standard_deviation", shown("{:.3g}", driver.standard_deviation)},
-                   page_only("unit", driver.unit),
+                   page_only("unit", slashed_unit(driver.unit)),
                    {"change K", "kelvin", shown("{:+.2f}", driver.kelvin)},
                    {"share %", "share", {spread.share(d), fmt::format("{:.1f}", 100.0 * spread.share(d))}},
                    {"nonlinear K",
@@ -258,6 +259,10 @@ std::string moment_text(const TestMoment& moment) {
 
 Section hot_spots_section(const HotSpots& hot_spots, const mesh::Mesh& mesh) {
     Section section("Hot spots");
+    section.say(
+        "A hot spot's temperature and place are those of the peak between the centres of cells. \"hottest\" of "
+        "Readings is "
+        "the mean of a cell, and mostly lower.");
     for (const HotSpot& spot : hot_spots.spots) {
         section.add(spot_part(hot_spots, spot, mesh));
     }

@@ -411,7 +411,9 @@ std::string FieldFrames::caption(const diagnosis::HotSpots* hot_spots) const {
         folded_ && hot_spots != nullptr ? " The diamonds are the hot spots of the parts with a critical temperature."
                                         : "",
         problem_.mesh.sectors > 1 ? " Mean around the tire." : "",
-        folded_ ? "" : " The colour of a cell is its mean; the circle stands in the hottest cell.", layers);
+        folded_ ? " The picture interpolates between the cells; \"hottest\" of Readings is the mean of a cell."
+                : " The colour of a cell is its mean; the circle stands in the hottest cell.",
+        layers);
 }
 
 }  // namespace tiretherm::post

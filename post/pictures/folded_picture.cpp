@@ -167,10 +167,11 @@ void draw_folded(const std::filesystem::path& path, const solver::Problem& probl
                  {.size = look::title, .ink = look::ink, .bold = true});
     const std::string moment =
         problem.settings.steady ? std::string("steady state") : fmt::format("t = {:.6g} s", time);
-    canvas.write({margin, 88.0},
-                 fmt::format("{}{}; hottest {:.1f} °C (circle); outboard on the left, inboard on the right", moment,
-                             is_ring ? ", mean around the tire" : "", high),
-                 {.size = look::text, .ink = look::faint});
+    canvas.write(
+        {margin, 88.0},
+        fmt::format("{}{}; hottest {:.1f} °C between the cells (circle); outboard on the left, inboard on the right",
+                    moment, is_ring ? ", mean around the tire" : "", high),
+        {.size = look::text, .ink = look::faint});
     for (int cell = 0; cell < mesh.n_cells; ++cell) {
         fill_cell(canvas, page, mesh, cell, kelvin, low, high);
     }

@@ -18,6 +18,7 @@ Section cost_section(const RunRecord& run) {
     for (const std::string& name : mesh.layers) {
         layers += (layers.empty() ? "" : ", ") + name;
     }
+    const auto in_groups = [](auto n) { return grouped(static_cast<double>(n)); };
     DataTable table;
     const auto add = [&](const char* name, std::string text) {
         table.add({page_only("", name), page_only("", std::move(text))});
@@ -25,16 +26,18 @@ Section cost_section(const RunRecord& run) {
     add("mesh", fmt::format("{}{}, {} cells, layers {}", mesh.kind, round ? " about its axis" : "",
                             grouped(mesh.n_cells), layers));
     if (run.problem.settings.steady) {
-        add("steps", fmt::format("steady state; {} factorisations, {} Newton iterations", report.factorisations,
-                                 report.newton_iterations));
+        add("steps", fmt::format("steady state; {} factorisations, {} Newton iterations",
+                                 in_groups(report.factorisations), in_groups(report.newton_iterations)));
     } else {
-        add("steps", fmt::format("{}, {} rejected, {} factorisations", grouped(static_cast<double>(report.steps)),
-                                 report.rejected, report.factorisations));
+        add("steps", fmt::format("{}, {} rejected, {} factorisations", in_groups(report.steps),
+                                 in_groups(report.rejected), in_groups(report.factorisations)));
     }
     add("solver", report.linear_solver);
     std::string time = fmt::format("{:.3f} s", run.seconds);
     if (report.simulated > 0.0 && run.seconds > 0.0) {
-        time += fmt::format(" for {:.6g} s, {} x real time", report.simulated, grouped(report.simulated / run.seconds));
+        const double ratio = report.simulated / run.seconds;
+        time += fmt::format(" for {:.6g} s, {} x real time", report.simulated,
+                            ratio < 10.0 ? fmt::format("{:.2g}", ratio) : grouped(ratio));
     }
     constexpr std::array parts{"assembly", "factor", "solve", "output"};
     for (std::size_t i = 0; i < std::min(parts.size(), report.seconds.size()); ++i) {

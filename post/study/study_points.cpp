@@ -22,7 +22,7 @@ DataTable drivers(const StudyRegression& line) {
                    {"mean", "mean", shown("{:.4g}", driver.mean)},
                    {"+-", "standard_deviation", shown("{:.3g}", driver.standard_deviation)},
                    page_only("unit", driver.unit),
-                   {"K per +-", "kelvin", shown("{:+.2f}", driver.kelvin)},
+                   {"change K", "kelvin", shown("{:+.2f}", driver.kelvin)},
                    {"95 %", "uncertainty", shown("{:.2f}", driver.uncertainty)},
                    {"share %", "share", {driver.share, fmt::format("{:.1f}", 100.0 * driver.share)}}});
     }
@@ -113,13 +113,16 @@ Section drivers_section(const StudyRecord& study) {
             section.line(point_text(study, point));
         }
         section.add(drivers(line));
+        section.say("change K: for one standard deviation; 95 %: its uncertainty.");
         std::string worth = fmt::format(
             "a linear function of these explains {:.1f} % of the variance (R2); it is {:.1f} +- {:.1f} degC (one "
             "standard deviation), and leaves {:.2f} K over",
             100.0 * line.r_squared, solver::celsius(line.mean), line.standard_deviation, line.residual);
         if (study.critical) {
-            worth += fmt::format("; normal and as wide as both, it would pass {:.6g} degC with {:.1f} %",
-                                 solver::celsius(*study.critical), 100.0 * line.chance_above(*study.critical));
+            worth += fmt::format(
+                "; a normal distribution of this mean and of both deviations passes {:.6g} degC with a probability "
+                "of {:.1f} %",
+                solver::celsius(*study.critical), 100.0 * line.chance_above(*study.critical));
         }
         section.say(std::move(worth));
     }
