@@ -66,12 +66,14 @@ std::size_t terminal_width(std::FILE* stream) {
 std::string progress_line(const std::string& name, const Advance& advance) {
     const double done = advance.time - advance.start;
     const double whole = advance.end - advance.start;
-    std::string line = fmt::format("{}  {:.0f} %  t = {:.0f} s of {:.0f} s  hottest {:.1f} °C", name,
-                                   whole > 0.0 ? 100.0 * done / whole : 100.0, advance.time, advance.end,
-                                   solver::celsius(advance.hottest));
+    std::string line = fmt::format("{}  {:.0f} %", name, whole > 0.0 ? 100.0 * done / whole : 100.0);
+    if (done > 0.0) {  // before what a narrow terminal cuts off
+        line += fmt::format("  about {} left", duration(advance.elapsed * (whole - done) / done));
+    }
+    line += fmt::format("  t = {:.0f} s of {:.0f} s  hottest {:.1f} °C", advance.time, advance.end,
+                        solver::celsius(advance.hottest));
     if (done > 0.0) {
-        line += fmt::format("  {} x real time  about {} left", grouped(done / advance.elapsed),
-                            duration(advance.elapsed * (whole - done) / done));
+        line += fmt::format("  {} x real time", grouped(done / advance.elapsed));
     }
     return line;
 }

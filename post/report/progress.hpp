@@ -23,7 +23,7 @@ struct Advance {
     double elapsed = 0.0;  ///< s of wall time, > 0
 };
 
-/// `laser/one_watt  37 %  t = 662 s of 1800 s  hottest 98.1 °C  2 100 x real time  about 0.4 s left`
+/// `laser/one_watt  37 %  about 0.4 s left  t = 662 s of 1800 s  hottest 98.1 °C  2 100 x real time`
 [[nodiscard]] std::string progress_line(const std::string& name, const Advance& advance);
 
 /// How far work is that consists of equal pieces.

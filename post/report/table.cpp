@@ -131,16 +131,27 @@ std::string Table::text(std::size_t indent, std::size_t page) const {
         return block(0, 0, n, indent, width);
     }
     const std::size_t repeated = n > 1 && !left_[0] && left_[1] ? 2 : 1;
+    std::vector<std::size_t> word(n, 0);  // the longest of each column, which cannot be broken
+    for (const std::vector<std::string>& row : rows_) {
+        for (std::size_t c = 0; c < row.size(); ++c) {
+            std::istringstream words(row[c]);
+            for (std::string one; words >> one;) {
+                word[c] = std::max(word[c], columns_of(one));
+            }
+        }
+    }
     std::size_t names = indent;
     for (std::size_t c = 0; c < repeated && c < n; ++c) {
-        width[c] = left_[c] ? std::min(width[c], std::max(least_text, page / 2)) : width[c];
+        width[c] = left_[c] ? std::min(width[c], std::max({least_text, word[c], page / 2})) : width[c];
         names += space(c);
     }
     std::string all;
     for (std::size_t from = repeated; from < n;) {
         std::size_t to = from;
         std::size_t least = names;  // of the columns so far, text as narrow as it may be
-        const auto least_of = [&](std::size_t c) { return left_[c] ? std::min(width[c], least_text) : width[c]; };
+        const auto least_of = [&](std::size_t c) {
+            return left_[c] ? std::min(width[c], std::max(least_text, word[c])) : width[c];
+        };
         while (to < n && (to == from || least + gap + least_of(to) <= page)) {
             least += gap + least_of(to++);
         }

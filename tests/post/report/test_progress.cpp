@@ -34,7 +34,7 @@ TEST(Progress, LineTellsShareTimeHottestSpeedAndRest) {
     // 900 s of 1800 s in 0.5 s: 1 800 times real time, and as long again.
     EXPECT_EQ(progress_line("laser/one_watt",
                             {.start = 0.0, .end = 1800.0, .time = 900.0, .hottest = 371.25, .elapsed = 0.5}),
-              "laser/one_watt  50 %  t = 900 s of 1800 s  hottest 98.1 °C  1 800 x real time  about 0.5 s left");
+              "laser/one_watt  50 %  about 0.5 s left  t = 900 s of 1800 s  hottest 98.1 °C  1 800 x real time");
 }
 
 TEST(Progress, TimeLeftFollowsFromTheRunsThatTookTime) {

@@ -28,6 +28,19 @@ TEST(Table, TextIsWrappedInItsColumnWhereThePageIsTooNarrow) {
               "  bulk   3  short\n");
 }
 
+// A name of 20 characters without a blank keeps its column, though half of the page of 30 is less: the rest goes below.
+TEST(Table, ANameThatCannotBeBrokenKeepsItsColumn) {
+    Table table({true, false, false});
+    table.add({"abcdefghijklmnopqrst", "22", "333333"});
+    table.add({"b", "3", "4"});
+    EXPECT_EQ(table.text(2, 30),
+              "  abcdefghijklmnopqrst  22\n"
+              "  b                      3\n"
+              "\n"
+              "  abcdefghijklmnopqrst  333333\n"
+              "  b                          4\n");
+}
+
 TEST(Table, ColumnsAreAsWideAsTheirWidestCellInCharacters) {
     Table table({true, false, true});
     table.add({"a", "1", "x"});
