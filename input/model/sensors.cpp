@@ -12,6 +12,7 @@
 #include "input/model/channel_value.hpp"
 #include "input/model/probes.hpp"
 #include "input/model/problem_builder.hpp"
+#include "input/model/sensor_kinds.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
 #include "mesh/ring.hpp"
@@ -23,10 +24,18 @@ namespace {
 struct Kind {
     std::string_view name;
     Where (*read)(TomlTable& sensor, const mesh::Mesh& mesh);
+    std::string_view meaning;
 };
-constexpr std::array kinds{Kind{"point", read_point}, Kind{"spot", read_spot},     Kind{"patch", read_patch},
-                           Kind{"layer", read_layer}, Kind{"region", read_region}, Kind{"zone", read_zone},
-                           Kind{"node", read_node},   Kind{"strip", read_strip}};
+constexpr std::array kinds{
+    Kind{"point", read_point, "at a point"},
+    Kind{"spot", read_spot, "mean over a disc about the centre of a block or a disc"},
+    Kind{"patch", read_patch, "mean over a patch, a part of the boundary"},
+    Kind{"layer", read_layer, "mean over a layer, on a section also of one zone"},
+    Kind{"region", read_region, "mean over a region: surface or bulk"},
+    Kind{"zone", read_zone, "mean over a zone of a section"},
+    Kind{"node", read_node, "the gas or the rim"},
+    Kind{"strip", read_strip, "mean over the outer surface between two arc lengths, by area"},
+};
 constexpr std::string_view strips = "strips";
 
 /// The sum over the surface nodes of a patch, over its area.
@@ -119,20 +128,6 @@ Where read_quantity(TomlTable& sensor, const solver::QuantityDescription& quanti
     return channel;
 }
 
-/// What a [[sensor]] may be, by its key `kind`.
-std::vector<std::string_view> kind_names() {
-    std::vector<std::string_view> names;
-    const auto name_of = [](const auto& kind) { return kind.name; };
-    std::transform(kinds.begin(), kinds.end(), std::back_inserter(names), name_of);
-    names.push_back(strips);
-    for (const solver::QuantityDescription& quantity : solver::quantities()) {
-        if (!quantity.kind.empty()) {
-            names.push_back(quantity.kind);
-        }
-    }
-    return names;
-}
-
 /// The channels of a sensor, without their names: one, or of strips several. Empty after an error.
 std::vector<solver::Channel> read_places(TomlTable& sensor, std::string_view kind, const ProblemBuilder& builder,
                                          const std::string& property_file) {
@@ -196,6 +191,20 @@ void add_channels(const TomlTable& sensor, const std::string& name, std::vector<
 
 }  // namespace
 
+std::vector<SensorKind> sensor_kinds() {
+    std::vector<SensorKind> all;
+    for (const Kind& kind : kinds) {
+        all.push_back({.name = kind.name, .meaning = kind.meaning, .is_place = true});
+    }
+    all.push_back({.name = strips, .meaning = "several strips side by side: NAME_1, NAME_2 ...", .is_place = true});
+    for (const solver::QuantityDescription& quantity : solver::quantities()) {
+        if (!quantity.kind.empty()) {
+            all.push_back({.name = quantity.kind, .meaning = quantity.meaning, .is_place = false});
+        }
+    }
+    return all;
+}
+
 std::vector<std::string> sensor_names(const TomlValue& document) {
     std::vector<std::string> names;
     const TomlValue* sensors = document.find("sensor");
@@ -217,7 +226,8 @@ std::vector<std::string> sensor_names(const TomlValue& document) {
 }
 
 void read_sensors(TomlTable& root, ProblemBuilder& builder) {
-    const std::vector<std::string_view> names = kind_names();
+    std::vector<std::string_view> names;
+    std::ranges::transform(sensor_kinds(), std::back_inserter(names), &SensorKind::name);
     const TomlValue* tire = root.content().find("tire");
     const TomlValue* named = tire != nullptr ? tire->find("property_file") : nullptr;
     const std::string property_file = named != nullptr ? named->text : "";

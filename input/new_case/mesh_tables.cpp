@@ -31,7 +31,7 @@ void thicken(CasePart& layer, double more_mm) {
     layer.replace("cells", fmt::format("{}", std::lround(cells * thicker / thickness)), "through the thickness");
 }
 
-/// The numbers of the effects that a user adjusts; others are listed by `tiretherm effects NAME`.
+/// The numbers of the effects that a user adjusts; others are listed by `tiretherm effects EFFECT`.
 struct Adjusted {
     std::string_view effect;
     std::array<std::string_view, 3> keys;

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "input/spreadsheet/sheet_formats.hpp"
+#include "input/text/nearby_file.hpp"
 #include "input/text/regular_file.hpp"
 #include "input/text/suggestions.hpp"
 
@@ -61,9 +62,13 @@ RawBook read_workbook(const fs::path& path) {
     std::array<char, 4> head{};
     std::ifstream file(path, std::ios::binary);
     if (!file) {
+        const int reason = errno;
+        const std::string near = nearby_file_remedy(path);
         return {.sheets = {},
-                .error = ErrorText{fmt::format("the file cannot be read: {}", std::system_category().message(errno)),
-                                   errno == ENOENT ? std::string(remedy) : ""}};
+                .error = ErrorText{fmt::format("the file cannot be read: {}", std::system_category().message(reason)),
+                                   reason != ENOENT ? std::string()
+                                   : near.empty()   ? std::string(remedy)
+                                                    : near}};
     }
     file.read(head.data(), head.size());
     const std::string_view start(head.data(), static_cast<std::size_t>(file.gcount()));

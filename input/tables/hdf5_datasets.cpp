@@ -15,6 +15,7 @@
 #include "input/tables/hdf5_extent.hpp"
 #include "input/tables/hdf5_handle.hpp"
 #include "input/tables/hdf5_trial.hpp"
+#include "input/text/nearby_file.hpp"
 #include "input/text/regular_file.hpp"
 #include "input/text/suggestions.hpp"
 
@@ -177,7 +178,8 @@ ErrorText hdf5_defect(const std::filesystem::path& path) {
     }
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file) {
-        return {fmt::format("cannot be read: {}", std::system_category().message(errno)), ""};
+        const int reason = errno;
+        return {fmt::format("cannot be read: {}", std::system_category().message(reason)), nearby_file_remedy(path)};
     }
     if (H5Fis_hdf5(path.c_str()) <= 0) {
         return {"is not an HDF5 file", "export it as HDF5; a text file ends in .csv"};

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
+#include <sstream>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -90,6 +93,18 @@ std::string write_like(const QuantitySpec& spec) {
     return fmt::format("write {}, such as {}", dimension(spec.unit, spec.scale).name, spell_example(spec));
 }
 
+namespace {
+
+/// The usual unit of this kind that was probably meant, or else an example.
+std::string unit_remedy(std::string_view unit, const QuantitySpec& spec) {
+    std::istringstream words(dimension(spec.unit, spec.scale).units);
+    const std::vector<std::string> usual{std::istream_iterator<std::string>(words), {}};
+    const std::string near = nearest(unit, usual);
+    return near.empty() ? write_like(spec) : fmt::format("did you mean `{}`?", near);
+}
+
+}  // namespace
+
 UnitRead read_unit(std::string_view unit, const QuantitySpec& spec, std::string_view subject) {
     const auto result = conversion(unit, spec.unit, spec.scale);
     if (const auto* found = std::get_if<Conversion>(&result)) {
@@ -98,7 +113,7 @@ UnitRead read_unit(std::string_view unit, const QuantitySpec& spec, std::string_
     const std::string remedy = write_like(spec);
     switch (std::get<UnitError>(result)) {
         case UnitError::unknown:
-            return {{}, ErrorText{fmt::format("{}: \"{}\" is not a unit", subject, unit), remedy}};
+            return {{}, ErrorText{fmt::format("{}: \"{}\" is not a unit", subject, unit), unit_remedy(unit, spec)}};
         case UnitError::number_inside:
             return {{}, ErrorText{fmt::format("{}, with a number inside the unit \"{}\"", subject, unit), remedy}};
         case UnitError::other_dimension:

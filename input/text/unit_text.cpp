@@ -13,38 +13,36 @@ namespace tiretherm::input {
 
 namespace {
 
-using Alias = std::array<std::string_view, 2>;
-
 /// Units whose whole text means something else to UDUNITS (kph: kilophot), or nothing.
-constexpr std::array<Alias, 10> whole{{{"", "1"},
-                                       {"-", "1"},
-                                       {"deg", "degree"},
-                                       {"kph", "km/h"},
-                                       {"mph", "mile/h"},
-                                       {"\xB0"
-                                        "C",
-                                        "degC"},  // Latin-1, as some loggers write it
-                                       {"deg C", "degC"},
-                                       {"Wh", "W h"},
-                                       {"kWh", "kW h"},
-                                       {"Nm", "N m"}}};
+constexpr std::array<UnitAlias, 10> whole{{{"", "1"},
+                                           {"-", "1"},
+                                           {"deg", "degree"},
+                                           {"kph", "km/h"},
+                                           {"mph", "mile/h"},
+                                           {"\xB0"
+                                            "C",
+                                            "degC"},  // Latin-1, as some loggers write it
+                                           {"deg C", "degC"},
+                                           {"Wh", "W h"},
+                                           {"kWh", "kW h"},
+                                           {"Nm", "N m"}}};
 
 /// Products that follow a slash after a power or an energy. Elsewhere mK is a millikelvin.
-constexpr std::array<Alias, 11> products{{{"mK", "m K"},
-                                          {"m2K", "m2 K"},
-                                          {"m^2K", "m2 K"},
-                                          {"m\u00B2K", "m2 K"},
-                                          {"m2.K", "m2 K"},
-                                          {"m.K", "m K"},
-                                          {"m3K", "m3 K"},
-                                          {"kgK", "kg K"},
-                                          {"gK", "g K"},
-                                          {"mK2", "m K2"},
-                                          {"mK^2", "m K2"}}};
+constexpr std::array<UnitAlias, 11> products{{{"mK", "m K"},
+                                              {"m2K", "m2 K"},
+                                              {"m^2K", "m2 K"},
+                                              {"m\u00B2K", "m2 K"},
+                                              {"m2.K", "m2 K"},
+                                              {"m.K", "m K"},
+                                              {"m3K", "m3 K"},
+                                              {"kgK", "kg K"},
+                                              {"gK", "g K"},
+                                              {"mK2", "m K2"},
+                                              {"mK^2", "m K2"}}};
 
 std::string_view meaning(const auto& aliases, std::string_view text) {
     const auto found =
-        std::find_if(aliases.begin(), aliases.end(), [&](const Alias& alias) { return alias[0] == text; });
+        std::find_if(aliases.begin(), aliases.end(), [&](const UnitAlias& alias) { return alias[0] == text; });
     return found == aliases.end() ? text : (*found)[1];
 }
 
@@ -58,6 +56,8 @@ bool is_power_or_energy(std::string_view unit) {
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 }  // namespace
+
+std::span<const UnitAlias> unit_aliases() { return whole; }
 
 std::string spelt_out(std::string_view written) {
     std::string text(meaning(whole, trim(written)));

@@ -2,6 +2,8 @@
 // Rewrites units as engineers write them for UDUNITS: aliases and products such as W/mK.
 #pragma once
 
+#include <array>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -10,6 +12,10 @@ namespace tiretherm::input {
 /// The text of a unit as UDUNITS should see it: aliases replaced, the products that engineers write behind a slash
 /// spelt out. `W/mK` is watts per metre and kelvin here; UDUNITS takes it for watts per millikelvin.
 [[nodiscard]] std::string spelt_out(std::string_view written);
+
+/// Units whose whole text is read as something else: {"kph", "km/h"}.
+using UnitAlias = std::array<std::string_view, 2>;
+[[nodiscard]] std::span<const UnitAlias> unit_aliases();
 
 /// Whether a unit holds a number that is neither an exponent nor a 1 that is divided. UDUNITS would read "mm 3" as
 /// three millimetres and "K @ 5" as a shifted kelvin.

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 namespace tiretherm::input {
 
@@ -42,8 +43,11 @@ enum class UnitError : std::uint8_t { unknown, number_inside, other_dimension };
 struct Dimension {
     std::string name;     ///< with article: "a length"
     std::string example;  ///< as a user writes it: "8 mm"; empty for a dimension without a name here
+    std::string units{};  ///< usual ones, a blank apart: "mm cm m"
 };
 /// @param unit one that `signature` knows
 [[nodiscard]] Dimension dimension(std::string_view unit, Scale scale);
+/// All that have a name here.
+[[nodiscard]] std::vector<Dimension> dimensions();
 
 }  // namespace tiretherm::input

@@ -2,6 +2,7 @@
 // Reads a text file whole; refuses pipes, devices, UTF-16, binary, empty and huge files, and suggests a similar name for
 // a missing one.
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <memory>
@@ -10,8 +11,8 @@
 #include <fmt/format.h>
 
 #include "input/text/enough_memory.hpp"
+#include "input/text/nearby_file.hpp"
 #include "input/text/regular_file.hpp"
-#include "input/text/suggestions.hpp"
 #include "input/toml/document.hpp"
 
 namespace tiretherm::input {
@@ -32,18 +33,20 @@ ErrorText defect(const std::string& bytes) {
     return {};
 }
 
-/// A file of a similar name beside one that does not exist.
-std::string neighbour(const std::filesystem::path& path) {
-    std::vector<std::string> names;
-    std::error_code error;
-    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-        if (entry.is_regular_file(error)) {
-            names.push_back(entry.path().filename().string());
-        }
+/// What was meant by a path that leads nowhere: the whole path where it is the user's own argument; otherwise, as the case
+/// that names it gives it from its own folder on, the part from the first wrong name on.
+std::string neighbour(const std::filesystem::path& path, bool is_argument) {
+    if (is_argument) {
+        return nearby_file_remedy(path);
     }
-    const std::string near = nearest(path.filename().string(), names);
-    return near.empty() ? "" : fmt::format("did you mean `{}`?", near);
+    const std::filesystem::path near = nearby_file(path);
+    if (near.empty()) {
+        return "";
+    }
+    const auto wrong = std::ranges::mismatch(near, path).in1;
+    std::filesystem::path tail;
+    std::for_each(wrong, near.end(), [&](const std::filesystem::path& part) { tail /= part; });
+    return fmt::format("did you mean `{}`?", tail.generic_string());
 }
 
 std::optional<TextFile> read_whole(const std::filesystem::path& path, const SourceLocation& mentioned,
@@ -70,7 +73,7 @@ std::optional<TextFile> read_whole(const std::filesystem::path& path, const Sour
     if (!file) {
         const int reason = errno;
         return refuse(fmt::format("cannot be read: {}", std::system_category().message(reason)),
-                      reason == ENOENT ? neighbour(path) : "");
+                      reason == ENOENT ? neighbour(path, mentioned.file < 0) : "");
     }
     std::string bytes;
     std::string block(std::size_t{1} << 16U, '\0');
