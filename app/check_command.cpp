@@ -263,7 +263,8 @@ int check(const Options& options) {
 }  // namespace
 
 void add_check_command(CLI::App& program, int& exit_code) {
-    CLI::App* command = program.add_subcommand("check", "Read a case without running it; all errors at once");
+    CLI::App* command =
+        program.add_subcommand("check", "Read a case without running it, and list all its errors at once");
     const auto options = std::make_shared<Options>();
     command->add_option("CASE", options->case_file, "Case file (TOML)")->required()->option_text(" ");
     command
@@ -277,7 +278,8 @@ void add_check_command(CLI::App& program, int& exit_code) {
         "Exit code: 0 the case can be run, 1 it has errors.\n\n"
         "Examples:\n"
         "  tiretherm check cases/laser/one_watt.toml\n"
-        "  tiretherm check cases/practice/two_node_bench.toml --data run1.csv");
+        "  tiretherm check cases/practice/two_node_bench.toml \\\n"
+        "      --data cases/practice/run1.csv");
     command->callback([options, &exit_code] { exit_code = check(*options); });
 }
 

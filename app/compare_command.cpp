@@ -57,7 +57,8 @@ int compare(const MeasuredCall& call) {
 }  // namespace
 
 void add_compare_command(CLI::App& program, int& exit_code) {
-    CLI::App* command = program.add_subcommand("compare", "Measured against simulated, channel by channel");
+    CLI::App* command =
+        program.add_subcommand("compare", "Compare measured runs with the simulation, channel by channel");
     const auto call = std::make_shared<MeasuredCall>();
     add_measured_options(*command, *call, "measured runs or numbers",
                          "files of an earlier comparison there are replaced. Default: out/<case name>");
@@ -72,7 +73,8 @@ void add_compare_command(CLI::App& program, int& exit_code) {
         "Exit code: 0 done, however far apart; 1 an error in the call, the case or the data; 2 the solver failed;\n"
         "130 interrupted.\n\n"
         "Example:\n"
-        "  tiretherm compare cases/practice/two_node_bench.toml --data run1.csv --data run2.csv --out /tmp/bench");
+        "  tiretherm compare cases/practice/two_node_bench.toml \\\n"
+        "      --data cases/practice/puzzle1.csv --out out/puzzle");
     command->callback([call, &exit_code] { exit_code = compare(*call); });
 }
 

@@ -143,8 +143,7 @@ int convert(const Options& options) {
 }  // namespace
 
 void add_convert_command(CLI::App& program, int& exit_code) {
-    CLI::App* command =
-        program.add_subcommand("convert", "Make a case of the thesis's spreadsheet of ten sheets; all errors at once");
+    CLI::App* command = program.add_subcommand("convert", "Make a case from the thesis's spreadsheet of ten sheets");
     const auto options = std::make_shared<Options>();
     command->add_option("SHEET", options->sheet, "Workbook (.xls, .xlsx), or a folder with a CSV file for each sheet")
         ->required()
@@ -157,8 +156,8 @@ void add_convert_command(CLI::App& program, int& exit_code) {
         "needs and the sheets do not say is assumed and listed, here and at the top of the case.\n\n"
         "Exit code: 0 the case was written, 1 an error in the call or the sheets, 130 interrupted.\n\n"
         "Example:\n"
-        "  tiretherm convert cases/convert/thesis_225_50_R17.xlsx --out my_cases\n"
-        "  tiretherm run my_cases/thesis_225_50_R17.toml");
+        "  tiretherm convert cases/convert/thesis_225_50_R17.xlsx --out out/my_cases\n"
+        "  tiretherm run out/my_cases/thesis_225_50_R17.toml");
     command->callback([options, &exit_code] { exit_code = convert(*options); });
 }
 

@@ -170,7 +170,7 @@ int diagnose(const Options& call, const TableOptions& of_table) {
 
 void add_diagnose_command(CLI::App& program, int& exit_code) {
     CLI::App* command = program.add_subcommand(
-        "diagnose", "What a model gets wrong in measured runs, its cause, and what mending gains");
+        "diagnose", "Find which effect a model lacks in measured runs, and what adding it gains");
     const auto call = std::make_shared<Options>();
     add_measured_options(*command, *call, "[[run]] and [[parameter]]",
                          "files of an earlier diagnosis there are replaced. Default: out/<case name>");
@@ -194,7 +194,8 @@ void add_diagnose_command(CLI::App& program, int& exit_code) {
         ->check(CLI::Range(1, 1024));
     command->add_flag("--markdown", of_table->markdown, "Of a table: the page for a README")->excludes("--json");
     command->footer(
-        "The free numbers of the case are fitted; what is left is compared with every effect of the catalogue that is\n"
+        "The free parameters of the case are fitted; what is left is compared with every effect of the catalogue that "
+        "is\n"
         "not in the model (or those of [diagnose] candidates), alone and in pairs, and with heat that no effect is.\n"
         "The answer is a set: one cause is named, several that the data cannot tell apart are all listed.\n"
         "A camera is taken as the means of three rings about the spot.\n"
@@ -205,7 +206,7 @@ void add_diagnose_command(CLI::App& program, int& exit_code) {
         "say.\n"
         "CASE may also be a table of measured numbers over many experiments, as `validate` reads it. Then additions "
         "to\n"
-        "one model (effects, numbers, the other mesh, unprinted inputs, instruments) are judged by experiments that "
+        "one model (effects, parameters, the other mesh, unprinted inputs, instruments) are judged by experiments that "
         "took\n"
         "no part in fitting them. Its files are report.html, page.txt and diagnosis.json.\n"
         "Differences are simulated - measured.\n"
@@ -223,7 +224,8 @@ void add_diagnose_command(CLI::App& program, int& exit_code) {
         "Exit code: 0 done, whatever the answer; 1 an error in the call, the case or the data; 2 the solver failed;\n"
         "130 interrupted.\n\n"
         "Example:\n"
-        "  tiretherm diagnose cases/practice/two_node_bench.toml --data run1.csv --data run2.csv --out /tmp/bench");
+        "  tiretherm diagnose cases/practice/two_node_bench.toml \\\n"
+        "      --data cases/practice/puzzle1.csv --out out/puzzle");
     command->callback([call, of_table, &exit_code] { exit_code = diagnose(*call, *of_table); });
 }
 

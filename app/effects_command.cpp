@@ -35,7 +35,7 @@ void print_list() {
         fmt::print("{}", post::wrap(first_sentence(effect->meaning), 4, prose_width()));
         fmt::print("{}", post::wrap(std::string(effect->equation), 6, prose_width()));
     }
-    fmt::print("\nOne of them in full: tiretherm effects NAME\n");
+    fmt::print("\nOne of them in full: tiretherm effects EFFECT\n");
 }
 
 void print_section(const char* name, std::string_view text) {
@@ -173,9 +173,9 @@ void add_effects_command(CLI::App& program, int& exit_code) {
         bool json = false;
         bool markdown = false;
     };
-    CLI::App* command = program.add_subcommand("effects", "The catalogue of physical causes");
+    CLI::App* command = program.add_subcommand("effects", "List the catalogue of physical effects, or one in full");
     const auto options = std::make_shared<Options>();
-    command->add_option("NAME", options->name, "Name of an effect; without it all are listed")->option_text(" ");
+    command->add_option("EFFECT", options->name, "Name of an effect; without it all are listed")->option_text(" ");
     CLI::Option* json = command->add_flag("--json", options->json, "One JSON object");
     command->add_flag("--markdown", options->markdown, "The page docs/effects.md")->excludes(json);
     command->footer(

@@ -164,13 +164,13 @@ int identify(const Options& options) {
 
 void add_identify_command(CLI::App& program, int& exit_code) {
     CLI::App* command =
-        program.add_subcommand("identify", "Fit numbers of a case to measured runs, with honest intervals");
+        program.add_subcommand("identify", "Fit parameters of a case to measured runs, with 95 % intervals");
     const auto options = std::make_shared<Options>();
     add_measured_options(*command, *options, "[[run]] and [[parameter]]",
                          "files of an earlier fit there are replaced. Default: out/<case name>; of a plan none");
     add_fresh_option(*command, options->fresh);
     command->add_flag("--profile", options->profile,
-                      "Intervals by profile likelihood, which need not be symmetric: some ten fits a number");
+                      "Intervals by profile likelihood, which need not be symmetric: some ten fits for each parameter");
     command->add_flag("--plan", options->plan,
                       "Before anything is measured: the intervals that these runs and sensors would give");
     command
@@ -178,10 +178,10 @@ void add_identify_command(CLI::App& program, int& exit_code) {
         ->option_text("SECONDS");
     command->footer(
         "All runs and channels are fitted at once. The noise of each channel, correlated and white, is estimated from\n"
-        "what no number can explain. A number that the data do not see is named as such.\n"
-        "Findings say which numbers are not as expected, and why: far off what was known before, at a size that no "
+        "what no parameter can explain. A parameter that the data do not see is named as such.\n"
+        "Findings say which parameters are not as expected, and why: far off what was known before, at a size that no "
         "tire\n"
-        "has (tiretherm effects NAME), or doubtful because an error of the model may pass for noise.\n"
+        "has (tiretherm effects EFFECT), or doubtful because an error of the model may pass for noise.\n"
         "Of a camera's frames every pixel is taken, and what the grid and the steps make of them is corrected.\n"
         "A plan takes every sensor with a standard_deviation, at the times of the runs' files or of [time] output.\n"
         "Files: report.html (this page with charts, for a browser), page.txt (this page), identified.toml (the case "
@@ -194,7 +194,8 @@ void add_identify_command(CLI::App& program, int& exit_code) {
         "Exit code: 0 done; 1 an error in the call, the case or the data; 2 the solver failed or the search did not\n"
         "converge; 130 interrupted.\n\n"
         "Example:\n"
-        "  tiretherm identify cases/practice/two_node_bench.toml --data run1.csv --data run2.csv --out /tmp/bench\n"
+        "  tiretherm identify cases/practice/two_node_bench.toml \\\n"
+        "      --data cases/practice/puzzle1.csv --out out/puzzle\n"
         "  tiretherm identify cases/laser/identify.toml --plan");
     command->callback([options, &exit_code] { exit_code = identify(*options); });
 }

@@ -166,9 +166,9 @@ int show(const Options& options) {
 }  // namespace
 
 void add_inputs_command(CLI::App& program, int& exit_code) {
-    CLI::App* command = program.add_subcommand("inputs", "Inputs of a drive: unit, sign, and what reads them");
+    CLI::App* command = program.add_subcommand("inputs", "List the inputs of a case: unit, sign, and what reads them");
     const auto options = std::make_shared<Options>();
-    command->add_option("NAME", options->name, "Name of an input; without it all are listed")->option_text(" ");
+    command->add_option("INPUT", options->name, "Name of an input; without it all are listed")->option_text(" ");
     CLI::Option* json = command->add_flag("--json", options->json, "One JSON object");
     command->add_flag("--markdown", options->markdown, "The page docs/inputs.md")->excludes(json);
     command->footer(

@@ -58,13 +58,13 @@ int show(const Options& options) {
 }  // namespace
 
 void add_keys_command(CLI::App& program, int& exit_code) {
-    CLI::App* command = program.add_subcommand("keys", "Every key of a case: form, unit, range, meaning");
+    CLI::App* command = program.add_subcommand("keys", "List every key of a case: form, unit, range, meaning");
     const auto options = std::make_shared<Options>();
     command->add_option("TABLE", options->table, "A table of a case, such as mesh.layer; without it all are listed")
         ->option_text(" ");
     command->add_flag("--markdown", options->markdown, "The page docs/case-reference.md");
     command->footer(
-        "Parameters of an effect: tiretherm effects NAME\n\n"
+        "Parameters of an effect: tiretherm effects EFFECT\n\n"
         "Example:\n"
         "  tiretherm keys\n"
         "  tiretherm keys mesh.layer");

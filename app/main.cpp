@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@
 
 #include "app/commands.hpp"
 #include "app/failure.hpp"
+#include "app/help/help_text.hpp"
 #include "app/messages.hpp"
 #include "input/text/suggestions.hpp"
 #include "solver/linear/petsc_factor.hpp"
@@ -41,8 +43,63 @@ std::vector<std::string> option_names(const CLI::App& command) {
     return names;
 }
 
+/// A command by the word that another program has for it.
+std::string other_word_for(const std::string& word) {
+    static const std::map<std::string, std::string> words{{"simulate", "run"},
+                                                          {"sim", "run"},
+                                                          {"start", "run"},
+                                                          {"validate_case", "check"},
+                                                          {"verify", "check"},
+                                                          {"lint", "check"},
+                                                          {"fit", "identify"},
+                                                          {"calibrate", "identify"},
+                                                          {"estimate", "identify"},
+                                                          {"plan", "identify --plan"},
+                                                          {"diff", "compare"},
+                                                          {"sweep", "study"},
+                                                          {"batch", "study"},
+                                                          {"init", "new"},
+                                                          {"create", "new"},
+                                                          {"import", "convert"},
+                                                          {"list", "effects"},
+                                                          {"topics", "help"},
+                                                          {"units", "help units"},
+                                                          {"signs", "help signs"},
+                                                          {"sensors", "help sensors"},
+                                                          {"version", "--version"}};
+    const auto found = words.find(word);
+    return found == words.end() ? std::string() : found->second;
+}
+
+/// What to do about a first word that is no command: a file before its command, another word, or a slip of the finger.
+std::string command_remedy(const CLI::App& program, const std::string& word) {
+    if (word.ends_with(".toml") || word.find('/') != std::string::npos) {
+        return fmt::format("a command comes first: tiretherm run {}", word);
+    }
+    const std::string other = other_word_for(word);
+    return other.empty() ? input::suggest(word, command_names(program), "commands")
+                         : fmt::format("did you mean `{}`?", other);
+}
+
+/// "--out needs a value (DIR)" in place of CLI11's "--out: 1 required TEXT missing".
+std::string refusal_text(const CLI::App& command, const CLI::ParseError& error) {
+    const std::string text = error.what();
+    const std::string name = text.substr(0, text.find(':'));
+    const CLI::Option* option = name.starts_with('-') ? command.get_option_no_throw(name) : nullptr;
+    if (option != nullptr && error.get_name() == "ArgumentMismatch" && option->get_items_expected_min() > 0) {
+        return fmt::format("{} needs a value: {} {}", name, name, option->get_option_text());
+    }
+    return text;
+}
+
+/// The word that stands in the place of the command, where the command comes later; or empty.
+std::string before_command(std::span<char*> arguments, const std::string& command) {
+    const bool is_first = arguments.size() < 2 || arguments[1] == command;
+    return is_first ? std::string() : std::string(arguments[1]);
+}
+
 /// Says what is wrong with a call that CLI11 refused.
-void report_wrong_call(const CLI::App& program, const CLI::ParseError& error, bool json) {
+void report_wrong_call(const CLI::App& program, const CLI::ParseError& error, std::span<char*> arguments, bool json) {
     const std::vector<CLI::App*> chosen = program.get_subcommands();
     const CLI::App& command = chosen.empty() ? program : *chosen.front();
     const std::vector<std::string> extra = program.remaining(true);
@@ -51,18 +108,20 @@ void report_wrong_call(const CLI::App& program, const CLI::ParseError& error, bo
     const auto option = std::find_if(extra.begin(), extra.end(), is_option);
     const auto word = std::find_if_not(extra.begin(), extra.end(), is_option);
     if (chosen.empty() && word != extra.end()) {
-        app::report_error(fmt::format("there is no command \"{}\"", *word),
-                          input::suggest(*word, command_names(program), "commands"), json);
+        app::report_error(fmt::format("there is no command \"{}\"", *word), command_remedy(program, *word), json);
     } else if (option != extra.end()) {
         app::report_error(fmt::format("there is no option \"{}\"", *option),
                           input::suggest(*option, option_names(command), "options"), json);
     } else if (chosen.empty()) {
         app::report_error(fmt::format("no command; the commands are {}", input::listed(command_names(program))), help,
                           json);
+    } else if (!extra.empty() && before_command(arguments, command.get_name()) == extra.front()) {
+        app::report_error(fmt::format("\"{}\" stands before its command", extra.front()),
+                          fmt::format("write tiretherm {} {}", command.get_name(), extra.front()), json);
     } else if (!extra.empty()) {
         app::report_error(fmt::format("one argument too many: \"{}\"", extra.front()), help, json);
     } else {
-        app::report_error(error.what(), help, json);
+        app::report_error(refusal_text(command, error), help, json);
     }
 }
 
@@ -76,6 +135,7 @@ int run_call(int argc, char** argv) {
     int exit_code = app::Exit::done;
     CLI::App program{"tiretherm: temperature field of a tire, compared with measured data", "tiretherm"};
     program.set_version_flag("--version", "tiretherm " TIRETHERM_VERSION);
+    program.formatter(app::help_formatter());  // before the commands, which inherit it
     program.require_subcommand(1);
     std::string examples = "Examples:\n";
 #define COMMAND(name, example)                     \
@@ -83,6 +143,9 @@ int run_call(int argc, char** argv) {
     examples += example_call(#name, example);
 #include "app/commands.list"
 #undef COMMAND
+    for (CLI::App* command : program.get_subcommands([](CLI::App*) { return true; })) {
+        command->group("Commands");
+    }
     // For ./run, which must tell commands from cases; not for people, whom --help tells more.
     program
         .add_flag_callback("--commands",
@@ -91,7 +154,9 @@ int run_call(int argc, char** argv) {
                                throw CLI::Success();
                            })
         ->group("");
-    program.footer(examples + "\nHelp for a command: tiretherm COMMAND --help");
+    program.footer(
+        examples +
+        "\nHelp for a command: tiretherm COMMAND --help\n\nInputs, signs, units, sensors and more: tiretherm help");
 
     const std::span<char*> arguments(argv, static_cast<std::size_t>(argc));
     const bool json =
@@ -101,7 +166,7 @@ int run_call(int argc, char** argv) {
     } catch (const CLI::Success& help) {
         return program.exit(help);
     } catch (const CLI::ParseError& error) {
-        report_wrong_call(program, error, json);
+        report_wrong_call(program, error, arguments, json);
         return app::Exit::input_error;
     } catch (const std::exception& error) {
         if (!app::is_lost_output(error)) {  // which is said at the end

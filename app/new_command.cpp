@@ -18,6 +18,7 @@
 #include "app/messages.hpp"
 #include "app/output.hpp"
 #include "input/new_case/new_case.hpp"
+#include "input/text/nearby_file.hpp"
 #include "input/text/suggestions.hpp"
 #include "post/report/file.hpp"
 #include "post/report/table.hpp"
@@ -72,8 +73,12 @@ std::optional<input::NewCaseRequest> read_request(const Options& options) {
                                                        : options.size;
     const auto read = input::read_tire_size(size);
     if (const auto* error = std::get_if<input::ErrorText>(&read)) {
+        const std::string near = log ? "" : input::nearby_file_remedy(options.subject);
         report_error(log ? error->what : fmt::format("\"{}\" is neither the size of a tire nor a file", size),
-                     log ? error->remedy : error->remedy + ", or name a log: drive.csv", options.json);
+                     log             ? error->remedy
+                     : !near.empty() ? near
+                                     : error->remedy + ", or name a log: drive.csv",
+                     options.json);
         return std::nullopt;
     }
     if (!log && !options.size.empty()) {
@@ -226,8 +231,7 @@ int make_case(const Options& options) {
 }  // namespace
 
 void add_new_command(CLI::App& program, int& exit_code) {
-    CLI::App* command =
-        program.add_subcommand("new", "Write a commented case from a tire's size or a logger's file; it runs as it is");
+    CLI::App* command = program.add_subcommand("new", "Write a commented case from a tire's size or a measured log");
     const auto options = std::make_shared<Options>();
     const auto names = input::mesh_template_names();
     command
@@ -235,7 +239,7 @@ void add_new_command(CLI::App& program, int& exit_code) {
                      "Size of a tire, \"225/50 R17\"; or a data logger's CSV or HDF5 file")
         ->required()
         ->option_text(" ");
-    add_out_option(*command, options->file, "The case. Default: the size or the log's name, here", "FILE");
+    add_out_option(*command, options->file, "The case. Default: the size or the log's name, here", "CASE");
     command->add_option("--size", options->size, "The tire of a log. Default: 225/50 R17, that of the thesis")
         ->option_text("SIZE");
     command->add_option("--mesh", options->mesh, "section (default), layers or two_node")
@@ -257,10 +261,11 @@ void add_new_command(CLI::App& program, int& exit_code) {
         "constants. Paths in the case are relative: move case and log together.\n\n"
         "Exit code: 0 the case was written, 1 an error in the call or the log, 130 interrupted.\n\n"
         "Examples:\n"
-        "  tiretherm new \"225/50 R17\" --out mine.toml\n"
-        "  tiretherm run mine.toml\n"
-        "  tiretherm new drive.csv --size \"235/45 R17\" --out drive.toml\n"
-        "  tiretherm compare drive.toml");
+        "  tiretherm new \"225/50 R17\" --out out/mine.toml\n"
+        "  tiretherm run out/mine.toml\n"
+        "  tiretherm new cases/practice/run1.csv --size \"235/45 R17\" \\\n"
+        "      --out out/drive.toml\n"
+        "  tiretherm compare out/drive.toml");
     command->callback([options, &exit_code] { exit_code = make_case(*options); });
 }
 

@@ -189,7 +189,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_run_command(CLI::App& program, int& exit_code) {
-    CLI::App* command = program.add_subcommand("run", "Simulate a case: progress, summary, files");
+    CLI::App* command = program.add_subcommand("run", "Simulate a case");
     const auto options = std::make_shared<Options>();
     command->add_option("CASE", options->case_file, "Case file (TOML)")->required()->option_text(" ");
     command->add_option("--run", options->run, "Which of the case's [[run]] tables, by its name. Default: the first")
@@ -233,7 +233,7 @@ void add_run_command(CLI::App& program, int& exit_code) {
         "the hidden folder .tiretherm meanwhile (a checkpoint every 2 s, or TIRETHERM_CHECKPOINT_SECONDS).\n\n"
         "Exit code: 0 done, 1 an error in the call or the case, 2 the solver failed, 130 interrupted.\n\n"
         "Example:\n"
-        "  tiretherm run cases/laser/one_watt.toml --out /tmp/laser --fields 60");
+        "  tiretherm run cases/laser/one_watt.toml --out out/laser --fields 60");
     command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

@@ -225,7 +225,7 @@ int study_over_ranks(const Options& options) {
 
 void add_study_command(CLI::App& program, int& exit_code) {
     CLI::App* command =
-        program.add_subcommand("study", "Run a case many times with values on a grid or drawn at random");
+        program.add_subcommand("study", "Run a case many times, with values on a grid or drawn at random");
     const auto options = std::make_shared<Options>();
     command->add_option("STUDY", options->study_file, "Study file (TOML)")->required()->option_text(" ");
     add_out_option(*command, options->directory,
@@ -266,8 +266,8 @@ void add_study_command(CLI::App& program, int& exit_code) {
         "  values = [\"80 km/h\", \"120 km/h\"]         # or from, to and count\n"
         "  [[draw]]                                 # at random at each point of the grid\n"
         "  key = \"effects.road_contact.Hc\"\n"
-        "  distribution = \"normal\"                  # normal, lognormal: mean and standard_deviation;\n"
-        "  mean = \"500 W/m2K\"                       # uniform: from and to; low and high cut any of them\n"
+        "  distribution = \"normal\"                  # or lognormal; uniform: from, to\n"
+        "  mean = \"500 W/m2K\"                       # low and high cut any of them\n"
         "  standard_deviation = \"50 W/m2K\"\n"
         "  [sample]\n"
         "  count = 200\n"
@@ -285,7 +285,7 @@ void add_study_command(CLI::App& program, int& exit_code) {
         "which parts are missing.\n\n"
         "Exit code: 0 done, 1 an error in the call, the study or the case, 2 runs failed, 130 interrupted.\n\n"
         "Example:\n"
-        "  tiretherm study cases/studies/speed_and_load_two_node.toml --out /tmp/study");
+        "  tiretherm study cases/studies/speed_and_load_two_node.toml --out out/speed_and_load");
     command->callback(
         [options, &exit_code] { exit_code = options->mpi ? study_over_ranks(*options) : study(*options); });
 }

@@ -46,7 +46,7 @@ bool refuses(input::ValidationReading& reading, const Options& options) {
         std::error_code error;
         if (!std::filesystem::exists(options.table, error) && options.table == shipped) {
             report_error(fmt::format("there is no {} here", shipped),
-                         "call it in the folder of the source, or give a table: tiretherm validate TABLE",
+                         "call it in the folder of the source, or give a table: tiretherm validate EXPERIMENTS",
                          options.json);
         } else {
             report_errors({.problem = std::nullopt, .errors = reading.errors, .warnings = reading.warnings},
@@ -143,9 +143,9 @@ int validate(const Options& options) {
 
 void add_validate_command(CLI::App& program, int& exit_code) {
     CLI::App* command =
-        program.add_subcommand("validate", "Run the experiments and hold the models against what was measured");
+        program.add_subcommand("validate", "Run the experiments of a table and compare the models with them");
     const auto options = std::make_shared<Options>();
-    command->add_option("TABLE", options->table, "Table of measured numbers (TOML)")
+    command->add_option("EXPERIMENTS", options->table, "Table of measured numbers (TOML)")
         ->capture_default_str()
         ->option_text(fmt::format("[{}]", shipped));
     command->add_option("--only", options->only, "Only these experiments: M8,M9")

@@ -15,6 +15,16 @@ install(DIRECTORY mesh physics solver input diagnosis post DESTINATION ${CMAKE_I
 install(FILES LICENSE docs/licences.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY cases/ DESTINATION ${CMAKE_INSTALL_DATADIR}/tiretherm/cases)
 
+# Completion of the command line, written by the program itself from the options that it has.
+set(completion ${PROJECT_BINARY_DIR}/completion)
+foreach(shell bash zsh)
+    install(CODE "file(MAKE_DIRECTORY \"${completion}\")
+        execute_process(COMMAND \"$<TARGET_FILE:tiretherm>\" completion ${shell} OUTPUT_FILE \"${completion}/${shell}\"
+            COMMAND_ERROR_IS_FATAL ANY)")
+endforeach()
+install(FILES ${completion}/bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME tiretherm)
+install(FILES ${completion}/zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions RENAME _tiretherm)
+
 configure_package_config_file(cmake/tirethermConfig.cmake.in ${PROJECT_BINARY_DIR}/tirethermConfig.cmake
     INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/tirethermConfigVersion.cmake COMPATIBILITY SameMinorVersion)

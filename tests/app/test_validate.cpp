@@ -173,7 +173,7 @@ TEST(Validate, ShippedTableIsSoughtInTheCurrentFolder) {
     EXPECT_EQ(
         wrong.err,
         "tiretherm: there is no cases/validation.toml here; call it in the folder of the source, or give a table: "
-        "tiretherm validate TABLE\n");
+        "tiretherm validate EXPERIMENTS\n");
 }
 
 }  // namespace tiretherm::app_test

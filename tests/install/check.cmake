@@ -21,7 +21,8 @@ function(consumer name)
 endfunction()
 
 step(${CMAKE_COMMAND} --install ${build} --prefix ${scratch}/prefix)
-foreach(installed bin/tiretherm include/tiretherm/mesh/mesh.hpp share/tiretherm/cases share/doc/tiretherm/LICENSE)
+foreach(installed bin/tiretherm include/tiretherm/mesh/mesh.hpp share/tiretherm/cases
+        share/bash-completion/completions/tiretherm share/zsh/site-functions/_tiretherm share/doc/tiretherm/LICENSE)
     if(NOT EXISTS ${scratch}/prefix/${installed})
         message(FATAL_ERROR "${installed} was not installed")
     endif()
