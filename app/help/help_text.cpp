@@ -4,6 +4,7 @@
 #include "app/help/help_text.hpp"
 
 #include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -40,12 +41,9 @@ public:
     std::string make_description(const CLI::App* command) const override {
         return post::wrap(command->get_description() + ".", 0, help_width) + "\n";
     }
-    std::string make_groups(const CLI::App* command, CLI::AppFormatMode mode) const override {
-        std::string groups = CLI::Formatter::make_groups(command, mode);
-        while (groups.ends_with("\n\n")) {
-            groups.pop_back();
-        }
-        return groups;
+    std::string make_help(const CLI::App* command, std::string name, CLI::AppFormatMode mode) const override {
+        return CLI::detail::find_and_replace(CLI::Formatter::make_help(command, std::move(name), mode), "\n\n\n",
+                                             "\n\n");
     }
     std::string make_footer(const CLI::App* command) const override { return paragraphs_text(command->get_footer()); }
 };
