@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pages that are wrong in one place: each check must find what it is there for."""
+from accessible import wider_than_its_window, wrong_for_some_readers
+from driven import wrong_legend, wrong_slider, wrong_tab_order, wrong_tooltip, wrong_zoom
+from held import wrong_charts
+from printed import wrong_on_paper
+
+
+def console(browser, _):
+    return browser.console()
+
+
+def network(browser, _):
+    return [address for address in browser.requests() if not address.startswith(("file:", "data:", "blob:"))]
+
+
+def readers(browser, _):
+    return wrong_for_some_readers(browser)
+
+
+def wide(browser, _):
+    return wider_than_its_window(browser)
+
+
+def paper(browser, _):
+    return wrong_on_paper(browser)
+
+
+BREAKS = [  # page, what stands there, what is put in its place, the check that must find it, a word of what it says
+    ("compare", "window.tiretherm = { charts }", "window.tiretherm = { charts }; missing.call()", console, "missing"),
+    ("compare", "<main>", '<main><img alt="" src="http://tire.invalid/tire.png">', network, "tire.invalid"),
+    ("compare", "--faint: #57606a", "--faint: #a0a8b0", readers, "color-contrast"),
+    ("compare", 'ink: "#1b1f24"', 'ink: "#a0a8b0"', readers, "the text"),
+    ("compare", "lineStyle: { color: of, width", 'lineStyle: { color: "#c0e0f0", width', readers, "the curve"),
+    ("compare", "data: s.points,\n", "data: s.points.map((p) => [p[0], p[1] + 0.01]),\n", wrong_charts, "the curve"),
+    ("compare", "chart.echart.group = ", "chart.group = ", wrong_zoom, "chart 2"),
+    ("compare", "valueFormatter: number }", "valueFormatter: (v) => number(v + 1) }", wrong_tooltip, "tooltip"),
+    ("compare", "legend: {", "legend: { selectedMode: false,", wrong_legend, "legend"),
+    ("compare", '<figure class="chart" tabindex="0"', '<figure class="chart"', wrong_tab_order, "tab key"),
+    ("compare", "figure:focus-visible { outline:", "figure:focus-visible { outline: none; outline-x:", wrong_tab_order, "not seen"),
+    ("compare", "<main>", '<main><p style="min-width: 2000px">wide</p>', wide, "wider"),
+    ("compare", "break-inside: avoid", "break-inside: auto; padding-bottom: 30cm", paper, "sheets"),
+    ("run of a section", "showMoment(chart, data.hottest)", "showMoment(chart, 0)", wrong_slider, "hottest moment"),
+    ("run of a section", "chart.frame = frame;", "", wrong_slider, "field"),
+]
