@@ -105,7 +105,7 @@
       tooltip: { trigger: "axis", confine: true, valueFormatter: number },
       axisPointer: { link: [{ xAxisIndex: "all" }] },
       dataZoom: [{ type: "inside", xAxisIndex: all, filterMode: "none", zoomOnMouseWheel: "ctrl", moveOnMouseMove: true },
-        { type: "slider", xAxisIndex: all, filterMode: "none", bottom: 18, height: 20, showDataShadow: false, textStyle: { color: look.ink } }],
+        { type: "slider", show: !document.body.classList.contains("printing"), xAxisIndex: all, filterMode: "none", bottom: 18, height: 20, showDataShadow: false, textStyle: { color: look.ink } }],
     });
     return { option, height: y - gap + foot };
   }
@@ -162,7 +162,8 @@
     tall = Math.max(tall, 60);
     const quads = data.quads;
     const mark = data.marks && data.marks[frame];
-    const series = [{ type: "custom", name: "temperature", data: fieldData(data, data.frames[frame]), encode: { x: 0, y: 1, value: 2 }, clip: true, animation: false,
+    // Drawn at once, not in pieces over several frames: paper and slider show the whole field.
+    const series = [{ type: "custom", name: "temperature", data: fieldData(data, data.frames[frame]), encode: { x: 0, y: 1, value: 2 }, clip: true, animation: false, progressive: 0,
       renderItem: (params, api) => {
         const q = 8 * api.value(3), fill = api.visual("color");
         const points = [0, 2, 4, 6].map((i) => api.coord([quads[q + i], quads[q + i + 1]]));
@@ -189,7 +190,7 @@
         itemStyle: { color: "rgba(255,255,255,0.25)", borderColor: "#fff", borderWidth: 2.5, shadowColor: "#000", shadowBlur: 3 },
         tooltip: { formatter: () => `hottest place: ${mark[2].toFixed(1)} °C` } });
     }
-    series.push({ type: "scatter", name: "names", silent: true, data: (data.names || []).map((n) => ({ value: [n.x, n.y], label: { formatter: n.name, align: n.align || "center" } })), symbolSize: 0,
+    series.push({ type: "scatter", name: "names", silent: true, data: (data.names || []).map((n) => ({ value: [n.x, n.y], label: { formatter: n.name, align: n.align || "center" } })), symbolSize: 0, labelLayout: { hideOverlap: true },
       label: { show: true, color: look.ink, fontSize: 12 }, z: 6, animation: false, tooltip: { show: false } });
     return { height: Math.max(tall, width < 560 ? 0 : 110) + top + foot, option: {
       grid: { left, width: inner, top, height: tall },
