@@ -10,33 +10,36 @@ from chromium import Chromium, programs  # noqa: E402,F401  programs() is for wh
 
 READY = "return !!window.tiretherm && tiretherm.charts.every((chart) => chart.drawn) && document.fonts.status === 'loaded'"
 # From the top of one element to the bottom of another, with the space around them.
-FRAME = """const [first, last] = arguments.map((selector) => document.querySelector(selector));
+FRAME = """const [first, last] = [...arguments].map((selector) => document.querySelector(selector));
 if (!first || !last) return null;
 return [first.getBoundingClientRect().top + scrollY, last.getBoundingClientRect().bottom + scrollY];"""
 SPACE = 14  # pixels
-# Both pictures in blocks of 4 x 4 pixels: the share of blocks whose mean differs in a colour by more than 0.3 of the scale.
-# Letters and lines that lie a pixel elsewhere move at most a quarter of what is in a block; smoothing adds a little.
-BLOCK, BOUND = 4, 0.3
-SHARE = 0.002  # of the blocks: a curve of half the width is more, a number of five digits about as much
+# Both pictures in blocks of 4 x 4 pixels: the share of blocks whose mean differs in a colour by more than 0.15 of the scale, wherever
+# within a pixel the other picture is laid. Fonts of another version put letters and lines a pixel elsewhere at most; what is left is
+# their smoothing. A curve of 1.8 pixels fills 0.45 of a block.
+BLOCK, BOUND = 4, 0.15
+SHARE = 0.002  # of the blocks: a third of a curve across the page is more, another number of a few digits is not
 DIFFERENCE = """const [one, two, block, bound, done] = arguments;
 const image = async (data) => { const img = new Image(); img.src = `data:image/png;base64,${data}`; await img.decode(); return img; };
 (async () => {
   const [a, b] = [await image(one), await image(two)];
   if (Math.abs(a.width - b.width) > 2 || Math.abs(a.height - b.height) > 0.03 * a.height) return done(1);
   const w = Math.floor(a.width / block), h = Math.floor(Math.min(a.height, b.height) / block);
-  const blocks = (img) => {
+  const blocks = (img, dx, dy) => {
     const canvas = Object.assign(document.createElement("canvas"), {width: block * w, height: block * h});
     const context = canvas.getContext("2d", {willReadFrequently: true});
-    context.drawImage(img, 0, 0);
+    context.drawImage(img, dx, dy);
     const pixels = context.getImageData(0, 0, block * w, block * h).data, sums = new Float64Array(3 * w * h);
     for (let y = 0; y < block * h; y++) for (let x = 0; x < block * w; x++) for (let c = 0; c < 3; c++)
       sums[3 * (Math.floor(y / block) * w + Math.floor(x / block)) + c] += pixels[4 * (y * block * w + x) + c];
     return sums;
   };
-  const p = blocks(a), q = blocks(b), most = bound * 255 * block * block;
-  let different = 0;
-  for (let i = 0; i < w * h; i++) different += [0, 1, 2].some((c) => Math.abs(p[3 * i + c] - q[3 * i + c]) > most);
-  done(different / (w * h));
+  const p = blocks(a, 0, 0), most = bound * 255 * block * block, is_other = new Uint8Array(w * h).fill(1);
+  for (const dx of [-1, 0, 1]) for (const dy of [-1, 0, 1]) {
+    const q = blocks(b, dx, dy);
+    for (let i = 0; i < w * h; i++) if (is_other[i] && [0, 1, 2].every((c) => Math.abs(p[3 * i + c] - q[3 * i + c]) <= most)) is_other[i] = 0;
+  }
+  done(is_other.reduce((sum, one) => sum + one, 0) / (w * h));
 })();"""
 
 
