@@ -70,7 +70,8 @@
   function lines(data, look, width, places, picks) {
     const names = [...new Set(data.panels.flatMap((panel) => panel.series.map((s) => s.name)))];
     const drawn = new Map(data.panels.flatMap((panel) => panel.series.map((s) => [s.name, ["points", "range", "band"].includes(s.role) ? "mark" : "line"])));
-    const small = width < 560, gap = 34, foot = 96;
+    const printing = document.body.classList.contains("printing");
+    const small = width < 560, gap = 34, foot = printing ? 54 : 96;  // room for the zoom, which paper has not
     let rows = picks ? 0 : 1, reach = 0;  // of the legend; a long one stands below the chart, to be picked from
     for (const name of names) {
       const wide = 44 + 6.8 * name.length;
@@ -105,7 +106,7 @@
       tooltip: { trigger: "axis", confine: true, valueFormatter: number },
       axisPointer: { link: [{ xAxisIndex: "all" }] },
       dataZoom: [{ type: "inside", xAxisIndex: all, filterMode: "none", zoomOnMouseWheel: "ctrl", moveOnMouseMove: true },
-        { type: "slider", show: !document.body.classList.contains("printing"), xAxisIndex: all, filterMode: "none", bottom: 18, height: 20, showDataShadow: false, textStyle: { color: look.ink } }],
+        { type: "slider", show: !printing, xAxisIndex: all, filterMode: "none", bottom: 18, height: 20, showDataShadow: false, textStyle: { color: look.ink } }],
     });
     return { option, height: y - gap + foot };
   }
