@@ -100,8 +100,18 @@ class Chromium:
     def post(self, path, body=None):
         return self.send("POST", self.session + path, body)
 
+    def repeated(self, path, body):
+        """The same for what may be done twice: on these the driver waits ten seconds only, less than a busy machine may take."""
+        end = time.monotonic() + 3 * PATIENCE
+        while True:
+            try:
+                return self.post(path, body)
+            except BrowserError as failure:
+                if "Timed out receiving message" not in str(failure) or time.monotonic() > end:
+                    raise
+
     def devtools(self, command, **parameters):
-        return self.post("/goog/cdp/execute", {"cmd": command, "params": parameters})
+        return self.repeated("/goog/cdp/execute", {"cmd": command, "params": parameters})
 
     # ------------------------------------------------------------------------------------------------- pages
 
@@ -174,5 +184,5 @@ class Chromium:
     def pdf(self, width, height, margin):
         """The page on paper; lengths in cm."""
         margins = {side: margin for side in ("top", "bottom", "left", "right")}
-        return base64.b64decode(self.post("/print", {"page": {"width": width, "height": height}, "margin": margins,
-                                                     "background": True, "shrinkToFit": True}))
+        return base64.b64decode(self.repeated("/print", {"page": {"width": width, "height": height}, "margin": margins,
+                                                         "background": True, "shrinkToFit": True}))
