@@ -157,8 +157,8 @@ input::Experiment planned_run_of(const input::Experiment& experiment, const Mano
     }
     // How this run starts is as unknown as how the first one did.
     for (solver::FreeParameter& number : planned.parameters) {
-        if (number.run > 0) {
-            number.run = -1;
+        if (!number.belongs_to(0)) {
+            number.runs.clear();
             number.nodes.clear();
             number.kind = solver::FreeParameter::Kind::initial;
         }
@@ -243,9 +243,7 @@ void plan_next(const DiagnosisState& found, Diagnosis& into) {
         Eigen::VectorXd values = base.start();
         for (Eigen::Index j = 0; j < n; ++j) {
             const solver::FreeParameter& number = experiment.parameters[static_cast<std::size_t>(j)];
-            values[j] = number.run < 0 || number.kind == solver::FreeParameter::Kind::initial
-                            ? (number.run > 0 ? 0.0 : score_data.base.values[j])
-                            : values[j];
+            values[j] = number.belongs_to(0) ? score_data.base.values[j] : 0.0;  // which moves nothing
         }
         const ModelPrediction& plain = base.at(values);
         into.simulations += base.simulations();

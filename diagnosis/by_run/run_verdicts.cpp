@@ -47,9 +47,11 @@ input::Experiment single_run(const input::Experiment& experiment, std::size_t ru
                           .candidates = experiment.candidates,
                           .instruments = experiment.instruments};
     for (const solver::FreeParameter& parameter : experiment.parameters) {
-        if (parameter.run < 0 || parameter.run == static_cast<int>(run)) {
+        if (parameter.belongs_to(run)) {
             one.parameters.push_back(parameter);
-            one.parameters.back().run = std::min(parameter.run, 0);
+            if (!parameter.runs.empty()) {
+                one.parameters.back().runs = {0};
+            }
         }
     }
     for (input::Instrument& instrument : one.instruments) {

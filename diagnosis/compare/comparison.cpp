@@ -55,6 +55,7 @@ struct Beside {
 ComparedSeries Beside::series(const input::MeasuredSeries& measured) const {
     ComparedSeries result;
     result.run = index;
+    result.corner = run.corner;
     result.regressor.resize(regressors.size());
     const bool is_temperature = run.problem.channels[measured.channel].quantity == solver::Quantity::temperature;
     const bool has_air = run.problem.input_signals.gives(*physics::find_signal("air_temperature"));

@@ -8,6 +8,7 @@
 
 #include "diagnosis/compare/camera_comparison.hpp"
 #include "diagnosis/compare/comparison_statistics.hpp"
+#include "diagnosis/compare/corner_comparison.hpp"
 #include "diagnosis/compare/phase.hpp"
 #include "input/measurements/experiment.hpp"
 #include "solver/channel_unit.hpp"
@@ -18,6 +19,7 @@ namespace tiretherm::diagnosis {
 /// A channel of a run: samples that were measured, and what is simulated at their times. SI; a missing sample is not here.
 struct ComparedSeries {
     std::size_t run = 0;
+    std::string corner{};      ///< FL, FR, RL or RR; empty: the case has no [[corner]]
     std::vector<double> time;  ///< s
     std::vector<double> measured;
     std::vector<double> simulated;
@@ -30,12 +32,6 @@ struct ComparedSeries {
 
 struct RunFigures {
     std::size_t run = 0;
-    Figures figures;
-};
-
-struct PhaseFigures {
-    Phase phase = Phase::standing;
-    double share = 0.0;  ///< of the time with samples
     Figures figures;
 };
 
@@ -59,6 +55,8 @@ struct ComparedChannel {
     ModelUncertainty model;
     std::vector<RunFigures> runs;
     std::vector<PhaseFigures> phases;
+    std::vector<CornerFigures> corners;        ///< empty: the case has no [[corner]]
+    std::vector<CommonBias> common;            ///< of corners
     std::vector<RegressorFigures> regressors;  ///< the closest first
     /// Chance below which the closest regressor counts: 5 % over all that were tried.
     double significant = 0.05;

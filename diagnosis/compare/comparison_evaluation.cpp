@@ -21,13 +21,14 @@ Pieces differences_of(const ComparedChannel& channel) {
 }
 
 /// Stretches of a series in one phase, each a piece of its own.
-std::vector<PhaseFigures> phases_of(const ComparedChannel& channel) {
+std::vector<PhaseFigures> phases_of(const std::vector<const ComparedSeries*>& all) {
     std::vector<PhaseFigures> result;
     double whole = 0.0;
     for (const Phase phase : phases) {
         Pieces pieces;
         double time = 0.0;
-        for (const ComparedSeries& series : channel.series) {
+        for (const ComparedSeries* one : all) {
+            const ComparedSeries& series = *one;
             const std::vector<double> difference = series.difference();
             for (std::size_t i = 0; i < series.time.size(); ++i) {
                 if (series.phase[i] != phase) {
@@ -52,6 +53,26 @@ std::vector<PhaseFigures> phases_of(const ComparedChannel& channel) {
         phase.share = whole > 0.0 ? phase.share / whole : 1.0;
     }
     return result;
+}
+
+/// Figures of each corner, in the order of their first runs.
+std::vector<CornerFigures> corners_of(const ComparedChannel& channel) {
+    std::vector<CornerFigures> corners;
+    for (const ComparedSeries& first : channel.series) {
+        if (first.corner.empty() || std::ranges::find(corners, first.corner, &CornerFigures::corner) != corners.end()) {
+            continue;
+        }
+        std::vector<const ComparedSeries*> own;
+        Pieces differences;
+        for (const ComparedSeries& series : channel.series) {
+            if (series.corner == first.corner) {
+                own.push_back(&series);
+                differences.push_back(series.difference());
+            }
+        }
+        corners.push_back({.corner = first.corner, .figures = figures(differences), .phases = phases_of(own)});
+    }
+    return corners;
 }
 
 RegressorFigures against(const ComparedChannel& channel, std::size_t regressor) {
@@ -95,7 +116,13 @@ void evaluate(ComparedChannel& channel, const std::vector<std::pair<std::string,
         channel.sensor = std::isnan(channel.noise) ? 0.0 : channel.noise;
     }
     channel.model = model_uncertainty(channel.figures, measured, simulated, channel.sensor);
-    channel.phases = phases_of(channel);
+    std::vector<const ComparedSeries*> all;
+    for (const ComparedSeries& series : channel.series) {
+        all.push_back(&series);
+    }
+    channel.phases = phases_of(all);
+    channel.corners = corners_of(channel);
+    channel.common = common_biases(channel.corners);
     for (std::size_t r = 0; r < regressors.size(); ++r) {
         RegressorFigures found = against(channel, r);
         if (found.bins.size() > 1 && found.association.correlation != 0.0) {  // the signal varies

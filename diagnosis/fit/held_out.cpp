@@ -26,7 +26,7 @@ input::Experiment own_numbers_free(const input::Experiment& model, const Simulat
         own.runs[r].problem = simulator.problem(r, values);
     }
     for (std::size_t j = 0; j < model.parameters.size(); ++j) {
-        if (run >= 0 && model.parameters[j].run == run) {
+        if (run >= 0 && model.parameters[j].belongs_only_to(static_cast<std::size_t>(run))) {
             own.parameters.push_back(model.parameters[j]);
             // A shift of temperatures counts from where the problem stands now; its prior and bounds move along.
             solver::FreeParameter& number = own.parameters.back();

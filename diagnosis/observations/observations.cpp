@@ -139,10 +139,10 @@ Simulator::Simulator(const input::Experiment& experiment, const Observations& ob
       rows_(experiment.runs.size()) {
     for (std::size_t j = 0; j < experiment.parameters.size(); ++j) {
         const solver::FreeParameter& parameter = experiment.parameters[j];
-        const auto own = static_cast<std::size_t>(std::max(0, parameter.run));
+        const std::size_t own = parameter.runs.empty() ? 0 : parameter.runs.front();
         start_[static_cast<Eigen::Index>(j)] = solver::value_of(experiment.runs[own].problem, parameter);
         for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
-            if (parameter.run < 0 || own == r) {
+            if (parameter.belongs_to(r)) {
                 parameters_[r].push_back(j);
             }
         }

@@ -48,20 +48,19 @@ ColumnKeys::Key* ColumnKeys::find(std::vector<Key>& keys, const std::string& wor
     return first;
 }
 
-LocatedString ColumnKeys::name_of(const std::string& heading, const SourceLocation& place) {
+const LocatedString* ColumnKeys::mapped_name(const std::string& heading) {
     headings_.insert(heading);
     if (const Key* key = find(names_, heading)) {
-        return key->value;
+        return &key->value;
     }
-    if (shared_ != nullptr) {
-        shared_->headings_.insert(heading);
-        const Key* key = find(shared_->names_, heading);
-        const auto is_mine = [&](const Key& own) { return own.value.text == key->value.text; };
-        if (key != nullptr && std::ranges::none_of(names_, is_mine)) {
-            return key->value;
-        }
-    }
-    return {heading, place};
+    const LocatedString* name = shared_ != nullptr ? shared_->mapped_name(heading) : nullptr;
+    const auto is_mine = [&](const Key& own) { return own.value.text == name->text; };
+    return name != nullptr && std::ranges::none_of(names_, is_mine) ? name : nullptr;
+}
+
+LocatedString ColumnKeys::name_of(const std::string& heading, const SourceLocation& place) {
+    const LocatedString* name = mapped_name(heading);
+    return name != nullptr ? *name : LocatedString{heading, place};
 }
 
 const LocatedString* ColumnKeys::unit_of(const std::string& heading) {
@@ -89,7 +88,7 @@ bool ColumnKeys::holds(const std::string& name) {
 void ColumnKeys::allow_unknown_keys() {
     unknown_keys_allowed_ = true;
     if (shared_ != nullptr) {
-        shared_->unknown_keys_allowed_ = true;
+        shared_->allow_unknown_keys();
     }
 }
 
@@ -132,6 +131,9 @@ void ColumnKeys::report_unknown_columns(InputErrors& errors) const {
 }
 
 void ColumnKeys::warn_of_unknown_columns(InputErrors& errors) const {
+    if (shared_ != nullptr) {
+        shared_->warn_of_unknown_columns(errors);
+    }
     if (unknown_keys_allowed_) {
         return;
     }

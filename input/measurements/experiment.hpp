@@ -83,6 +83,8 @@ struct MeasuredFrames {
 /// state, and what was read.
 struct MeasuredRun {
     std::string name;
+    std::string recording{};  ///< of a corner: the name of the run without it
+    std::string corner{};     ///< FL, FR, RL or RR; empty: the case has no [[corner]]
     std::string file;
     solver::Problem problem;
     std::vector<double> time;  ///< [n_times] s, ascending

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "input/corners/corner.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
 
@@ -52,6 +53,7 @@ RunTable read_run(TomlTable& table) {
     const std::optional<std::string> file = table.text("file");
     table.declare_keys({"name", "drive", "initial", "time", "measured", "columns", "units", "unit_names", "ignore",
                         "hold", "keep_suspicious", "from", "to"});
+    read_corners_of_run(table);
     if (file) {
         run.place = table.place("file");
         const fs::path beside = fs::path(table.errors().file(run.place.file)).parent_path();
@@ -116,9 +118,10 @@ std::vector<RunTable> read_run_tables(TomlTable& root, const std::string& case_n
         of_data.keys->read(table);
         read_window(table, of_data);
     }
+    const std::vector<Corner> corners = read_corners(root, of_data.keys);
     if (!data.empty()) {
         root.declare_keys({"run"});
-        return runs_of(data, of_data, root.errors());
+        return at_corners(runs_of(data, of_data, root.errors()), corners, root.errors());
     }
     std::vector<RunTable> runs;
     root.each("run", [&](TomlTable& table) {
@@ -130,7 +133,7 @@ std::vector<RunTable> read_run_tables(TomlTable& root, const std::string& case_n
         RunTable itself{.table = nullptr, .place = {}, .name = fs::path(case_name).filename().string()};
         runs.push_back(std::move(itself));
     }
-    return runs;
+    return at_corners(runs, corners, root.errors());
 }
 
 }  // namespace tiretherm::input

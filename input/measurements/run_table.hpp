@@ -50,6 +50,8 @@ private:
     /// Keys that are a column of no file. Valid as long as this.
     [[nodiscard]] std::vector<const Key*> unknown_columns() const;
     void warn_of_unknown_columns(InputErrors& errors) const;
+    /// The name that a key gives to a heading, null where none does.
+    [[nodiscard]] const LocatedString* mapped_name(const std::string& heading);
 
     std::vector<Key> names_;
     std::vector<Key> units_;
@@ -76,6 +78,9 @@ struct RunTable {
     const TomlValue* table = nullptr;  ///< of [[run]]; null for the case itself and for a file given beside it
     SourceLocation place;              ///< of the file's name, or of the table; file -1: neither
     std::string name;
+    std::string recording{};                  ///< of a corner: the name of the run without it
+    std::string corner{};                     ///< FL, FR, RL or RR; empty: the case has no [[corner]]
+    const TomlValue* corner_table = nullptr;  ///< of [[corner]]
     std::optional<std::filesystem::path> file{};
     std::shared_ptr<ColumnKeys> keys = std::make_shared<ColumnKeys>();
     std::optional<double> from{};  ///< s
@@ -84,7 +89,7 @@ struct RunTable {
 };
 
 /// The runs of a case: its [[run]] tables, over the keys of [data] for columns; or one for each file that takes their
-/// place, with all keys of [data]; or, with neither, the case itself.
+/// place, with all keys of [data]; or, with neither, the case itself. With [[corner]] each of them once for each corner.
 [[nodiscard]] std::vector<RunTable> read_run_tables(TomlTable& root, const std::string& case_name,
                                                     const std::vector<std::filesystem::path>& data);
 

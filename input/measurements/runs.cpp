@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <array>
-#include <deque>
+#include <memory>
 
 #include <fmt/format.h>
 
@@ -24,21 +24,106 @@ namespace tiretherm::input {
 namespace {
 
 constexpr std::array<std::string_view, 4> tables_of_a_run{"drive", "initial", "time", "measured"};
+constexpr std::array<std::string_view, 4> tables_of_a_corner{"drive", "initial", "measured", "effects"};
+
+/// A run as it is being read. The builder points into the document.
+struct RunBeingRead {
+    RunTable table;
+    TomlValue document;  ///< of the case, with the tables of the run laid over it
+    ProblemBuilder builder{};
+    MeasuredRun run{};
+
+    [[nodiscard]] bool has_readings() const {
+        return !run.series.empty() || !run.numbers.empty() || !run.frames.empty();
+    }
+};
+using RunsBeingRead = std::vector<std::unique_ptr<RunBeingRead>>;
+
+/// The case with what is said of the corner laid over it, then of the run, then of the corner in this run.
+TomlValue merged_document(const TomlValue& document, const RunTable& run) {
+    TomlValue merged = document;
+    if (run.corner_table != nullptr) {
+        override_tables(merged, *run.corner_table, tables_of_a_corner);
+    }
+    if (run.table != nullptr) {
+        override_tables(merged, *run.table, tables_of_a_run);
+        const TomlValue* corners = run.table->find("corner");
+        if (const TomlValue* own = corners != nullptr ? corners->find(run.corner) : nullptr) {
+            override_tables(merged, *own, tables_of_a_run);
+        }
+    }
+    return merged;
+}
 
 /// A number of the case counts in each run that has none of its own; it was hardly measured in several.
-void warn_of_shared_numbers(const TomlValue& document, const std::vector<RunTable>& tables,
-                            const Experiment& experiment, InputErrors& errors) {
+void warn_of_shared_numbers(const TomlValue& document, const RunsBeingRead& runs, InputErrors& errors) {
     const TomlValue* numbers = document.find("measured");
-    std::size_t sharing = 0;
-    for (std::size_t i = 0; i < tables.size(); ++i) {
-        const bool own = tables[i].table != nullptr && tables[i].table->find("measured") != nullptr;
-        sharing += !own && !experiment.runs[i].numbers.empty() ? 1 : 0;
-    }
+    const auto sharing = std::ranges::count_if(runs, [](const std::unique_ptr<RunBeingRead>& one) {
+        const bool own = one->table.table != nullptr && one->table.table->find("measured") != nullptr;
+        return !own && !one->run.numbers.empty();
+    });
     if (numbers != nullptr && sharing > 1) {
         errors.warn(numbers->place,
                     fmt::format("the numbers of the case count in each of {} runs: give them to the run "
                                 "in which they were measured",
                                 sharing));
+    }
+}
+
+/// Corners of which a run measured nothing take no part in it; where none measured anything, it is an error.
+void leave_out_idle_corners(RunsBeingRead& runs, InputErrors& errors) {
+    std::vector<std::string> recordings;
+    for (const auto& one : runs) {
+        if (!one->table.corner.empty() &&
+            (recordings.empty() ||
+             recordings.back() != one->table.recording)) {  // the corners of a run follow each other
+            recordings.push_back(one->table.recording);
+        }
+    }
+    for (const std::string& recording : recordings) {
+        std::vector<std::string> idle;
+        const RunBeingRead* measuring = nullptr;
+        const RunBeingRead* last = nullptr;
+        for (const auto& one : runs) {
+            if (one->table.recording == recording) {
+                last = one.get();
+                measuring = one->has_readings() ? one.get() : measuring;
+                if (!one->has_readings()) {
+                    idle.push_back(one->table.corner);
+                }
+            }
+        }
+        if (measuring == nullptr) {
+            errors.add(last->table.place, fmt::format("no corner of the run {} measures anything", recording),
+                       "map columns to sensors in [[corner]]: columns = { COLUMN = \"SENSOR\" }");
+        } else if (!idle.empty()) {
+            errors.warn(last->table.place,
+                        fmt::format("the run {} measures nothing at {}: left out", recording, listed(idle)));
+            std::erase_if(runs, [&](const std::unique_ptr<RunBeingRead>& one) {
+                return one->table.recording == recording && !one->has_readings();
+            });
+        }
+    }
+}
+
+/// Corners may differ in the values of effects, not in which effects there are: a parameter has one place for all.
+void check_same_effects(const RunsBeingRead& runs, InputErrors& errors) {
+    const auto titles = [](const RunBeingRead& one) {
+        std::vector<std::string> names;
+        for (const physics::ActiveEffect& active : one.builder.problem.effects) {
+            names.emplace_back(active.title());
+        }
+        return names;
+    };
+    for (const auto& one : runs) {
+        const TomlValue* effects =
+            one->table.corner_table != nullptr ? one->table.corner_table->find("effects") : nullptr;
+        if (effects != nullptr && titles(*one) != titles(*runs.front())) {
+            errors.add(
+                effects->place,
+                fmt::format("the corner {} has other effects than {}", one->table.corner, runs.front()->table.corner),
+                "switch effects on and off in [effects] of the case; a corner gives their values");
+        }
     }
 }
 
@@ -71,29 +156,30 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
     const bool measured = !data.empty() || document.find("run") != nullptr;
     const std::vector<std::string> sensors = sensor_names(document);
     const std::vector<std::string> followed = followed_names(document);
-    const std::vector<std::string> run_names = measured ? names_of(tables) : std::vector<std::string>{};
-    std::deque<TomlValue> documents;  // the builders point into them
+    RunsBeingRead runs;
     SignalChoice signals;
-    for (const RunTable& table : tables) {
-        TomlValue& merged = documents.emplace_back(document);
-        if (table.table != nullptr) {
-            override_tables(merged, *table.table, tables_of_a_run);
-        }
+    for (const RunTable& each : tables) {
+        RunBeingRead& reading =
+            *runs.emplace_back(new RunBeingRead{.table = each, .document = merged_document(document, each)});
+        const RunTable& table = reading.table;
+        ProblemBuilder& builder = reading.builder;
+        MeasuredRun& run = reading.run;
         std::optional<RunFile> file = table.file ? open_run_file(table, sensors, followed, errors) : std::nullopt;
         if (!file) {
             table.keys->allow_unknown_keys();
         }
-        ProblemBuilder builder;
         builder.problem.name = name;
         if (measured) {
             builder.run = read_run_inputs(table, file ? &*file : nullptr, errors);
         }
-        TomlTable root(merged, "the case", errors);
+        TomlTable root(reading.document, "the case", errors);
         root.declare_keys({"include", "unset"});
         read_tables(root, builder);
-        root.declare_keys({"run", "data", "parameter", "identify", "diagnose", "instrument", "critical", "uncertain"});
-        MeasuredRun run;
+        root.declare_keys(
+            {"run", "data", "parameter", "identify", "diagnose", "instrument", "critical", "uncertain", "corner"});
         run.name = table.name;
+        run.recording = table.recording;
+        run.corner = table.corner;
         run.file = table.file ? table.file->generic_string() : "";
         if (file) {
             read_series(*file, builder, errors, run);
@@ -103,13 +189,12 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
             std::ranges::move(find_suspicious(recording), std::back_inserter(into.data_warnings));
             leave_out_unusable(recording, run);
         }
-        read_numbers(builder, merged, table, errors, run);
+        read_numbers(builder, reading.document, table, errors, run);
         read_frames(table, builder, errors, run, into.data_warnings);
-        if (measured && mode == ReadMode::measured) {
+        if (measured && mode == ReadMode::measured && table.corner.empty()) {
             require_readings(run, table, file ? &*file : nullptr, sensors, errors);
         }
-        if (documents.size() == 1) {
-            read_parameters(root, builder, run_names, into.experiment.parameters);
+        if (runs.size() == 1) {
             read_identify(root, into.experiment);
             static_cast<void>(read_critical(root, builder.problem, builder.has_mesh));
             static_cast<void>(read_uncertain(root));
@@ -123,13 +208,29 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
                 }
             }
         }
-        run.problem = std::move(builder.problem);
-        into.experiment.runs.push_back(std::move(run));
     }
-    for (const RunTable& table : tables) {
-        table.keys->report_unknown_columns(errors);
+    for (const auto& one : runs) {
+        one->table.keys->report_unknown_columns(errors);
     }
-    warn_of_shared_numbers(document, tables, into.experiment, errors);
+    warn_of_shared_numbers(document, runs, errors);
+    if (measured && mode == ReadMode::measured && errors.count() == 0) {
+        leave_out_idle_corners(runs, errors);
+    }
+    check_same_effects(runs, errors);
+    {
+        std::vector<RunOfParameter> of_parameters;
+        for (const auto& one : runs) {
+            of_parameters.push_back(
+                {.name = one->table.name, .corner = one->table.corner, .problem = &one->builder.problem});
+        }
+        TomlTable root(runs.front()->document, "the case", errors);
+        root.allow_unknown_keys();  // they have been reported
+        read_parameters(root, runs.front()->builder, measured, of_parameters, into.experiment.parameters);
+    }
+    for (const auto& one : runs) {
+        one->run.problem = std::move(one->builder.problem);
+        into.experiment.runs.push_back(std::move(one->run));
+    }
     if (errors.count() == 0) {
         classify_unused(into.experiment.runs);
         into.experiment.instruments = measured_instruments(into.experiment.instruments, into.experiment.runs);

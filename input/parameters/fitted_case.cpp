@@ -132,42 +132,87 @@ TomlValue in_one_line(TomlValue value) {
     return value;
 }
 
-/// The runs that start at fitted temperatures, and those whose files were given beside the case.
-void lay_runs_over(TomlValue& over, const FittedCase& fitted, const TomlValue& original, const fs::path& folder) {
-    const TomlValue* data = original.find("data");  // how columns of files beside the case are read
-    std::set<int> moved;
-    for (const solver::FreeParameter& number : fitted.parameters) {
-        if (number.kind == Kind::initial) {
-            moved.insert(number.run);
-        }
-    }
-    if (moved.contains(-1)) {
-        toml_text::add(over, "initial", initial_value(*fitted.fitted));
-        over.entries.back().value.in_braces = false;
-    }
-    std::vector<TomlValue> runs;
-    for (std::size_t i = 0; i < fitted.runs.size(); ++i) {
-        const FittedRun& run = fitted.runs[i];
-        const bool starts_elsewhere = moved.contains(static_cast<int>(i));
-        if (run.file.empty() && !starts_elsewhere) {
+/// The values that differ from corner to corner.
+void lay_corners_over(TomlValue& over, const FittedCase& fitted) {
+    std::vector<TomlValue> corners;
+    std::set<std::string> done;
+    for (std::size_t r = 0; r < fitted.runs.size(); ++r) {
+        const FittedRun& run = fitted.runs[r];
+        if (run.corner.empty() || !done.insert(run.corner).second) {
             continue;
         }
         TomlValue table = table_value();
         table.in_braces = false;
-        // A list in which a name is missing takes the place of the original's runs instead of joining them.
-        if (run.file.empty() || run.name != run.file.stem().string()) {
-            toml_text::add(table, "name", text_value(run.name));
+        toml_text::add(table, "name", text_value(run.corner));
+        lay_corner_over(table, *run.problem, fitted.parameters, r);
+        if (table.entries.size() > 1) {
+            corners.push_back(std::move(table));
         }
-        if (!run.file.empty()) {
-            toml_text::add(table, "file", toml_text::path_value(run.file, folder));
-            for (const Entry& entry : data != nullptr ? data->entries : std::vector<Entry>{}) {
-                toml_text::add(table, entry.key, in_one_line(entry.value));
-            }
+    }
+    if (!corners.empty()) {
+        toml_text::add(over, "corner", list_value(std::move(corners)));
+    }
+}
+
+/// What a fitted case says of one run: its name where its file does not give it, its file, and how that is read.
+TomlValue run_table_of(const FittedRun& run, const TomlValue* data, const fs::path& folder) {
+    TomlValue table = table_value();
+    table.in_braces = false;
+    const std::string& name = run.corner.empty() ? run.name : run.recording;
+    // A list in which a name is missing takes the place of the original's runs instead of joining them.
+    if (run.file.empty() || name != run.file.stem().string()) {
+        toml_text::add(table, "name", text_value(name));
+    }
+    if (!run.file.empty()) {
+        toml_text::add(table, "file", toml_text::path_value(run.file, folder));
+        for (const Entry& entry : data != nullptr ? data->entries : std::vector<Entry>{}) {
+            toml_text::add(table, entry.key, in_one_line(entry.value));
         }
-        if (starts_elsewhere) {
-            toml_text::add(table, "initial", initial_value(*run.problem));
+    }
+    return table;
+}
+
+/// The runs that start at fitted temperatures, and those whose files were given beside the case.
+void lay_runs_over(TomlValue& over, const FittedCase& fitted, const TomlValue& original, const fs::path& folder) {
+    const TomlValue* data = original.find("data");  // how columns of files beside the case are read
+    std::set<std::size_t> moved;
+    bool moved_everywhere = false;
+    for (const solver::FreeParameter& number : fitted.parameters) {
+        if (number.kind == Kind::initial) {
+            moved.insert(number.runs.begin(), number.runs.end());
+            moved_everywhere = moved_everywhere || number.runs.empty();
         }
-        runs.push_back(std::move(table));
+    }
+    if (moved_everywhere) {
+        toml_text::add(over, "initial", initial_value(*fitted.fitted));
+        over.entries.back().value.in_braces = false;
+    }
+    std::vector<TomlValue> runs;
+    const FittedRun* last = nullptr;  // with a table; the corners of a run follow each other
+    for (std::size_t i = 0; i < fitted.runs.size(); ++i) {
+        const FittedRun& run = fitted.runs[i];
+        const bool starts_elsewhere = moved.contains(i);
+        if (run.file.empty() && !starts_elsewhere) {
+            continue;
+        }
+        const bool is_same_run = last != nullptr && !run.corner.empty() && last->recording == run.recording;
+        if (!is_same_run) {
+            runs.push_back(run_table_of(run, data, folder));
+        }
+        last = &run;
+        if (!starts_elsewhere) {
+            continue;
+        }
+        if (run.corner.empty()) {
+            toml_text::add(runs.back(), "initial", initial_value(*run.problem));
+            continue;
+        }
+        auto corners = std::ranges::find(runs.back().entries, "corner", &Entry::key);
+        if (corners == runs.back().entries.end()) {
+            toml_text::add(runs.back(), "corner", table_value());
+            corners = runs.back().entries.end() - 1;
+        }
+        toml_text::add(corners->value, run.corner, table_value({{"initial", initial_value(*run.problem)}}));
     }
     if (!runs.empty()) {
         toml_text::add(over, "run", list_value(std::move(runs)));
@@ -204,6 +249,7 @@ std::string fitted_case(const FittedCase& fitted, const fs::path& folder) {
     }
     lay_effects_over(over, *fitted.before, *fitted.fitted, fitted.parameters, fitted.user_effects);
     lay_laws_over(over, fitted, original);
+    lay_corners_over(over, fitted);
     lay_runs_over(over, fitted, original, folder);
     return heading(fitted) + toml_text::document(over);
 }

@@ -18,6 +18,8 @@ struct FittedRun {
     std::string name;
     const solver::Problem* problem = nullptr;  ///< with the fitted values
     std::filesystem::path file{};              ///< of its measured values, where it was given beside the case
+    std::string recording{};                   ///< of a corner: the name of the run without it
+    std::string corner{};                      ///< FL, FR, RL or RR; empty: the case has no [[corner]]
 };
 
 /// A case and what a fit has made of it.
@@ -26,7 +28,7 @@ struct FittedCase {
     const solver::Problem* before = nullptr;  ///< the case as it is
     const solver::Problem* fitted = nullptr;  ///< with the fitted values, and with effects that were switched on
     std::span<const solver::FreeParameter> parameters;  ///< that were fitted
-    std::vector<FittedRun> runs;         ///< in the order of FreeParameter::run; may be empty for the case's own
+    std::vector<FittedRun> runs;         ///< in the order of FreeParameter::runs; may be empty for the case's own
     std::vector<std::string> remarks{};  ///< lines to stand at the top
     /// Effects of the user's own that `fitted` has and `before` lacks: what they follow stands nowhere else.
     std::vector<solver::UserEffect> user_effects{};

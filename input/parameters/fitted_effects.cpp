@@ -46,6 +46,16 @@ void lay_places(TomlValue& over, const solver::Problem& problem, const ActiveEff
     }
 }
 
+/// The value of a fitted parameter of an effect.
+void lay_fitted(TomlValue& over, const solver::Problem& fitted, const solver::FreeParameter& number) {
+    const ActiveEffect& active = fitted.effects[number.effect];
+    if (number.everywhere) {
+        lay_number(over, active, number.parameter);
+    } else {
+        lay_places(over, fitted, active, number.parameter, number.scope);
+    }
+}
+
 TomlValue names_at(const std::vector<int>& places, const std::vector<std::string>& names) {
     std::vector<std::string> words;
     for (const int place : places) {
@@ -200,14 +210,19 @@ void lay_effects_over(TomlValue& over, const solver::Problem& before, const solv
             lay_effect(over, fitted, active);
         }
         for (const solver::FreeParameter& number : parameters) {
-            if (!was_on || number.kind != solver::FreeParameter::Kind::effect || number.effect != e) {
-                continue;
+            if (was_on && number.kind == solver::FreeParameter::Kind::effect && number.effect == e &&
+                number.runs.empty()) {
+                lay_fitted(over, fitted, number);
             }
-            if (number.everywhere) {
-                lay_number(over, active, number.parameter);
-            } else {
-                lay_places(over, fitted, active, number.parameter, number.scope);
-            }
+        }
+    }
+}
+
+void lay_corner_over(TomlValue& into, const solver::Problem& fitted, std::span<const solver::FreeParameter> parameters,
+                     std::size_t run) {
+    for (const solver::FreeParameter& number : parameters) {
+        if (number.kind == solver::FreeParameter::Kind::effect && !number.runs.empty() && number.belongs_to(run)) {
+            lay_fitted(into, fitted, number);
         }
     }
 }

@@ -20,4 +20,9 @@ void lay_effects_over(TomlValue& over, const solver::Problem& before, const solv
                       std::span<const solver::FreeParameter> parameters,
                       std::span<const solver::UserEffect> user_effects);
 
+/// Lays the values of effects that belong to some runs over [[corner]] tables.
+/// @param into the table of one corner  @param fitted the problem of a run of this corner  @param run its index
+void lay_corner_over(TomlValue& into, const solver::Problem& fitted, std::span<const solver::FreeParameter> parameters,
+                     std::size_t run);
+
 }  // namespace tiretherm::input

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "input/corners/parameter_groups.hpp"
 #include "input/effects/user_effects.hpp"
 #include "input/parameters/resolve.hpp"
 #include "input/text/quantity_specs.hpp"
@@ -63,13 +64,15 @@ void read_expected(TomlTable& table, FreeParameters& freed) {
 }
 
 /// What is known of the numbers beforehand, and how far they may go.
-void read_prior(TomlTable& table, const ProblemBuilder& builder, FreeParameters& freed) {
+void read_prior(TomlTable& table, const ProblemBuilder& builder, const std::vector<RunOfParameter>& runs,
+                FreeParameters& freed) {
     const QuantitySpec deviation{.unit = freed.spec.unit, .scale = Scale::difference, .low = 0.0, .above = true};
     const auto sigma = table.quantity("standard_deviation", deviation);
     const std::size_t before = table.errors().count();
     std::vector<double> now;
     for (FreeParameter& number : freed.numbers) {
-        now.push_back(solver::value_of(builder.problem, number));
+        const solver::Problem& problem = number.runs.empty() ? builder.problem : *runs[number.runs.front()].problem;
+        now.push_back(solver::value_of(problem, number));
         number.prior = now.back();
     }
     read_expected(table, freed);
@@ -114,8 +117,9 @@ void read_prior(TomlTable& table, const ProblemBuilder& builder, FreeParameters&
     }
 }
 
-bool meet(const std::vector<int>& a, const std::vector<int>& b) {
-    return std::any_of(a.begin(), a.end(), [&](int i) { return std::find(b.begin(), b.end(), i) != b.end(); });
+template <typename Index>
+bool meet(const std::vector<Index>& a, const std::vector<Index>& b) {
+    return std::any_of(a.begin(), a.end(), [&](Index i) { return std::find(b.begin(), b.end(), i) != b.end(); });
 }
 
 /// Whether two entries move the same number, or numbers that lie in each other.
@@ -123,7 +127,8 @@ bool same(const FreeParameter& a, const FreeParameter& b) {
     const auto address = [](const FreeParameter& number) {
         return std::tie(number.effect, number.parameter, number.everywhere, number.scope, number.place);
     };
-    if (a.kind != b.kind || a.run != b.run) {
+    const bool share_a_run = a.runs.empty() || b.runs.empty() || meet(a.runs, b.runs);
+    if (a.kind != b.kind || !share_a_run) {
         return false;
     }
     return a.kind == FreeParameter::Kind::effect
@@ -304,13 +309,14 @@ std::vector<ParameterPath> read_paths(TomlTable& table, std::string_view subject
 
 }  // namespace
 
-void read_parameters(TomlTable& root, const ProblemBuilder& builder, const std::vector<std::string>& run_names,
-                     std::vector<FreeParameter>& into) {
+void read_parameters(TomlTable& root, const ProblemBuilder& builder, bool measured,
+                     const std::vector<RunOfParameter>& runs, std::vector<FreeParameter>& into) {
+    const std::vector<std::string> run_names = measured ? names_of(runs) : std::vector<std::string>{};
     const CaseAsRead in{
         .builder = builder, .document = root.content(), .run_names = run_names, .errors = root.errors()};
     std::vector<SourceLocation> places;
     root.each("parameter", [&](TomlTable& table) {
-        table.declare_keys({"expected", "standard_deviation", "low", "high"});
+        table.declare_keys({"expected", "standard_deviation", "low", "high", "each"});
         const std::string_view subject = read_subject(table);
         if (subject.empty()) {
             table.allow_unknown_keys();
@@ -329,7 +335,10 @@ void read_parameters(TomlTable& root, const ProblemBuilder& builder, const std::
             std::ranges::move(found->numbers, std::back_inserter(freed.numbers));
         }
         if (!freed.numbers.empty()) {
-            read_prior(table, builder, freed);
+            if (!give_each_group_its_own(table, builder.problem, runs, freed.numbers)) {
+                return;
+            }
+            read_prior(table, builder, runs, freed);
             add(table, builder, freed, places, into);
         }
     });

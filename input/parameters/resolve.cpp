@@ -59,7 +59,7 @@ std::optional<FreeParameters> resolve_initial(const ParameterPath& path, const C
     for (std::size_t run = 0; run < in.run_names.size(); ++run) {
         freed.numbers.push_back(number);
         freed.numbers.back().name += ", run " + in.run_names[run];
-        freed.numbers.back().run = static_cast<int>(run);
+        freed.numbers.back().runs = {run};
     }
     if (in.run_names.empty()) {
         freed.numbers.push_back(std::move(number));

@@ -242,9 +242,12 @@ material = "rubber"
 [[parameter]]
 link = "conductivity"
 at = "70 degC"
+[[corner]]
+name = "FL"
 [[run]]
 name = "warm-up"
 file = "run.csv"
+corner = { FL = { initial = { temperature = "40 degC" } } }
 [[run]]
 name = "numbers"
 measured = [{ channel = "bulk_temperature", value = "42 degC", uncertainty = "2 K" }]

@@ -185,6 +185,51 @@ Section by_signal(const ComparedChannel& channel) {
     return section;
 }
 
+/// Each channel by corner, and what the corners have in common. Empty where the case has no corners.
+Section by_corner(const Comparison& comparison, Value::List& data) {
+    Section section("Corners");
+    DataTable table;
+    for (const ComparedChannel& channel : comparison.channels) {
+        for (const CornerFigures& corner : channel.corners) {
+            const bool is_first = &corner == &channel.corners.front();
+            DataTable::Row row{
+                {"channel", "channel", {channel.name, is_first ? channel.name : "", false}},
+                {"unit", "unit", {difference_unit(channel), is_first ? difference_unit(channel) : "", false}},
+                {"corner", "corner", corner.corner}};
+            row = joined(std::move(row), figures(channel, corner.figures, true));
+            for (const Phase phase : diagnosis::phases) {
+                const auto one = std::ranges::find(corner.phases, phase, &PhaseFigures::phase);
+                if (std::ranges::find(channel.phases, phase, &PhaseFigures::phase) != channel.phases.end()) {
+                    const double bias = one == corner.phases.end() ? std::nan("") : one->figures.bias;
+                    row.push_back(
+                        {fmt::format("bias {}", name_of(phase)),
+                         fmt::format("bias_{}", name_of(phase)),
+                         {channel.unit.difference(bias), std::isnan(bias) ? "-" : shown_signed(channel, bias)}});
+                }
+            }
+            table.add(std::move(row));
+        }
+    }
+    if (table.empty()) {
+        return section;
+    }
+    section.add(std::move(table));
+    for (const ComparedChannel& channel : comparison.channels) {
+        for (const CommonBias& common : channel.common) {
+            const std::string sentence = corner_sentence(channel, common);
+            data.push_back({{"channel", channel.name},
+                            {"phase", name_of(common.phase)},
+                            {"corners", common.corners},
+                            {"group", text_or_null(common.group)},
+                            {"least_bias", channel.unit.difference(common.least)},
+                            {"most_bias", channel.unit.difference(common.most)},
+                            {"sentence", sentence}});
+            section.item(sentence);
+        }
+    }
+    return section;
+}
+
 DataTable single_numbers(const Comparison& comparison) {
     DataTable table;
     for (const ComparedNumber& n : comparison.numbers) {
@@ -278,6 +323,9 @@ Report comparison_report(const Comparison& comparison, const std::vector<std::fi
     if (!comparison.channels.empty()) {
         report.add(per_run(comparison, std::move(of_channels)));
         report.add(interpretation(comparison));
+        Value::List common;
+        report.add(by_corner(comparison, common));
+        report.data.set("common_to_corners", std::move(common));
         std::vector<RunInputs> inputs;
         for (std::size_t r = 0; r < comparison.inputs.size(); ++r) {
             inputs.push_back({.run = comparison.runs[r], .inputs = &comparison.inputs[r]});

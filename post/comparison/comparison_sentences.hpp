@@ -16,6 +16,9 @@ namespace tiretherm::post {
 /// A difference in SI as it is shown, with two decimals where these mean something.
 [[nodiscard]] std::string shown(const diagnosis::ComparedChannel& channel, double difference);
 [[nodiscard]] std::string shown_signed(const diagnosis::ComparedChannel& channel, double difference);
+/// "surface_temperature, free rolling: all 4 tires are too hot, by 2.1 to 4.0 K"
+[[nodiscard]] std::string corner_sentence(const diagnosis::ComparedChannel& channel,
+                                          const diagnosis::CommonBias& common);
 /// "4e-06", "0.03", "0.5": a chance to one figure.
 [[nodiscard]] std::string chance_text(double chance);
 

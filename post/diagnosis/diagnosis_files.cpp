@@ -77,9 +77,12 @@ std::string extended_toml(const DiagnosisRecord& record, const std::filesystem::
         problems.push_back(simulator.problem(r, record.result.extended_values));
         // The diagnosis sharpens the steps for itself; the case goes on with its own.
         problems.back().settings = record.experiment.runs[r].problem.settings;
-        runs.push_back({.name = model.runs[r].name,
-                        .problem = &problems.back(),
-                        .file = record.data.empty() ? std::filesystem::path() : record.data[r]});
+        runs.push_back(
+            {.name = model.runs[r].name,
+             .problem = &problems.back(),
+             .file = record.data.empty() ? std::filesystem::path() : std::filesystem::path(model.runs[r].file),
+             .recording = model.runs[r].recording,
+             .corner = model.runs[r].corner});
     }
     std::vector<std::string> remarks{"tiretherm diagnose"};
     for (std::string& line : lines_of(reason_of(record))) {

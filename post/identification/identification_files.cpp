@@ -40,9 +40,12 @@ std::string toml(const IdentificationRecord& record, const std::filesystem::path
     fitted.reserve(experiment.runs.size());
     for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
         fitted.push_back(simulator.problem(r, record.result.values));
-        runs.push_back({.name = experiment.runs[r].name,
-                        .problem = &fitted.back(),
-                        .file = record.data.empty() ? std::filesystem::path() : record.data[r]});
+        runs.push_back(
+            {.name = experiment.runs[r].name,
+             .problem = &fitted.back(),
+             .file = record.data.empty() ? std::filesystem::path() : std::filesystem::path(experiment.runs[r].file),
+             .recording = experiment.runs[r].recording,
+             .corner = experiment.runs[r].corner});
     }
     std::string runs_named;
     for (const input::MeasuredRun& run : experiment.runs) {

@@ -3,6 +3,7 @@
 // temperature, or an initial temperature.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -42,13 +43,20 @@ struct FreeParameter {
     std::vector<double> knots;  ///< K; with one knot its value scales the law, with two or three it bends it
     std::size_t knot = 0;       ///< whose value this is
 
-    std::vector<int> nodes;  ///< of an initial temperature
-    int run = -1;            ///< index of the measured run that it belongs to; -1: all of them
+    std::vector<int> nodes;         ///< of an initial temperature
+    std::vector<std::size_t> runs;  ///< indices of the measured runs that it belongs to; empty: all of them
 
     double prior = 0.0;                                                   ///< expected value
     double standard_deviation = std::numeric_limits<double>::infinity();  ///< of the prior; infinite: none
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
+
+    /// Whether a measured run follows it. @param run index of the run
+    [[nodiscard]] bool belongs_to(std::size_t run) const {
+        return runs.empty() || std::ranges::find(runs, run) != runs.end();
+    }
+    /// Whether no other run than this one follows it: without this run nothing is known of it.
+    [[nodiscard]] bool belongs_only_to(std::size_t run) const { return runs.size() == 1 && runs.front() == run; }
 };
 
 /// The law k(T) or c(T) of which the parameter is a value; null for other parameters and where there is no link.

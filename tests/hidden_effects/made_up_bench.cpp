@@ -48,8 +48,8 @@ MadeUpBench make_up_bench(std::uint64_t seed, double interval, const Maker& make
 }
 
 double MadeUpBench::truth_of(const tiretherm::solver::FreeParameter& parameter) const {
-    if (parameter.run >= 0) {
-        const auto run = static_cast<std::size_t>(parameter.run);
+    if (!parameter.runs.empty()) {
+        const std::size_t run = parameter.runs.front();
         return parameter.name.starts_with("initial surface") ? surface_start[run] : bulk_start[run];
     }
     if (parameter.name == "air_convection.lambda_h") {

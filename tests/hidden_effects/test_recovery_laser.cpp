@@ -40,8 +40,8 @@ constexpr std::array channels{"spot_mean_temperature", "inner_liner_temperature"
 double truth_of(const solver::FreeParameter& parameter) {
     const LaserSpecimen specimen = shipped_specimen();
     const auto starts_with = [&](std::string_view name) { return parameter.name.starts_with(name); };
-    if (parameter.run >= 0) {
-        return starts.at(static_cast<std::size_t>(parameter.run));
+    if (!parameter.runs.empty()) {
+        return starts.at(parameter.runs.front());
     }
     if (starts_with("K1") || starts_with("K2")) {
         return (starts_with("K1") ? specimen.K1 : specimen.K2).at(parameter.knot);
@@ -67,7 +67,7 @@ public:
             truth_[static_cast<Eigen::Index>(j)] = truth;
             for (std::size_t r = 0; r < experiment_.runs.size(); ++r) {
                 solver::Problem& problem = experiment_.runs[r].problem;
-                const bool own = parameter.run < 0 || parameter.run == static_cast<int>(r);
+                const bool own = parameter.belongs_to(r);
                 // A shift of the start is counted from 0 on, whatever the start is.
                 if (own && parameter.kind != solver::FreeParameter::Kind::initial) {
                     solver::move(problem, parameter, solver::value_of(problem, parameter), truth);

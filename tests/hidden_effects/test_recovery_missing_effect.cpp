@@ -46,7 +46,7 @@ void fit_one(std::uint64_t seed, const std::vector<Cause>& causes, Held& held) {
         const diagnosis::Fitted& one = fit.fitted[j];
         const tiretherm::solver::FreeParameter& parameter = experiment.parameters[j];
         EXPECT_NE(one.identifiability, diagnosis::Identifiability::determined) << name << ", " << parameter.name;
-        if (parameter.run < 0) {
+        if (parameter.runs.empty()) {
             const double off = std::abs(one.value - made.truth_of(parameter));
             ++held.of;
             held.widened += off <= 0.5 * (one.high - one.low) ? 1 : 0;

@@ -117,7 +117,9 @@ TEST(RunVerdicts, ASingleRunKeepsTheSharedNumbersAndItsOwn) {
     EXPECT_EQ(one.runs.front().name, "run2");
     ASSERT_EQ(one.parameters.size(), 4U);
     for (const solver::FreeParameter& parameter : one.parameters) {
-        EXPECT_EQ(parameter.run, parameter.kind == solver::FreeParameter::Kind::initial ? 0 : -1) << parameter.name;
+        const bool is_start = parameter.kind == solver::FreeParameter::Kind::initial;
+        EXPECT_EQ(parameter.runs, is_start ? std::vector<std::size_t>{0} : std::vector<std::size_t>{})
+            << parameter.name;
     }
     EXPECT_EQ(one.candidates, experiment.candidates);
     EXPECT_EQ(one.instruments.size(), 1U);

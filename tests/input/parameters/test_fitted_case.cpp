@@ -45,7 +45,7 @@ Experiment moved(const Experiment& experiment, const std::vector<double>& values
     for (std::size_t i = 0; i < values.size(); ++i) {
         const solver::FreeParameter& number = experiment.parameters[i];
         for (std::size_t r = 0; r < fitted.runs.size(); ++r) {
-            if (number.run < 0 || number.run == static_cast<int>(r)) {
+            if (number.belongs_to(r)) {
                 solver::Problem& problem = fitted.runs[r].problem;
                 solver::move(problem, number, solver::value_of(problem, number), values[i]);
             }

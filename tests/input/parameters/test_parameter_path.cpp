@@ -110,7 +110,7 @@ void expect_same(const FreeParameter& a, const FreeParameter& b) {
     EXPECT_EQ(a.layers, b.layers);
     EXPECT_EQ(a.knots, b.knots);
     EXPECT_EQ(a.nodes, b.nodes);
-    EXPECT_EQ(a.run, b.run);
+    EXPECT_EQ(a.runs, b.runs);
     EXPECT_EQ(a.prior, b.prior);
     EXPECT_EQ(a.low, b.low);
     EXPECT_EQ(a.high, b.high);

@@ -199,7 +199,7 @@ standard_deviation = "3 K"
     EXPECT_EQ(experiment.parameters[0].name, "initial tread, run warm-up");
     EXPECT_EQ(experiment.parameters[1].name, "initial tread, run coast-down");
     EXPECT_EQ(experiment.parameters[2].name, "initial gas, run warm-up");
-    EXPECT_EQ(experiment.parameters[1].run, 1);
+    EXPECT_EQ(experiment.parameters[1].runs, std::vector<std::size_t>{1});
     EXPECT_EQ(experiment.parameters[0].standard_deviation, 3.0);
     EXPECT_EQ(experiment.parameters[0].prior, 0.0);
     const mesh::Mesh& mesh = experiment.runs.front().problem.mesh;
@@ -211,7 +211,7 @@ standard_deviation = "3 K"
 TEST(Parameter, WithoutRunsThereIsOneInitialTemperature) {
     const Experiment experiment = read(including("tire.toml", "[[parameter]]\ninitial = \"temperature\"\n"));
     ASSERT_EQ(experiment.parameters.size(), 1U);
-    EXPECT_EQ(experiment.parameters[0].run, -1);
+    EXPECT_TRUE(experiment.parameters[0].runs.empty());
     EXPECT_EQ(experiment.parameters[0].name, "initial temperature");
     EXPECT_EQ(experiment.parameters[0].nodes.size(), experiment.runs.front().problem.initial.size());
 }

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads [[corner]] and makes a run of each recording and corner.
+
+#include "input/corners/corner.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+namespace tiretherm::input {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> corner_names{"FL", "FR", "RL", "RR"};
+
+/// What a run says of its corners must be of corners that there are.
+void check_corners_of_run(const RunTable& run, const std::vector<Corner>& corners, InputErrors& errors) {
+    const TomlValue* own = run.table != nullptr ? run.table->find("corner") : nullptr;
+    if (own == nullptr) {
+        return;
+    }
+    for (const Entry& entry : own->entries) {
+        if (std::ranges::find(corner_names, entry.key) != corner_names.end() &&
+            std::ranges::find(corners, entry.key, &Corner::name) == corners.end()) {
+            errors.add(entry.place, fmt::format("the case has no [[corner]] called \"{}\"", entry.key),
+                       fmt::format("add [[corner]] with name = \"{}\", or remove this", entry.key));
+        }
+    }
+}
+
+}  // namespace
+
+std::string group_of(std::string_view corner, CornerGroup group) {
+    switch (group) {
+        case CornerGroup::axle:
+            return corner.starts_with('F') ? "front" : "rear";
+        case CornerGroup::side:
+            return corner.ends_with('L') ? "left" : "right";
+        case CornerGroup::corner:
+            return std::string(corner);
+        case CornerGroup::all:
+            break;
+    }
+    return {};
+}
+
+std::vector<Corner> read_corners(TomlTable& root, const std::shared_ptr<ColumnKeys>& of_data) {
+    std::vector<Corner> corners;
+    root.each("corner", [&](TomlTable& table) {
+        table.declare_keys({"drive", "initial", "measured", "effects"});
+        Corner corner{.name = {}, .table = &table.content(), .keys = std::make_shared<ColumnKeys>()};
+        corner.keys->read(table);
+        corner.keys->fall_back_on(of_data);
+        const std::optional<std::size_t> name = table.choice("name", corner_names, Need::required);
+        if (!name) {
+            return;
+        }
+        corner.name = corner_names[*name];
+        if (std::ranges::find(corners, corner.name, &Corner::name) != corners.end()) {
+            table.add_error("name", fmt::format("a second [[corner]] is called \"{}\"", corner.name),
+                            "give each corner one table");
+            return;
+        }
+        corners.push_back(std::move(corner));
+    });
+    return corners;
+}
+
+void read_corners_of_run(TomlTable& run) {
+    TomlTable corners = run.subtable("corner");
+    for (const std::string_view name : corner_names) {
+        corners.subtable(name).declare_keys({"drive", "initial", "time", "measured"});
+    }
+}
+
+std::vector<RunTable> at_corners(const std::vector<RunTable>& runs, const std::vector<Corner>& corners,
+                                 InputErrors& errors) {
+    for (const RunTable& run : runs) {
+        check_corners_of_run(run, corners, errors);
+    }
+    if (corners.empty()) {
+        return runs;
+    }
+    std::vector<RunTable> each;
+    for (const RunTable& run : runs) {
+        for (const Corner& corner : corners) {
+            RunTable& one = each.emplace_back(run);
+            one.name = fmt::format("{}_{}", run.name, corner.name);
+            one.recording = run.name;
+            one.corner = corner.name;
+            one.corner_table = corner.table;
+            // What the run itself says of columns wins over its corner, and this one over [data].
+            one.keys = std::make_shared<ColumnKeys>(run.table != nullptr ? *run.keys : ColumnKeys());
+            one.keys->fall_back_on(corner.keys);
+        }
+    }
+    return each;
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Makes a parameter of each axle, side or corner out of one, with the runs that it belongs to.
+
+#include "input/corners/parameter_groups.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "input/corners/corner.hpp"
+#include "physics/user_effect_place.hpp"
+
+namespace tiretherm::input {
+
+bool give_each_group_its_own(TomlTable& table, const solver::Problem& problem, const std::vector<RunOfParameter>& runs,
+                             std::vector<solver::FreeParameter>& numbers) {
+    constexpr std::array<std::string_view, 3> words{"axle", "side", "corner"};
+    constexpr std::array<CornerGroup, 3> groups{CornerGroup::axle, CornerGroup::side, CornerGroup::corner};
+    const std::size_t before = table.errors().count();
+    const std::optional<std::size_t> each = table.choice("each", words);
+    if (!each) {
+        return table.errors().count() == before;
+    }
+    if (runs.empty() || runs.front().corner.empty()) {
+        table.add_error("each", "the case has no [[corner]]", "remove each, or add a [[corner]] for each wheel");
+        return false;
+    }
+    const solver::FreeParameter& first = numbers.front();
+    if (first.kind != solver::FreeParameter::Kind::effect ||
+        physics::is_user_effect(*problem.effects[first.effect].effect)) {
+        table.add_error("each",
+                        fmt::format("{} cannot differ from one {} to the other", numbers.front().name, words[*each]),
+                        "remove each, which is for values of [effects]; each run has its own start by itself");
+        return false;
+    }
+    std::vector<solver::FreeParameter> own;
+    for (const solver::FreeParameter& number : numbers) {
+        const auto before_it = static_cast<std::ptrdiff_t>(own.size());
+        for (std::size_t run = 0; run < runs.size(); ++run) {
+            const std::string name = fmt::format("{}, {}", number.name, group_of(runs[run].corner, groups[*each]));
+            auto of_group = std::ranges::find(own.begin() + before_it, own.end(), name, &solver::FreeParameter::name);
+            if (of_group == own.end()) {
+                own.push_back(number);
+                own.back().name = name;
+                of_group = own.end() - 1;
+            }
+            of_group->runs.push_back(run);
+        }
+    }
+    numbers = std::move(own);
+    return true;
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Four tires in one case: what belongs to a corner, what to all, and parameters by axle, side and corner.
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "input/corners/corner.hpp"
+#include "input/measurements/measured_bench.hpp"
+#include "input/parameters/fitted_case.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+/// Two laps of a car: a load, a surface and a bulk temperature of each front tire, a surface temperature of the rear left one.
+constexpr std::string_view car_log =
+    "time [s],speed [km/h],air_temperature [degC],road_temperature [degC],Fz_FL [N],Fz_FR [N],Fz_RL [N],Fz_RR [N],"
+    "S_FL [degC],S_FR [degC],S_RL [degC],B_FL [degC]\n"
+    "0,36,25,30,4000,3000,2500,2600,30.0,31.0,32.0,27.0\n"
+    "2,54,25,30,4100,2900,2500,2600,30.5,31.5,32.5,27.1\n"
+    "5,72,25,31,4200,2800,2500,2600,31.0,32.0,33.0,27.2\n";
+
+const std::string corners = R"(
+[effects.air_convection]
+lambda_h = 0.8
+[[corner]]
+name = "FL"
+columns = { Fz_FL = "vertical_load", S_FL = "surface_temperature", B_FL = "bulk_temperature" }
+drive = { camber = "-3 deg" }
+[[corner]]
+name = "FR"
+columns = { Fz_FR = "vertical_load", S_FR = "surface_temperature" }
+effects = { air_convection = { lambda_h = 0.9 } }
+[[corner]]
+name = "RL"
+columns = { Fz_RL = "vertical_load", S_RL = "surface_temperature" }
+[[run]]
+file = "laps.csv"
+)";
+
+ExperimentReading read(const Written& written, const std::string& tables) {
+    written.add("laps.csv", car_log);
+    return read_experiment(written.add("case.toml", std::string(bench) + tables));
+}
+
+std::string said(const ExperimentReading& reading, const Written& written) {
+    return replaced(error_report(reading), written.folder().generic_string() + "/", "");
+}
+
+double load_at(const MeasuredRun& run, double time) {
+    return run.problem.input_signals.at(time, solver::JumpSide::after).load;
+}
+
+const solver::FreeParameter& parameter(const Experiment& experiment, const std::string& name) {
+    for (const solver::FreeParameter& one : experiment.parameters) {
+        if (one.name == name) {
+            return one;
+        }
+    }
+    throw std::out_of_range(name);
+}
+
+}  // namespace
+
+// Each corner is a run of its own with its columns: 4200, 2800 and 2500 N at 5 s. The speed is that of all.
+TEST(Corner, HasColumnsInputsAndSensorsOfItsOwn) {
+    const Written written;
+    const ExperimentReading reading = read(written, corners);
+    ASSERT_TRUE(reading.experiment) << said(reading, written);
+    EXPECT_EQ(said(reading, written), "");
+    const std::vector<MeasuredRun>& runs = reading.experiment->runs;
+    ASSERT_EQ(runs.size(), 3U);
+    EXPECT_EQ(runs[0].name, "laps_FL");
+    EXPECT_EQ(runs[1].corner, "FR");
+    EXPECT_EQ(runs[2].recording, "laps");
+    EXPECT_NEAR(load_at(runs[0], 5.0), 4200.0, 1e-9);
+    EXPECT_NEAR(load_at(runs[1], 5.0), 2800.0, 1e-9);
+    EXPECT_NEAR(load_at(runs[2], 5.0), 2500.0, 1e-9);
+    for (const MeasuredRun& run : runs) {
+        EXPECT_NEAR(run.problem.input_signals.at(2.0, solver::JumpSide::after).speed, 15.0, 1e-12);
+    }
+    ASSERT_NE(find_series(runs[0], "bulk_temperature"), nullptr);
+    EXPECT_EQ(find_series(runs[1], "bulk_temperature"), nullptr);
+    EXPECT_NEAR(find_series(runs[1], "surface_temperature")->value[2], 305.15, 1e-9);
+    EXPECT_NEAR(runs[0].problem.input_signals.at(1.0, solver::JumpSide::after).camber, -3.0 * std::acos(-1.0) / 180.0,
+                1e-12);
+    EXPECT_FALSE(runs[1].problem.input_signals.gives(*physics::find_signal("camber")));
+}
+
+// What differs in one run alone: the front right tire starts at 40 degC, the others at 23.
+TEST(Corner, MayStartElsewhereInOneRun) {
+    const Written written;
+    const ExperimentReading reading =
+        read(written, corners + "corner = { FR = { initial = { temperature = \"40 degC\" } } }\n");
+    ASSERT_TRUE(reading.experiment) << said(reading, written);
+    EXPECT_NEAR(reading.experiment->runs[0].problem.initial.front(), 296.15, 1e-9);
+    EXPECT_NEAR(reading.experiment->runs[1].problem.initial.front(), 313.15, 1e-9);
+}
+
+// Three corners: two on the front axle, two on the left. A parameter of an axle belongs to its runs alone and starts at the
+// value of its first corner; a shared one belongs to all.
+TEST(Corner, ParametersAreOfAllOfAnAxleOfASideOrOwn) {
+    const auto with = [&](const std::string& each) {
+        const Written written;
+        const ExperimentReading reading =
+            read(written, corners + "[[parameter]]\neffect = \"air_convection\"\nkey = \"lambda_h\"\n" + each);
+        EXPECT_TRUE(reading.experiment) << said(reading, written);
+        return reading.experiment.value_or(Experiment{});
+    };
+    using Runs = std::vector<std::size_t>;
+    const std::string name = "air_convection.lambda_h";
+    EXPECT_EQ(parameter(with(""), name).runs, Runs{});
+    const Experiment by_axle = with("each = \"axle\"\n");
+    EXPECT_EQ(parameter(by_axle, name + ", front").runs, (Runs{0, 1}));
+    EXPECT_EQ(parameter(by_axle, name + ", rear").runs, Runs{2});
+    const Experiment by_side = with("each = \"side\"\n");
+    EXPECT_EQ(parameter(by_side, name + ", left").runs, (Runs{0, 2}));
+    EXPECT_EQ(parameter(by_side, name + ", right").runs, Runs{1});
+    const Experiment by_corner = with("each = \"corner\"\n");
+    ASSERT_EQ(by_corner.parameters.size(), 3U);
+    EXPECT_NEAR(parameter(by_corner, name + ", FL").prior, 0.8, 1e-15);
+    EXPECT_NEAR(parameter(by_corner, name + ", FR").prior, 0.9, 1e-15);
+}
+
+// Fitted values of corners go to their tables, starts of corners to their run: read again they give the fitted problems.
+TEST(Corner, FittedValuesAreReadAgain) {
+    const Written written;
+    const ExperimentReading reading =
+        read(written, corners +
+                          "[[parameter]]\neffect = \"air_convection\"\nkey = \"lambda_h\"\neach = \"axle\"\n"
+                          "[[parameter]]\ninitial = \"temperature\"\n");
+    ASSERT_TRUE(reading.experiment) << said(reading, written);
+    const Experiment& experiment = *reading.experiment;
+    ASSERT_EQ(experiment.parameters.size(), 5U);
+    std::vector<solver::Problem> fitted;
+    std::vector<FittedRun> runs;
+    fitted.reserve(3);
+    for (std::size_t r = 0; r < 3; ++r) {
+        solver::Problem& problem = fitted.emplace_back(experiment.runs[r].problem);
+        for (std::size_t j = 0; j < experiment.parameters.size(); ++j) {
+            const solver::FreeParameter& one = experiment.parameters[j];
+            if (one.belongs_to(r)) {
+                const bool is_start = one.kind == solver::FreeParameter::Kind::initial;
+                const double from = is_start ? 0.0 : experiment.parameters[j].prior;
+                solver::move(problem, one, from,
+                             is_start ? 1.0 + static_cast<double>(j) : 0.5 + 0.1 * static_cast<double>(j));
+            }
+        }
+        runs.push_back({.name = experiment.runs[r].name,
+                        .problem = &fitted[r],
+                        .recording = experiment.runs[r].recording,
+                        .corner = experiment.runs[r].corner});
+    }
+    const std::string text = fitted_case({.original = written.folder() / "case.toml",
+                                          .before = &experiment.runs.front().problem,
+                                          .fitted = &fitted.front(),
+                                          .parameters = experiment.parameters,
+                                          .runs = runs},
+                                         written.folder());
+    const ExperimentReading again = read_experiment(written.add("fitted.toml", text));
+    ASSERT_TRUE(again.experiment) << said(again, written) << text;
+    for (std::size_t r = 0; r < 3; ++r) {
+        const solver::Problem& now = again.experiment->runs[r].problem;
+        EXPECT_NEAR(now.initial.front(), fitted[r].initial.front(), 1e-9) << text;
+        for (std::size_t e = 0; e < now.effects.size(); ++e) {
+            EXPECT_EQ(now.effects[e].parameters, fitted[r].effects[e].parameters) << text;
+        }
+    }
+}
+
+// The rear right tire has a load and no sensor. It is left out with a warning; a run in which no corner has one is an error.
+TEST(Corner, IsLeftOutWhereNothingIsMeasured) {
+    const std::string rear_right = "[[corner]]\nname = \"RR\"\ncolumns = { Fz_RR = \"vertical_load\" }\n";
+    const Written written;
+    const ExperimentReading reading = read(written, rear_right + corners);
+    ASSERT_TRUE(reading.experiment) << said(reading, written);
+    EXPECT_EQ(reading.experiment->runs.size(), 3U);
+    EXPECT_NE(said(reading, written).find("the run laps measures nothing at RR: left out"), std::string::npos)
+        << said(reading, written);
+    const ExperimentReading nothing = read(written, rear_right + "[[run]]\nfile = \"laps.csv\"\n");
+    EXPECT_FALSE(nothing.experiment);
+    EXPECT_NE(said(nothing, written).find("no corner of the run laps measures anything"), std::string::npos)
+        << said(nothing, written);
+}
+
+TEST(Corner, MistakesAreNamed) {
+    const Written written;
+    const ExperimentReading reading = read(written, R"([[corner]]
+name = "front_left"
+[[corner]]
+name = "FL"
+[[corner]]
+name = "FL"
+columns = { Fz_FL = "vertical_load", S_FL = "surface_temperature" }
+[[run]]
+file = "laps.csv"
+corner = { RX = { initial = { temperature = "40 degC" } } }
+[[parameter]]
+initial = "temperature"
+each = "corner"
+)");
+    const std::string text = said(reading, written);
+    for (const char* part : {"name cannot be \"front_left\"", "a second [[corner]] is called \"FL\"",
+                             "there is no corner \"RX\"", "cannot differ from one corner to the other"}) {
+        EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+    }
+    const ExperimentReading without = read(
+        written,
+        "[[run]]\nfile = \"laps.csv\"\ncolumns = { Fz_FL = \"vertical_load\", S_FL = \"surface_temperature\" }\n"
+        "[effects.air_convection]\n[[parameter]]\neffect = \"air_convection\"\nkey = \"lambda_h\"\neach = \"axle\"\n");
+    EXPECT_NE(said(without, written).find("the case has no [[corner]]"), std::string::npos) << said(without, written);
+}
+
+}  // namespace tiretherm::input
