@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Force of a tire in pure slip at one load, from its lowest to its highest, and the slip that makes a force.
+#pragma once
+
+#include <functional>
+
+#include "physics/vehicle/vehicle.hpp"
+
+namespace tiretherm::physics {
+
+/// Slip where `force` takes a value, of a function that never falls (regula falsi, Illinois).
+/// @param tolerance of the force  @returns `low` or `high` where the value lies beyond what is taken there
+[[nodiscard]] double slip_where(const std::function<double(double)>& force, double value, double low, double high,
+                                double tolerance);
+
+/// A tire's force in one direction against the slip in that direction alone. The slip counts in the sense in which the
+/// force rises with it, whatever the sign of pKy1. Beyond its peaks the force stays at them.
+class SlipCurve {
+public:
+    /// @param load N  @param static_load N, where the stiffness of a brush holds  @param camber rad, of the vehicle
+    [[nodiscard]] static SlipCurve lateral(const VehicleTire& tire, double load, double static_load, double camber);
+    [[nodiscard]] static SlipCurve longitudinal(const VehicleTire& tire, double load, double static_load,
+                                                double camber);
+
+    /// N, never falling. @param slip rad, or 1
+    [[nodiscard]] double force(double slip) const;
+    [[nodiscard]] double lowest() const { return lowest_; }    ///< N, at `first`
+    [[nodiscard]] double highest() const { return highest_; }  ///< N, at `last`
+    [[nodiscard]] double first() const { return first_; }      ///< slip of the lowest force
+    [[nodiscard]] double last() const { return last_; }        ///< slip of the highest force
+    /// How much there is at most in the direction of a force. @returns N, >= 0
+    [[nodiscard]] double most(double force) const { return force < 0.0 ? -lowest_ : highest_; }
+    /// The slip that makes the force; that of the peak where no slip does.
+    [[nodiscard]] double slip(double force) const;
+    /// A slip as the Magic Formula counts it: with pKy1 < 0 the other way.
+    [[nodiscard]] double as_written(double slip) const { return sense_ * slip; }
+
+private:
+    SlipCurve() = default;
+    [[nodiscard]] double of_law(double slip) const;
+    /// @param side 1 of the highest force, -1 of the lowest
+    [[nodiscard]] double peak_slip(double side) const;
+
+    const VehicleTire* tire_ = nullptr;
+    bool is_lateral_ = true;
+    double load_ = 0.0;
+    double static_load_ = 1.0;
+    double camber_ = 0.0;
+    double sense_ = 1.0;
+    double first_ = 0.0;
+    double last_ = 0.0;
+    double lowest_ = 0.0;
+    double highest_ = 0.0;
+};
+
+}  // namespace tiretherm::physics
