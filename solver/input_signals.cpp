@@ -55,6 +55,12 @@ void InputSignals::add(Series series) {
     series_.push_back(std::move(series));
 }
 
+void InputSignals::replace(Series series) {
+    std::erase_if(series_, [&](const Series& other) { return other.signal == series.signal; });
+    std::erase(given_, series.signal);
+    add(std::move(series));
+}
+
 void InputSignals::add_break_times(std::vector<double> times) { merge(stops_, std::move(times)); }
 
 void InputSignals::add_sample_times(std::vector<double> times) { merge(samples_, std::move(times)); }

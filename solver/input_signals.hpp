@@ -29,6 +29,8 @@ class InputSignals {
 public:
     void add(const physics::Signal& signal, double constant);
     void add(Series series);
+    /// The same in the place of what is given for this signal; steps still end where that had its points.
+    void replace(Series series);
 
     /// Times a step must end on though no input has a point there: jumps of signals that are no inputs. @param times s
     void add_break_times(std::vector<double> times);

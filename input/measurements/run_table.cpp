@@ -51,8 +51,8 @@ void read_frame_files(TomlTable& table, RunTable& run) {
 RunTable read_run(TomlTable& table) {
     RunTable run{.table = &table.content(), .place = table.place(), .name = {}};
     const std::optional<std::string> file = table.text("file");
-    table.declare_keys({"name", "drive", "initial", "time", "measured", "columns", "units", "unit_names", "ignore",
-                        "hold", "keep_suspicious", "from", "to"});
+    table.declare_keys({"name", "drive", "initial", "time", "measured", "vehicle", "columns", "units", "unit_names",
+                        "ignore", "hold", "keep_suspicious", "from", "to"});
     read_corners_of_run(table);
     if (file) {
         run.place = table.place("file");

@@ -18,12 +18,13 @@
 #include "input/parameters/hot_spots.hpp"
 #include "input/parameters/parameters.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/vehicle/vehicle_log.hpp"
 
 namespace tiretherm::input {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> tables_of_a_run{"drive", "initial", "time", "measured"};
+constexpr std::array<std::string_view, 5> tables_of_a_run{"drive", "initial", "time", "measured", "vehicle"};
 constexpr std::array<std::string_view, 4> tables_of_a_corner{"drive", "initial", "measured", "effects"};
 
 /// A run as it is being read. The builder points into the document.
@@ -155,7 +156,8 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
     }
     const bool measured = !data.empty() || document.find("run") != nullptr;
     const std::vector<std::string> sensors = sensor_names(document);
-    const std::vector<std::string> followed = followed_names(document);
+    std::vector<std::string> followed = followed_names(document);
+    add_vehicle_columns(document, followed);
     RunsBeingRead runs;
     SignalChoice signals;
     for (const RunTable& each : tables) {
@@ -183,6 +185,13 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
         run.file = table.file ? table.file->generic_string() : "";
         if (file) {
             read_series(*file, builder, errors, run);
+            if (document.find("vehicle") != nullptr) {  // its columns are used
+                for (const FollowedColumn& column : file->columns.followed) {
+                    std::erase_if(file->columns.unused, [&](int unused) {
+                        return unused == column.column && is_vehicle_signal(column.name);
+                    });
+                }
+            }
             read_unused(*file, builder.problem.settings, errors, run);
             Recording recording = recording_of(*file, builder, run);
             recording.keep_suspicious = table.keys->keeps_suspicious();

@@ -109,6 +109,8 @@ void read_tire(TomlTable& root, ProblemBuilder& builder);
 void read_materials(TomlTable& root, ProblemBuilder& builder);
 void read_mesh(TomlTable& root, ProblemBuilder& builder);
 void read_drive(TomlTable& root, ProblemBuilder& builder);
+/// The inputs of the tire at a corner of the car: [vehicle].
+void read_vehicle(TomlTable& root, ProblemBuilder& builder);
 /// Whether the tire's laws follow the pressure, and warnings about inputs outside their range.
 void settle_tire(TomlTable& root, ProblemBuilder& builder);
 void read_effects(TomlTable& root, ProblemBuilder& builder);

@@ -12,6 +12,7 @@
 #include "input/model/problem_builder.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/toml/document.hpp"
+#include "input/vehicle/vehicle_log.hpp"
 
 namespace tiretherm::input {
 
@@ -60,12 +61,14 @@ void read_tables(TomlTable& root, ProblemBuilder& builder) {
     }
     // A later table may refer to an earlier one: patches and layers of the mesh, channels, the run's start and end.
     builder.followed = followed_names(root.content());
+    add_vehicle_columns(root.content(), builder.followed);
     builder.case_file = root.place().file;
     builder.limits = read_limits(root);
     read_tire(root, builder);
     read_materials(root, builder);
     read_mesh(root, builder);
     read_drive(root, builder);
+    read_vehicle(root, builder);
     settle_tire(root, builder);
     read_effects(root, builder);
     read_time_settings(root, builder);

@@ -58,6 +58,8 @@ constexpr std::array names{
     Named{"J m-3 K-1", "a heat capacity per volume", "2e6 J/m3K"},
     Named{"s2 m-2", "a reciprocal square of a speed", "1e-5 s2/m2"},
     Named{"N-1", "a rate per force", "0.35 1/kN"},
+    Named{"N radian-1", "a stiffness against an angle", "80 kN/rad"},
+    Named{"kg m2", "a moment of inertia", "1800 kg m2"},
     Named{"m N-1", "a length per force", "-4.2e-6 m/N"},
     Named{"m2 N-1", "an area per force", "2.333e-6 m2/N"},
     Named{"K s-1", "a rate of temperature", "2 K/h"},

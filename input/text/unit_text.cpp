@@ -14,9 +14,11 @@ namespace tiretherm::input {
 namespace {
 
 /// Units whose whole text means something else to UDUNITS (kph: kilophot), or nothing.
-constexpr std::array<UnitAlias, 10> whole{{{"", "1"},
+constexpr std::array<UnitAlias, 12> whole{{{"", "1"},
                                            {"-", "1"},
                                            {"deg", "degree"},
+                                           {"deg/s", "degree/s"},
+                                           {"G", "standard_free_fall"},  // an accelerometer's, not a gauss
                                            {"kph", "km/h"},
                                            {"mph", "mile/h"},
                                            {"\xB0"

@@ -29,8 +29,9 @@ enum class UnitError : std::uint8_t { unknown, number_inside, other_dimension };
 
 /// How to turn numbers of one unit into another. UDUNITS after the aliases below; units of angle are not pure numbers,
 /// and reciprocal units (s and Hz) are not converted into each other.
-/// Aliases of a whole unit: `deg` = degree, `-` and empty = 1, `kph` = km/h, `mph` = mile/h; after a power or an energy
-/// and a slash `mK`, `m2K`, `m3K`, `kgK` are products (W/mK, W/m2K, J/kgK); `mK` by itself stays a millikelvin.
+/// Aliases of a whole unit: `deg` = degree, also in `deg/s`, `G` = standard gravity, `-` and empty = 1, `kph` = km/h, `mph` =
+/// mile/h; after a power or an energy and a slash `mK`, `m2K`, `m3K`, `kgK` are products (W/mK, W/m2K, J/kgK); `mK` by
+/// itself stays a millikelvin.
 /// @param wanted SI unit with kelvin
 /// @errors std::runtime_error when the units' data base cannot be read
 [[nodiscard]] std::variant<Conversion, UnitError> conversion(std::string_view written, std::string_view wanted,

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Table of a car's signals; checks the unit and the size of each column that has one of their names.
+
+#include "input/vehicle/vehicle_log.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "physics/vehicle/vehicle.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+constexpr std::array<VehicleSignal, 5> table{{
+    {"longitudinal_acceleration", "m s-2", -80.0, 80.0, "positive when the car speeds up"},
+    {"lateral_acceleration", "m s-2", -80.0, 80.0, "positive in left turns, or as lateral_acceleration_sign says"},
+    {"yaw_rate", "rad s-1", -6.0, 6.0, "positive in left turns, or as yaw_rate_sign says"},
+    {"steering_wheel_angle", "rad", -30.0, 30.0, "positive to the left, or as steering_sign says"},
+    {"brake_pressure", "", 0.0, 0.0, "in any unit, 0 when the brakes are released"},
+}};
+constexpr std::array members{&VehicleLog::longitudinal_acceleration, &VehicleLog::lateral_acceleration,
+                             &VehicleLog::yaw_rate, &VehicleLog::steering_wheel_angle, &VehicleLog::brake_pressure};
+
+const UserColumn* find_column(const ProblemBuilder& builder, std::string_view name) {
+    const auto in = [&](const std::vector<UserColumn>& columns) -> const UserColumn* {
+        const auto found = std::ranges::find(columns, name, &UserColumn::name);
+        return found == columns.end() ? nullptr : &*found;
+    };
+    const UserColumn* own = builder.run ? in(builder.run->columns) : nullptr;
+    return own != nullptr ? own : in(builder.columns);
+}
+
+/// Factor from the base units of a column to those of a signal; nothing for another dimension.
+std::optional<double> factor_to(const VehicleSignal& signal, const std::string& base) {
+    if (signal.unit.empty() || signature(signal.unit) == base) {
+        return 1.0;
+    }
+    // UDUNITS reads the g of an accelerometer as a gram.
+    if (signature(signal.unit) == signature("m s-2") && base == "kg") {
+        return 1e3 * physics::standard_gravity;
+    }
+    return std::nullopt;
+}
+
+/// @returns false after an error
+bool take(const VehicleSignal& signal, const UserColumn& column, const SourceLocation& place, InputErrors& errors,
+          solver::SignalHistory& into) {
+    const std::optional<double> factor = factor_to(signal, column.unit);
+    if (!factor) {
+        const Dimension wanted = dimension(signal.unit, Scale::absolute);
+        errors.add(place,
+                   fmt::format("the column {} is {}; {} is wanted", signal.name,
+                               column.unit == "1" ? "without a unit" : dimension(column.unit, Scale::absolute).name,
+                               wanted.name),
+                   fmt::format("write its unit into the heading, such as {} [{}], or units = {{ {} = \"{}\" }} into "
+                               "[[run]]",
+                               signal.name,
+                               signal.unit == "m s-2" ? "g"
+                               : signal.unit == "rad" ? "deg"
+                                                      : "deg/s",
+                               signal.name,
+                               signal.unit == "m s-2" ? "g"
+                               : signal.unit == "rad" ? "deg"
+                                                      : "deg/s"));
+        return false;
+    }
+    into = column.signal;
+    for (std::size_t i = 0; i < into.value.size(); ++i) {
+        into.value[i] *= *factor;
+        if (!signal.unit.empty() && (into.value[i] < signal.low || into.value[i] > signal.high)) {
+            errors.add(place,
+                       fmt::format("{} is {:.6g} {} at {:.6g} s, beyond {:.6g} to {:.6g}, where no car is", signal.name,
+                                   into.value[i],
+                                   signal.unit == "m s-2" ? "m/s2"
+                                   : signal.unit == "rad" ? "rad"
+                                                          : "rad/s",
+                                   into.time[i], signal.low, signal.high),
+                       "look for a wrong unit of the column, or leave out the part with from and to");
+            return false;
+        }
+    }
+    return true;
+}
+
+/// The car's speed as [drive] or the run's file gives it, as a history.
+solver::SignalHistory speed_of(const ProblemBuilder& builder) {
+    const physics::Signal* speed = physics::find_signal("speed");
+    for (const solver::Series& series : builder.problem.input_signals.series()) {
+        if (series.signal == speed) {
+            return {.time = series.time, .value = series.value};
+        }
+    }
+    return builder.problem.input_signals.gives(*speed)
+               ? solver::SignalHistory{.time = {0.0}, .value = {builder.problem.input_signals.constants().speed}}
+               : solver::SignalHistory{};
+}
+
+}  // namespace
+
+std::span<const VehicleSignal> vehicle_signals() { return table; }
+
+void add_vehicle_columns(const TomlValue& document, std::vector<std::string>& names) {
+    for (const VehicleSignal& signal : table) {
+        if (document.find("vehicle") != nullptr && std::ranges::find(names, signal.name) == names.end()) {
+            names.emplace_back(signal.name);
+        }
+    }
+}
+
+bool is_vehicle_signal(std::string_view name) {
+    return std::ranges::find(table, name, &VehicleSignal::name) != table.end();
+}
+
+std::optional<VehicleLog> find_vehicle_log(const ProblemBuilder& builder, const SourceLocation& place,
+                                           InputErrors& errors) {
+    VehicleLog log;
+    bool sound = true;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const UserColumn* column = find_column(builder, table[i].name);
+        if (column == nullptr) {
+            continue;
+        }
+        if (column->signal.time.empty()) {
+            sound = false;  // its gaps have been reported
+            continue;
+        }
+        sound = take(table[i], *column, place, errors, log.*members[i]) && sound;
+    }
+    log.speed = speed_of(builder);
+    return sound ? std::optional(std::move(log)) : std::nullopt;
+}
+
+}  // namespace tiretherm::input

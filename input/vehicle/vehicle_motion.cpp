@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Brings the signals to one clock, smooths them, finds out their signs and fills in what the log does not give.
+
+#include "input/vehicle/vehicle_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "input/columns/column_course.hpp"
+#include "physics/vehicle/local_mean.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+constexpr double slowest = 1.0;         ///< m/s, below which no yaw rate is taken from a_y / V
+constexpr double sure = 0.5;            ///< correlation from which two signals are known to be the same
+constexpr double slope_of_speed = 1.0;  ///< s, over which the acceleration is taken from the speed
+constexpr double released = 0.02;       ///< of the highest brake pressure
+
+using Values = std::vector<double>;
+
+/// The times of all samples of the car's own signals, within those of every one of them.
+Values clock_of(const VehicleLog& log) {
+    Values time;
+    double from = -INFINITY;
+    double to = INFINITY;
+    for (const auto* history : {&log.speed, &log.longitudinal_acceleration, &log.lateral_acceleration, &log.yaw_rate,
+                                &log.steering_wheel_angle}) {
+        if (history->time.size() > 1) {
+            time.insert(time.end(), history->time.begin(), history->time.end());
+            from = std::max(from, history->time.front());
+            to = std::min(to, history->time.back());
+        }
+    }
+    std::ranges::sort(time);
+    time.erase(std::unique(time.begin(), time.end()), time.end());
+    std::erase_if(time, [&](double t) { return t < from || t > to; });
+    return time;
+}
+
+/// A history at other times, straight between its points and held beyond them.
+Values at_times(const solver::SignalHistory& history, const Values& time) {
+    Values value(time.size());
+    std::size_t i = 0;
+    for (std::size_t k = 0; k < time.size(); ++k) {
+        while (i + 1 < history.time.size() && history.time[i + 1] <= time[k]) {
+            ++i;
+        }
+        const bool between = i + 1 < history.time.size() && time[k] > history.time[i];
+        value[k] = between
+                       ? history.value[i] + (history.value[i + 1] - history.value[i]) * (time[k] - history.time[i]) /
+                                                (history.time[i + 1] - history.time[i])
+                       : history.value[i];
+    }
+    return value;
+}
+
+/// What is read of a log on the way to a motion.
+struct Reader {
+    const VehicleSettings& settings;
+    const VehicleLog& log;
+    InputErrors& errors;
+    MotionHistory out{};
+    Values speed{};
+    Values yaw{};
+    Values lateral{};
+    Values longitudinal{};
+
+    void say(std::string sentence) { out.sources.push_back(std::move(sentence)); }
+
+    /// Smoothed, in the axes of the car. @param name for what the smoothing takes away; empty: nothing is said
+    Values smooth(const solver::SignalHistory& history, TurnSign sign, std::string_view name, double unit,
+                  std::string_view unit_name) {
+        const Values raw = at_times(history, out.time);
+        Values value = physics::local_mean(out.time, raw, settings.smoothing);
+        double square = 0.0;
+        for (std::size_t i = 0; i < raw.size(); ++i) {
+            square += (raw[i] - value[i]) * (raw[i] - value[i]);
+            value[i] *= sign == TurnSign::right ? -1.0 : 1.0;
+        }
+        if (!name.empty() && settings.smoothing > 0.0) {
+            say(fmt::format("{} is smoothed over {:.3g} s, which takes away {:.3g} {} (rms)", name, settings.smoothing,
+                            std::sqrt(square / static_cast<double>(raw.size())) / unit, unit_name));
+        }
+        return value;
+    }
+
+    [[nodiscard]] Values speed_times_yaw() const {
+        Values product(speed.size());
+        std::ranges::transform(speed, yaw, product.begin(), std::multiplies<>());
+        return product;
+    }
+
+    bool read_yaw_rate();
+    bool read_lateral();
+    bool read_longitudinal();
+};
+
+std::string_view turns(TurnSign sign) { return sign == TurnSign::right ? "right" : "left"; }
+
+bool Reader::read_yaw_rate() {
+    if (!log.yaw_rate.time.empty()) {
+        yaw = smooth(log.yaw_rate, settings.yaw_rate, "yaw_rate", 1.0, "rad/s");
+        say(fmt::format("yaw_rate is taken as positive in {} turns (yaw_rate_sign)", turns(settings.yaw_rate)));
+        return true;
+    }
+    if (!log.lateral_acceleration.time.empty() || log.steering_wheel_angle.time.empty()) {
+        return true;  // from the lateral acceleration
+    }
+    if (settings.steering_ratio <= 0.0) {
+        errors.add(settings.place, "the turns follow from steering_wheel_angle, but the steering ratio is not given",
+                   "add steering_ratio = 15, the steering wheel's angle over that of the road wheels");
+        return false;
+    }
+    const double gradient = settings.vehicle.understeer_gradient();
+    const double wheelbase = settings.vehicle.wheelbase();
+    const double fastest = std::ranges::max(speed);
+    if (wheelbase + gradient * fastest * fastest <= 0.1 * wheelbase) {
+        errors.add(settings.place,
+                   fmt::format("the car oversteers and is near its critical speed of {:.4g} km/h, where the steering "
+                               "does not tell the turn",
+                               3.6 * std::sqrt(wheelbase / -gradient)),
+                   "log lateral_acceleration or yaw_rate, or correct the cornering stiffnesses");
+        return false;
+    }
+    const Values steer = smooth(log.steering_wheel_angle, settings.steering, "steering_wheel_angle", 1.0, "rad");
+    yaw.resize(speed.size());
+    for (std::size_t i = 0; i < speed.size(); ++i) {
+        yaw[i] = speed[i] * steer[i] / settings.steering_ratio / (wheelbase + gradient * speed[i] * speed[i]);
+    }
+    say(
+        fmt::format("yaw rate and lateral acceleration follow from steering_wheel_angle, positive to the {}, by the "
+                    "steady turn of a linear car with an understeer gradient of {:.3g} deg/g: near the limit of grip "
+                    "they are too high",
+                    turns(settings.steering), gradient * physics::standard_gravity * 180.0 / 3.14159265358979));
+    return true;
+}
+
+bool Reader::read_lateral() {
+    const solver::SignalHistory& logged = log.lateral_acceleration;
+    if (logged.time.empty()) {
+        if (log.yaw_rate.time.empty() && log.steering_wheel_angle.time.empty()) {
+            errors.add(settings.place,
+                       "nothing tells the turns of the car: neither lateral_acceleration nor yaw_rate "
+                       "nor steering_wheel_angle is a column",
+                       "rename one: columns = { AccY = \"lateral_acceleration\" }");
+            return false;
+        }
+        lateral = speed_times_yaw();
+        if (!log.yaw_rate.time.empty()) {
+            say("lateral acceleration is speed times yaw_rate: the change of the sideslip angle is neglected");
+        }
+        return true;
+    }
+    TurnSign sign = settings.lateral_acceleration;
+    lateral = smooth(logged, TurnSign::left, "lateral_acceleration", physics::standard_gravity, "g");
+    if (!yaw.empty()) {
+        const double r = correlation(lateral, speed_times_yaw());
+        const TurnSign seen = r < 0.0 ? TurnSign::right : TurnSign::left;
+        if (sign != TurnSign::automatic && std::abs(r) > sure && seen != sign) {
+            errors.add(settings.place,
+                       fmt::format("lateral_acceleration_sign says positive in {} turns, but beside speed times "
+                                   "yaw_rate it is positive in {} ones (r = {:.2f})",
+                                   turns(sign), turns(seen), r),
+                       "correct lateral_acceleration_sign or yaw_rate_sign: the wrong tire would be loaded");
+            return false;
+        }
+        if (sign == TurnSign::automatic && std::abs(r) > sure) {
+            sign = seen;
+            say(
+                fmt::format("lateral_acceleration is taken as positive in {} turns: its correlation with speed times "
+                            "yaw_rate is {:.2f}",
+                            turns(sign), r));
+        }
+    }
+    if (sign == TurnSign::automatic) {
+        sign = TurnSign::left;
+        say("lateral_acceleration is taken as positive in left turns (ISO 8855); many loggers have it the other way: "
+            "say so with lateral_acceleration_sign");
+    }
+    if (sign == TurnSign::right) {
+        std::ranges::transform(lateral, lateral.begin(), std::negate<>());
+    }
+    if (yaw.empty()) {
+        yaw.resize(lateral.size());
+        for (std::size_t i = 0; i < yaw.size(); ++i) {
+            yaw[i] = std::abs(speed[i]) < slowest ? 0.0 : lateral[i] / speed[i];
+        }
+        say("yaw rate is lateral_acceleration over speed");
+    }
+    return true;
+}
+
+bool Reader::read_longitudinal() {
+    const Values slope = physics::local_slope(out.time, speed, std::max(slope_of_speed, settings.smoothing));
+    if (log.longitudinal_acceleration.time.empty()) {
+        longitudinal = slope;
+        say(fmt::format("longitudinal acceleration is the slope of speed over {:.3g} s",
+                        std::max(slope_of_speed, settings.smoothing)));
+        return true;
+    }
+    longitudinal = smooth(log.longitudinal_acceleration, TurnSign::left, "longitudinal_acceleration",
+                          physics::standard_gravity, "g");
+    const Values smoothed = physics::local_mean(out.time, longitudinal, 2.0 * slope_of_speed);
+    if (const double r = correlation(smoothed, slope); r < -sure) {
+        errors.add(settings.place,
+                   fmt::format("longitudinal_acceleration is positive where the speed falls (r = {:.2f})", r),
+                   "turn the sign of the column: positive is speeding up");
+        return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+std::optional<MotionHistory> motion_of(const VehicleSettings& settings, const VehicleLog& log, InputErrors& errors) {
+    if (log.speed.time.empty()) {
+        errors.add(settings.place, "the speed of the car is not given",
+                   "give the run's file a column speed, or rename one: columns = { V = \"speed\" }");
+        return std::nullopt;
+    }
+    Reader reader{.settings = settings, .log = log, .errors = errors};
+    reader.out.time = clock_of(log);
+    if (reader.out.time.size() < 2) {
+        // A constant speed and nothing else that is logged.
+        static_cast<void>(log.lateral_acceleration.time.empty() && reader.read_lateral());
+        if (!log.lateral_acceleration.time.empty()) {
+            errors.add(settings.place, "the signals of the car have no time in common", "choose from and to");
+        }
+        return std::nullopt;
+    }
+    reader.speed = reader.smooth(log.speed, TurnSign::left, "", 1.0, "");
+    if (!reader.read_yaw_rate() || !reader.read_lateral() || !reader.read_longitudinal()) {
+        return std::nullopt;
+    }
+    const bool turns_are_known = !log.yaw_rate.time.empty();
+    const Values yaw_acceleration =
+        physics::local_slope(reader.out.time, reader.yaw, std::max(settings.smoothing, 0.1));
+    if (!turns_are_known) {
+        reader.say("without yaw_rate the moment that turns the car about its vertical axis is neglected");
+    }
+    const Values brake = log.brake_pressure.time.empty() ? Values{} : at_times(log.brake_pressure, reader.out.time);
+    const double pressed = brake.empty() ? 0.0 : released * std::ranges::max(brake);
+    if (!brake.empty()) {
+        reader.say("where brake_pressure is below 2 % of its highest value, the driven wheels slow the car down");
+    }
+    for (std::size_t i = 0; i < reader.out.time.size(); ++i) {
+        reader.out.motion.push_back({.speed = reader.speed[i],
+                                     .longitudinal_acceleration = reader.longitudinal[i],
+                                     .lateral_acceleration = reader.lateral[i],
+                                     .yaw_rate = reader.yaw[i],
+                                     .yaw_acceleration = turns_are_known ? yaw_acceleration[i] : 0.0,
+                                     .brakes_released = !brake.empty() && brake[i] <= pressed});
+    }
+    return std::move(reader.out);
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The motion of a car at the samples of its log, from what the log gives, and from what each part of it was taken.
+#pragma once
+
+#include <string>
+
+#include "input/vehicle/vehicle_log.hpp"
+#include "input/vehicle/vehicle_settings.hpp"
+
+namespace tiretherm::input {
+
+/// How a car moved, in the axes of ISO 8855.
+struct MotionHistory {
+    std::vector<double> time;                    ///< [n] s, ascending
+    std::vector<physics::VehicleMotion> motion;  ///< [n]
+    std::vector<std::string> sources;            ///< from what it was taken, a sentence each
+};
+
+/// Smooths the signals of the log, turns them into the axes of the car, and takes what is missing from the others:
+///     a_x = dV/dt;   a_y = V r;   r = V delta / (L + K V^2) of a steady turn (Gillespie 1992, ch. 6);   r = a_y / V
+/// Errors are an unknown speed, no signal of a turn, a speed beyond the critical one of an oversteering car whose turn is
+/// known from the steering alone, and signs that contradict each other.
+[[nodiscard]] std::optional<MotionHistory> motion_of(const VehicleSettings& settings, const VehicleLog& log,
+                                                     InputErrors& errors);
+
+}  // namespace tiretherm::input
