@@ -447,12 +447,71 @@ over = { at = "0 s", minus = { at = "1 s" } }
 
 }  // namespace
 
+/// Two cars: tires by a property file and by stiffnesses; the other alternatives are those of both.
+constexpr std::string_view car = R"(
+[vehicle]
+corner = "front_left"
+mass = "1350 kg"
+wheelbase = "2.7 m"
+front_track = "1.55 m"
+rear_track = "1.5 m"
+centre_of_gravity_height = "0.5 m"
+centre_of_gravity_behind_front_axle = "1.3 m"
+yaw_inertia = "1900 kg m2"
+front_roll_stiffness_share = 0.55
+front_roll_centre_height = "0.05 m"
+rear_roll_centre_height = "0.1 m"
+drag_area = "0.7 m2"
+downforce_area = "0.2 m2"
+front_downforce_share = 0.4
+air_density = "1.2 kg/m3"
+driven_axle = "all"
+front_drive_share = 0.4
+front_brake_share = 0.65
+front_toe_in = "0.1 deg"
+rear_toe_in = "0.1 deg"
+front_cornering_stiffness = "80 kN/rad"
+rear_cornering_stiffness = "90 kN/rad"
+front_slip_stiffness = "90 kN"
+rear_slip_stiffness = "90 kN"
+friction = 1.1
+steering_ratio = 15
+smoothing = "0.2 s"
+lateral_acceleration_sign = "automatic"
+yaw_rate_sign = "left"
+steering_sign = "left"
+)";
+
+constexpr std::string_view car_of_property_file = R"(
+[vehicle]
+corner = "rear_right"
+mass = "1350 kg"
+wheelbase = "2.7 m"
+front_track = "1.55 m"
+centre_of_gravity_height = "0.5 m"
+front_weight_share = 0.5
+front_roll_stiffness_share = 0.55
+driven_axle = "front"
+front_brake_share = 0.65
+property_file = "made_up.tir"
+friction_scale = 0.9
+stiffness_scale = 0.9
+)";
+
 const std::vector<MadeUpFile>& files_of_every_kind() {
-    static const std::vector<MadeUpFile> files{
-        {"two_node.toml", two_node},   {"section.toml", section},   {"layers.toml", layers},
-        {"strip.toml", strip},         {"cylinder.toml", cylinder}, {"cylinder_of_a_tire.toml", cylinder_of_a_tire},
-        {"coastdown.toml", coastdown}, {"block.toml", block},       {"axisymmetric.toml", axisymmetric},
-        {"study.toml", study},         {"table.toml", table}};
+    static const std::vector<MadeUpFile> files{{"two_node.toml", two_node},
+                                               {"section.toml", section},
+                                               {"layers.toml", layers},
+                                               {"strip.toml", strip},
+                                               {"cylinder.toml", cylinder},
+                                               {"cylinder_of_a_tire.toml", cylinder_of_a_tire},
+                                               {"coastdown.toml", coastdown},
+                                               {"block.toml", block},
+                                               {"axisymmetric.toml", axisymmetric},
+                                               {"study.toml", study},
+                                               {"table.toml", table},
+                                               {"car.toml", car},
+                                               {"car_of_property_file.toml", car_of_property_file}};
     return files;
 }
 

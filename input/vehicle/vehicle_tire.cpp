@@ -25,14 +25,18 @@ constexpr QuantitySpec scale{.unit = "1", .low = 0.0, .high = 10.0, .above = tru
 constexpr std::array<std::string_view, 4> stiffness_keys{"front_cornering_stiffness", "rear_cornering_stiffness",
                                                          "front_slip_stiffness", "rear_slip_stiffness"};
 
-void use(const physics::MagicFormula& law, TomlTable& table, VehicleSettings& settings) {
+/// Factors on the friction and the stiffness of a property file.
+struct Scales {
+    double friction = 1.0;
+    double stiffness = 1.0;
+};
+
+void use(const physics::MagicFormula& law, const Scales& scales, const TomlTable& table, VehicleSettings& settings) {
     physics::MagicFormula scaled = law;
-    const double friction = table.quantity("friction_scale", scale).value_or(1.0);
-    const double stiffness = table.quantity("stiffness_scale", scale).value_or(1.0);
-    scaled.lambda.mux *= friction;
-    scaled.lambda.muy *= friction;
-    scaled.lambda.Kx *= stiffness;
-    scaled.lambda.Ky *= stiffness;
+    scaled.lambda.mux *= scales.friction;
+    scaled.lambda.muy *= scales.friction;
+    scaled.lambda.Kx *= scales.stiffness;
+    scaled.lambda.Ky *= scales.stiffness;
     settings.has_slip_ratio = scaled.pCx1 != 0.0 && scaled.pDx1 != 0.0;
     for (physics::Axle& axle : settings.vehicle.axles) {
         axle.tire.magic_formula = scaled;
@@ -81,6 +85,8 @@ void read_vehicle_tires(TomlTable& table, const ProblemBuilder& builder, Vehicle
             stiffnesses.emplace_back(key);
         }
     }
+    const Scales scales{.friction = table.quantity("friction_scale", scale).value_or(1.0),
+                        .stiffness = table.quantity("stiffness_scale", scale).value_or(1.0)};
     const std::optional<std::string> path = table.text("property_file");
     if (path && !stiffnesses.empty()) {
         table.add_error("property_file",
@@ -92,10 +98,10 @@ void read_vehicle_tires(TomlTable& table, const ProblemBuilder& builder, Vehicle
         const SourceLocation mentioned = table.place("property_file");
         const std::filesystem::path beside = std::filesystem::path(table.errors().file(mentioned.file)).parent_path();
         if (const auto file = read_tir_file((beside / *path).lexically_normal(), mentioned, table.errors())) {
-            use(file->law, table, settings);
+            use(file->law, scales, table, settings);
         }
     } else if (stiffnesses.empty() && builder.problem.handling.magic_formula) {
-        use(*builder.problem.handling.magic_formula, table, settings);
+        use(*builder.problem.handling.magic_formula, scales, table, settings);
     } else if (stiffnesses.empty() && table.has("property_file")) {
         return;  // no text, which has been reported
     } else {
