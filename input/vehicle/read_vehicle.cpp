@@ -53,7 +53,9 @@ solver::Series series_of(const physics::Signal& signal, double CornerInputs::*me
     return series;
 }
 
-std::string percent(double share) { return fmt::format("{:.2g} %", 100.0 * share); }
+std::string percent(double share) {
+    return share < 0.1 ? fmt::format("{:.2g} %", 100.0 * share) : fmt::format("{:.0f} %", 100.0 * share);
+}
 
 /// What the model could not follow.
 void warn_of_limits(const CornerSignals& signals, const VehicleSettings& settings, InputErrors& errors) {
