@@ -5,46 +5,27 @@
 
 #include <algorithm>
 
+#include "input/vehicle/at_times.hpp"
+
 namespace tiretherm::input {
-
-namespace {
-
-/// A history read off at times that ascend.
-class Reading {
-public:
-    explicit Reading(const solver::SignalHistory& history) : history_(history) {}
-    [[nodiscard]] std::optional<double> at(double t) {
-        const std::vector<double>& time = history_.time;
-        if (time.empty()) {
-            return std::nullopt;
-        }
-        while (at_ + 1 < time.size() && time[at_ + 1] <= t) {
-            ++at_;
-        }
-        const double value = history_.value[at_];
-        return at_ + 1 == time.size() || t <= time[at_]
-                   ? value
-                   : value + (history_.value[at_ + 1] - value) * (t - time[at_]) / (time[at_ + 1] - time[at_]);
-    }
-
-private:
-    const solver::SignalHistory& history_;
-    std::size_t at_ = 0;
-};
-
-}  // namespace
 
 CornerSignals corner_signals(const physics::Vehicle& vehicle, const MotionHistory& motion,
                              const MeasuredWheelHistories& measured) {
     CornerSignals signals;
-    std::vector<Reading> loads(measured.vertical_load.begin(), measured.vertical_load.end());
-    Reading camber(measured.camber);
     const std::vector<double>& time = motion.time;
+    const auto read = [&](const solver::SignalHistory& history) {
+        return history.time.empty() ? std::vector<double>{} : at_times(history, time);
+    };
+    const std::vector<double> camber = read(measured.camber);
+    std::array<std::vector<double>, physics::n_corners> loads;
+    std::ranges::transform(measured.vertical_load, loads.begin(), read);
     const double length = time.back() - time.front();
     for (std::size_t i = 0; i < time.size(); ++i) {
-        physics::MeasuredWheels wheels{.camber = camber.at(time[i]).value_or(0.0)};
+        physics::MeasuredWheels wheels{.camber = camber.empty() ? 0.0 : camber[i]};
         for (std::size_t corner = 0; corner < physics::n_corners; ++corner) {
-            wheels.vertical_load[corner] = loads[corner].at(time[i]);
+            if (!loads[corner].empty()) {
+                wheels.vertical_load[corner] = loads[corner][i];
+            }
         }
         const physics::VehicleMoment moment = physics::vehicle_moment(vehicle, motion.motion[i], wheels);
         // Each sample stands for the time half way to its neighbours.

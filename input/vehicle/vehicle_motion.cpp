@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Brings the signals to one clock, smooths them, finds out their signs and fills in what the log does not give.
+// Smooths the signals of a log, finds out their signs and fills in what the log does not give.
 
 #include "input/vehicle/vehicle_motion.hpp"
 
@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "input/columns/column_course.hpp"
+#include "input/vehicle/at_times.hpp"
 #include "physics/vehicle/local_mean.hpp"
 
 namespace tiretherm::input {
@@ -21,42 +22,6 @@ constexpr double slope_of_speed = 1.0;  ///< s, over which the acceleration is t
 constexpr double released = 0.02;       ///< of the highest brake pressure
 
 using Values = std::vector<double>;
-
-/// The times of all samples of the car's own signals, within those of every one of them.
-Values clock_of(const VehicleLog& log) {
-    Values time;
-    double from = -INFINITY;
-    double to = INFINITY;
-    for (const auto* history : {&log.speed, &log.longitudinal_acceleration, &log.lateral_acceleration, &log.yaw_rate,
-                                &log.steering_wheel_angle}) {
-        if (history->time.size() > 1) {
-            time.insert(time.end(), history->time.begin(), history->time.end());
-            from = std::max(from, history->time.front());
-            to = std::min(to, history->time.back());
-        }
-    }
-    std::ranges::sort(time);
-    time.erase(std::unique(time.begin(), time.end()), time.end());
-    std::erase_if(time, [&](double t) { return t < from || t > to; });
-    return time;
-}
-
-/// A history at other times, straight between its points and held beyond them.
-Values at_times(const solver::SignalHistory& history, const Values& time) {
-    Values value(time.size());
-    std::size_t i = 0;
-    for (std::size_t k = 0; k < time.size(); ++k) {
-        while (i + 1 < history.time.size() && history.time[i + 1] <= time[k]) {
-            ++i;
-        }
-        const bool between = i + 1 < history.time.size() && time[k] > history.time[i];
-        value[k] = between
-                       ? history.value[i] + (history.value[i + 1] - history.value[i]) * (time[k] - history.time[i]) /
-                                                (history.time[i + 1] - history.time[i])
-                       : history.value[i];
-    }
-    return value;
-}
 
 /// What is read of a log on the way to a motion.
 struct Reader {
