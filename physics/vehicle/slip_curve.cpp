@@ -153,6 +153,13 @@ double SlipCurve::force(double slip) const {
     return slip <= first_ ? lowest_ : slip >= last_ ? highest_ : of_law(slip);
 }
 
+double SlipCurve::most(double force) const {
+    if (load_ > 0.0 && !tire_->magic_formula && std::isinf(tire_->friction)) {
+        return tire_->friction;
+    }
+    return force < 0.0 ? -lowest_ : highest_;
+}
+
 double SlipCurve::slip(double force) const {
     return slip_where([this](double slip) { return this->force(slip); }, force, first_, last_, 1e-12 * load_);
 }

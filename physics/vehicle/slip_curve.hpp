@@ -28,8 +28,8 @@ public:
     [[nodiscard]] double highest() const { return highest_; }  ///< N, at `last`
     [[nodiscard]] double first() const { return first_; }      ///< slip of the lowest force
     [[nodiscard]] double last() const { return last_; }        ///< slip of the highest force
-    /// How much there is at most in the direction of a force. @returns N, >= 0
-    [[nodiscard]] double most(double force) const { return force < 0.0 ? -lowest_ : highest_; }
+    /// How much there is at most in the direction of a force. @returns N, >= 0; infinite of a linear tire
+    [[nodiscard]] double most(double force) const;
     /// The slip that makes the force; that of the peak where no slip does.
     [[nodiscard]] double slip(double force) const;
     /// A slip as the Magic Formula counts it: with pKy1 < 0 the other way.

@@ -170,8 +170,8 @@ TEST(VehicleCase, YawRateAloneTellsTheTurn) {
 
 TEST(VehicleCase, SteeringAloneTellsTheTurnOfALinearCar) {
     // K = m_f/C_f - m_r/C_r = 528/180e3 - 672/200e3 = -4.26667e-4; at 25 m/s and 2 deg of the road wheels
-    // r = V delta/(L + K V^2) = 25 x 0.0349066/(2.5 - 0.2666667) = 0.390742 rad/s; a_y = V r = 9.76855 m/s2:
-    // dF = 0.6 x 1200 x 9.76855 x 0.5/1.5 = 2344.452 N of 2588.9556 N.
+    // r = V delta/(L + K V^2) = 25 x 0.0349066/(2.5 - 0.2666667) = 0.3907454 rad/s; a_y = V r = 9.768634 m/s2:
+    // dF = 0.6 x 1200 x 9.768634 x 0.5/1.5 = 2344.4721 N of 2588.9556 N.
     const std::string log = log_of_the_truth("speed [m/s],steering_wheel_angle [deg]",
                                              [](const Truth&, double) { return std::string("25,30"); });
     const Reading reading = read(log, "steering_ratio = 15", "");

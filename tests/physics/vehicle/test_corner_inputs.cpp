@@ -113,6 +113,21 @@ TEST(CornerInputs, LinearTiresShareByLoadAtOneSlipAngle) {
     EXPECT_NEAR(moment.corners[0].lateral_force, -2588.9556 * 1412.1576 / 5177.9112, 1e-3);
 }
 
+TEST(CornerInputs, LinearTiresKnowNoEllipse) {
+    // Without friction nothing is used up: the slips of a braked turn are those of each force alone. Of the rear left wheel
+    // sigma = Fx Fz_s/(C Fz), Fx = -0.35 x 1200 x 4/2 = -840 N, Fz_s = 3295.0344 N, h = 0 so that Fz = Fz_s.
+    Vehicle car = round_car();
+    car.cg_height = 1e-12;
+    for (Axle& axle : car.axles) {
+        axle.tire.friction = std::numeric_limits<double>::infinity();
+    }
+    const VehicleMoment moment =
+        vehicle_moment(car, {.speed = 30.0, .longitudinal_acceleration = -4.0, .lateral_acceleration = 6.0});
+    const double sigma = -840.0 / 90e3;
+    EXPECT_NEAR(moment.corners[2].slip_ratio, sigma / (1.0 - sigma), 1e-9);
+    EXPECT_NEAR(std::tan(moment.corners[3].slip_angle), 1200.0 * 6.0 * 1.4 / 2.5 / 160e3, 1e-9);
+}
+
 TEST(CornerInputs, MirroredTurnMirrorsTheCorners) {
     // Left and right change places, and nothing else: a tire on the left counts in the mirror.
     const Vehicle car = car_of_the_formula();
