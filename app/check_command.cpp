@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `tiretherm check`: reads a case, with measured data where they are given, without running it, and prints a summary with
-// its size or all input errors, as text or JSON.
+// its size or all input errors, as text or JSON; of a log, what is in it.
 
 #include <algorithm>
 #include <iterator>
@@ -14,9 +14,11 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/check_log.hpp"
 #include "app/commands.hpp"
 #include "app/failure.hpp"
 #include "app/messages.hpp"
+#include "input/loggers/log_survey.hpp"
 #include "input/measurements/experiment.hpp"
 #include "input/model/reader.hpp"
 #include "input/model/size_limits.hpp"
@@ -228,6 +230,14 @@ void print_json(const Checked& checked) {
 void print(const Checked& checked, bool json) { json ? print_json(checked) : print_text(checked); }
 
 int check(const Options& options) {
+    if (input::is_log_file(options.case_file)) {
+        if (options.data.empty()) {
+            return check_log(options.case_file, options.json);
+        }
+        report_error(fmt::format("{} is a log, and --data is for a case", options.case_file),
+                     "check one log at a time, or name a case before --data", options.json);
+        return Exit::input_error;
+    }
     now_doing(fmt::format("reading {} and the files that it names", options.case_file));
     if (options.data.empty()) {
         const input::Reading reading = input::read_case(options.case_file);
@@ -264,9 +274,11 @@ int check(const Options& options) {
 
 void add_check_command(CLI::App& program, int& exit_code) {
     CLI::App* command =
-        program.add_subcommand("check", "Read a case without running it, and list all its errors at once");
+        program.add_subcommand("check", "Read a case without running it, and list all its errors at once; of a log: what is in it");
     const auto options = std::make_shared<Options>();
-    command->add_option("CASE", options->case_file, "Case file (TOML)")->required()->option_text(" ");
+    command->add_option("CASE|LOG", options->case_file, "Case file (TOML), or a data logger's file")
+        ->required()
+        ->option_text(" ");
     command
         ->add_option("--data", options->data,
                      "A measured run (CSV or HDF5), once for each: is the case one for compare, identify and diagnose "
@@ -274,12 +286,15 @@ void add_check_command(CLI::App& program, int& exit_code) {
         ->option_text("FILE ...");
     command->add_flag("--json", options->json, "One JSON object");
     command->footer(
-        "The size is an estimate: what is beyond [limits] is refused.\n\n"
+        "The size is an estimate: what is beyond [limits] is refused.\n"
+        "Of a log (CSV, .vbo, MoTeC .ld, HDF5): its format, channels with rate and range, laps, and what looks "
+        "wrong.\n\n"
         "Exit code: 0 the case can be run, 1 it has errors.\n\n"
         "Examples:\n"
         "  tiretherm check cases/laser/one_watt.toml\n"
         "  tiretherm check cases/practice/two_node_bench.toml \\\n"
-        "      --data cases/practice/run1.csv");
+        "      --data cases/practice/run1.csv\n"
+        "  tiretherm check cases/practice/run1.csv");
     command->callback([options, &exit_code] { exit_code = check(*options); });
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The command line of `tiretherm new`: a first case from a tire's size or from a data logger's file.
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -17,6 +15,7 @@
 #include "app/failure.hpp"
 #include "app/messages.hpp"
 #include "app/output.hpp"
+#include "input/loggers/log_survey.hpp"
 #include "input/new_case/new_case.hpp"
 #include "input/text/nearby_file.hpp"
 #include "input/text/suggestions.hpp"
@@ -45,11 +44,8 @@ struct Options {
 
 /// Whether the user names a file: one that is there, or a name that ends as a log's does.
 bool is_log(const std::string& subject) {
-    constexpr std::array<std::string_view, 7> endings{".csv", ".txt", ".tsv", ".dat", ".log", ".h5", ".hdf5"};
-    std::string ending = fs::path(subject).extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     std::error_code error;
-    return std::ranges::find(endings, ending) != endings.end() || fs::exists(subject, error);
+    return input::is_log_file(subject) || fs::exists(subject, error);
 }
 
 /// "225_50_R17.toml" of a size, "drive.toml" of drive.csv.

@@ -101,6 +101,9 @@ std::vector<std::string> find_suspicious(const Recording& recording) {
             sentences.push_back(fmt::format("{}: {}", recording.file, sentence));
         }
     }
+    for (const std::string& sentence : find_copies(recording)) {
+        sentences.push_back(fmt::format("{}: {}", recording.file, sentence));
+    }
     return sentences;
 }
 

@@ -64,6 +64,8 @@ struct Recording {
 [[nodiscard]] std::string find_clipped(const Recording& recording, const RecordedColumn& column);
 /// Sensors that stand still in the same samples; the whole sentence but for the file's name.
 [[nodiscard]] std::string find_stuck_together(const Recording& recording);
+/// Columns that are copies of others, perhaps with a constant added; whole sentences but for the file's name.
+[[nodiscard]] std::vector<std::string> find_copies(const Recording& recording);
 [[nodiscard]] std::string find_resampled(const Recording& recording, const RecordedColumn& column);
 
 /// Samples of a sensor, one after another.

@@ -4,10 +4,12 @@
 #include "input/measurements/run_columns.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 #include <fmt/format.h>
 
+#include "input/loggers/logger_units.hpp"
 #include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
@@ -42,20 +44,39 @@ std::vector<std::string> known_names(const std::vector<std::string>& sensors,
 
 }  // namespace
 
+std::vector<int> RunColumns::chosen() const {
+    std::vector<int> columns;
+    std::ranges::transform(used, std::back_inserter(columns), &UsedColumn::column);
+    std::ranges::transform(followed, std::back_inserter(columns), &FollowedColumn::column);
+    return columns;
+}
+
 RunColumns classify_columns(DataFile& file, ColumnKeys& keys, const std::vector<std::string>& sensors,
                             const std::vector<std::string>& followed, InputErrors& errors) {
     RunColumns found;
     std::map<std::string, std::string> taken;  // heading of each name
+    const bool has_time = std::ranges::any_of(file.heads(), [&](const ColumnHead& head) {
+        return keys.name_of(head.heading.name, head.place).text == "time";
+    });
     for (std::size_t i = 0; i < file.heads().size(); ++i) {
         ColumnHead& head = file.heads()[i];
         const std::string& heading = head.heading.name;
         const bool ignored = keys.ignores(heading);
-        const LocatedString name = keys.name_of(heading, head.place);
+        LocatedString name = keys.name_of(heading, head.place);
+        const bool is_time = head.is_clock && !has_time && name.text == heading;
+        name.text = is_time ? "time" : name.text;
         if (const LocatedString* unit = keys.unit_of(heading)) {
             apply_unit(head, *unit, errors);
         } else if (const LocatedString* meant = head.heading.unit ? keys.unit_named(*head.heading.unit) : nullptr) {
             head.heading.unit = meant->text;
             head.unit_place = meant->place;
+        } else if (head.heading.unit && std::ranges::find(followed, name.text) != followed.end() &&
+                   physics::find_signal(name.text) == nullptr && !ignored) {
+            MeantUnit by_name = meant_unit_by_name(heading, *head.heading.unit);
+            if (by_name.error) {
+                errors.add(head.unit_place.file >= 0 ? head.unit_place : head.place, std::move(*by_name.error));
+            }
+            head.heading.unit = std::move(by_name.unit);
         }
         if (ignored || heading.empty()) {
             continue;

@@ -33,6 +33,8 @@ struct RunColumns {
     std::vector<FollowedColumn> followed{};  ///< no inputs; may be sensors or unused otherwise
     std::vector<int> unused;
     bool misnamed = false;  ///< a column is mapped to a name that nothing has: it may be anything
+
+    [[nodiscard]] std::vector<int> chosen() const;  ///< inputs, sensors and what is followed
 };
 
 /// Classifies the columns by their names, after `columns`, `units`, `unit_names` and `ignore` of the case have been applied

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "input/laps/file_laps.hpp"
 #include "input/text/quantity_specs.hpp"
 
 namespace tiretherm::input {
@@ -20,24 +21,61 @@ constexpr double longest_share = 0.05;
 
 /// Stretches of missing samples.
 struct Missing {
-    std::size_t samples = 0;
-    double longest = 0.0;  ///< s, from the last value before to the first value after
-    double from = 0.0;     ///< s, where the longest begins
+    std::size_t samples = 0;   ///< that the channel's own pace lacks
+    std::size_t expected = 0;  ///< samples at its own pace
+    double longest = 0.0;      ///< s, from the last value before to the first value after
+    double from = 0.0;         ///< s, where the longest begins
 };
 
+/// Time between the samples that have a value, the median; 0 with fewer than two of them.
+double pace_of(const std::vector<double>& time, const std::vector<double>& value) {
+    std::vector<double> steps;
+    double last = std::nan("");
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        if (!std::isnan(value[i])) {
+            if (time[i] > last) {
+                steps.push_back(time[i] - last);
+            }
+            last = time[i];
+        }
+    }
+    if (steps.empty()) {
+        return 0.0;
+    }
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    return *middle;
+}
+
+/// A channel that was recorded more slowly than others has a value in every second or tenth line alone: missing is what its
+/// own pace lacks. Of lines without a value at most as many are missing as there are.
 Missing find_missing(const std::vector<double>& time, const std::vector<double>& value) {
     Missing missing;
+    const double pace = pace_of(time, value);
     double known = time.front();
+    std::size_t empty = 0;  // lines without a value since the last one with it
+    const auto close = [&](double until, bool at_end) {
+        const double steps = pace > 0.0 ? (until - known) / pace - (at_end ? 0.0 : 1.0) : 0.0;
+        const std::size_t lacking =
+            pace > 0.0 ? static_cast<std::size_t>(std::clamp(std::round(steps), 0.0, static_cast<double>(empty)))
+                       : empty;
+        missing.samples += lacking;
+        missing.expected += lacking;
+        return lacking > 0;
+    };
     for (std::size_t i = 0; i < time.size(); ++i) {
         const bool here = !std::isnan(value[i]);
-        missing.samples += here ? 0 : 1;
+        missing.expected += here ? 1 : 0;
+        empty += here ? 0 : 1;
         if (here || i + 1 == time.size()) {
-            const bool gap = i > 0 && (std::isnan(value[i - 1]) || !here);
+            const bool at_end = !here || empty == i;  // of the run, whose other side is not known
+            const bool gap = empty > 0 && close(time[i], at_end);
             if (gap && time[i] - known > missing.longest) {
                 missing.longest = time[i] - known;
                 missing.from = known;
             }
             known = time[i];
+            empty = 0;
         }
     }
     return missing;
@@ -54,22 +92,34 @@ bool judge_gaps(const std::string& name, const std::vector<double>& time, const 
     if (const Missing missing = find_missing(time, value); missing.samples > 0) {
         errors.warn(place, fmt::format("{} is missing in {} of {} samples, for at most {:.6g} s from {:.6g} s on: it "
                                        "is taken as straight between its neighbours",
-                                       name, missing.samples, time.size(), missing.longest, missing.from));
+                                       name, missing.samples, missing.expected, missing.longest, missing.from));
     }
     return true;
 }
 
 bool find_samples(const RunTable& run, RunFile& file, InputErrors& errors) {
     const std::vector<double>& time = file.time;
-    const auto first = run.from ? std::lower_bound(time.begin(), time.end(), *run.from) : time.begin();
-    const auto last = run.to ? std::upper_bound(time.begin(), time.end(), *run.to) : time.end();
+    std::optional<double> from = run.from;
+    std::optional<double> to = run.to;
+    file.laps = find_laps(file.file, time, run.start_line, run.laps.has_value(), errors);
+    if (run.laps) {
+        LapChoice choice = choose_laps(run.laps->text, file.laps);
+        if (!choice.window) {
+            errors.add(run.laps->place, std::move(*choice.error), std::move(choice.remedy));
+            return false;
+        }
+        from = choice.window->from;
+        to = choice.window->to;
+    }
+    const auto first = from ? std::lower_bound(time.begin(), time.end(), *from) : time.begin();
+    const auto last = to ? std::upper_bound(time.begin(), time.end(), *to) : time.end();
     const SourceLocation place = run.place.file >= 0 ? run.place : SourceLocation{.file = file.file.number()};
     if (last - first < 2) {
         const std::string span = fmt::format("the file goes from {:.6g} s to {:.6g} s", time.front(), time.back());
         errors.add(place,
-                   run.from || run.to ? fmt::format("fewer than two samples lie between from and to: {}", span)
-                                      : "the file has a single sample: a run goes from one time to another",
-                   run.from || run.to ? "choose from and to within the file" : "");
+                   from || to ? fmt::format("fewer than two samples lie between from and to: {}", span)
+                              : "the file has a single sample: a run goes from one time to another",
+                   from || to ? "choose from and to within the file" : "");
         return false;
     }
     file.first = static_cast<std::size_t>(first - time.begin());
@@ -109,7 +159,7 @@ std::optional<ErrorText> gap_error(const std::string& name, const std::vector<do
                                    const std::vector<double>& value, const std::string& elsewhere) {
     const Missing missing = find_missing(time, value);
     const double length = time.back() - time.front();
-    if (missing.samples == time.size()) {
+    if (std::ranges::all_of(value, [](double v) { return std::isnan(v); })) {
         return ErrorText{fmt::format("{} has no value in the run", name), elsewhere};
     }
     if (too_long_a_gap(missing.longest, length)) {
@@ -119,8 +169,8 @@ std::optional<ErrorText> gap_error(const std::string& name, const std::vector<do
             fmt::format("split the run there: a [[run]] up to the gap and one from its end, with from and to; or {}",
                         elsewhere)};
     }
-    if (static_cast<double>(missing.samples) > most_missing_share * static_cast<double>(time.size())) {
-        return ErrorText{fmt::format("{} is missing in {} of {} samples", name, missing.samples, time.size()),
+    if (static_cast<double>(missing.samples) > most_missing_share * static_cast<double>(missing.expected)) {
+        return ErrorText{fmt::format("{} is missing in {} of {} samples", name, missing.samples, missing.expected),
                          fmt::format("leave out the part where it is missing, with from and to; or {}", elsewhere)};
     }
     return std::nullopt;
@@ -134,6 +184,7 @@ std::optional<RunFile> open_run_file(const RunTable& run, const std::vector<std:
     }
     RunColumns columns = classify_columns(*file, *run.keys, sensors, followed, errors);
     RunFile opened{.file = std::move(*file), .columns = std::move(columns)};
+    opened.file.choose_rows(opened.columns.chosen());
     if (opened.columns.time < 0) {
         errors.add(opened.file.heads().front().place, "the file has no column time [s]",
                    "rename one: columns = { t = \"time\" }");

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "input/laps/laps.hpp"
 #include "input/measurements/run_columns.hpp"
 #include "input/model/problem_builder.hpp"
 
@@ -16,6 +17,7 @@ struct RunFile {
     std::vector<double> time{};  ///< s, ascending, all samples; empty after an error
     std::size_t first = 0;       ///< sample within `from` and `to` of the run
     std::size_t last = 0;        ///< one past the last of them
+    Laps laps{};                 ///< of the whole file
 };
 
 /// Opens the run's file and finds its samples; nothing after an error.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <variant>
 
+#include "input/loggers/logger_units.hpp"
 #include "input/measurements/run_readings.hpp"
 
 namespace tiretherm::input {
@@ -18,7 +19,7 @@ RecordedColumn recorded_column(const RunFile& file, const UsedColumn& column, st
     recorded.heading = heading.name;
     recorded.unit = heading.unit.value_or("");
     recorded.si = si;
-    const auto read = conversion(recorded.unit, si, Scale::absolute);
+    const auto read = conversion(meant_unit(recorded.unit, si), si, Scale::absolute);
     if (const auto* found = std::get_if<Conversion>(&read)) {
         recorded.conversion = *found;
     }

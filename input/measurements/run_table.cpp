@@ -4,6 +4,7 @@
 #include "input/measurements/run_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -17,6 +18,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// start_line = [[51.2077, -1.6089], [51.2078, -1.6086]], in degrees.
+void read_start_line(TomlTable& table, RunTable& run) {
+    const TomlValue* value = table.content().find("start_line");
+    table.declare_keys({"start_line"});
+    if (value == nullptr) {
+        return;
+    }
+    std::vector<double> degrees;
+    for (const TomlValue& point : value->items) {
+        const bool is_point = point.items.size() == 2 && point.items[0].is_number() && point.items[1].is_number();
+        if (is_point && std::abs(point.items[0].number) <= 90.0 && std::abs(point.items[1].number) <= 180.0) {
+            degrees.push_back(point.items[0].number);
+            degrees.push_back(point.items[1].number);
+        }
+    }
+    if (value->items.size() != 2 || degrees.size() != 4 || (degrees[0] == degrees[2] && degrees[1] == degrees[3])) {
+        table.add_error("start_line", fmt::format("start_line is {}; two points are wanted", shown(*value)),
+                        "write the ends of the line as latitude and longitude in degrees: "
+                        "start_line = [[51.2077, -1.6089], [51.2078, -1.6086]]");
+        return;
+    }
+    run.start_line = StartLine{
+        .latitude_a = degrees[0], .longitude_a = degrees[1], .latitude_b = degrees[2], .longitude_b = degrees[3]};
+}
+
 void read_window(TomlTable& table, RunTable& run) {
     run.from = table.quantity("from", quantity_specs::moment);
     run.to = table.quantity("to", quantity_specs::moment);
@@ -25,6 +51,16 @@ void read_window(TomlTable& table, RunTable& run) {
                         "let to be later than from");
         run.from = run.to = std::nullopt;
     }
+    if (const std::optional<std::string> laps = table.text("laps")) {
+        run.laps = LocatedString{*laps, table.place("laps")};
+        for (const std::string_view key : {"from", "to"}) {
+            if (table.has(key)) {
+                table.add_error(key, fmt::format("{} and laps both say which part of the file the run is", key),
+                                "keep one of them");
+            }
+        }
+    }
+    read_start_line(table, run);
 }
 
 /// frames = "camera.h5", or frames = { outside = "outside.h5", inside = "inside.h5" }.
@@ -48,29 +84,41 @@ void read_frame_files(TomlTable& table, RunTable& run) {
     }
 }
 
+/// "_lap_4", "_laps_3-9", to be told from other runs of the file; empty without a choice of laps.
+std::string name_of_laps(const RunTable& run) {
+    if (!run.laps) {
+        return {};
+    }
+    std::string text = run.laps->text;
+    std::erase(text, ' ');
+    std::ranges::replace(text, ',', '_');
+    const bool is_word = text.find_first_not_of("0123456789-_") == std::string::npos;
+    return is_word ? fmt::format("_{}_{}", text.find_first_of("-_") == std::string::npos ? "lap" : "laps", text) : "";
+}
+
 RunTable read_run(TomlTable& table) {
     RunTable run{.table = &table.content(), .place = table.place(), .name = {}};
     const std::optional<std::string> file = table.text("file");
     table.declare_keys({"name", "drive", "initial", "time", "measured", "vehicle", "columns", "units", "unit_names",
-                        "ignore", "hold", "keep_suspicious", "from", "to"});
+                        "ignore", "hold", "keep_suspicious", "from", "to", "laps", "start_line"});
     read_corners_of_run(table);
     if (file) {
         run.place = table.place("file");
         const fs::path beside = fs::path(table.errors().file(run.place.file)).parent_path();
         run.file = (beside / *file).lexically_normal();
     } else {
-        for (const std::string_view key :
-             {"columns", "units", "unit_names", "ignore", "hold", "keep_suspicious", "from", "to"}) {
+        for (const std::string_view key : {"columns", "units", "unit_names", "ignore", "hold", "keep_suspicious",
+                                           "from", "to", "laps", "start_line"}) {
             if (table.has(key)) {
                 table.add_error(key, fmt::format("{} speaks of a file, and the run has none", key),
                                 "add file = \"....csv\"");
             }
         }
     }
-    run.name = table.name("name", run.file ? Need::optional : Need::required)
-                   .value_or(run.file ? run.file->stem().string() : std::string());
     run.keys->read(table);
     read_window(table, run);
+    const std::string of_file = run.file ? run.file->stem().string() + name_of_laps(run) : std::string();
+    run.name = table.name("name", run.file ? Need::optional : Need::required).value_or(of_file);
     read_frame_files(table, run);
     return run;
 }
@@ -96,7 +144,8 @@ std::vector<RunTable> runs_of(const std::vector<fs::path>& data, const RunTable&
         const auto same_stem = [&](const fs::path& other) { return other.stem() == file.stem(); };
         const bool alone = std::count_if(data.begin(), data.end(), same_stem) == 1;
         const std::string folder = run.file->parent_path().filename().string();
-        run.name = alone || folder.empty() ? file.stem().string() : folder + "_" + file.stem().string();
+        run.name =
+            (alone || folder.empty() ? file.stem().string() : folder + "_" + file.stem().string()) + name_of_laps(run);
         if (std::any_of(runs.begin(), runs.end(), [&](const RunTable& r) { return r.name == run.name; })) {
             const SourceLocation place{.file = errors.add_file(run.file->generic_string(), "")};
             errors.add(place, fmt::format("a second file of a run \"{}\"", run.name),

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "input/loggers/log_description.hpp"
 #include "input/toml/toml_table.hpp"
 
 namespace tiretherm::input {
@@ -83,8 +84,10 @@ struct RunTable {
     const TomlValue* corner_table = nullptr;  ///< of [[corner]]
     std::optional<std::filesystem::path> file{};
     std::shared_ptr<ColumnKeys> keys = std::make_shared<ColumnKeys>();
-    std::optional<double> from{};  ///< s
-    std::optional<double> to{};    ///< s
+    std::optional<double> from{};           ///< s
+    std::optional<double> to{};             ///< s
+    std::optional<LocatedString> laps{};    ///< in the place of from and to
+    std::optional<StartLine> start_line{};  ///< where laps begin
     std::vector<FramesOfRun> frames{};
 };
 

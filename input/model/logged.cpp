@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads [[drive.file]]: the CSV log of a data logger, with the keys `columns` and `ignore`, as input signals.
+// Reads [[drive.file]]: the log of a data logger, with the keys `columns` and `ignore`, as input signals.
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "input/loggers/logger_units.hpp"
 #include "input/measurements/run_inputs.hpp"
 #include "input/model/problem_builder.hpp"
-#include "input/tables/csv.hpp"
+#include "input/tables/data_file.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
 
@@ -21,17 +22,17 @@ namespace fs = std::filesystem;
 using physics::Signal;
 
 /// Which heading of the file stands for which name: `columns = { V = "speed" }`; without it a heading is its own name.
-std::map<std::string, LocatedString> read_names(TomlTable& table, const Csv& csv,
+std::map<std::string, LocatedString> read_names(TomlTable& table, const DataFile& file,
                                                 const std::vector<std::string>& followed) {
     std::map<std::string, LocatedString> names;
     TomlTable renamed = table.subtable("columns");
     std::vector<std::string> known;
-    for (const ColumnHead& head : csv.heads()) {
+    for (const ColumnHead& head : file.heads()) {
         known.push_back(head.heading.name);
     }
     for (const Entry& entry : renamed.content().entries) {
         const std::optional<std::string> name = renamed.text(entry.key);
-        if (csv.find(entry.key) < 0) {
+        if (file.find(entry.key) < 0) {
             table.errors().add(entry.place, fmt::format("the file has no column \"{}\"", entry.key),
                                suggest(entry.key, known, "columns"));
         } else if (name && *name != "time" && physics::find_signal(*name) == nullptr &&
@@ -49,17 +50,19 @@ std::map<std::string, LocatedString> read_names(TomlTable& table, const Csv& csv
 
 /// The columns of the file that are inputs, the time first.
 /// @param outranked out, how many inputs a measured run's file gives instead
-std::vector<ColumnRequest> requests(TomlTable& table, const Csv& csv, ProblemBuilder& builder, int& overridden) {
+std::vector<ColumnRequest> requests(TomlTable& table, const DataFile& file, ProblemBuilder& builder, int& overridden) {
     InputErrors& errors = table.errors();
-    const std::map<std::string, LocatedString> renamed = read_names(table, csv, builder.followed);
+    const std::map<std::string, LocatedString> renamed = read_names(table, file, builder.followed);
     const std::vector<LocatedString> ignored = table.texts("ignore");
     std::vector<ColumnRequest> found{
         {.column = -1, .name = "time", .spec = quantity_specs::moment, .purpose = Purpose::clock}};
-    builder.columns.reserve(builder.columns.size() + csv.heads().size());  // requests look into it
-    for (std::size_t i = 0; i < csv.heads().size(); ++i) {
-        const ColumnHead& head = csv.heads()[i];
+    const bool has_time = std::ranges::any_of(renamed, [](const auto& entry) { return entry.second.text == "time"; });
+    builder.columns.reserve(builder.columns.size() + file.heads().size());  // requests look into it
+    for (std::size_t i = 0; i < file.heads().size(); ++i) {
+        const ColumnHead& head = file.heads()[i];
         const auto entry = renamed.find(head.heading.name);
-        const std::string name = entry == renamed.end() ? head.heading.name : entry->second.text;
+        const std::string own = head.is_clock && !has_time ? "time" : head.heading.name;
+        const std::string name = entry == renamed.end() ? own : entry->second.text;
         const bool skipped = std::any_of(ignored.begin(), ignored.end(),
                                          [&](const LocatedString& word) { return word.text == head.heading.name; });
         const Signal* signal = physics::find_signal(name);
@@ -75,7 +78,13 @@ std::vector<ColumnRequest> requests(TomlTable& table, const Csv& csv, ProblemBui
                 continue;
             }
             // Its own unit says what its numbers are.
-            builder.columns.push_back({.name = name, .unit = base_unit(head.heading.unit), .signal = {}});
+            MeantUnit unit = meant_unit_by_name(head.heading.name, head.heading.unit.value_or(""));
+            if (unit.error) {
+                errors.add(head.unit_place.file >= 0 ? head.unit_place : head.place, std::move(*unit.error));
+                continue;
+            }
+            const auto base = base_unit(head.heading.unit ? std::optional(unit.unit) : std::nullopt);
+            builder.columns.push_back({.name = name, .unit = base, .signal = {}});
             found.push_back({.column = static_cast<int>(i),
                              .name = name,
                              .spec = {.unit = builder.columns.back().unit},
@@ -92,14 +101,19 @@ std::vector<ColumnRequest> requests(TomlTable& table, const Csv& csv, ProblemBui
         } else {
             const std::size_t before = errors.count();
             if (register_signal(name, head.place, table.place("path"), builder, errors)) {
-                found.push_back({.column = static_cast<int>(i), .name = name, .spec = quantity_specs::of(*signal)});
+                // Between the samples of channels with rates of their own there is nothing to miss.
+                const Purpose purpose = file.channel_table() != nullptr ? Purpose::measured : Purpose::input;
+                found.push_back({.column = static_cast<int>(i),
+                                 .name = name,
+                                 .spec = quantity_specs::of(*signal),
+                                 .purpose = purpose});
             } else if (errors.count() == before) {
                 ++overridden;  // by a constant of the case itself
             }
         }
     }
     for (const LocatedString& word : ignored) {
-        if (csv.find(word.text) < 0) {
+        if (file.find(word.text) < 0) {
             errors.add(word.place, fmt::format("the file has no column \"{}\"", word.text));
         }
     }
@@ -117,16 +131,15 @@ void read_logged(TomlTable& table, ProblemBuilder& builder) {
     }
     const SourceLocation mentioned = table.place("path");
     const fs::path beside = fs::path(errors.file(mentioned.file)).parent_path();
-    const std::optional<TextFile> file = read_text((beside / *path).lexically_normal(), mentioned, errors);
-    const std::optional<Csv> csv = file ? Csv::open(*file, errors) : std::nullopt;
-    if (!csv) {
+    std::optional<DataFile> file = DataFile::open((beside / *path).lexically_normal(), mentioned, errors);
+    if (!file) {
         return;
     }
     const std::size_t before = errors.count();
     int overridden = 0;
-    const std::vector<ColumnRequest> requested_columns = requests(table, *csv, builder, overridden);
+    const std::vector<ColumnRequest> requested_columns = requests(table, *file, builder, overridden);
     if (requested_columns.front().column < 0) {
-        errors.add(csv->heads().front().place, "the file has no column time [s]",
+        errors.add(file->heads().front().place, "the file has no column time [s]",
                    "rename one: columns = { t = \"time\" }");
         return;
     }
@@ -135,7 +148,10 @@ void read_logged(TomlTable& table, ProblemBuilder& builder) {
                         "rename columns to inputs: columns = { V = \"speed\" }");
         return;
     }
-    std::vector<std::vector<double>> values = csv->read(requested_columns, errors);
+    std::vector<int> columns;
+    std::ranges::transform(requested_columns, std::back_inserter(columns), &ColumnRequest::column);
+    file->choose_rows(columns);
+    std::vector<std::vector<double>> values = file->read(requested_columns, errors);
     if (values.empty()) {
         return;
     }
@@ -155,7 +171,13 @@ void read_logged(TomlTable& table, ProblemBuilder& builder) {
         if (std::ranges::find(hold, name, &LocatedString::text) != hold.end()) {
             known = held(known);
         }
-        if (requested_columns[i].purpose == Purpose::measured) {
+        if (known.time.empty()) {
+            errors.add(file->heads()[static_cast<std::size_t>(requested_columns[i].column)].place,
+                       fmt::format("{} has no value", name),
+                       fmt::format("ignore the column and give {} in [drive]", name));
+            continue;
+        }
+        if (physics::find_signal(name) == nullptr) {
             std::ranges::find(builder.columns, name, &UserColumn::name)->signal = std::move(known);
             continue;
         }

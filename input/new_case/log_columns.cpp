@@ -41,6 +41,11 @@ public:
             columns_.push_back({.column = static_cast<int>(i), .heading = heads[i].heading, .name = {}});
         }
         refuse_duplicates();
+        for (LogColumn& column : columns_) {
+            if (heads[static_cast<std::size_t>(column.column)].is_clock) {
+                take(column, meanings_.front());
+            }
+        }
         for (const bool exact : {true, false}) {
             for (LogColumn& column : columns_) {
                 take_by_name(column, exact);
@@ -260,6 +265,13 @@ std::optional<Log> read_log(const std::filesystem::path& path, const MeshTemplat
     }
     Log log{.path = path.generic_string(), .is_text = file->is_text()};
     log.columns = Classifier(*file, mesh, errors).columns();
+    std::vector<int> used;
+    for (const LogColumn& column : log.columns) {
+        if (column.is_used()) {
+            used.push_back(column.column);
+        }
+    }
+    file->choose_rows(used);
     if (log.find("time") == nullptr) {
         errors.add(file->heads().front().place, "no column of the file is the time",
                    "call one time [s], as in time [s],speed [km/h]");

@@ -12,7 +12,11 @@
 namespace tiretherm::input {
 
 ColumnReader::ColumnReader(const ColumnHead& head, const ColumnRequest& request, InputErrors& errors)
-    : request_(&request), limiter_(errors), unit_(head.heading.unit.value_or("")) {
+    : request_(&request),
+      form_(head.form),
+      clock_(head.form),
+      limiter_(errors),
+      unit_(head.form == FieldForm::number ? head.heading.unit.value_or("") : "") {
     if (request.purpose == Purpose::unused) {
         return;
     }
@@ -35,7 +39,7 @@ bool ColumnReader::accept(std::string_view field, const std::optional<Number>& n
         case Purpose::unused:
             return true;
         case Purpose::measured:
-            if (field.empty() || (whole && std::isnan(number->value))) {
+            if ((field.empty() && !whole) || (whole && std::isnan(number->value))) {
                 return true;
             }
             break;
@@ -51,6 +55,8 @@ bool ColumnReader::accept(std::string_view field, const std::optional<Number>& n
     const bool late = !orders || (value >= last_ && !third);
     return whole && (!has_unit_ || (inside && late));
 }
+
+std::string ColumnReader::fmt_number(double written) { return fmt::format("{}", written); }
 
 void ColumnReader::remember() {
     if (std::isfinite(values.back())) {

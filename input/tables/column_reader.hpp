@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "input/loggers/clock.hpp"
 #include "input/tables/columns.hpp"
 #include "input/text/error_limiter.hpp"
 
@@ -18,6 +19,8 @@ struct ColumnHead {
     Heading heading;
     SourceLocation place;
     SourceLocation unit_place{};  ///< of the unit, where it stands on its own; file -1: within `place`
+    FieldForm form = FieldForm::number;
+    bool is_clock = false;  ///< the time of the file, where no column is called `time`
 };
 
 /// What a column of a file is read for.
@@ -54,9 +57,20 @@ public:
     /// Takes the next field. @param where gives its FieldLocation; called only for a field that is wrong
     template <typename Where>
     void take(std::string_view field, const Where& where) {
-        const std::optional<Number> number = leading_number(field);
+        const std::optional<Number> number = form_ == FieldForm::number ? leading_number(field) : clock_.read(field);
         if (!accept(field, number)) {
             ErrorText wrong = error_text(field, number);
+            const FieldLocation spot = where();
+            wrong.what += spot.aside;
+            limiter_.add(spot.place, std::move(wrong));
+        }
+        remember();
+    }
+    /// Takes the next value of a file of numbers.
+    template <typename Where>
+    void take(double written, const Where& where) {
+        if (!accept({}, Number{written, {}})) {
+            ErrorText wrong = error_text(fmt_number(written), Number{written, {}});
             const FieldLocation spot = where();
             wrong.what += spot.aside;
             limiter_.add(spot.place, std::move(wrong));
@@ -73,8 +87,11 @@ private:
     bool accept(std::string_view field, const std::optional<Number>& number);
     [[nodiscard]] ErrorText error_text(std::string_view field, const std::optional<Number>& number) const;
     void remember();
+    static std::string fmt_number(double written);
 
     const ColumnRequest* request_;
+    FieldForm form_;
+    ClockReader clock_;
     ErrorLimiter limiter_;
     std::string unit_;
     Conversion conversion_;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "input/loggers/logger_units.hpp"
 #include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
@@ -28,6 +29,10 @@ UnitRead read_heading_unit(const Heading& heading, const QuantitySpec& spec) {
                           fmt::format("write \"{} [{}]\"", heading.name, unit)}};
     }
     const std::string unit = heading.unit.value_or("");
+    const auto meant = conversion(meant_unit(unit, spec.unit), spec.unit, spec.scale);
+    if (const auto* found = std::get_if<Conversion>(&meant)) {
+        return {*found, std::nullopt};
+    }
     UnitRead read = read_unit(unit, spec, fmt::format("the column {} is in [{}]", heading.name, unit));
     if (read.error) {
         const Dimension what = dimension(spec.unit, spec.scale);

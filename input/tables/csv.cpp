@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "input/loggers/csv_layout.hpp"
+#include "input/loggers/heading_names.hpp"
 #include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
@@ -29,6 +31,15 @@ std::size_t end_of_field(std::string_view line, char separator) {
         }
     }
     return std::min(line.find(separator), line.size());
+}
+
+/// Whether a column called timestamp counts the seconds since 1970.
+bool is_since_1970(std::string_view name, std::string_view unit, std::string_view field) {
+    constexpr double before_loggers = 3e8;  // s, 1979
+    constexpr double after_them = 1e10;     // s; in milliseconds it is more
+    const std::optional<Number> number = leading_number(field);
+    return in_small_letters(name) == "timestamp" && (unit.empty() || unit == "s") && number &&
+           number->value > before_loggers && number->value < after_them;
 }
 
 }  // namespace
@@ -99,6 +110,9 @@ void split_fields(std::string_view line, char separator, std::vector<std::string
             return;
         }
         line.remove_prefix(end + 1);
+        if (separator == ' ') {  // several blanks are one
+            line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+        }
     }
 }
 
@@ -124,18 +138,34 @@ std::vector<SourceLocation> Csv::places(const Line& line, const std::vector<std:
     return found;
 }
 
-void Csv::read_heads(const Line& names, const Line& units) {
+void Csv::read_heads(const CsvLayout& layout) {
     std::vector<std::string_view> fields;
-    split_fields(names.text, separator_, fields);
+    split_fields(layout.lines.names.text, separator_, fields);
     heads_.reserve(fields.size());
-    for (const SourceLocation& spot : places(names, fields)) {
-        heads_.push_back({.heading = read_heading(fields[heads_.size()]), .place = spot});
+    for (const SourceLocation& spot : places(layout.lines.names, fields)) {
+        const std::string_view field = fields[heads_.size()];
+        heads_.push_back(
+            {.heading = layout.round_brackets ? read_round_heading(field) : read_heading(field), .place = spot});
     }
-    if (units.number == 0) {
+    read_units(layout);
+    if (layout.sources.number > 0) {
+        split_fields(layout.sources.text, separator_, fields);
+        distinguish(heads_, fields);
+    }
+}
+
+void Csv::read_units(const CsvLayout& layout) {
+    for (std::size_t i = 0; i < std::min(layout.units.size(), heads_.size()); ++i) {
+        if (!layout.units[i].empty()) {
+            heads_[i].heading.unit = layout.units[i];
+        }
+    }
+    if (layout.lines.units.text.empty()) {
         return;
     }
-    split_fields(units.text, separator_, fields);
-    const std::vector<SourceLocation> spots = places(units, fields);
+    std::vector<std::string_view> fields;
+    split_fields(layout.lines.units.text, separator_, fields);
+    const std::vector<SourceLocation> spots = places(layout.lines.units, fields);
     for (std::size_t i = 0; i < std::min(fields.size(), heads_.size()); ++i) {
         ColumnHead& head = heads_[i];
         // An empty unit in a line of units is as good as none: the pure numbers of loggers are mostly unknown units.
@@ -147,6 +177,33 @@ void Csv::read_heads(const Line& names, const Line& units) {
     }
 }
 
+void Csv::find_clocks() {
+    std::string_view rest = body_;
+    Line first = next_filled_line(rest, 0);
+    while (first.number > 0 && is_comment(first.text)) {
+        first = next_filled_line(rest, first.number);
+    }
+    std::vector<std::string_view> fields;
+    split_fields(first.text, separator_, fields);
+    for (std::size_t i = 0; i < std::min(fields.size(), heads_.size()); ++i) {
+        ColumnHead& head = heads_[i];
+        const std::string unit = head.heading.unit.value_or("");
+        const bool is_vbox = description_.west_is_positive;
+        if (tiretherm::input::is_clock(fields[i])) {
+            head.form = FieldForm::clock;
+        } else if (is_vbox && head.heading.name == "time") {
+            head.form = FieldForm::digits;
+        } else if (unit == "unix time" || is_since_1970(head.heading.name, unit, fields[i])) {
+            head.form = FieldForm::since;
+        }
+        if (head.form != FieldForm::number) {
+            head.heading.unit = "s";
+            head.unit_place = {};
+        }
+    }
+    mark_clock(heads_);
+}
+
 std::optional<Csv> Csv::open(const TextFile& file, InputErrors& errors) {
     Csv csv;
     csv.file_ = file.number;
@@ -154,16 +211,23 @@ std::optional<Csv> Csv::open(const TextFile& file, InputErrors& errors) {
     if (text.starts_with("\xEF\xBB\xBF")) {
         text.remove_prefix(3);
     }
-    const HeadLines lines = find_head_lines(text);
-    csv.body_ = lines.body;
-    csv.first_line_ = std::max(lines.names.number, lines.units.number) + 1;
-    csv.separator_ = separator_of(lines.names.text);
-    csv.read_heads(lines.names, lines.units);
+    CsvLayout layout = find_csv_layout(text);
+    if (layout.defect) {
+        errors.add({.file = file.number, .line = layout.defect_line, .column = 1, .length = 1},
+                   std::move(*layout.defect));
+        return std::nullopt;
+    }
+    csv.body_ = layout.lines.body;
+    csv.first_line_ = std::max({layout.lines.names.number, layout.lines.units.number, layout.sources.number}) + 1;
+    csv.separator_ = layout.separator;
+    csv.description_ = std::move(layout.description);
+    csv.read_heads(layout);
     if (leading_number(csv.heads_.front().heading.name)) {
         errors.add(csv.heads_.front().place, "the first line holds numbers; it must name the columns",
                    "write a first line such as time [s],speed [km/h]");
         return std::nullopt;
     }
+    csv.find_clocks();
     return csv;
 }
 
@@ -171,10 +235,10 @@ SourceLocation Csv::row(std::size_t index) const {
     std::string_view rest = body_;
     Line line{{}, first_line_ - 1};
     for (std::size_t i = 0; i <= index; ++i) {
-        // Blank lines count as lines and not as rows.
+        // Blank lines and comments count as lines and not as rows.
         for (auto text = next_line(rest); text; text = next_line(rest)) {
             line = {*text, line.number + 1};
-            if (!trim(line.text).empty()) {
+            if (!trim(line.text).empty() && !is_comment(line.text)) {
                 break;
             }
         }

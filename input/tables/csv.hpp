@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "input/loggers/log_description.hpp"
 #include "input/tables/column_reader.hpp"
 #include "input/toml/document.hpp"
 
@@ -14,8 +15,9 @@ namespace tiretherm::input {
 
 /// A logger's file: headings `name [unit]` in one line, or names in one line and units in the next, then numbers,
 /// separated by commas, semicolons or tabs. Lines about the recording may stand above the headings. A byte order mark,
-/// carriage returns, quotes round a field and blank lines are accepted. Where semicolons or tabs separate, numbers may
-/// have decimal commas; a file has these or points.
+/// carriage returns, quotes round a field, blank lines and lines of comment (# or //) are accepted. Where semicolons or tabs
+/// separate, numbers may have decimal commas; a file has these or points. Files of AiM, MoTeC, RaceChrono and VBOX are known
+/// by their first lines.
 /// Keeps no text of its own: the file must outlive it.
 class Csv {
 public:
@@ -25,6 +27,7 @@ public:
     [[nodiscard]] const std::vector<ColumnHead>& heads() const { return heads_; }
     [[nodiscard]] std::vector<ColumnHead>& heads() { return heads_; }
     [[nodiscard]] int find(std::string_view name) const;  ///< index of a heading, -1 when absent
+    [[nodiscard]] const LogDescription& description() const { return description_; }
 
     /// @returns the values of each request, all of one length; none after an error
     [[nodiscard]] std::vector<std::vector<double>> read(const std::vector<ColumnRequest>& requests,
@@ -42,7 +45,10 @@ public:
     [[nodiscard]] bool separates_by_commas() const { return separator_ == ','; }
 
 private:
-    void read_heads(const Line& names, const Line& units);
+    void read_heads(const struct CsvLayout& layout);
+    void read_units(const struct CsvLayout& layout);
+    /// Which columns hold clocks, and which is the file's time.
+    void find_clocks();
     /// Of all fields of a line in one pass: a line may have a hundred thousand of them.
     [[nodiscard]] std::vector<SourceLocation> places(const Line& line,
                                                      const std::vector<std::string_view>& fields) const;
@@ -51,6 +57,7 @@ private:
     int first_line_ = 0;
     int file_ = -1;
     char separator_ = ',';
+    LogDescription description_;
     std::vector<ColumnHead> heads_;
 };
 

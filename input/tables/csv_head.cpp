@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <deque>
 
+#include "input/loggers/csv_layout.hpp"
 #include "input/tables/csv.hpp"
 #include "input/text/suggestions.hpp"
 
@@ -59,17 +60,44 @@ struct Step {
     std::string_view rest;
 };
 
+/// A table of numbers under a comment that names its columns: "# time [s], speed [km/h]".
+std::optional<HeadLines> names_in_comment(const Csv::Line& comment, const Csv::Line& first, std::string_view text) {
+    if (comment.number == 0 || first.number == 0) {
+        return std::nullopt;
+    }
+    std::string_view names = trim(comment.text);
+    names.remove_prefix(std::min(names.find_first_not_of("#/ \t"), names.size()));
+    const char separator = separator_of(first.text);
+    const Fields values = count(first.text, separator);
+    const Fields named = count(names, separator);
+    if (values.numbers != values.all || named.numbers > 0 || named.all != values.all || named.texts != named.all) {
+        return std::nullopt;
+    }
+    const std::size_t end = text.find('\n', static_cast<std::size_t>(comment.text.data() - text.data()));
+    return HeadLines{
+        .names = {names, comment.number}, .units = {}, .body = text.substr(std::min(end, text.size() - 1) + 1)};
+}
+
 }  // namespace
 
 HeadLines find_head_lines(std::string_view text) {
     std::deque<Step> next;
     std::string_view rest = text;
+    Csv::Line comment;  // the last one above the table
     const auto step = [&] {
-        const int last = next.empty() ? 0 : next.back().line.number;
+        const int last = next.empty() ? comment.number : next.back().line.number;
         const Csv::Line line = next_filled_line(rest, last);
         next.push_back({line, rest});
     };
     step();
+    while (is_comment(next.front().line.text)) {
+        comment = next.front().line;
+        next.clear();
+        step();
+    }
+    if (const std::optional<HeadLines> named = names_in_comment(comment, next.front().line, text)) {
+        return *named;
+    }
     const HeadLines first{.names = next.front().line, .units = {}, .body = next.front().rest};
     if (has_unit(first.names.text)) {
         return first;

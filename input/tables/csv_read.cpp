@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "input/loggers/csv_layout.hpp"
 #include "input/tables/csv.hpp"
 #include "input/text/error_limiter.hpp"
 #include "input/text/suggestions.hpp"
@@ -67,7 +68,7 @@ std::vector<std::vector<double>> Csv::read(const std::vector<ColumnRequest>& req
     std::string room;
     for (Line line{{}, first_line_}; const auto text = next_line(rest); ++line.number) {
         line.text = *text;
-        if (trim(line.text).empty()) {
+        if (trim(line.text).empty() || is_comment(line.text)) {
             continue;
         }
         empty = false;

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Chooses CSV or HDF5 by the name of the file and passes the calls on.
+// Chooses HDF5 by the name of the file, MoTeC .ld by its first bytes, CSV otherwise, and passes the calls on.
 
 #include "input/tables/data_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <fstream>
 
 #include <fmt/format.h>
 
+#include "input/loggers/motec_ld.hpp"
 #include "input/text/enough_memory.hpp"
+#include "input/text/regular_file.hpp"
 
 namespace tiretherm::input {
 
@@ -19,6 +23,22 @@ bool is_hdf5(const std::filesystem::path& path) {
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return ending == ".h5" || ending == ".hdf5";
+}
+
+/// All bytes of a MoTeC .ld file; nothing for another one, and for one that is too large, of which read_text says so.
+std::optional<std::string> read_ld_bytes(const std::filesystem::path& path) {
+    if (!not_readable(path, largest_text).what.empty()) {
+        return std::nullopt;
+    }
+    std::ifstream stream(path, std::ios::binary);
+    std::array<char, 4> first{};
+    stream.read(first.data(), first.size());
+    if (!stream || !is_motec_ld({first.data(), first.size()})) {
+        return std::nullopt;
+    }
+    std::string bytes(first.data(), first.size());
+    bytes.append(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+    return bytes;
 }
 
 }  // namespace
@@ -38,6 +58,15 @@ std::optional<DataFile> DataFile::open_any(const std::filesystem::path& path, co
         }
         file.number_ = columns->number();
         file.columns_ = std::move(*columns);
+        return file;
+    }
+    if (std::optional<std::string> bytes = read_ld_bytes(path)) {
+        file.number_ = errors.add_file(path.generic_string(), "");
+        std::optional<ChannelTable> table = read_motec_ld(std::move(*bytes), path, file.number_, errors);
+        if (!table) {
+            return std::nullopt;
+        }
+        file.columns_ = std::move(*table);
         return file;
     }
     std::optional<TextFile> text = read_text(path, mentioned, errors);
@@ -62,6 +91,26 @@ std::vector<ColumnHead>& DataFile::heads() {
     return std::visit([](auto& columns) -> std::vector<ColumnHead>& { return columns.heads(); }, columns_);
 }
 
+int DataFile::find(std::string_view name) const {
+    const auto found = std::ranges::find_if(heads(), [&](const ColumnHead& head) { return head.heading.name == name; });
+    return found == heads().end() ? -1 : static_cast<int>(found - heads().begin());
+}
+
+const LogDescription& DataFile::description() const {
+    static const LogDescription of_hdf5{.format = "HDF5"};
+    if (const Csv* csv = std::get_if<Csv>(&columns_)) {
+        return csv->description();
+    }
+    const ChannelTable* table = channel_table();
+    return table != nullptr ? table->description() : of_hdf5;
+}
+
+void DataFile::choose_rows(const std::vector<int>& columns) {
+    if (ChannelTable* table = std::get_if<ChannelTable>(&columns_)) {
+        table->choose(columns);
+    }
+}
+
 std::string DataFile::unit_remedy(const ColumnHead& head, const QuantitySpec& spec) const {
     const std::string example = dimension(spec.unit, spec.scale).example;
     const std::size_t blank = example.find(' ');
@@ -70,21 +119,21 @@ std::string DataFile::unit_remedy(const ColumnHead& head, const QuantitySpec& sp
     const bool bare =
         name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") == std::string::npos;
     const std::string key = bare ? name : fmt::format("\"{}\"", name);
-    const std::string there = std::holds_alternative<Csv>(columns_)
-                                  ? fmt::format("write \"{} [{}]\"", name, unit)
-                                  : fmt::format("give the dataset an attribute units = \"{}\"", unit);
+    const std::string there =
+        std::holds_alternative<Csv>(columns_) ? fmt::format("write \"{} [{}]\", or say it in the case: ", name, unit)
+        : std::holds_alternative<Hdf5Columns>(columns_)
+            ? fmt::format("give the dataset an attribute units = \"{}\", or say it in the case: ", unit)
+            : std::string("say it in the case: ");
     // A logger that writes C writes it in all columns.
     const std::string written = head.heading.unit.value_or("");
     const auto read = written.empty() ? std::variant<Conversion, UnitError>(Conversion{})
                                       : conversion(written, spec.unit, spec.scale);
     const auto* wrong = std::get_if<UnitError>(&read);
-    const bool coulomb = signature(spec.unit) == "K" && (written == "C" || written == "F");
-    const bool alias = wrong != nullptr && (coulomb || *wrong == UnitError::unknown);
+    const bool alias = wrong != nullptr && *wrong == UnitError::unknown;
     const std::string for_all =
-        alias ? fmt::format(", or once for all columns in [{0}]: unit_names = {{ \"{0}\" = \"{1}\" }}", written,
-                            coulomb && written == "F" ? "degF" : unit)
+        alias ? fmt::format(", or once for all columns in [{0}]: unit_names = {{ \"{0}\" = \"{1}\" }}", written, unit)
               : "";
-    return fmt::format("{}, or say it in the case: units = {{ {} = \"{}\" }}{}", there, key, unit, for_all);
+    return fmt::format("{}units = {{ {} = \"{}\" }}{}", there, key, unit, for_all);
 }
 
 ColumnReader::FieldLocation DataFile::spot(std::size_t row) const {

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A file of measured columns, CSV or HDF5, behind one interface.
+// A file of measured columns, CSV, HDF5 or MoTeC .ld, behind one interface.
 #pragma once
 
 #include <filesystem>
 #include <memory>
 #include <variant>
 
+#include "input/loggers/channel_table.hpp"
 #include "input/tables/csv.hpp"
 #include "input/tables/hdf5_columns.hpp"
 
 namespace tiretherm::input {
 
-/// A file of measured columns: HDF5 where its name ends in .h5 or .hdf5, otherwise CSV.
+/// A file of measured columns: HDF5 where its name ends in .h5 or .hdf5, MoTeC .ld by its first bytes, otherwise text of any of
+/// the loggers that Csv knows.
 class DataFile {
 public:
     /// @param mentioned where the case names it; file -1 when it was given beside the case
@@ -22,6 +24,12 @@ public:
     [[nodiscard]] const std::vector<ColumnHead>& heads() const;
     [[nodiscard]] std::vector<ColumnHead>& heads();
     [[nodiscard]] int number() const { return number_; }  ///< of the file in the errors
+    [[nodiscard]] int find(std::string_view name) const;  ///< index of a heading, -1 when absent
+    [[nodiscard]] const LogDescription& description() const;
+    /// Of channels with rates of their own, those whose times the rows are to have; of other files all rows stay.
+    void choose_rows(const std::vector<int>& columns);
+    /// The channels with rates of their own; null where all columns have the same times.
+    [[nodiscard]] const ChannelTable* channel_table() const { return std::get_if<ChannelTable>(&columns_); }
     /// What to do about a column whose unit is missing or wrong.
     [[nodiscard]] std::string unit_remedy(const ColumnHead& head, const QuantitySpec& spec) const;
     /// Where a row of values stands; the first is 0.
@@ -37,7 +45,7 @@ private:
 
     int number_ = -1;
     std::unique_ptr<TextFile> text_;  ///< of a CSV, which keeps no text of its own
-    std::variant<Csv, Hdf5Columns> columns_;
+    std::variant<Csv, Hdf5Columns, ChannelTable> columns_;
 };
 
 }  // namespace tiretherm::input

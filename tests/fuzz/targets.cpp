@@ -16,6 +16,7 @@
 #include "fuzz/workbook.hpp"
 #include "input/cameras/frame_file.hpp"
 #include "input/effects/user_formula.hpp"
+#include "input/loggers/log_survey.hpp"
 #include "input/measurements/experiment.hpp"
 #include "input/model/reader.hpp"
 #include "input/spreadsheet/sheet_case.hpp"
@@ -83,6 +84,22 @@ bool take_run_csv(std::string_view bytes) {
 bool take_run_hdf5(std::string_view bytes) {
     return take_experiment(shipped("practice/two_node_bench.toml"), {scratch_file("run.h5", bytes)},
                            input::ReadMode::planned);
+}
+
+bool take_run_ld(std::string_view bytes) {
+    return take_experiment(shipped("practice/two_node_bench.toml"), {scratch_file("run.ld", bytes)},
+                           input::ReadMode::planned);
+}
+
+/// A logger's file of any layout, with its laps.
+bool take_log_survey(std::string_view bytes) {
+    input::InputErrors errors;
+    const std::optional<input::LogSurvey> survey = input::survey_log(scratch_file("log.csv", bytes), errors);
+    check_outcome(survey.has_value(), errors.in_order(), errors.warnings());
+    for (std::size_t i = 1; survey && i < survey->laps.laps.size(); ++i) {
+        promise(survey->laps.laps[i].start == survey->laps.laps[i - 1].end, "a gap between two laps");
+    }
+    return survey.has_value();
 }
 
 /// The place of a case that names the file.
@@ -250,6 +267,8 @@ constexpr std::array all{
     Target{"case", take_case},
     Target{"run_csv", take_run_csv},
     Target{"run_hdf5", take_run_hdf5},
+    Target{"run_ld", take_run_ld},
+    Target{"log_survey", take_log_survey},
     Target{"frames_csv", take_frames_csv},
     Target{"frames_hdf5", take_frames_hdf5},
     Target{"field_csv", take_field_csv},

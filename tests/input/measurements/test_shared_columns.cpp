@@ -9,7 +9,7 @@ namespace tiretherm::input {
 
 namespace {
 
-/// A log in a logger's own words: temperatures in "C", which is the coulomb.
+/// A log in a logger's own words: temperatures in "C".
 constexpr std::string_view logger =
     "t [s],V [km/h],Fz [N],Tair [C],Ttrack [C],IR spot [C],probe [C]\n"
     "0,36,4000,25,30,25.0,25.5\n"
@@ -92,20 +92,33 @@ TEST(SharedColumns, ThatNoFileHasAreAWarning) {
         << said(reading, written);
 }
 
-// Each of the columns in [C] is wrong, and one line mends them all. [data] from and to are those of --data alone.
-TEST(SharedColumns, TheMessageOfTheCoulombNamesTheOneLineForAll) {
+// Each of the columns in [Grd] is wrong, and one line mends them all. [data] from and to are those of --data alone.
+TEST(SharedColumns, TheMessageOfAnUnknownUnitNamesTheOneLineForAll) {
     const Written written;
     const std::string without = replaced(std::string(data), "unit_names = { C = \"degC\" }\n", "");
-    const std::string found = said(read(written, without + "[[run]]\nfile = \"a.csv\"\n"), written);
-    EXPECT_NE(found.find("the column probe is in [C], an electric charge (C is the coulomb); a temperature is wanted"),
-              std::string::npos)
-        << found;
-    EXPECT_NE(found.find("or once for all columns in [C]: unit_names = { \"C\" = \"degC\" }\n"), std::string::npos)
+    const std::string own_unit = replaced(std::string(logger), "[C]", "[Grd]");
+    static_cast<void>(read(written, ""));
+    written.add("c.csv", own_unit);
+    const auto read_own = [&](const std::string& tables) {
+        return read_experiment(written.add("case.toml", std::string(bench) + without + tables));
+    };
+    const std::string found = said(read_own("[[run]]\nfile = \"c.csv\"\n"), written);
+    EXPECT_NE(found.find("the column probe is in [Grd]: \"Grd\" is not a unit"), std::string::npos) << found;
+    EXPECT_NE(found.find("or once for all columns in [Grd]: unit_names = { \"Grd\" = \"degC\" }\n"), std::string::npos)
         << found;
     const ExperimentReading own =
-        read(written, without + "from = \"3 s\"\n[[run]]\nfile = \"a.csv\"\nunit_names = { C = \"degC\" }\n");
+        read_own("from = \"3 s\"\n[[run]]\nfile = \"c.csv\"\nunit_names = { Grd = \"degC\" }\n");
     ASSERT_TRUE(own.experiment) << said(own, written);
     EXPECT_EQ(own.experiment->runs.front().time.size(), 3U);
+}
+
+// A logger's C is degC without a word of the case: 25.5 C are 298.65 K.
+TEST(SharedColumns, AColumnOfATemperatureInCIsInDegreesCelsius) {
+    const Written written;
+    const std::string without = replaced(std::string(data), "unit_names = { C = \"degC\" }\n", "");
+    const ExperimentReading reading = read(written, without + "[[run]]\nfile = \"a.csv\"\n");
+    ASSERT_TRUE(reading.experiment) << said(reading, written);
+    EXPECT_NEAR(find_series(reading.experiment->runs.front(), "bulk_temperature")->value[0], 298.65, 1e-9);
 }
 
 // The clock is not the camera: nothing is mapped, and the example is the first column that can be a temperature.

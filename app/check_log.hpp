@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `tiretherm check LOG`: says what is in a data logger's file.
+#pragma once
+
+#include <filesystem>
+
+namespace tiretherm::app {
+
+/// Prints format, channels, laps and doubts of a file, or what keeps it from being read. @returns the exit code
+[[nodiscard]] int check_log(const std::filesystem::path& path, bool json);
+
+}  // namespace tiretherm::app

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds the columns of laps and positions by their names.
+
+#include "input/laps/file_laps.hpp"
+
+#include <algorithm>
+#include <array>
+#include <variant>
+
+#include "input/laps/track_laps.hpp"
+#include "input/loggers/heading_names.hpp"
+#include "input/loggers/logger_units.hpp"
+#include "input/text/units.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+template <std::size_t N>
+bool is_one_of(std::string_view name, const std::array<std::string_view, N>& words) {
+    std::string bare;
+    for (const char c : in_small_letters(name)) {
+        if (c != ' ' && c != '_' && c != '.' && c != '#') {
+            bare += c;
+        }
+    }
+    return std::ranges::find(words, bare) != words.end();
+}
+
+bool is_latitude(std::string_view name) {
+    return is_one_of(name, std::array<std::string_view, 3>{"latitude", "lat", "gpslatitude"});
+}
+bool is_longitude(std::string_view name) {
+    return is_one_of(name, std::array<std::string_view, 4>{"longitude", "long", "lon", "gpslongitude"});
+}
+
+int find_column(const DataFile& file, bool (*is)(std::string_view name)) {
+    const auto found =
+        std::ranges::find_if(file.heads(), [&](const ColumnHead& head) { return is(head.heading.name); });
+    return found == file.heads().end() ? -1 : static_cast<int>(found - file.heads().begin());
+}
+
+/// A column as it is written, at its own times.
+struct Written {
+    std::vector<double> time;   ///< [n] s
+    std::vector<double> value;  ///< [n], NaN where it is missing
+};
+
+Written read_as_written(const DataFile& file, int column, const std::vector<double>& time, const InputErrors& errors) {
+    if (const ChannelTable* table = file.channel_table(); table != nullptr && column > 0) {
+        const ChannelTable::Channel& channel = table->channels()[static_cast<std::size_t>(column) - 1];
+        Written own{.time = {}, .value = channel.samples()};
+        for (std::size_t k = 0; k < own.value.size(); ++k) {
+            own.time.push_back(static_cast<double>(k) / channel.rate);
+        }
+        return own;
+    }
+    InputErrors unheard = errors;
+    std::vector<std::vector<double>> read =
+        file.read({{.column = column, .name = "", .spec = {.unit = "1"}, .purpose = Purpose::unused}}, unheard);
+    const bool whole = !read.empty() && read.front().size() == time.size();
+    return whole ? Written{.time = time, .value = std::move(read.front())} : Written{};
+}
+
+/// Degrees of a column of positions, which is in degrees or in minutes of them.
+void to_degrees(std::vector<double>& values, const ColumnHead& head, double sign) {
+    const auto read = conversion(meant_unit(head.heading.unit.value_or("deg"), "degree"), "degree", Scale::absolute);
+    const auto* found = std::get_if<Conversion>(&read);
+    for (double& value : values) {
+        value = sign * (found != nullptr ? found->to_si(value) : value);
+    }
+}
+
+std::optional<Positions> read_positions(const DataFile& file, const std::vector<double>& time,
+                                        const InputErrors& errors) {
+    const int latitude = find_column(file, is_latitude);
+    const int longitude = find_column(file, is_longitude);
+    if (latitude < 0 || longitude < 0) {
+        return std::nullopt;
+    }
+    Written north = read_as_written(file, latitude, time, errors);
+    Written east = read_as_written(file, longitude, time, errors);
+    if (north.value.empty() || north.time.size() != east.time.size()) {
+        return std::nullopt;
+    }
+    Positions positions{
+        .time = std::move(north.time), .latitude = std::move(north.value), .longitude = std::move(east.value)};
+    to_degrees(positions.latitude, file.heads()[static_cast<std::size_t>(latitude)], 1.0);
+    to_degrees(positions.longitude, file.heads()[static_cast<std::size_t>(longitude)],
+               file.description().west_is_positive ? -1.0 : 1.0);
+    return positions;
+}
+
+}  // namespace
+
+bool counts_laps(std::string_view name) {
+    return is_one_of(name, std::array<std::string_view, 6>{"lap", "lapnumber", "lapno", "laps", "lapcount", "runde"});
+}
+
+Laps find_laps(const DataFile& file, const std::vector<double>& time, const std::optional<StartLine>& line, bool search,
+               const InputErrors& errors) {
+    if (time.size() < 2) {
+        return {};
+    }
+    const auto by_line = [&](const std::optional<StartLine>& across, const Positions& positions, LapSource source) {
+        Laps found{.source = source};
+        if (across) {
+            found.laps = laps_between(crossings_of(positions, *across), time.front(), time.back());
+        }
+        return found.laps.empty() ? Laps{} : found;
+    };
+    if (line) {
+        const std::optional<Positions> positions = read_positions(file, time, errors);
+        return positions ? by_line(line, *positions, LapSource::start_line) : Laps{};
+    }
+    if (Laps found{.source = LapSource::markers,
+                   .laps = laps_between(file.description().markers, time.front(), time.back())};
+        !found.laps.empty()) {
+        return found;
+    }
+    if (const int column = find_column(file, counts_laps); column >= 0) {
+        const Written number = read_as_written(file, column, time, errors);
+        Laps found{.source = LapSource::column, .column = file.heads()[static_cast<std::size_t>(column)].heading.name};
+        found.laps = laps_by_counter(number.time, number.value);
+        if (!found.laps.empty()) {
+            return found;
+        }
+    }
+    if (file.description().start_line || search) {
+        if (const std::optional<Positions> positions = read_positions(file, time, errors)) {
+            Laps found = by_line(file.description().start_line, *positions, LapSource::start_line);
+            return found.laps.empty() && search
+                       ? by_line(find_start_line(*positions), *positions, LapSource::closed_track)
+                       : found;
+        }
+    }
+    return {};
+}
+
+}  // namespace tiretherm::input

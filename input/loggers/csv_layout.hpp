@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the names, units and values stand in the text files of data loggers, found by their content.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "input/loggers/log_description.hpp"
+#include "input/tables/csv.hpp"
+
+namespace tiretherm::input {
+
+/// How the text of a logger is laid out.
+struct CsvLayout {
+    LogDescription description{};
+    HeadLines lines{};
+    char separator = ',';
+    Csv::Line sources{};                ///< names the device of each column; without number: none
+    std::vector<std::string> units{};   ///< of the columns, where no line has them; empty: that of `lines`
+    bool round_brackets = false;        ///< headings are written "Speed (m/s) *gps"
+    int defect_line = 0;                ///< where `defect` stands
+    std::optional<ErrorText> defect{};  ///< the file names a logger and is not laid out as its files are
+};
+
+/// The layout of a text file: that of the logger whose first lines it has, otherwise that of a CSV with or without lines of
+/// comment (# or //).
+/// @param text without a byte order mark
+[[nodiscard]] CsvLayout find_csv_layout(std::string_view text);
+
+/// Parts of it; nothing for another format.
+/// AiM RaceStudio 2 and 3, and MoTeC i2: lines of a key and its values, an empty line, names, units, values.
+[[nodiscard]] std::optional<CsvLayout> find_key_value_layout(std::string_view text);
+/// RaceChrono, CSV formats 2 and 3.
+[[nodiscard]] std::optional<CsvLayout> find_racechrono_layout(std::string_view text);
+/// Racelogic VBOX, .vbo: sections in brackets, values separated by blanks.
+[[nodiscard]] std::optional<CsvLayout> find_vbox_layout(std::string_view text);
+
+/// Whether a line is a comment: # or // at its beginning.
+[[nodiscard]] bool is_comment(std::string_view line);
+
+/// Splits "Session,Test" or "\"Session\";\"Test\"" as a detail; empty values are left out. @returns the fields after the key
+std::vector<std::string> read_detail(std::string_view line, char separator, LogDescription& into);
+
+}  // namespace tiretherm::input

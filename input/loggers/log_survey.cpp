@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads every column as it is written and looks at it as the data checks do.
+
+#include "input/loggers/log_survey.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "input/laps/file_laps.hpp"
+#include "input/loggers/heading_names.hpp"
+#include "input/loggers/logger_units.hpp"
+#include "input/measurements/data_warnings.hpp"
+#include "input/new_case/log_columns.hpp"
+#include "input/text/suggestions.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+/// The samples that have a value, at their times.
+struct Known {
+    std::vector<double> time;
+    std::vector<double> value;
+};
+
+Known known_of(const DataFile& file, int column, const std::vector<double>& time, InputErrors& errors) {
+    Known known;
+    if (const ChannelTable* table = file.channel_table(); table != nullptr && column > 0) {
+        const ChannelTable::Channel& channel = table->channels()[static_cast<std::size_t>(column) - 1];
+        const std::vector<double> samples = channel.samples();
+        for (std::size_t k = 0; k < samples.size(); ++k) {
+            if (std::isfinite(samples[k])) {
+                known.time.push_back(static_cast<double>(k) / channel.rate);
+                known.value.push_back(samples[k]);
+            }
+        }
+        return known;
+    }
+    const std::vector<std::vector<double>> read =
+        file.read({{.column = column, .name = "", .spec = {.unit = "1"}, .purpose = Purpose::unused}}, errors);
+    for (std::size_t i = 0; !read.empty() && i < std::min(time.size(), read.front().size()); ++i) {
+        if (std::isfinite(read.front()[i])) {
+            known.time.push_back(time[i]);
+            known.value.push_back(read.front()[i]);
+        }
+    }
+    return known;
+}
+
+/// Rate by the median step, and what is missing at it.
+void set_rate(ColumnSurvey& column, const Known& known, double from, double to) {
+    column.samples = known.time.size();
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < known.time.size(); ++i) {
+        if (known.time[i] > known.time[i - 1]) {
+            steps.push_back(known.time[i] - known.time[i - 1]);
+        }
+    }
+    if (steps.empty()) {
+        return;
+    }
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    column.rate = 1.0 / *middle;
+    const double expected = std::round((to - from) * column.rate) + 1.0;
+    const double share = 1.0 - static_cast<double>(known.time.size()) / expected;
+    column.missing = share > 0.001 ? share : 0.0;
+}
+
+/// The column for the data checks, in SI where its unit is known.
+RecordedColumn recorded_of(const ColumnSurvey& column, const LogColumn& log, const Known& known) {
+    RecordedColumn recorded;
+    recorded.name = column.used_as.empty() ? column.name : column.used_as;
+    recorded.heading = column.name;
+    recorded.unit = log.unit.empty() ? column.unit : log.unit;
+    recorded.is_input = log.is_input;
+    const MeantUnit meant = meant_unit_by_name(column.name, recorded.unit);
+    const std::array<std::string_view, 8> known_units{"K", "m s-1", "N", "Pa", "m s-2", "radian", "rad s-1", "1"};
+    recorded.si = "1";
+    for (const std::string_view si : known_units) {
+        const auto read = conversion(meant_unit(meant.unit, si), si, Scale::absolute);
+        if (const auto* found = std::get_if<Conversion>(&read); found != nullptr && !recorded.unit.empty()) {
+            recorded.si = si;
+            recorded.conversion = *found;
+            break;
+        }
+    }
+    recorded.time = known.time;
+    for (const double value : known.value) {
+        recorded.value.push_back(recorded.conversion.to_si(value));
+    }
+    return recorded;
+}
+
+/// Sentences without the file's name, which stands above them.
+std::vector<std::string> doubts_of(const Recording& recording) {
+    std::vector<std::string> sentences = find_suspicious(recording);
+    for (std::string& sentence : sentences) {
+        sentence.erase(0, sentence.starts_with(recording.file) ? recording.file.size() + 2 : 0);
+    }
+    return sentences;
+}
+
+}  // namespace
+
+std::optional<LogSurvey> survey_log(const std::filesystem::path& path, InputErrors& errors) {
+    const std::optional<Log> log = read_log(path, mesh_template("section", 12.0), errors);
+    InputErrors again;
+    const std::optional<DataFile> file = log ? DataFile::open(path, {}, again) : std::nullopt;
+    if (!file) {
+        return std::nullopt;
+    }
+    LogSurvey survey{.path = log->path, .description = file->description()};
+    const LogColumn* clock = log->find("time");
+    std::vector<double> time = log->time;
+    if (file->channel_table() != nullptr) {  // the log has the rows of its used channels alone
+        const auto all =
+            file->read({{.column = 0, .name = "time", .spec = {.unit = "s"}, .purpose = Purpose::clock}}, again);
+        time = all.empty() ? time : all.front();
+    }
+    survey.from = time.front();
+    survey.to = time.back();
+    survey.rows = time.size();
+    survey.laps = find_laps(*file, time, std::nullopt, true, again);
+    Recording recording;
+    recording.file = survey.path;
+    recording.time = log->time;
+    recording.time_unit = clock->heading.unit.value_or("");
+    for (const LogColumn& column : log->columns) {
+        if (column.heading.name.empty()) {
+            continue;
+        }
+        ColumnSurvey found{.name = column.heading.name,
+                           .unit = column.heading.unit.value_or(""),
+                           .use = !column.is_used()  ? ""
+                                  : column.is_input  ? "input"
+                                  : column.is_sensor ? "sensor"
+                                                     : "time",
+                           .used_as = column.name,
+                           .suggestion = column.suggestion,
+                           .reason = column.reason};
+        const Known known = known_of(*file, column.column, time, again);
+        set_rate(found, known, survey.from, survey.to);
+        if (!known.value.empty()) {
+            const auto [low, high] = std::ranges::minmax(known.value);
+            found.low = low;
+            found.high = high;
+        }
+        if (!column.is_used() && found.unit.size() == 1) {
+            if (const MeantUnit meant = meant_unit_by_name(found.name, found.unit); meant.error) {
+                survey.doubts.push_back(fmt::format("{}; {}", meant.error->what, meant.error->remedy));
+            }
+        }
+        // What counts and where the car was are no signals; the time is looked at by itself.
+        const bool is_signal = found.use != "time" && !counts_laps(found.name) && known.value.size() > 1;
+        if (is_signal && (column.is_used() || !found.unit.empty())) {
+            recording.columns.push_back(recorded_of(found, column, known));
+        }
+        survey.columns.push_back(std::move(found));
+    }
+    std::ranges::move(doubts_of(recording), std::back_inserter(survey.doubts));
+    return survey;
+}
+
+bool is_log_file(const std::filesystem::path& path) {
+    constexpr std::array<std::string_view, 9> endings{".csv", ".txt",  ".tsv", ".dat", ".log",
+                                                      ".h5",  ".hdf5", ".ld",  ".vbo"};
+    return std::ranges::find(endings, in_small_letters(path.extension().string())) != endings.end();
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is in a data logger's file: format, channels with rate and range and what they would be used as, laps, doubts.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "input/laps/laps.hpp"
+#include "input/text/input_error.hpp"
+
+namespace tiretherm::input {
+
+/// A column of a logger's file.
+struct ColumnSurvey {
+    std::string name;
+    std::string unit{};           ///< as written; empty: none
+    double rate = 0.0;            ///< Hz, of the samples that have a value; 0: fewer than two
+    std::size_t samples = 0;      ///< with a value
+    double missing = 0.0;         ///< share of the samples that its rate announces
+    std::optional<double> low{};  ///< in `unit`, of a clock s; nothing without a value
+    std::optional<double> high{};
+    std::string use{};         ///< "time", "input", "sensor", or empty
+    std::string used_as{};     ///< the name that the model has for it; empty: none
+    std::string suggestion{};  ///< a name that it may have
+    std::string reason{};      ///< why it is not used
+};
+
+/// A file as a whole.
+struct LogSurvey {
+    std::string path;
+    LogDescription description{};
+    double from = 0.0;  ///< s
+    double to = 0.0;
+    std::size_t rows = 0;
+    std::vector<ColumnSurvey> columns{};
+    Laps laps{};
+    std::vector<std::string> doubts{};  ///< sentences
+};
+
+/// Looks at a file as `tiretherm new` would use it, on a cross-section of a tire.
+/// @returns nothing after an error
+[[nodiscard]] std::optional<LogSurvey> survey_log(const std::filesystem::path& path, InputErrors& errors);
+
+/// Whether a file is a log by the ending of its name: .csv, .txt, .tsv, .dat, .log, .h5, .hdf5, .ld, .vbo.
+[[nodiscard]] bool is_log_file(const std::filesystem::path& path);
+
+}  // namespace tiretherm::input

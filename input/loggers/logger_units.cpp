@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Spellings, and the four letters that mean two things.
+
+#include "input/loggers/logger_units.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "input/columns/column_names.hpp"
+#include "input/loggers/heading_names.hpp"
+#include "input/text/suggestions.hpp"
+#include "input/text/units.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+using Spelling = std::array<std::string_view, 2>;
+
+/// In small letters. None of them is a unit of UDUNITS in this spelling, or one that no logger means (kmh is none, PSI neither).
+constexpr std::array spellings{Spelling{"kmh", "km/h"},
+                               Spelling{"km/hr", "km/h"},
+                               Spelling{"kmph", "km/h"},
+                               Spelling{"km/h", "km/h"},
+                               Spelling{"kph", "km/h"},
+                               Spelling{"mph", "mile/h"},
+                               Spelling{"kts", "knot"},
+                               Spelling{"knots", "knot"},
+                               Spelling{"psi", "psi"},
+                               Spelling{"bar", "bar"},
+                               Spelling{"mbar", "mbar"},
+                               Spelling{"kpa", "kPa"},
+                               Spelling{"sec", "s"},
+                               Spelling{"secs", "s"},
+                               Spelling{"seconds", "s"},
+                               Spelling{"rpm", "rpm"},
+                               Spelling{"deg/s", "degree/s"},
+                               Spelling{"deg/sec", "degree/s"},
+                               Spelling{"dps", "degree/s"},
+                               Spelling{"\u00B0/s", "degree/s"},
+                               Spelling{"degrees", "degree"},
+                               Spelling{"\u00B0", "degree"},
+                               Spelling{"#", "1"},
+                               Spelling{"(null)", "1"},
+                               Spelling{"percent", "%"},
+                               Spelling{"nm", "N m"},
+                               Spelling{"metres", "m"},
+                               Spelling{"meters", "m"},
+                               Spelling{".c", "degC"},
+                               Spelling{"\u00B0c", "degC"},
+                               Spelling{"deg c", "degC"},
+                               Spelling{"celsius", "degC"},
+                               Spelling{".f", "degF"},
+                               Spelling{"\u00B0f", "degF"},
+                               Spelling{"deg f", "degF"},
+                               Spelling{"fahrenheit", "degF"}};
+
+/// A unit that means one thing in a table of physics and another in a logger.
+struct Ambiguous {
+    std::string_view written;
+    std::string_view dimension;  ///< a unit of the logger's quantity
+    std::string_view meant;      ///< by a logger
+    std::string_view shown;      ///< the same in words
+    std::string_view otherwise;  ///< in UDUNITS' words
+};
+constexpr std::array ambiguous{Ambiguous{"C", "K", "degC", "degC", "coulomb"},
+                               Ambiguous{"F", "K", "degF", "degF", "farad"},
+                               Ambiguous{"g", "m s-2", "gravity", "9.80665 m/s2", "gram"},
+                               Ambiguous{"G", "m s-2", "gravity", "9.80665 m/s2", "gauss"}};
+
+/// Whether the name says that the column is of the logger's quantity.
+bool name_agrees(std::string_view name, const Ambiguous& unit) {
+    if (unit.dimension == "K") {
+        return is_temperature(name, "");
+    }
+    const std::string small = in_small_letters(name);
+    constexpr std::array<std::string_view, 5> words{"acc", "gforce", "g force", "g_force", "glat"};
+    return std::ranges::any_of(words, [&](std::string_view word) { return small.find(word) != std::string::npos; }) ||
+           small.starts_with("g ") || small.ends_with(" g");
+}
+
+std::string spelt(std::string_view written) {
+    const std::string small = in_small_letters(trim(written));
+    // One letter in capitals is another unit: M is no metre. Nm and nm are a moment and a length.
+    const auto found = std::ranges::find_if(spellings, [&](const Spelling& spelling) { return spelling[0] == small; });
+    const bool is_length = trim(written) == "nm";
+    return found == spellings.end() || is_length ? std::string(trim(written)) : std::string((*found)[1]);
+}
+
+}  // namespace
+
+std::string meant_unit(std::string_view written, std::string_view wanted) {
+    const std::string unit = spelt(written);
+    for (const Ambiguous& two : ambiguous) {
+        if (unit == two.written && signature(two.dimension) == signature(wanted)) {
+            return std::string(two.meant);
+        }
+    }
+    return unit;
+}
+
+MeantUnit meant_unit_by_name(std::string_view name, std::string_view written) {
+    const std::string unit = spelt(written);
+    for (const Ambiguous& two : ambiguous) {
+        if (unit != two.written) {
+            continue;
+        }
+        if (name_agrees(name, two)) {
+            return {std::string(two.meant)};
+        }
+        return {unit, ErrorText{fmt::format("the column {} is in {}: {} or {}?", name, unit, two.shown, two.otherwise),
+                                fmt::format("say it in the case: units = {{ \"{}\" = \"{}\" }} or \"{}\"", name,
+                                            two.meant, two.otherwise)}};
+    }
+    return {unit};
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Units as data loggers write them: C for degC, g for the acceleration of gravity, kmh, PSI.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "input/text/input_error.hpp"
+
+namespace tiretherm::input {
+
+/// The unit that a logger means in a column that is read as a given quantity: C of a temperature is degC and F is degF, not
+/// coulomb and farad; G and g of an acceleration are 9.80665 m/s2, not gauss and gram. Spellings of loggers (kmh, PSI, dps) are
+/// replaced for every quantity; other units stay as they are.
+/// @param wanted unit of the quantity
+[[nodiscard]] std::string meant_unit(std::string_view written, std::string_view wanted);
+
+/// The same for a column whose quantity nothing but its name tells, as that of a signal which a formula follows.
+struct MeantUnit {
+    std::string unit;
+    std::optional<ErrorText> error{};  ///< the name does not decide between two meanings
+};
+[[nodiscard]] MeantUnit meant_unit_by_name(std::string_view name, std::string_view written);
+
+}  // namespace tiretherm::input

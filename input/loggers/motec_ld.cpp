@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every address and count of the file is compared with its size before it is used.
+
+#include "input/loggers/motec_ld.hpp"
+
+#include <cmath>
+#include <memory>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "input/loggers/binary_numbers.hpp"
+#include "input/loggers/motec_ldx.hpp"
+#include "input/text/suggestions.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+constexpr std::size_t head_size = 0x1A0;   ///< up to the venue
+constexpr std::size_t record_size = 0x54;  ///< up to the unit; 40 unused bytes follow
+constexpr std::size_t most_channels = 10000;
+
+/// A channel's record.
+struct Record {
+    std::uint32_t next = 0;
+    std::uint32_t data = 0;   ///< address of the samples
+    std::uint32_t count = 0;  ///< of samples
+    SampleType type = SampleType::int16;
+    int rate = 0;  ///< Hz
+    int shift = 0;
+    int multiplier = 1;
+    int scale = 1;
+    int decimals = 0;
+    std::string name;
+    std::string unit;
+};
+
+std::optional<SampleType> type_of(int kind, int size) {
+    const bool is_float = kind == 7 || kind == 8;
+    const bool is_integer = kind == 0 || kind == 3 || kind == 5;
+    if (is_float) {
+        return size == 2   ? std::optional(SampleType::float16)
+               : size == 4 ? std::optional(SampleType::float32)
+               : size == 8 ? std::optional(SampleType::float64)
+                           : std::nullopt;
+    }
+    return is_integer && size == 2   ? std::optional(SampleType::int16)
+           : is_integer && size == 4 ? std::optional(SampleType::int32)
+                                     : std::nullopt;
+}
+
+/// Reads the records and says what is wrong with them.
+class LdReader {
+public:
+    LdReader(std::shared_ptr<const std::string> bytes, int file, InputErrors& errors)
+        : bytes_(std::move(bytes)), in_(*bytes_), place_{.file = file}, errors_(errors) {}
+
+    std::optional<std::vector<ChannelTable::Channel>> channels() {
+        const std::size_t before = errors_.count();
+        std::vector<ChannelTable::Channel> found;
+        std::set<std::uint32_t> seen;
+        std::uint32_t at = in_.unsigned32(8);
+        while (at != 0) {
+            if (!seen.insert(at).second) {
+                errors_.add(place_,
+                            fmt::format("the list of channels runs in a circle: after channel {} it comes back to one "
+                                        "that was there before",
+                                        seen.size()),
+                            "the file is damaged: read it from the logger again");
+                return std::nullopt;
+            }
+            if (seen.size() > most_channels) {
+                errors_.add(place_, fmt::format("the file has more than {} channels", most_channels),
+                            "the file is damaged: read it from the logger again");
+                return std::nullopt;
+            }
+            if (at > in_.size() || in_.size() - at < record_size) {
+                errors_.add(place_,
+                            fmt::format("the file ends within the record of channel {}: it has {} bytes", seen.size(),
+                                        in_.size()),
+                            "the file is incomplete: copy it from the logger again");
+                return std::nullopt;
+            }
+            at = take_record(at, seen.size(), found);
+        }
+        if (found.empty() && errors_.count() == before) {
+            errors_.add(place_, "the file has no channel with samples", "");
+        }
+        return errors_.count() == before ? std::optional(std::move(found)) : std::nullopt;
+    }
+
+private:
+    /// @returns where the next record is
+    std::uint32_t take_record(std::uint32_t at, std::size_t index, std::vector<ChannelTable::Channel>& into) {
+        Record record{.next = in_.unsigned32(at + 4),
+                      .data = in_.unsigned32(at + 8),
+                      .count = in_.unsigned32(at + 12),
+                      .rate = in_.unsigned16(at + 22),
+                      .shift = in_.signed16(at + 24),
+                      .multiplier = in_.signed16(at + 26),
+                      .scale = in_.signed16(at + 28),
+                      .decimals = in_.signed16(at + 30),
+                      .name = in_.text(at + 32, 32),
+                      .unit = in_.text(at + 72, 12)};
+        if (record.name.empty()) {
+            record.name = in_.text(at + 64, 8);
+        }
+        const std::string called =
+            record.name.empty() ? fmt::format("{}", index) : fmt::format("{} ({})", index, record.name);
+        const auto refuse = [&](const std::string& what) {
+            errors_.add(place_, fmt::format("channel {} {}", called, what),
+                        "the file is damaged or incomplete: copy it from the logger again");
+            return record.next;
+        };
+        const int kind = in_.unsigned16(at + 18);
+        const int size = in_.unsigned16(at + 20);
+        const std::optional<SampleType> type = type_of(kind, size);
+        if (!type) {
+            return refuse(fmt::format("is of the unknown type {} with {} bytes a sample", kind, size));
+        }
+        record.type = *type;
+        const std::uint64_t length = std::uint64_t{record.count} * static_cast<std::uint64_t>(size);
+        if (record.data > in_.size() || length > in_.size() - record.data) {
+            return refuse(fmt::format("has {} samples from byte {} on, beyond the end of the file at byte {}",
+                                      record.count, record.data, in_.size()));
+        }
+        samples_ += length;
+        if (samples_ > in_.size()) {
+            return refuse("shares its samples with another one: together they are longer than the file");
+        }
+        if (record.count > 0 && record.rate == 0) {
+            return refuse("has a rate of 0 Hz");
+        }
+        if (record.scale == 0 || std::abs(record.decimals) > 30) {
+            return refuse(fmt::format("has a scale of {} with {} decimals", record.scale, record.decimals));
+        }
+        const std::uint32_t next = record.next;
+        if (record.count > 0 && !record.name.empty()) {
+            add(std::move(record), into);
+        }
+        return next;
+    }
+
+    void add(Record record, std::vector<ChannelTable::Channel>& into) const {
+        ChannelTable::Channel channel{
+            .name = record.name, .unit = record.unit, .rate = static_cast<double>(record.rate), .count = record.count};
+        channel.samples = [bytes = bytes_, record = std::move(record)] {
+            const BinaryNumbers in(*bytes);
+            std::vector<double> values = in.samples(record.data, record.count, record.type);
+            const double power = std::pow(10.0, record.decimals);
+            for (double& value : values) {
+                value = (value / record.scale / power + record.shift) * record.multiplier;
+            }
+            return values;
+        };
+        into.push_back(std::move(channel));
+    }
+
+    std::shared_ptr<const std::string> bytes_;
+    BinaryNumbers in_;
+    SourceLocation place_;
+    InputErrors& errors_;
+    std::uint64_t samples_ = 0;  ///< bytes of all channels
+};
+
+}  // namespace
+
+bool is_motec_ld(std::string_view first_bytes) { return first_bytes.starts_with(std::string_view("\x40\0\0\0", 4)); }
+
+std::optional<ChannelTable> read_motec_ld(std::string bytes, const std::filesystem::path& path, int file,
+                                          InputErrors& errors) {
+    if (bytes.size() < head_size) {
+        errors.add({.file = file},
+                   fmt::format("the file ends within the head of a MoTeC .ld file: it has {} bytes", bytes.size()),
+                   "the file is incomplete: copy it from the logger again");
+        return std::nullopt;
+    }
+    const auto shared = std::make_shared<const std::string>(std::move(bytes));
+    const BinaryNumbers in(*shared);
+    LogDescription description{.format = "MoTeC .ld"};
+    const auto add = [&](const char* name, std::size_t at, std::size_t length) {
+        if (std::string text = in.text(at, length); !text.empty()) {
+            description.details.push_back({name, std::move(text)});
+        }
+    };
+    add("Date", 0x5E, 16);
+    add("Time", 0x7E, 16);
+    add("Driver", 0x9E, 64);
+    add("Vehicle", 0xDE, 64);
+    add("Venue", 0x15E, 64);
+    std::optional<std::vector<ChannelTable::Channel>> channels = LdReader(shared, file, errors).channels();
+    if (!channels) {
+        return std::nullopt;
+    }
+    description.markers = read_ldx_markers(path);
+    return ChannelTable(std::move(*channels), std::move(description), file);
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A made-up session in the layouts of AiM, MoTeC, RaceChrono and VBOX, and with comments and clocks, is read back to the last
+// digit that was written.
+
+#include <cmath>
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "input/laps/file_laps.hpp"
+#include "input/loggers/logger_files.hpp"
+#include "input/loggers/read_back.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+using made_up::digits;
+using made_up::Session;
+
+/// What was written of a value, as a number.
+double written(double value, int decimals) { return std::strtod(digits(value, decimals).c_str(), nullptr); }
+
+/// Time, speed, load and temperature of every line. Tolerance: the conversion to SI rounds once, to 1e-15 of the value.
+void expect_session(ReadBack& file, const Session& session, const std::string& time, const std::string& speed) {
+    ASSERT_TRUE(file.is_open()) << file.messages();
+    const std::vector<double> t = file.column(time, "s", Purpose::clock);
+    const std::vector<double> v = file.column(speed, "m s-1");
+    const std::vector<double> load = file.column("vertical_load", "N");
+    const std::vector<double> tread = file.column("surface_temperature", "K");
+    ASSERT_EQ(t.size(), session.time.size());
+    ASSERT_TRUE(v.size() == t.size() && load.size() == t.size() && tread.size() == t.size());
+    for (std::size_t i = 0; i < t.size(); ++i) {
+        EXPECT_DOUBLE_EQ(t[i], written(session.time[i], 3));
+        EXPECT_DOUBLE_EQ(v[i], written(Session::speed(session.time[i]), 2) / 3.6);
+        EXPECT_DOUBLE_EQ(load[i], written(Session::load(session.time[i]), 1));
+        EXPECT_DOUBLE_EQ(tread[i], written(Session::tread(session.time[i]), 3) + 273.15);
+    }
+}
+
+}  // namespace
+
+TEST(AimCsv, IsReadToTheLastDigitInEveryStyle) {
+    const Session session(200, 0.05);
+    for (const made_up::Style& style :
+         {made_up::Style{}, made_up::Style{.quotes = false}, made_up::Style{.separator = ';', .comma = true},
+          made_up::Style{.separator = ';', .comma = true, .quotes = false}}) {
+        ReadBack file("session.csv", made_up::aim_csv(session, style));
+        expect_session(file, session, "Time", "speed");
+        EXPECT_EQ(file.file().description().format, "AiM CSV");
+        EXPECT_TRUE(file.file().heads()[0].is_clock);
+    }
+}
+
+// Three marks cut 110 s into four parts; the last mark, the export's end, is none.
+TEST(AimCsv, HasItsLapsBetweenTheBeacons) {
+    const Session session(2201, 0.05);
+    ReadBack file("session.csv", made_up::aim_csv(session));
+    ASSERT_TRUE(file.is_open());
+    const Laps laps = find_laps(file.file(), session.time, std::nullopt, false, file.errors());
+    ASSERT_EQ(laps.laps.size(), 4U);
+    EXPECT_EQ(laps.source, LapSource::markers);
+    EXPECT_EQ(laps.laps[0].kind, LapKind::out);
+    EXPECT_EQ(laps.laps[3].kind, LapKind::in);
+    EXPECT_DOUBLE_EQ(laps.laps[1].start, written(Session::crossing(0), 3));
+    EXPECT_DOUBLE_EQ(laps.laps[1].end, written(Session::crossing(1), 3));
+}
+
+TEST(MotecCsv, IsReadToTheLastDigitWithItsBeaconsInOneField) {
+    const Session session(2201, 0.05);
+    ReadBack file("session.csv", made_up::motec_csv(session));
+    expect_session(file, session, "Time", "speed");
+    const std::vector<double> marks{written(Session::crossing(0), 3), written(Session::crossing(1), 3),
+                                    written(Session::crossing(2), 3)};
+    EXPECT_EQ(file.file().description().markers, marks);
+    EXPECT_EQ(file.file().description().format, "MoTeC CSV");
+}
+
+// Seconds since 1970 count from the first line on; equal names have their sources; an empty field is a missing value.
+TEST(RaceChronoCsv, HasUnixTimesSourcesAndMissingValues) {
+    const Session session(1000, 0.1);
+    ReadBack file("session.csv", made_up::racechrono_csv(session));
+    ASSERT_TRUE(file.is_open()) << file.messages();
+    const std::vector<double> t = file.column("timestamp", "s", Purpose::clock);
+    const std::vector<double> gps = file.column("speed (gps)", "m s-1");
+    const std::vector<double> calculated = file.column("speed (calc)", "m s-1");
+    const std::vector<double> tread = file.column("surface_temperature", "K");
+    ASSERT_EQ(t.size(), 1000U);
+    for (std::size_t i = 0; i < t.size(); ++i) {
+        EXPECT_NEAR(t[i], session.time[i], 1e-9);  // rounded to a microsecond
+        EXPECT_DOUBLE_EQ(gps[i], written(Session::speed(session.time[i]) / 3.6, 3));
+        EXPECT_DOUBLE_EQ(calculated[i], written(Session::speed(session.time[i]) / 3.6 + 1.0, 3));
+        EXPECT_EQ(std::isnan(tread[i]), i % 2 == 1);
+    }
+    EXPECT_DOUBLE_EQ(tread[10], written(Session::tread(1.0), 3) + 273.15);
+    const Laps laps = find_laps(file.file(), t, std::nullopt, false, file.errors());
+    EXPECT_EQ(laps.source, LapSource::column);
+    ASSERT_EQ(laps.laps.size(), 4U);
+    EXPECT_NEAR(laps.laps[1].start, Session::crossing(0), 0.1);  // the line after it
+}
+
+TEST(RaceChronoCsv, OfFormatTwoHasUnitsInRoundBrackets) {
+    const Session session(50, 0.1);
+    ReadBack file("session.csv", made_up::racechrono_csv_2(session));
+    expect_session(file, session, "Time", "Speed *gps");
+    EXPECT_TRUE(file.file().heads()[0].is_clock);
+}
+
+// From 10 s before midnight on: the clock goes from 235950.00 to 000139.95, the times from 0 to 109.95 s. Positions are in
+// minutes with the west positive, and the car crosses the line of [laptiming] at 5 pi, 15 pi and 25 pi s; between two samples
+// at 40 m/s, 2 m apart, the chord differs from the circle by 2.5 mm, which is 0.06 ms; six decimals of a minute are 1.9 mm.
+TEST(VboxVbo, PassesMidnightAndCrossesItsStartLine) {
+    const Session session(2200, 0.05);
+    ReadBack file("session.vbo", made_up::vbox_vbo(session, 86390.0));
+    ASSERT_TRUE(file.is_open()) << file.messages();
+    const std::vector<double> t = file.column("time", "s", Purpose::clock);
+    const std::vector<double> speed = file.column("velocity", "m s-1");
+    const std::vector<double> tread = file.column("surface_temperature", "K");
+    ASSERT_EQ(t.size(), session.time.size()) << file.messages();
+    for (std::size_t i = 0; i < t.size(); ++i) {
+        EXPECT_NEAR(t[i], session.time[i], 1e-9);
+        EXPECT_DOUBLE_EQ(speed[i], written(Session::speed(session.time[i]), 3) / 3.6);
+        EXPECT_DOUBLE_EQ(tread[i], written(Session::tread(session.time[i]), 3) + 273.15);
+    }
+    const Laps laps = find_laps(file.file(), t, std::nullopt, false, file.errors());
+    EXPECT_EQ(laps.source, LapSource::start_line);
+    ASSERT_EQ(laps.laps.size(), 4U);
+    for (int k = 0; k < 3; ++k) {
+        EXPECT_NEAR(laps.laps[static_cast<std::size_t>(k)].end, Session::crossing(k), 2e-4);
+    }
+}
+
+// Comments above and between the lines; a clock of the day that passes midnight counts from the first line on.
+TEST(PlainCsv, HasCommentsAndClocks) {
+    ReadBack file("log.csv",
+                  "# logger 7\n// made by hand\nTime,speed [km/h],surface_temperature [C]\n23:59:59.500,36,60.0\n"
+                  "# a pause\n00:00:00.250,54,60.5\n00:00:01.250,72,61.0\n");
+    EXPECT_EQ(file.column("Time", "s", Purpose::clock), (std::vector<double>{0.0, 0.75, 1.75}));
+    EXPECT_EQ(file.column("speed", "m s-1"), (std::vector<double>{10.0, 15.0, 20.0}));
+}
+
+TEST(PlainCsv, HasItsNamesInAComment) {
+    ReadBack file("log.txt", "# by a program\n# time [s], speed [km/h]\n\n0,36\n2,54\n");
+    EXPECT_EQ(file.column("time", "s", Purpose::clock), (std::vector<double>{0.0, 2.0}));
+    EXPECT_EQ(file.column("speed", "m s-1"), (std::vector<double>{10.0, 15.0}));
+}
+
+// A clock that goes back by an hour was set; only more than half a day is midnight.
+TEST(PlainCsv, RefusesAClockThatWasSetBack) {
+    ReadBack file("log.csv", "time,speed [km/h]\n12:00:00,36\n11:00:00,54\n");
+    ASSERT_TRUE(file.is_open());
+    const auto read = file.file().read(
+        {{.column = 0, .name = "time", .spec = {.unit = "s"}, .purpose = Purpose::clock}}, file.errors());
+    EXPECT_TRUE(read.empty());
+    EXPECT_NE(file.messages().find("time goes backwards to 11:00:00"), std::string::npos) << file.messages();
+}
+
+}  // namespace tiretherm::input

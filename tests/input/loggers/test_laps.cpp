@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Laps by marks, counters and positions; which stretch a choice of laps means, and runs that are cut by it.
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "input/laps/track_laps.hpp"
+#include "input/loggers/logger_files.hpp"
+#include "input/measurements/measured_bench.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+using made_up::Session;
+
+Laps four_laps() { return {.source = LapSource::markers, .laps = laps_between({30.0, 90.0, 150.5}, 0.0, 200.0)}; }
+
+Positions drive(double end, double step) {
+    Positions positions;
+    for (double t = 0.0; t < end; t += step) {
+        positions.time.push_back(t);
+        positions.latitude.push_back(Session::north(t));
+        positions.longitude.push_back(Session::east(t));
+    }
+    return positions;
+}
+
+/// The bench with an AiM file of 110 s; its laps are cut at 5 pi, 15 pi and 25 pi s. @param keys of [[run]]
+ExperimentReading read_aim(const std::string& keys) {
+    const Written written;
+    written.add("session.csv", made_up::aim_csv(Session(2201, 0.05)));
+    const std::string drive = "[drive]\nair_temperature = \"25 degC\"\nroad_temperature = \"30 degC\"\n";
+    return read_experiment(written.add("case.toml", std::string(bench) + drive + keys));
+}
+
+}  // namespace
+
+TEST(Laps, LieBetweenMarks) {
+    const std::vector<Lap> laps = four_laps().laps;
+    ASSERT_EQ(laps.size(), 4U);
+    EXPECT_EQ(laps[0].number, 0);
+    EXPECT_EQ(laps[0].kind, LapKind::out);
+    EXPECT_EQ(laps[2].end, 150.5);
+    EXPECT_EQ(laps[2].kind, LapKind::flying);
+    EXPECT_EQ(laps[3].kind, LapKind::in);
+    EXPECT_EQ(laps[3].end, 200.0);
+    // Marks at the ends of the recording, and a second one within half a second, are no crossings.
+    EXPECT_EQ(laps_between({0.0, 30.0, 30.2, 200.0}, 0.0, 200.0).size(), 2U);
+    EXPECT_TRUE(laps_between({-5.0, 300.0}, 0.0, 200.0).empty());
+}
+
+TEST(Laps, AreCountedByAColumn) {
+    const double none = std::nan("");
+    const std::vector<Lap> laps = laps_by_counter({0, 1, 2, 3, 4, 5}, {3, none, 4, 4, 5, none});
+    ASSERT_EQ(laps.size(), 3U);
+    EXPECT_EQ(laps[1].number, 4);
+    EXPECT_EQ(laps[0].end, 2.0);
+    EXPECT_EQ(laps[1].end, 4.0);
+    // What goes down, stands still or has fractions counts no laps.
+    EXPECT_TRUE(laps_by_counter({0, 1, 2}, {2, 1, 3}).empty());
+    EXPECT_TRUE(laps_by_counter({0, 1, 2}, {1, 1, 1}).empty());
+    EXPECT_TRUE(laps_by_counter({0, 1, 2}, {1, 1.5, 2}).empty());
+}
+
+TEST(Laps, AreChosenByTheirNumbers) {
+    const LapChoice one = choose_laps("1", four_laps());
+    ASSERT_TRUE(one.window.has_value());
+    EXPECT_EQ(one.window->from, 30.0);
+    EXPECT_EQ(one.window->to, 90.0);
+    for (const char* text : {"1-2", "1,2", " 2 , 1 "}) {
+        const LapChoice two = choose_laps(text, four_laps());
+        ASSERT_TRUE(two.window.has_value()) << text;
+        EXPECT_EQ(two.window->from, 30.0);
+        EXPECT_EQ(two.window->to, 150.5);
+    }
+    EXPECT_EQ(*choose_laps("0,2", four_laps()).error,
+              "the laps \"0,2\" do not follow one another: a run is one stretch of time");
+    EXPECT_EQ(choose_laps("7", four_laps()).remedy,
+              "the laps are 0 (out, 0:30.000), 1 (1:00.000), 2 (1:00.500), 3 (in, 0:49.500)");
+    for (const char* text : {"", "-", "3-1", "1-", "a", "1;2", "99999999999"}) {
+        EXPECT_TRUE(choose_laps(text, four_laps()).error.has_value()) << text;
+    }
+}
+
+// 59.9996 s is a minute when milliseconds are shown, not 60 seconds.
+TEST(Laps, ShowTheirTimeInMinutes) {
+    EXPECT_EQ(lap_time(121.006), "2:01.006");
+    EXPECT_EQ(lap_time(59.9996), "1:00.000");
+}
+
+// The car goes round a circle; where the line is found, it is crossed once in each lap of 10 pi s, whatever the place. Between
+// samples 4 m apart a straight line differs from the circle by 10 mm at most, 0.3 ms at 40 m/s.
+TEST(Track, ClosesOnceALap) {
+    const Positions positions = drive(110.0, 0.1);
+    const std::optional<StartLine> line = find_start_line(positions);
+    ASSERT_TRUE(line.has_value());
+    const std::vector<double> times = crossings_of(positions, *line);
+    ASSERT_GE(times.size(), 3U);
+    for (std::size_t i = 1; i < times.size(); ++i) {
+        EXPECT_NEAR(times[i] - times[i - 1], 10.0 * std::acos(-1.0), 1e-3);
+    }
+    EXPECT_FALSE(find_start_line(drive(25.0, 0.1)).has_value());  // less than a lap
+}
+
+// Lap 1 goes from 15.708 to 47.124 s in steps of 0.05 s: from 15.75 to 47.10 s.
+TEST(RunOfLaps, HasTheSamplesOfItsLapsAndTheirName) {
+    const ExperimentReading reading = read_aim("[[run]]\nfile = \"session.csv\"\nlaps = \"1\"\n");
+    ASSERT_TRUE(reading.experiment.has_value()) << error_report(reading);
+    const MeasuredRun& run = reading.experiment->runs.front();
+    EXPECT_EQ(run.name, "session_lap_1");
+    EXPECT_DOUBLE_EQ(run.time.front(), 15.75);
+    EXPECT_DOUBLE_EQ(run.time.back(), 47.1);
+}
+
+TEST(RunOfLaps, AreSeveralOfOneFile) {
+    const ExperimentReading reading =
+        read_aim("[[run]]\nfile = \"session.csv\"\nlaps = \"0\"\n[[run]]\nfile = \"session.csv\"\nlaps = \"1-2\"\n");
+    ASSERT_TRUE(reading.experiment.has_value()) << error_report(reading);
+    EXPECT_EQ(reading.experiment->runs[0].name, "session_lap_0");
+    EXPECT_EQ(reading.experiment->runs[1].name, "session_laps_1-2");
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What `tiretherm check LOG` says of a file: channels with rate, range and use, laps, and what looks wrong.
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "input/loggers/ld_writer.hpp"
+#include "input/loggers/log_survey.hpp"
+#include "input/loggers/logger_files.hpp"
+#include "support/written.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+LogSurvey survey(const std::string& name, std::string_view content) {
+    const Written written;
+    InputErrors errors;
+    const std::optional<LogSurvey> found = survey_log(written.add(name, content), errors);
+    for (const InputError& error : errors.in_order()) {
+        ADD_FAILURE() << render(error);
+    }
+    return found.value_or(LogSurvey{});
+}
+
+const ColumnSurvey& column(const LogSurvey& survey, std::string_view name) {
+    static const ColumnSurvey none;
+    const auto found = std::ranges::find(survey.columns, name, &ColumnSurvey::name);
+    EXPECT_NE(found, survey.columns.end()) << name;
+    return found == survey.columns.end() ? none : *found;
+}
+
+bool doubts(const LogSurvey& survey, std::string_view sentence) {
+    return std::ranges::any_of(survey.doubts,
+                               [&](const std::string& doubt) { return doubt.find(sentence) != std::string::npos; });
+}
+
+}  // namespace
+
+// 110 s at 20 Hz; the tread warms from 60 to 60 + 25 (1 - exp(-110 / 40)) = 83.402 degC.
+TEST(LogSurvey, SaysWhatIsInAnAimFile) {
+    const LogSurvey found = survey("session.csv", made_up::aim_csv(made_up::Session(2201, 0.05)));
+    EXPECT_EQ(found.description.format, "AiM CSV");
+    EXPECT_EQ(found.rows, 2201U);
+    EXPECT_EQ(found.laps.laps.size(), 4U);
+    EXPECT_EQ(column(found, "Time").use, "time");
+    EXPECT_EQ(column(found, "speed").used_as, "speed");
+    const ColumnSurvey& tread = column(found, "surface_temperature");
+    EXPECT_EQ(tread.use, "sensor");
+    EXPECT_NEAR(tread.rate, 20.0, 1e-6);
+    EXPECT_DOUBLE_EQ(*tread.low, 60.0);
+    EXPECT_NEAR(*tread.high, 83.402, 5e-4);
+}
+
+// Five of every hundred samples are missing; a channel in C whose name tells nothing is asked for; rear is front with 2 K added.
+TEST(LogSurvey, SaysWhatLooksWrong) {
+    std::string log = "time [s],speed [km/h],Front Temp [degC],Rear Temp [degC],Quantity [C]\n";
+    for (int i = 0; i < 400; ++i) {
+        const double t = 0.1 * i;
+        const std::string front = made_up::digits(60.0 + 8.0 * std::sin(0.2 * t) + 0.1 * ((i * 7) % 5), 1);
+        const std::string rear = made_up::digits(62.0 + 8.0 * std::sin(0.2 * t) + 0.1 * ((i * 7) % 5), 1);
+        log += made_up::digits(t, 1) + "," + (i % 20 == 10 ? "" : made_up::digits(80.0 + 0.01 * i, 2)) + "," + front +
+               "," + rear + ",1\n";
+    }
+    const LogSurvey found = survey("log.csv", log);
+    EXPECT_NEAR(column(found, "speed").missing, 0.05, 1e-9);
+    EXPECT_TRUE(doubts(found, "the column Quantity is in C: degC or coulomb?"));
+    EXPECT_TRUE(doubts(found, "Rear Temp is a copy of Front Temp with 2 K added, sample by sample"));
+}
+
+TEST(LogSurvey, KeepsTheRatesOfALdFile) {
+    using made_up::integers;
+    const std::string bytes =
+        made_up::LdWriter::file({integers("speed", "km/h", 50, std::vector<int>(500, 80)),
+                                 integers("surface_temperature", "C", 5, std::vector<int>(50, 70))});
+    const LogSurvey found = survey("session.ld", bytes);
+    EXPECT_DOUBLE_EQ(column(found, "speed").rate, 50.0);
+    EXPECT_DOUBLE_EQ(column(found, "surface_temperature").rate, 5.0);
+    EXPECT_EQ(column(found, "surface_temperature").samples, 50U);
+    EXPECT_EQ(column(found, "surface_temperature").missing, 0.0);
+}
+
+}  // namespace tiretherm::input
