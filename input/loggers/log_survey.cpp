@@ -66,7 +66,7 @@ void set_rate(ColumnSurvey& column, const Known& known, double from, double to) 
     const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
     std::nth_element(steps.begin(), middle, steps.end());
     column.rate = 1.0 / *middle;
-    const double expected = std::round((to - from) * column.rate) + 1.0;
+    const double expected = std::floor((to - from) * column.rate + 1e-3) + 1.0;
     const double share = 1.0 - static_cast<double>(known.time.size()) / expected;
     column.missing = share > 0.001 ? share : 0.0;
 }
@@ -152,11 +152,12 @@ std::optional<LogSurvey> survey_log(const std::filesystem::path& path, InputErro
         }
         if (!column.is_used() && found.unit.size() == 1) {
             if (const MeantUnit meant = meant_unit_by_name(found.name, found.unit); meant.error) {
-                survey.doubts.push_back(fmt::format("{}; {}", meant.error->what, meant.error->remedy));
+                survey.doubts.push_back(fmt::format("{} In a case, {}", meant.error->what, meant.error->remedy));
             }
         }
         // What counts and where the car was are no signals; the time is looked at by itself.
-        const bool is_signal = found.use != "time" && !counts_laps(found.name) && known.value.size() > 1;
+        const bool is_signal =
+            found.use != "time" && !counts_laps(found.name) && found.unit != "1" && known.value.size() > 1;
         if (is_signal && (column.is_used() || !found.unit.empty())) {
             recording.columns.push_back(recorded_of(found, column, known));
         }
