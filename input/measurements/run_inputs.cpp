@@ -55,9 +55,11 @@ Missing find_missing(const std::vector<double>& time, const std::vector<double>&
     double known = time.front();
     std::size_t empty = 0;  // lines without a value since the last one with it
     const auto close = [&](double until, bool at_end) {
-        const double steps = pace > 0.0 ? (until - known) / pace - (at_end ? 0.0 : 1.0) : 0.0;
+        // At an end the next sample would come after it, unless a whole step or more is left.
+        const double left = pace > 0.0 ? (until - known) / pace : 0.0;
+        const double steps = at_end ? std::floor(left + 1e-6) : std::round(left) - 1.0;
         const std::size_t lacking =
-            pace > 0.0 ? static_cast<std::size_t>(std::clamp(std::round(steps), 0.0, static_cast<double>(empty)))
+            pace > 0.0 ? static_cast<std::size_t>(std::clamp(steps, 0.0, static_cast<double>(empty)))
                        : empty;
         missing.samples += lacking;
         missing.expected += lacking;
