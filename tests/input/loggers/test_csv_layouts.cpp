@@ -52,7 +52,8 @@ TEST(AimCsv, IsReadToTheLastDigitInEveryStyle) {
     }
 }
 
-// Three marks cut 110 s into four parts; the last mark, the export's end, is none.
+// Marks at 15.708, 47.124 and 78.540 s cut 110 s into four parts; those at 109.956 s and at the export's end are no crossings, for
+// less than half a second is left.
 TEST(AimCsv, HasItsLapsBetweenTheBeacons) {
     const Session session(2201, 0.05);
     ReadBack file("session.csv", made_up::aim_csv(session));
@@ -71,7 +72,7 @@ TEST(MotecCsv, IsReadToTheLastDigitWithItsBeaconsInOneField) {
     ReadBack file("session.csv", made_up::motec_csv(session));
     expect_session(file, session, "Time", "speed");
     const std::vector<double> marks{written(Session::crossing(0), 3), written(Session::crossing(1), 3),
-                                    written(Session::crossing(2), 3)};
+                                    written(Session::crossing(2), 3), written(Session::crossing(3), 3)};
     EXPECT_EQ(file.file().description().markers, marks);
     EXPECT_EQ(file.file().description().format, "MoTeC CSV");
 }

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "input/laps/laps.hpp"
 #include "input/laps/track_laps.hpp"
 #include "input/loggers/logger_files.hpp"
 #include "input/measurements/measured_bench.hpp"

@@ -70,14 +70,15 @@ TEST(LogSurvey, SaysWhatLooksWrong) {
     EXPECT_TRUE(doubts(found, "Rear Temp is a copy of Front Temp with 2 K added, sample by sample"));
 }
 
+// Tolerance: a step is the difference of two times of some 10 s, known to 2e-15 s of 0.02 s.
 TEST(LogSurvey, KeepsTheRatesOfALdFile) {
     using made_up::integers;
     const std::string bytes =
         made_up::LdWriter::file({integers("speed", "km/h", 50, std::vector<int>(500, 80)),
                                  integers("surface_temperature", "C", 5, std::vector<int>(50, 70))});
     const LogSurvey found = survey("session.ld", bytes);
-    EXPECT_DOUBLE_EQ(column(found, "speed").rate, 50.0);
-    EXPECT_DOUBLE_EQ(column(found, "surface_temperature").rate, 5.0);
+    EXPECT_NEAR(column(found, "speed").rate, 50.0, 1e-10);
+    EXPECT_NEAR(column(found, "surface_temperature").rate, 5.0, 1e-10);
     EXPECT_EQ(column(found, "surface_temperature").samples, 50U);
     EXPECT_EQ(column(found, "surface_temperature").missing, 0.0);
 }
