@@ -18,7 +18,7 @@
 #include "app/commands.hpp"
 #include "app/failure.hpp"
 #include "app/messages.hpp"
-#include "input/loggers/log_survey.hpp"
+#include "input/log_survey/log_survey.hpp"
 #include "input/measurements/experiment.hpp"
 #include "input/model/reader.hpp"
 #include "input/model/size_limits.hpp"

@@ -11,7 +11,7 @@
 #include "app/commands.hpp"
 #include "app/failure.hpp"
 #include "app/messages.hpp"
-#include "input/loggers/log_survey.hpp"
+#include "input/log_survey/log_survey.hpp"
 #include "input/text/suggestions.hpp"
 #include "post/report/report.hpp"
 #include "post/report/table.hpp"

@@ -15,7 +15,7 @@
 #include "app/failure.hpp"
 #include "app/messages.hpp"
 #include "app/output.hpp"
-#include "input/loggers/log_survey.hpp"
+#include "input/log_survey/log_survey.hpp"
 #include "input/new_case/new_case.hpp"
 #include "input/text/nearby_file.hpp"
 #include "input/text/suggestions.hpp"

@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "input/columns/column_course.hpp"
-#include "input/columns/column_names.hpp"
+#include "input/text/column_names.hpp"
 #include "input/columns/column_references.hpp"
 #include "input/text/units.hpp"
 

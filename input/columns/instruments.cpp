@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "input/columns/column_names.hpp"
+#include "input/text/column_names.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/wildcard.hpp"
 

@@ -8,11 +8,13 @@
 
 #include <fmt/format.h>
 
+#include "physics/vehicle/vehicle.hpp"
+
 namespace tiretherm::input {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> corner_names{"FL", "FR", "RL", "RR"};
+using physics::corner_names;
 
 /// What a run says of its corners must be of corners that there are.
 void check_corners_of_run(const RunTable& run, const std::vector<Corner>& corners, InputErrors& errors) {

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "input/columns/column_names.hpp"
+#include "input/text/column_names.hpp"
 #include "input/loggers/heading_names.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/units.hpp"

@@ -40,9 +40,24 @@ struct RunBeingRead {
 };
 using RunsBeingRead = std::vector<std::unique_ptr<RunBeingRead>>;
 
+/// The car of the case, with the wheel that the run is of.
+TomlValue at_corner(TomlValue vehicle, const RunTable& run) {
+    std::erase_if(vehicle.entries, [](const Entry& entry) { return entry.key == "corner"; });
+    TomlValue corner;
+    corner.kind = TomlValue::Kind::text;
+    corner.text = run.corner;
+    corner.place = run.corner_table->place;
+    vehicle.entries.push_back({.key = "corner", .place = corner.place, .value = std::move(corner)});
+    return vehicle;
+}
+
 /// The case with what is said of the corner laid over it, then of the run, then of the corner in this run.
 TomlValue merged_document(const TomlValue& document, const RunTable& run) {
     TomlValue merged = document;
+    const auto vehicle = std::ranges::find(merged.entries, "vehicle", &Entry::key);
+    if (run.corner_table != nullptr && vehicle != merged.entries.end()) {
+        vehicle->value = at_corner(std::move(vehicle->value), run);
+    }
     if (run.corner_table != nullptr) {
         override_tables(merged, *run.corner_table, tables_of_a_corner);
     }

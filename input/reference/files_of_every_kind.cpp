@@ -450,7 +450,7 @@ over = { at = "0 s", minus = { at = "1 s" } }
 /// Two cars: tires by a property file and by stiffnesses; the other alternatives are those of both.
 constexpr std::string_view car = R"(
 [vehicle]
-corner = "front_left"
+corner = "FL"
 mass = "1350 kg"
 wheelbase = "2.7 m"
 front_track = "1.55 m"
@@ -484,7 +484,7 @@ steering_sign = "left"
 
 constexpr std::string_view car_of_property_file = R"(
 [vehicle]
-corner = "rear_right"
+corner = "RR"
 mass = "1350 kg"
 wheelbase = "2.7 m"
 front_track = "1.55 m"

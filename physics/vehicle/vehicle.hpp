@@ -19,8 +19,7 @@ inline constexpr double standard_gravity = 9.80665;  ///< m/s2
 /// The four wheels, in the order of every array of four.
 enum class Corner : std::uint8_t { front_left, front_right, rear_left, rear_right };
 inline constexpr std::size_t n_corners = 4;
-inline constexpr std::array<std::string_view, n_corners> corner_names{"front_left", "front_right", "rear_left",
-                                                                      "rear_right"};
+inline constexpr std::array<std::string_view, n_corners> corner_names{"FL", "FR", "RL", "RR"};
 
 [[nodiscard]] constexpr std::size_t axle_of(std::size_t corner) { return corner / 2; }  ///< 0 front, 1 rear
 [[nodiscard]] constexpr bool is_left(std::size_t corner) { return corner % 2 == 0; }

@@ -16,7 +16,7 @@
 #include "fuzz/workbook.hpp"
 #include "input/cameras/frame_file.hpp"
 #include "input/effects/user_formula.hpp"
-#include "input/loggers/log_survey.hpp"
+#include "input/log_survey/log_survey.hpp"
 #include "input/measurements/experiment.hpp"
 #include "input/model/reader.hpp"
 #include "input/spreadsheet/sheet_case.hpp"

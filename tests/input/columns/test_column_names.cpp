@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "input/columns/column_names.hpp"
+#include "input/text/column_names.hpp"
 
 namespace tiretherm::input {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reads every column as it is written and looks at it as the data checks do.
 
-#include "input/loggers/log_survey.hpp"
+#include "input/log_survey/log_survey.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lists of words by which columns of logs are told apart: computed, counted, of the tire, from outside.
 
-#include "input/columns/column_names.hpp"
+#include "input/text/column_names.hpp"
 
 #include <algorithm>
 #include <cctype>
