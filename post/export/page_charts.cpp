@@ -59,12 +59,14 @@ PageCharts read_page(const std::filesystem::path& page) {
         throw PageError("it is cut off");
     }
     PageCharts found{.version = std::string(between(text, "<footer>tiretherm ", " ")), .charts = {}};
-    for (std::size_t at = 0; (at = text.find(begin, at)) != std::string::npos;) {
-        const std::size_t after = text.find(end, at);
-        if (after == std::string::npos) {
+    // Behind the foot are the scripts, which name these elements, too.
+    const std::string_view content = std::string_view(text).substr(0, text.find("<footer>tiretherm "));
+    for (std::size_t at = 0; (at = content.find(begin, at)) != std::string_view::npos;) {
+        const std::size_t after = content.find(end, at);
+        if (after == std::string_view::npos) {
             throw PageError("it is damaged: a chart has no end");
         }
-        found.charts.push_back(chart_of(std::string_view(text).substr(at, after + end.size() - at)));
+        found.charts.push_back(chart_of(content.substr(at, after + end.size() - at)));
         at = after;
     }
     return found;
