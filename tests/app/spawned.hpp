@@ -116,6 +116,9 @@ inline std::map<std::string, std::string> files_of(const std::filesystem::path& 
             if (entry.path().filename() == "report.html") {
                 text = text.ends_with("</html>\n") ? "a whole page" : "cut off";
             }
+            if (entry.path().filename() == "page.txt") {  // it says how long the call took
+                text = text.ends_with('\n') ? "a whole page" : "cut off";
+            }
             files[entry.path().lexically_relative(folder).string()] = std::move(text);
         }
     }

@@ -31,9 +31,11 @@
       delete option.dataZoom;
       height -= slider;
     }
-    if (option.visualMap) {
-      option.visualMap.calculable = false;  // handles are for a hand
+    if (option.visualMap) {  // handles are for a hand; they have the ends of the scale
+      const { min, max, formatter } = option.visualMap;
+      Object.assign(option.visualMap, { calculable: false, text: [formatter(max), formatter(min)] });
     }
+    option.series.forEach((series) => { series.progressive = 0; });  // all at once, not over several frames
     const place = document.body.appendChild(document.createElement("div"));
     const drawn = window.echarts.init(place, null, { renderer: "canvas", width: layout, height, devicePixelRatio: ratio });
     drawn.setOption({ animation: false, backgroundColor: look.paper, textStyle: { fontFamily: family }, ...option });

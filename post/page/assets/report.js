@@ -19,8 +19,8 @@
       if (s.role === "band") {
         const low = s.points.map((p) => [p[0], p[1]]);
         const rise = s.points.map((p) => [p[0], p[2] - p[1]]);
-        const shared = { type: "line", xAxisIndex: index, yAxisIndex: index, stack: `band ${index} ${s.name}`, symbol: "none", silent: true,
-          lineStyle: { opacity: 0 }, tooltip: { show: false } };
+        const shared = { type: "line", xAxisIndex: index, yAxisIndex: index, stack: `band ${index} ${s.name}`, stackStrategy: "all", symbol: "none", silent: true,
+          itemStyle: { color: of }, lineStyle: { opacity: 0 }, tooltip: { show: false } };
         made.push({ ...shared, name: s.name, data: low }, { ...shared, name: s.name, data: rise, areaStyle: { color: of, opacity: 0.2 } });
         continue;
       }
@@ -114,9 +114,9 @@
   /** Names in the place of the numbers 0, 1, ... of an axis. */
   function placed(axis, { labels, notes }) {
     if (labels) {
-      const places = labels.map((_, i) => i);
-      Object.assign(axis.axisLabel, { customValues: places, formatter: (v) => labels[v] });
-      axis.axisTick = { customValues: places };
+      const customValues = labels.map((_, i) => i);
+      Object.assign(axis.axisLabel, { customValues, showMinLabel: true, showMaxLabel: true, formatter: (v) => labels[v] });
+      axis.axisTick = { customValues };
       axis.axisPointer = { label: { show: false, formatter: (p) => (notes && notes[Math.round(p.value)]) || labels[Math.round(p.value)] || "" } };
     }
     return axis;
