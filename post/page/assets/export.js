@@ -22,7 +22,11 @@
     return lines;
   }
 
-  function picture(chart) {
+  function picture(figure) {
+    const chart = window.tiretherm && window.tiretherm.charts.find((one) => one.figure === figure);
+    if (!chart) {
+      throw new Error("a chart of this page has data that this version does not read");
+    }
     const look = window.tiretherm.looks["dark" in document.body.dataset ? "dark" : "light"];
     const family = getComputedStyle(document.body).fontFamily;
     const { option, height: tall } = window.tiretherm.made(chart, look, layout);
@@ -68,7 +72,7 @@
     const figures = [...document.querySelectorAll("figure.chart")];
     const lines = figures.map((figure, i) => {
       try {
-        return `${i} ${picture(window.tiretherm.charts.find((chart) => chart.figure === figure))}`;
+        return `${i} ${picture(figure)}`;
       } catch (error) {
         return `${i} - ${String(error.message).replace(/[\n<>&]/g, " ")}`;
       }
