@@ -200,10 +200,11 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
         run.file = table.file ? table.file->generic_string() : "";
         if (file) {
             read_series(*file, builder, errors, run);
-            if (document.find("vehicle") != nullptr) {  // its columns are used
+            if (document.find("vehicle") != nullptr) {  // its columns are used; the brakes may heat the tire besides
                 for (const FollowedColumn& column : file->columns.followed) {
                     std::erase_if(file->columns.unused, [&](int unused) {
-                        return unused == column.column && is_vehicle_signal(column.name);
+                        return unused == column.column && is_vehicle_signal(column.name) &&
+                               column.name != "brake_pressure";
                     });
                 }
             }

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the logger of the made-up car records, as the export of an AiM logger.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "car/car_truth.hpp"
+
+namespace hidden_effects {
+
+/// A channel as a logger names it, with its noise already in it.
+struct LoggedChannel {
+    std::string name;
+    std::string unit;  ///< as AiM writes it: C, g, deg/s
+    int digits = 2;
+    std::vector<double> value;  ///< [n_times]
+};
+
+/// Speed, accelerations (lateral positive in right turns), yaw rate, steering, throttle, brake pressure, air temperature, place,
+/// and an infrared sensor on each tire. No loads, no slips, no road temperature.
+[[nodiscard]] std::vector<LoggedChannel> logged_channels(const Session& session, std::uint64_t seed);
+
+/// An export of RaceStudio 3: lines of description, names, units, values, all quoted. @param rate 1/s
+[[nodiscard]] std::string aim_export(const Session& session, const std::vector<LoggedChannel>& channels, double rate);
+
+}  // namespace hidden_effects

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes the log of the made-up car: make_car_logs CASES, where CASES is the folder cases/; prints what a needle finds in
+// the pits.
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "car/car_log_truth.hpp"
+
+int main(int count, char** arguments) {
+    using namespace hidden_effects;
+    const std::filesystem::path cases = count > 1 ? arguments[1] : "cases";
+    constexpr double rate = 10.0;
+    const Session session = drive_session(made_up_circuit(), Car{}, 8, 1.0 / rate);
+    std::ofstream(cases / "car" / "session.csv") << aim_export(session, logged_channels(session, 601), rate);
+    for (std::size_t w = 0; w < n_wheels; ++w) {
+        std::printf("%s bulk %.2f degC\n", wheel_names[w], session.wheels[w].bulk.back() - 273.15);
+    }
+}
