@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "input/laps/laps.hpp"
 #include "input/materials/ply_summary.hpp"
 #include "input/parameters/mesh_change.hpp"
 #include "input/text/input_error.hpp"
@@ -92,6 +93,7 @@ struct MeasuredRun {
     std::vector<MeasuredNumber> numbers;
     std::vector<UnusedSignal> unused;
     std::vector<MeasuredFrames> frames;
+    std::vector<Lap> laps{};  ///< of the file, those that lie in the run
 };
 
 /// A case with its measured runs and the numbers of it that may be fitted.

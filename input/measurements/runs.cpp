@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <memory>
 
 #include <fmt/format.h>
@@ -209,6 +210,9 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
                 }
             }
             read_unused(*file, builder.problem.settings, errors, run);
+            std::ranges::copy_if(file->laps.laps, std::back_inserter(run.laps), [&](const Lap& lap) {
+                return lap.start < builder.problem.settings.end && lap.end > builder.problem.settings.start;
+            });
             Recording recording = recording_of(*file, builder, run);
             recording.keep_suspicious = table.keys->keeps_suspicious();
             std::ranges::move(find_suspicious(recording), std::back_inserter(into.data_warnings));

@@ -113,6 +113,8 @@ TEST(RunOfLaps, HasTheSamplesOfItsLapsAndTheirName) {
     EXPECT_EQ(run.name, "session_lap_1");
     EXPECT_DOUBLE_EQ(run.time.front(), 15.75);
     EXPECT_DOUBLE_EQ(run.time.back(), 47.1);
+    ASSERT_EQ(run.laps.size(), 1U);
+    EXPECT_EQ(run.laps[0].number, 1);
 }
 
 TEST(RunOfLaps, AreSeveralOfOneFile) {
