@@ -73,6 +73,10 @@ RunColumns classify_columns(DataFile& file, ColumnKeys& keys, const std::vector<
         } else if (head.heading.unit && std::ranges::find(followed, name.text) != followed.end() &&
                    physics::find_signal(name.text) == nullptr && !ignored) {
             MeantUnit by_name = meant_unit_by_name(heading, *head.heading.unit);
+            if (by_name.error && name.text != heading) {  // what the case calls it may tell
+                MeantUnit by_meaning = meant_unit_by_name(name.text, *head.heading.unit);
+                by_name = by_meaning.error ? std::move(by_name) : std::move(by_meaning);
+            }
             if (by_name.error) {
                 errors.add(head.unit_place.file >= 0 ? head.unit_place : head.place, std::move(*by_name.error));
             }
