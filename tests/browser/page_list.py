@@ -14,11 +14,13 @@ PAGES = {  # what the page shows: the call that writes it
     "run of a ring": "run cases/rotation/ring.toml",
     "compare": f"compare {BENCH}",
     "compare with a camera": "compare cases/laser/imaging/imaging.toml",
+    "compare four tires": "compare cases/car/session.toml",
     "identify": f"identify {BENCH}",
     "diagnose": f"diagnose {BENCH}",
     "study as a map": "study cases/studies/speed_and_load_two_node.toml",
     "study of samples over speed": "study cases/studies/uncertain_two_node.toml",
     "study of samples": "study tests/browser/samples.toml",
+    "validate": "validate M7 M8",
 }
 
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The logs that the cases come with are what their generators write: make_bench_logs, make_laser_logs,
-// make_laser_bench_logs, make_section_logs.
+// make_laser_bench_logs, make_section_logs, make_car_logs.
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "car/car_log_truth.hpp"
 #include "laser/laser_logs_truth.hpp"
 #include "section/section_logs_truth.hpp"
 #include "two_node/shipped_truth.hpp"
@@ -84,6 +85,34 @@ TEST(ShippedData, LogsOfSectionAndLayersAreWhatIsMade) {
     for (const ShippedLog& log : layers_logs()) {
         expect_as_shipped(log);
     }
+}
+
+// A cell of the export may differ by one of its last digit; its lines of description, names and units may not.
+TEST(ShippedData, LogOfTheCarIsWhatIsMade) {
+    std::istringstream shipped(text_of("car/session.csv"));
+    std::istringstream made(shipped_car_log());
+    std::string a;
+    std::string b;
+    std::size_t row = 0;
+    for (; std::getline(made, b); ++row) {
+        ASSERT_TRUE(std::getline(shipped, a)) << "row " << row;
+        if (a == b) {
+            continue;
+        }
+        std::istringstream cells_a(a);
+        std::istringstream cells_b(b);
+        std::string cell_a;
+        std::string cell_b;
+        while (std::getline(cells_a, cell_a, ',') && std::getline(cells_b, cell_b, ',')) {
+            const auto digits = cell_b.size() - std::min(cell_b.find('.'), cell_b.size() - 1) - 2;
+            ASSERT_NEAR(std::stod(cell_a.substr(1)), std::stod(cell_b.substr(1)),
+                        1.01 * std::pow(10.0, -static_cast<double>(digits)))
+                << a << "\n"
+                << b;
+        }
+    }
+    EXPECT_GT(row, 4000U);
+    EXPECT_FALSE(std::getline(shipped, a)) << "more rows than are made";
 }
 
 TEST(ShippedData, ARowHasItsDigitsAndNoMinusBeforeAZero) {

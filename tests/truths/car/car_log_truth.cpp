@@ -103,4 +103,10 @@ std::string aim_export(const Session& session, const std::vector<LoggedChannel>&
     return text;
 }
 
+std::string shipped_car_log() {
+    constexpr double rate = 10.0;
+    const Session session = drive_session(made_up_circuit(), Car{}, 8, 1.0 / rate);
+    return aim_export(session, logged_channels(session, 601), rate);
+}
+
 }  // namespace hidden_effects

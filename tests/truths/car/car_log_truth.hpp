@@ -25,4 +25,7 @@ struct LoggedChannel {
 /// An export of RaceStudio 3: lines of description, names, units, values, all quoted. @param rate 1/s
 [[nodiscard]] std::string aim_export(const Session& session, const std::vector<LoggedChannel>& channels, double rate);
 
+/// The log that comes with cases/car: eight laps, ten samples a second.
+[[nodiscard]] std::string shipped_car_log();
+
 }  // namespace hidden_effects

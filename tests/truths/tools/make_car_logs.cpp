@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes the log of the made-up car: make_car_logs CASES, where CASES is the folder cases/; prints what a needle finds in
-// the pits.
+// Writes the log of the made-up car: make_car_logs CASES, where CASES is the folder cases/; prints what is in its tires at
+// the end.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -10,9 +10,8 @@
 int main(int count, char** arguments) {
     using namespace hidden_effects;
     const std::filesystem::path cases = count > 1 ? arguments[1] : "cases";
-    constexpr double rate = 10.0;
-    const Session session = drive_session(made_up_circuit(), Car{}, 8, 1.0 / rate);
-    std::ofstream(cases / "car" / "session.csv") << aim_export(session, logged_channels(session, 601), rate);
+    std::ofstream(cases / "car" / "session.csv") << shipped_car_log();
+    const Session session = drive_session(made_up_circuit(), Car{}, 8, 0.1);
     for (std::size_t w = 0; w < n_wheels; ++w) {
         std::printf("%s bulk %.2f degC\n", wheel_names[w], session.wheels[w].bulk.back() - 273.15);
     }
