@@ -15,7 +15,8 @@ namespace tiretherm::benchmarks {
 namespace {
 
 solver::FreeParameter number(const solver::Problem& problem, std::string_view effect, std::string_view key) {
-    solver::FreeParameter parameter{.name = std::string(key), .unit = {}, .layers = {}, .knots = {}, .nodes = {}};
+    solver::FreeParameter parameter{
+        .name = std::string(key), .unit = {}, .layers = {}, .knots = {}, .nodes = {}, .runs = {}};
     for (std::size_t e = 0; e < problem.effects.size(); ++e) {
         if (problem.effects[e].effect->id == effect) {
             parameter.effect = e;
@@ -33,7 +34,8 @@ solver::FreeParameter law(solver::FreeParameter::Kind kind, std::vector<int> lay
             .layers = std::move(layers),
             .knots = std::move(knots),
             .knot = knot,
-            .nodes = {}};
+            .nodes = {},
+            .runs = {}};
 }
 
 /// Scales of every effect, conductivities and heat capacities of the layers, the start.
@@ -41,7 +43,7 @@ std::vector<solver::FreeParameter> sixteen(const solver::Problem& problem) {
     using Kind = solver::FreeParameter::Kind;
     const std::vector<double> knots{313.15, 363.15, 413.15};
     solver::FreeParameter start{
-        .name = "start", .unit = "K", .kind = Kind::initial, .layers = {}, .knots = {}, .nodes = {}};
+        .name = "start", .unit = "K", .kind = Kind::initial, .layers = {}, .knots = {}, .nodes = {}, .runs = {}};
     for (int node = 0; node < problem.mesh.n_nodes; ++node) {
         start.nodes.push_back(node);
     }

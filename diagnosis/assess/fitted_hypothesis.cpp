@@ -48,6 +48,7 @@ void free_held(input::Experiment& model, const Candidate& candidate, std::size_t
                                     .layers = {},
                                     .knots = {},
                                     .nodes = {},
+                                    .runs = {},
                                     .prior = held.value,
                                     .low = held.low,
                                     .high = held.high});
@@ -237,6 +238,7 @@ FittedHypothesis fit_unknown_source(ScoreTestData& score_data, std::size_t term,
                                     .layers = {},
                                     .knots = {},
                                     .nodes = {},
+                                    .runs = {},
                                     .low = -1e6 / largest,
                                     .high = 1e6 / largest});
     fit_model(score_data, Eigen::VectorXd::Constant(1, watts / largest), one);

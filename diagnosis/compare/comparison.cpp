@@ -130,6 +130,7 @@ Comparison compare(const input::Experiment& experiment, const std::string& name)
         const input::MeasuredRun& run = experiment.runs[r];
         result.runs.push_back(run.name);
         result.inputs.push_back(run.problem.input_signals);
+        result.laps.push_back(run.laps);
         result.files.push_back(run.file);
         Beside beside{.run = run, .index = r, .times = times_of(run), .prediction = {}, .regressors = regressors};
         const Clock::time_point begin = Clock::now();
@@ -160,7 +161,7 @@ Comparison compare(const input::Experiment& experiment, const std::string& name)
         }
     }
     for (auto& [index, channel] : channels) {
-        evaluate(channel, names);
+        evaluate(channel, names, result.laps);
         if (channel.figures.samples > 0) {
             result.channels.push_back(std::move(channel));
         }

@@ -35,6 +35,13 @@ struct RunFigures {
     Figures figures;
 };
 
+/// A channel in one lap of a run.
+struct LapFigures {
+    std::size_t run = 0;
+    input::Lap lap;
+    Figures figures;
+};
+
 /// What the differences do against one signal.
 struct RegressorFigures {
     std::string name;
@@ -55,6 +62,7 @@ struct ComparedChannel {
     ModelUncertainty model;
     std::vector<RunFigures> runs;
     std::vector<PhaseFigures> phases;
+    std::vector<LapFigures> laps;
     std::vector<CornerFigures> corners;        ///< empty: the case has no [[corner]]
     std::vector<CommonBias> common;            ///< of corners
     std::vector<RegressorFigures> regressors;  ///< the closest first
@@ -82,8 +90,9 @@ struct Comparison {
     std::string name;
     std::vector<std::string> runs;
     std::vector<std::string> files;
-    std::vector<solver::InputSignals> inputs;  ///< [runs] what was put in
-    std::vector<ComparedChannel> channels;     ///< of which anything was logged
+    std::vector<solver::InputSignals> inputs;   ///< [runs] what was put in
+    std::vector<std::vector<input::Lap>> laps;  ///< [runs] of a circuit; may be empty
+    std::vector<ComparedChannel> channels;      ///< of which anything was logged
     std::vector<ComparedNumber> numbers;
     std::vector<ComparedImages> images;  ///< of cameras, run by run
     std::vector<std::string> warnings;
@@ -96,6 +105,8 @@ struct Comparison {
 [[nodiscard]] Comparison compare(const input::Experiment& experiment, const std::string& name);
 /// The figures of a channel, from its series.
 /// @param regressors names and units, in the order of ComparedSeries::regressor
-void evaluate(ComparedChannel& channel, const std::vector<std::pair<std::string, std::string>>& regressors);
+/// @param laps [runs]
+void evaluate(ComparedChannel& channel, const std::vector<std::pair<std::string, std::string>>& regressors,
+              const std::vector<std::vector<input::Lap>>& laps = {});
 
 }  // namespace tiretherm::diagnosis

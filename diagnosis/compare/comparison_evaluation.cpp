@@ -55,6 +55,26 @@ std::vector<PhaseFigures> phases_of(const std::vector<const ComparedSeries*>& al
     return result;
 }
 
+/// Figures of each lap of which a series has samples.
+std::vector<LapFigures> laps_of(const ComparedChannel& channel, const std::vector<std::vector<input::Lap>>& laps) {
+    std::vector<LapFigures> result;
+    for (const ComparedSeries& series : channel.series) {
+        const std::vector<double> difference = series.difference();
+        for (const input::Lap& lap : series.run < laps.size() ? laps[series.run] : std::vector<input::Lap>{}) {
+            std::vector<double> own;
+            for (std::size_t i = 0; i < series.time.size(); ++i) {
+                if (series.time[i] >= lap.start && series.time[i] < lap.end) {
+                    own.push_back(difference[i]);
+                }
+            }
+            if (!own.empty()) {
+                result.push_back({.run = series.run, .lap = lap, .figures = figures({own})});
+            }
+        }
+    }
+    return result;
+}
+
 /// Figures of each corner, in the order of their first runs.
 std::vector<CornerFigures> corners_of(const ComparedChannel& channel) {
     std::vector<CornerFigures> corners;
@@ -94,7 +114,8 @@ RegressorFigures against(const ComparedChannel& channel, std::size_t regressor) 
 
 }  // namespace
 
-void evaluate(ComparedChannel& channel, const std::vector<std::pair<std::string, std::string>>& regressors) {
+void evaluate(ComparedChannel& channel, const std::vector<std::pair<std::string, std::string>>& regressors,
+              const std::vector<std::vector<input::Lap>>& laps) {
     const Pieces differences = differences_of(channel);
     channel.figures = figures(differences);
     Pieces times;
@@ -121,6 +142,7 @@ void evaluate(ComparedChannel& channel, const std::vector<std::pair<std::string,
         all.push_back(&series);
     }
     channel.phases = phases_of(all);
+    channel.laps = laps_of(channel, laps);
     channel.corners = corners_of(channel);
     channel.common = common_biases(channel.corners);
     for (std::size_t r = 0; r < regressors.size(); ++r) {

@@ -84,6 +84,7 @@ input::Experiment with(input::Experiment experiment, const std::vector<Candidate
                                      .layers = {},
                                      .knots = {},
                                      .nodes = {},
+                                     .runs = {},
                                      .prior = candidate.absent,
                                      .low = candidate.low,
                                      .high = candidate.high};

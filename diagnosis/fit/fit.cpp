@@ -71,6 +71,7 @@ input::Experiment with_free_conductivity(input::Experiment experiment) {
                                  .layers = {},
                                  .knots = {room},
                                  .nodes = {},
+                                 .runs = {},
                                  .prior = value,
                                  .standard_deviation = 0.5 * value,
                                  .low = 0.1 * value,

@@ -230,6 +230,53 @@ Section by_corner(const Comparison& comparison, Value::List& data) {
     return section;
 }
 
+/// Each channel lap by lap: a row for each lap, a column for each run. Empty where no run has several laps.
+Section by_lap(const Comparison& comparison, Value::List& data) {
+    Section section("Laps");
+    DataTable table;
+    for (const ComparedChannel& channel : comparison.channels) {
+        std::vector<std::pair<int, std::string>> numbers;  // and what they are called
+        for (const LapFigures& one : channel.laps) {
+            const std::pair lap{one.lap.number, one.lap.kind == input::LapKind::out  ? std::string("out")
+                                                : one.lap.kind == input::LapKind::in ? std::string("in")
+                                                                                     : std::to_string(one.lap.number)};
+            if (std::ranges::find(numbers, lap) == numbers.end()) {
+                numbers.push_back(lap);
+            }
+            data.push_back({{"channel", channel.name},
+                            {"run", comparison.runs[one.run]},
+                            {"lap", lap.second},
+                            {"seconds", one.lap.end - one.lap.start},
+                            {"bias", channel.unit.difference(one.figures.bias)},
+                            {"rmse", channel.unit.difference(one.figures.rmse)}});
+        }
+        if (numbers.size() < 2) {
+            continue;
+        }
+        std::ranges::sort(numbers);
+        for (const auto& [number, name] : numbers) {
+            const bool is_first = number == numbers.front().first;
+            DataTable::Row row{page_only("channel", is_first ? channel.name : ""),
+                               page_only("unit", is_first ? difference_unit(channel) : ""),
+                               page_only("lap", right(name))};
+            for (const RunFigures& run : channel.runs) {
+                const auto own = std::ranges::find_if(channel.laps, [&, wanted = number](const LapFigures& one) {
+                    return one.run == run.run && one.lap.number == wanted;
+                });
+                row.push_back(page_only(
+                    "bias " + comparison.runs[run.run],
+                    own == channel.laps.end() ? right("-") : right(shown_signed(channel, own->figures.bias))));
+            }
+            table.add_to_page(std::move(row));
+        }
+    }
+    if (!table.empty()) {
+        section.add(std::move(table));
+        section.say("bias: mean of simulated - measured in the lap.");
+    }
+    return section;
+}
+
 DataTable single_numbers(const Comparison& comparison) {
     DataTable table;
     for (const ComparedNumber& n : comparison.numbers) {
@@ -326,9 +373,12 @@ Report comparison_report(const Comparison& comparison, const std::vector<std::fi
         Value::List common;
         report.add(by_corner(comparison, common));
         report.data.set("common_to_corners", std::move(common));
+        Value::List laps;
+        report.add(by_lap(comparison, laps));
+        report.data.set("laps", std::move(laps));
         std::vector<RunInputs> inputs;
         for (std::size_t r = 0; r < comparison.inputs.size(); ++r) {
-            inputs.push_back({.run = comparison.runs[r], .inputs = &comparison.inputs[r]});
+            inputs.push_back({.run = comparison.runs[r], .inputs = &comparison.inputs[r], .laps = comparison.laps[r]});
         }
         report.add(measured_section(series_of(comparison), inputs));
         report.add(by_phase(comparison));

@@ -121,12 +121,21 @@ std::size_t points_of_each(const std::vector<const MeasuredSeries*>& series) {
     return std::clamp<std::size_t>(on_the_page / curves, 200, 2400);
 }
 
+void add_lap_bands(LineChart& chart, std::span<const input::Lap> laps, double seconds) {
+    for (const input::Lap& lap : laps) {
+        const std::string name = lap.kind == input::LapKind::out  ? "out"
+                                 : lap.kind == input::LapKind::in ? "in"
+                                                                  : fmt::format("lap {}", lap.number);
+        chart.add_span(name, lap.start / seconds, lap.end / seconds);
+    }
+}
+
 }  // namespace
 
 std::vector<RunInputs> inputs_of_runs(const input::Experiment& experiment) {
     std::vector<RunInputs> inputs;
     for (const input::MeasuredRun& run : experiment.runs) {
-        inputs.push_back({.run = run.name, .inputs = &run.problem.input_signals});
+        inputs.push_back({.run = run.name, .inputs = &run.problem.input_signals, .laps = run.laps});
     }
     return inputs;
 }
@@ -158,7 +167,7 @@ Section measured_section(const std::vector<MeasuredSeries>& series, const std::v
             add_panels(chart, of_unit, unit.seconds);
         }
         const auto put_in = std::ranges::find(inputs, run, &RunInputs::run);
-        bool has_steps = false;
+        const char* bands = "";
         if (put_in != inputs.end()) {
             double start = 1e300;
             double end = -1e300;
@@ -167,9 +176,16 @@ Section measured_section(const std::vector<MeasuredSeries>& series, const std::v
                 end = std::max(end, one->time.back());
             }
             add_input_panels(chart, *put_in->inputs, start, end, unit.seconds);
-            const std::vector<solver::ScheduleStep> steps = solver::schedule_steps(*put_in->inputs, start, end);
-            add_step_bands(chart, steps, unit.seconds);
-            has_steps = std::ranges::count(steps, false, &solver::ScheduleStep::ramp) > 1;
+            if (put_in->laps.size() > 1) {
+                add_lap_bands(chart, put_in->laps, unit.seconds);
+                bands = " The bands are laps.";
+            } else {
+                const std::vector<solver::ScheduleStep> steps = solver::schedule_steps(*put_in->inputs, start, end);
+                add_step_bands(chart, steps, unit.seconds);
+                if (std::ranges::count(steps, false, &solver::ScheduleStep::ramp) > 1) {
+                    bands = " The bands are steps of speed and load.";
+                }
+            }
         }
         chart.set_link("time");
         const bool several = own.front()->models.size() > 1;
@@ -183,8 +199,7 @@ Section measured_section(const std::vector<MeasuredSeries>& series, const std::v
                                                    "over a fortieth of the run are drawn over them; the band "
                                                    "is the sensor's noise, 95 %."
                                                  : "",
-                        has_steps ? " The bands are steps of speed and load." : "",
-                        runs.size() > 1 ? " All runs zoom together." : ""),
+                        bands, runs.size() > 1 ? " All runs zoom together." : ""),
             chart.data());
     }
     return section;

@@ -2,6 +2,7 @@
 // Measured and simulated in one chart for each run, the differences below.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,11 +32,12 @@ struct MeasuredSeries {
 struct RunInputs {
     std::string run;
     const solver::InputSignals* inputs = nullptr;
+    std::span<const input::Lap> laps{};  ///< of a circuit; bands in the place of steps
 };
 [[nodiscard]] std::vector<RunInputs> inputs_of_runs(const input::Experiment& experiment);
 
 /// A section with a chart for each run: channels of one unit in one panel, simulated less measured below, the inputs that change
-/// at the bottom, and steps as bands. The first model is dashed where there is another. Where the noise is known the
+/// at the bottom, and laps or steps as bands. The first model is dashed where there is another. Where the noise is known the
 /// differences have its 95 % band, and of many samples their means over a fortieth of the run. All charts zoom together.
 /// Nothing where there is no series of two samples or more.
 [[nodiscard]] Section measured_section(const std::vector<MeasuredSeries>& series,

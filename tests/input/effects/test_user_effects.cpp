@@ -360,7 +360,8 @@ source = "throttle_heat"
                                .effect = solver::find_user_effect(problem, "wall"),
                                .layers = {},
                                .knots = {},
-                               .nodes = {}};
+                               .nodes = {},
+                               .runs = {}};
     solver::move(problem, wall, 2.0 / 3.0, 4.5);
     const std::vector<solver::FreeParameter> moved{wall};
     const fs::path twice = written.folder() / "out/twice.toml";

@@ -14,8 +14,12 @@ namespace tiretherm::solver {
 
 /// A parameter of an effect that is on.
 inline FreeParameter number(const Problem& problem, std::string_view effect, std::string_view key) {
-    FreeParameter parameter{
-        .name = std::string(effect) + "." + std::string(key), .unit = {}, .layers = {}, .knots = {}, .nodes = {}};
+    FreeParameter parameter{.name = std::string(effect) + "." + std::string(key),
+                            .unit = {},
+                            .layers = {},
+                            .knots = {},
+                            .nodes = {},
+                            .runs = {}};
     for (std::size_t e = 0; e < problem.effects.size(); ++e) {
         if (problem.effects[e].effect->id == effect) {
             parameter.effect = e;
@@ -33,12 +37,18 @@ inline FreeParameter law(FreeParameter::Kind kind, std::vector<int> layers, std:
             .layers = std::move(layers),
             .knots = std::move(knots),
             .knot = knot,
-            .nodes = {}};
+            .nodes = {},
+            .runs = {}};
 }
 
 inline FreeParameter start_of(const Problem& problem) {
-    FreeParameter parameter{
-        .name = "initial", .unit = "K", .kind = FreeParameter::Kind::initial, .layers = {}, .knots = {}, .nodes = {}};
+    FreeParameter parameter{.name = "initial",
+                            .unit = "K",
+                            .kind = FreeParameter::Kind::initial,
+                            .layers = {},
+                            .knots = {},
+                            .nodes = {},
+                            .runs = {}};
     for (int node = 0; node < problem.mesh.n_nodes; ++node) {
         parameter.nodes.push_back(node);
     }

@@ -127,8 +127,13 @@ TEST(AdjointRecord, CoursesOfHeatDoNotMix) {
 TEST(AdjointRecord, ForwardsEqualsTheSlopeOfASource) {
     Problem problem = tire();
     support::switch_on(problem, "uniform_source", {{"power_density", 100.0}});
-    FreeParameter power{
-        .name = "power", .unit = "W m-3", .effect = problem.effects.size() - 1, .layers = {}, .knots = {}, .nodes = {}};
+    FreeParameter power{.name = "power",
+                        .unit = "W m-3",
+                        .effect = problem.effects.size() - 1,
+                        .layers = {},
+                        .knots = {},
+                        .nodes = {},
+                        .runs = {}};
     const std::vector<double> times = every(10.0, 300.0);
     const std::vector<FreeParameter> numbers{power};
     const std::vector<double> values{100.0};
