@@ -273,8 +273,8 @@ int check(const Options& options) {
 }  // namespace
 
 void add_check_command(CLI::App& program, int& exit_code) {
-    CLI::App* command =
-        program.add_subcommand("check", "Read a case without running it, and list all its errors at once; of a log: what is in it");
+    CLI::App* command = program.add_subcommand(
+        "check", "Read a case without running it, and list all its errors at once; of a log: what is in it");
     const auto options = std::make_shared<Options>();
     command->add_option("CASE|LOG", options->case_file, "Case file (TOML), or a data logger's file")
         ->required()

@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 
 #include "input/columns/column_course.hpp"
-#include "input/text/column_names.hpp"
 #include "input/columns/column_references.hpp"
+#include "input/text/column_names.hpp"
 #include "input/text/units.hpp"
 
 namespace tiretherm::input {

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "input/text/column_names.hpp"
 #include "input/loggers/heading_names.hpp"
+#include "input/text/column_names.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/units.hpp"
 

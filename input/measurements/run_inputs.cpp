@@ -59,8 +59,7 @@ Missing find_missing(const std::vector<double>& time, const std::vector<double>&
         const double left = pace > 0.0 ? (until - known) / pace : 0.0;
         const double steps = at_end ? std::floor(left + 1e-6) : std::round(left) - 1.0;
         const std::size_t lacking =
-            pace > 0.0 ? static_cast<std::size_t>(std::clamp(steps, 0.0, static_cast<double>(empty)))
-                       : empty;
+            pace > 0.0 ? static_cast<std::size_t>(std::clamp(steps, 0.0, static_cast<double>(empty))) : empty;
         missing.samples += lacking;
         missing.expected += lacking;
         return lacking > 0;

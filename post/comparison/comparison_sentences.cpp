@@ -110,11 +110,13 @@ std::string shown_signed(const ComparedChannel& channel, double difference) {
 std::string chance_text(double chance) { return chance < 1e-9 ? "< 1e-9" : fmt::format("{:.1g}", chance); }
 
 std::string corner_sentence(const ComparedChannel& channel, const CommonBias& common) {
-    const std::string who = common.group == "all"        ? fmt::format("all {} tires are", common.corners.size())
-                            : !common.group.empty()      ? fmt::format("only the {} ones ({}) are", common.group,
-                                                                       fmt::join(common.corners, ", "))
-                            : common.corners.size() == 1 ? fmt::format("only {} is", common.corners.front())
-                                                         : fmt::format("{} are", fmt::join(common.corners, ", "));
+    const std::string who =
+        common.group == "all" ? (common.corners.size() == 2 ? std::string("both tires are")
+                                                            : fmt::format("all {} tires are", common.corners.size()))
+        : !common.group.empty()
+            ? fmt::format("only the {} ones ({}) are", common.group, fmt::join(common.corners, ", "))
+        : common.corners.size() == 1 ? fmt::format("only {} is", common.corners.front())
+                                     : fmt::format("{} are", fmt::join(common.corners, ", "));
     const std::string least = shown(channel, std::abs(common.least));
     const std::string most = shown(channel, std::abs(common.most));
     return fmt::format("{}, {}: {} too {}, by {} {}", channel.name, name_of(common.phase), who,

@@ -171,7 +171,11 @@ std::string html_page(const Report& report, const PageOrigin& origin) {
         }
         sections += blocks_html(section.blocks(), 3) + "</section>\n";
     };
-    std::ranges::for_each(report.sections, add);
+    for (const Section& section : report.sections) {  // the appendix says the same at greater length
+        if (std::ranges::find(report.appendix, section.heading(), &Section::heading) == report.appendix.end()) {
+            add(section);
+        }
+    }
     std::ranges::for_each(report.appendix, add);
     add(origin_section(origin));
     text += fmt::format("<nav aria-label=\"sections\">{}</nav>\n</header>\n<main>\n{}</main>\n", contents, sections);

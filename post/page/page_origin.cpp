@@ -33,7 +33,7 @@ Section origin_section(const PageOrigin& origin) {
 }
 
 Section citations_section(const solver::Problem& problem) {
-    Section section("What to cite");
+    Section section("Cite");
     section.item(
         fmt::format("the tiretherm authors: tiretherm: finite-volume temperature field of a rolling tire, version {}. "
                     "CITATION.cff in its sources has the entry",

@@ -20,7 +20,7 @@ PAGES = {  # what the page shows: the call that writes it
     "study as a map": "study cases/studies/speed_and_load_two_node.toml",
     "study of samples over speed": "study cases/studies/uncertain_two_node.toml",
     "study of samples": "study tests/browser/samples.toml",
-    "validate": "validate M7 M8",
+    "validate": "validate --only M7,M8",
 }
 
 

@@ -37,17 +37,17 @@
       }
       const points = s.role === "points";
       made.push({ type: points ? "scatter" : "line", name: s.name, xAxisIndex: index, yAxisIndex: index, data: s.points,
-        symbol: points ? "circle" : "none", symbolSize: 5, itemStyle: { color: of, opacity: points ? 0.75 : 1 },
-        lineStyle: { color: of, width: s.role === "line" ? 1.8 : s.role === "faint" ? 0.8 : 1.5, opacity: s.role === "line" ? 1 : s.role === "faint" ? 0.35 : 0.75, type: s.role === "dashed" ? [7, 4] : s.role === "dotted" ? [2, 3] : dash }, z: points ? 3 : 2 });
+        symbol: points ? "circle" : "none", symbolSize: 5, itemStyle: { color: of, opacity: points ? (s.points.length > 300 ? 0.3 : 0.75) : 1 },
+        lineStyle: { color: of, width: s.role === "line" ? 1.8 : s.role === "faint" ? 0.8 : 1.5, opacity: s.role === "line" ? 1 : s.role === "faint" ? 0.35 : 0.75, type: s.role === "dashed" ? [7, 4] : s.role === "dotted" ? [2, 3] : dash }, z: points ? 2 : 3 });
     }
-    for (const mark of panel.marks || []) {
+    for (const [i, mark] of (panel.marks || []).entries()) {
       const { colour: of } = chartParts.curve(places.get(mark.group) || 0, look);
       made.push({ type: "scatter", name: "marks", xAxisIndex: index, yAxisIndex: index, data: [[mark.x, mark.y]], symbol: "pin", symbolSize: 26, z: 6, silent: true,
         itemStyle: { color: of, borderColor: look.paper, borderWidth: 1 }, tooltip: { show: false },
-        label: { show: true, formatter: mark.name, position: mark.x > middle ? "left" : "right", offset: [0, -16], color: look.ink, fontSize: 12, textBorderColor: look.paper, textBorderWidth: 3 } });
+        label: { show: true, formatter: mark.name, position: mark.x > middle ? "left" : "right", offset: [0, 30 + 17 * i], color: look.ink, fontSize: 12, textBorderColor: look.paper, textBorderWidth: 3 } });
     }
     const heights = [...new Set((panel.levels || []).map((level) => level.value))];
-    const levels = heights.map((value) => ({ yAxis: value, label: { position: "insideEndTop", color: look.ink, textBorderColor: look.paper, textBorderWidth: 3,
+    const levels = heights.map((value) => ({ yAxis: value, label: { position: panel.marks && panel.marks.length ? "insideStartTop" : "insideEndTop", color: look.ink, textBorderColor: look.paper, textBorderWidth: 3,
       formatter: panel.levels.filter((level) => level.value === value && level.name).map((level) => level.name).join("; ") } }));
     if (made.length && levels.length) {
       made[0].markLine = { symbol: "none", silent: true, lineStyle: { color: look.ink, type: "dashed" }, data: levels };
@@ -175,13 +175,16 @@
         const b = data.borders[params.dataIndex], p = [0, 2].map((i) => api.coord([b[i], b[i + 1]]));
         return { type: "line", shape: { x1: p[0][0], y1: p[0][1], x2: p[1][0], y2: p[1][1] }, style: { stroke: "rgba(255,255,255,0.65)", lineWidth: 1 } };
       } });
+    const labelled = [];  // names of spots that lie close together stand above one another
     for (const spot of data.spots || []) {
       const at = spot.at[frame];
+      const close = labelled.filter((other) => Math.abs(other[0] - at[0]) < 0.25 * wide && Math.abs(other[1] - at[1]) < 0.1 * high).length;
+      labelled.push(at);
       if (!at) continue;
       const passed = at[2] >= spot.critical;
       series.push({ type: "scatter", name: spot.name, data: [at], symbol: "diamond", symbolSize: 15, z: 7, animation: false,
         itemStyle: { color: passed ? "#ffffff" : "rgba(255,255,255,0.35)", borderColor: "#000", borderWidth: 1.6 },
-        label: { show: true, formatter: `${spot.name} ${at[2].toFixed(1)} °C`, position: "top", distance: 9, color: look.ink, fontSize: 12, fontWeight: passed ? "bold" : "normal",
+        label: { show: true, formatter: `${spot.name} ${at[2].toFixed(1)} °C`, position: "top", distance: 9 + 15 * close, color: look.ink, fontSize: 12, fontWeight: passed ? "bold" : "normal",
           textBorderColor: look.paper, textBorderWidth: 3 },
         tooltip: { formatter: () => `${plain(spot.name)}: ${at[2].toFixed(1)} °C, critical ${number(spot.critical)} °C` } });
     }

@@ -51,7 +51,7 @@ std::string said(const ExperimentReading& reading, const Written& written) {
 }
 
 double load_at(const MeasuredRun& run, double time) {
-    return run.problem.input_signals.at(time, solver::JumpSide::after).load;
+    return run.problem.input_signals.at(time, solver::JumpSide::after).vertical_load;
 }
 
 const solver::FreeParameter& parameter(const Experiment& experiment, const std::string& name) {

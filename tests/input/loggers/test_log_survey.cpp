@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "input/loggers/ld_writer.hpp"
 #include "input/log_survey/log_survey.hpp"
+#include "input/loggers/ld_writer.hpp"
 #include "input/loggers/logger_files.hpp"
 #include "support/written.hpp"
 

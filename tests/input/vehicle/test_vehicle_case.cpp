@@ -186,8 +186,7 @@ TEST(VehicleCase, MeasuredLoadGoesBeforeTheComputedOne) {
                                              [](const Truth&, double) { return std::string("30,2,3000"); });
     const Reading reading = read(log, "", "");
     EXPECT_TRUE(warns(reading, "vertical_load of the tire FL is not computed: the case gives it"));
-    EXPECT_TRUE(
-        warns(reading, "slip_angle, slip_ratio, lateral_force and longitudinal_force of the tire FL are"));
+    EXPECT_TRUE(warns(reading, "slip_angle, slip_ratio, lateral_force and longitudinal_force of the tire FL are"));
     const physics::Inputs in = problem_of(reading).input_signals.at(20.0, solver::JumpSide::after);
     EXPECT_EQ(in.vertical_load, 3000.0);
     // Right: 2588.9556 + 0.6 x 1200 x 2 x 0.5/1.5 = 3068.9556 N; the axle's 1056 N at tan(alpha) = Fy Fz_s/(C sum Fz).
@@ -221,10 +220,9 @@ TEST(VehicleCase, GripThatIsNotThereIsCounted) {
     const Written written;
     written.add("log.csv", log);
     const std::string base = (source_folder() / "tests/bad_cases/good/car.toml").string();
-    const Reading slippery =
-        read_case(written.add("case.toml", "include = [\"" + base +
-                                               "\"]\n[vehicle]\ncorner = \"FR\"\nfriction = 0.8\n"
-                                               "[[drive.file]]\npath = \"log.csv\"\n"));
+    const Reading slippery = read_case(written.add("case.toml", "include = [\"" + base +
+                                                                    "\"]\n[vehicle]\ncorner = \"FR\"\nfriction = 0.8\n"
+                                                                    "[[drive.file]]\npath = \"log.csv\"\n"));
     EXPECT_TRUE(warns(slippery, "the forces at FR exceed what its tire can give in 100 % of the time"));
 }
 
@@ -240,10 +238,9 @@ TEST(VehicleCase, EachRunMayHaveItsCorner) {
                                             }));
     const std::string base = (source_folder() / "tests/bad_cases/good/car.toml").string();
     const ExperimentReading reading = read_experiment(written.add(
-        "case.toml", "include = [\"" + base +
-                         "\"]\n[vehicle]\nsmoothing = \"0 s\"\n[[run]]\nname = \"one\"\nfile = \"log.csv\"\n" +
-                         columns + "[[run]]\nname = \"two\"\nfile = \"log.csv\"\n" + columns +
-                         "vehicle = { corner = \"RR\" }\n"));
+        "case.toml",
+        "include = [\"" + base + "\"]\n[vehicle]\nsmoothing = \"0 s\"\n[[run]]\nname = \"one\"\nfile = \"log.csv\"\n" +
+            columns + "[[run]]\nname = \"two\"\nfile = \"log.csv\"\n" + columns + "vehicle = { corner = \"RR\" }\n"));
     ASSERT_TRUE(reading.experiment.has_value());
     const std::vector<MeasuredRun>& runs = reading.experiment->runs;
     ASSERT_EQ(runs.size(), 2U);

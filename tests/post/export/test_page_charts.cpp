@@ -21,7 +21,7 @@ std::string page() {
     section.chart("Heat at the end", "", bar_chart("heat", "kJ", {{"laser", 2.0}}));
     section.chart("k < 1 & \"so on\"", "", bar_chart("k", "", {{"tread", 0.3}}));
     report.add(std::move(section));
-    return html_page(report, "run", "case.toml");
+    return html_page(report, {.kind = "run", .source = "case.toml"});
 }
 
 PageCharts read(const std::string& text) {
