@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "input/text/suggestions.hpp"
 #include "physics/vehicle/vehicle.hpp"
 
 namespace tiretherm::input {
@@ -70,9 +71,28 @@ std::vector<Corner> read_corners(TomlTable& root, const std::shared_ptr<ColumnKe
 }
 
 void read_corners_of_run(TomlTable& run) {
-    TomlTable corners = run.subtable("corner");
-    for (const std::string_view name : corner_names) {
-        corners.subtable(name).declare_keys({"drive", "initial", "time", "measured"});
+    const std::vector<std::string> names(corner_names.begin(), corner_names.end());
+    const std::vector<std::string> keys{"drive", "initial", "time", "measured"};
+    const TomlValue* corners = run.value("corner");
+    if (corners == nullptr) {
+        return;
+    }
+    if (corners->kind != TomlValue::Kind::table) {
+        run.add_error("corner", fmt::format("corner is {}; a table of corners is wanted", shown(*corners)),
+                      "corner = { FL = { initial = { temperature = \"40 degC\" } } }");
+        return;
+    }
+    for (const Entry& corner : corners->entries) {
+        if (std::ranges::find(names, corner.key) == names.end()) {
+            run.errors().add(corner.place, fmt::format("\"{}\" is not a corner", corner.key),
+                             suggest(corner.key, names, "corners"));
+        }
+        for (const Entry& entry : corner.value.entries) {
+            if (std::ranges::find(keys, entry.key) == keys.end()) {
+                run.errors().add(entry.place, fmt::format("\"{}\" is not a key of a corner in a run", entry.key),
+                                 suggest(entry.key, keys, "keys"));
+            }
+        }
     }
 }
 

@@ -106,7 +106,7 @@ TEST(Identify, FindsTheNumbersOfTheBenchAgain) {
     EXPECT_EQ(json["runs"].size(), 3u);
     ASSERT_EQ(json["parameters"].size(), 8u);
     ASSERT_EQ(json["channels"].size(), 2u);
-    EXPECT_EQ(json["outputs"].size(), 3u);
+    EXPECT_EQ(json["outputs"].size(), 4u);
     const Json& film = number(json, "air_convection.lambda_h");
     EXPECT_TRUE(holds(film, 1.05)) << film;
     EXPECT_EQ(film["identifiability"], "determined");

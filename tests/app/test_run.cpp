@@ -33,7 +33,7 @@ TEST(Run, LeavesTheFilesThatItNames) {
     const Call run = call("run " + two_node + " --json --out " + scratch.path().string());
     const Json json = Json::parse(run.out);
     EXPECT_EQ(run.exit_code, 0);
-    EXPECT_EQ(json["outputs"].size(), 5u);
+    EXPECT_EQ(json["outputs"].size(), 6u);
     for (const std::string file : json["outputs"]) {
         EXPECT_GT(std::filesystem::file_size(file), 100u) << file;
     }

@@ -70,7 +70,7 @@ TEST(Corner, HasColumnsInputsAndSensorsOfItsOwn) {
     const Written written;
     const ExperimentReading reading = read(written, corners);
     ASSERT_TRUE(reading.experiment) << said(reading, written);
-    EXPECT_EQ(said(reading, written), "");
+    EXPECT_EQ(said(reading, written), "warning: case.toml:31: no active effect and no sensor uses camber\n");
     const std::vector<MeasuredRun>& runs = reading.experiment->runs;
     ASSERT_EQ(runs.size(), 3U);
     EXPECT_EQ(runs[0].name, "laps_FL");
@@ -204,7 +204,7 @@ each = "corner"
 )");
     const std::string text = said(reading, written);
     for (const char* part : {"name cannot be \"front_left\"", "a second [[corner]] is called \"FL\"",
-                             "there is no corner \"RX\"", "cannot differ from one corner to the other"}) {
+                             "\"RX\" is not a corner", "cannot differ from one corner to the other"}) {
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
     }
     const ExperimentReading without = read(

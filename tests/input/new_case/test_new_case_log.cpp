@@ -87,7 +87,8 @@ TEST(NewCaseLog, TireStartsWhereItsSensorsDo) {
     }
 }
 
-// Names without regard to capitals and blanks, time in seconds unless it says otherwise, C of a temperature as degC.
+// Names without regard to capitals and blanks, time in seconds unless it says otherwise. KPH and C of a temperature are read as
+// they are: the case need not say what they mean.
 TEST(NewCaseLog, SpellingOfNamesAndUnitsIsForgiven) {
     const Written written;
     written.add(
@@ -96,9 +97,9 @@ TEST(NewCaseLog, SpellingOfNamesAndUnitsIsForgiven) {
     const NewCase made = make(written, "225/50 R17", "two_node", "drive.csv");
     ASSERT_TRUE(made.errors.empty()) << errors_of(made, written);
     EXPECT_EQ(column_of(made, "Time").unit, "s");
-    EXPECT_EQ(column_of(made, "Speed").unit, "km/h");
+    EXPECT_EQ(column_of(made, "Speed").unit, "");
     EXPECT_EQ(column_of(made, "Vertical Load").unit, "");
-    EXPECT_EQ(column_of(made, "Bulk-Temperature").unit, "degC");
+    EXPECT_EQ(column_of(made, "Bulk-Temperature").unit, "");
     const ExperimentReading reading = read_experiment(written.add("case.toml", made.text));
     ASSERT_TRUE(reading.experiment.has_value()) << render(reading.errors.front());
     const MeasuredRun& run = reading.experiment->runs.at(0);
@@ -131,10 +132,10 @@ TEST(NewCaseLog, OddLogRunsAtOnceAndIsComparedOnceItsColumnsAreConfirmed) {
     EXPECT_EQ(made.log->use, LogUse::nothing);
     EXPECT_EQ(column_of(made, "Time").name, "time");
     EXPECT_EQ(column_of(made, "Ground Speed").suggestion, "speed");
-    EXPECT_EQ(column_of(made, "Ground Speed").suggested_unit, "km/h");
+    EXPECT_EQ(column_of(made, "Ground Speed").suggested_unit, "");
     EXPECT_EQ(column_of(made, "Fz_FL").suggestion, "vertical_load");
     EXPECT_EQ(column_of(made, "Tyre Temp Surf").suggestion, "surface_temperature");
-    EXPECT_EQ(column_of(made, "Tyre Temp Surf").suggested_unit, "degC");
+    EXPECT_EQ(column_of(made, "Tyre Temp Surf").suggested_unit, "");
     EXPECT_EQ(column_of(made, "Amb").suggestion, "air_temperature");
     EXPECT_EQ(column_of(made, "Tyre Press FL").suggestion, "inflation_pressure");
     EXPECT_EQ(column_of(made, "Lap").suggestion, "");

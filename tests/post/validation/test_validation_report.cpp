@@ -50,7 +50,7 @@ ValidationRecord only(const ValidationRow& row) {
 /// A cell of that number's line on the page.
 std::string cell(const ValidationRow& row, const char* heading) {
     const Report report = validation_report(only(row));
-    const DataTable::Row line = report.sections.at(0).blocks().at(0).table.rows().at(0);
+    const DataTable::Row line = section(report, "Numbers").blocks().at(0).table.rows().at(0);
     const auto found =
         std::ranges::find_if(line, [&](const Field& field) { return field.on_page && field.heading == heading; });
     return found == line.end() ? "no such column" : found->cell.text;
@@ -153,7 +153,9 @@ TEST(Figures, BiasAndScatterAreThoseOfTheModelWithoutTheSensors) {
 
 TEST(ValidationText, HasALineForEachNumberAndTellsWhatFailedOnce) {
     const std::string text = page_text(validation_report(record()), false);
-    EXPECT_TRUE(text.starts_with("Two models\n  id  what      unit             measured  two nodes  verdict")) << text;
+    EXPECT_TRUE(text.starts_with("Two models\n\nVerdict\n  two nodes: 0 of 2 temperatures within 2 u")) << text;
+    EXPECT_NE(text.find("\nNumbers\n  id  what      unit             measured  two nodes  verdict"), std::string::npos)
+        << text;
     EXPECT_NE(text.find("  M1  a number  degC          50.0 +- 2.0       58.0  4.0 u too hot      51.0   +1.0  within"),
               std::string::npos)
         << text;
