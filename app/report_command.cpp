@@ -247,7 +247,7 @@ void add_report_command(CLI::App& program, int& exit_code) {
         "Exit code: 0 done; 1 an error in the call, no page, a damaged one, or no Chromium; 2 Chromium failed or took\n"
         "too long; 130 interrupted.\n\n"
         "Example:\n"
-        "  tiretherm report out/laser/one_watt --png --width 1200");
+        "  tiretherm report out/laser --png --width 1200");
     command->callback([options, &exit_code] { exit_code = report(*options); });
 }
 

@@ -285,7 +285,7 @@ void add_study_command(CLI::App& program, int& exit_code) {
         "which parts are missing.\n\n"
         "Exit code: 0 done, 1 an error in the call, the study or the case, 2 runs failed, 130 interrupted.\n\n"
         "Example:\n"
-        "  tiretherm study cases/studies/speed_and_load_two_node.toml --out out/speed_and_load");
+        "  tiretherm study cases/studies/speed_and_load_two_node.toml --out out/map");
     command->callback(
         [options, &exit_code] { exit_code = options->mpi ? study_over_ranks(*options) : study(*options); });
 }
