@@ -12,13 +12,26 @@ CHARTS = """const channel = (v) => (v /= 255, v <= 0.04045 ? v / 12.92 : ((v + 0
 const light = (c) => 0.2126 * channel(c[0]) + 0.7152 * channel(c[1]) + 0.0722 * channel(c[2]);
 const parts = (text) => (text.match(/[\\d.]+/g) || []).map(Number);
 const paper = parts(getComputedStyle(document.body).backgroundColor);
-const contrast = (colour, opacity) => { const on = [0, 1, 2].map((i) => opacity * colour[i] + (1 - opacity) * paper[i]);
-  const [a, b] = [light(on), light(paper)]; return (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05); };
+const contrast = (colour, opacity, ground = paper) => { const on = [0, 1, 2].map((i) => opacity * colour[i] + (1 - opacity) * ground[i]);
+  const [a, b] = [light(on), light(ground)]; return (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05); };
 const opacity = (look, own, colour) => +look.opacity * +look[own] * (colour.length > 3 ? colour[3] : 1);
 const said = [];
+const under = (text) => {  // what a text in a cell of a map stands on
+  const box = text.getBoundingClientRect(), x = (box.left + box.right) / 2, y = (box.top + box.bottom) / 2;
+  let ground = paper;
+  for (const shape of text.ownerSVGElement.querySelectorAll("path, rect")) {
+    if (shape.closest("defs, clipPath")) continue;
+    if (!(shape.compareDocumentPosition(text) & Node.DOCUMENT_POSITION_FOLLOWING)) break;
+    const b = shape.getBoundingClientRect(), fill = getComputedStyle(shape).fill, colour = parts(fill);
+    if (fill !== "none" && !fill.startsWith("url") && (colour.length < 4 || colour[3] > 0.99) && b.left <= x && x <= b.right && b.top <= y && y <= b.bottom) ground = colour;
+  }
+  return ground;
+};
+for (const chart of tiretherm.charts) chart.echart.dispatchAction({ type: "updateAxisPointer", currTrigger: "leave" });
+const onColour = (fill) => ["rgb(0, 0, 0)", "rgb(255, 255, 255)"].includes(fill);  // pure black and white are for texts on a colour
 document.querySelectorAll(".plot svg text").forEach((text) => {
   const look = getComputedStyle(text), colour = parts(look.fill), size = parseFloat(look.fontSize);
-  const found = contrast(colour, opacity(look, "fillOpacity", colour));
+  const found = contrast(colour, opacity(look, "fillOpacity", colour), onColour(look.fill) ? under(text) : paper);
   if (found < 4.5) said.push(`the text ${text.textContent} has a contrast of ${found.toFixed(1)}`);
   if (size < 11) said.push(`the text ${text.textContent} has ${size} pixels`);
 });

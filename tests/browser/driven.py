@@ -139,6 +139,13 @@ def charts_name(data):
 # -------------------------------------------------------------------------------------------- legend, tooltip
 
 
+MOST_NAMES = 10  # in a legend, as report.js has it
+
+
+def names_of(data):
+    return {s["name"] for panel in data["panels"] for s in panel["series"]}
+
+
 def wrong_legend(browser, page):
     """A click on a name hides its curve, another shows it again."""
     for index, data in of_kind(page, "lines"):
@@ -155,7 +162,9 @@ def wrong_legend(browser, page):
         if not browser.run(SELECTED, index, name) or browser.run(CURVES, index) != before:
             return [f"a second click does not show {name} again"]
         return []
-    return ["no legend was found"] if of_kind(page, "lines") else []
+    has_names = any("line" in [s["role"] for s in data["panels"][0]["series"]] and len(names_of(data)) <= MOST_NAMES
+                    for _, data in of_kind(page, "lines"))
+    return ["no legend was found"] if has_names else []  # charts of many curves have boxes, charts of points no curve
 
 
 def numbers(text):
@@ -184,10 +193,11 @@ def wrong_tooltip(browser, page):
         if free:  # the coldest place: no mark covers it
             value, place = min(free)
             check(index, place, value, 0.006, "the coldest place", ON_PLOT)  # two digits are shown
-    for index, data in of_kind(page, "bars")[:1]:
+    for index, data in [(i, bars) for i, bars in of_kind(page, "bars") if "value" in bars["items"][0]][:1]:
         item = max(data["items"], key=lambda one: abs(one["value"]))
         row = len(data["items"]) - 1 - data["items"].index(item)
         check(index, [item["value"] / 2, row], item["value"], 1e-4 * abs(item["value"]), item["name"])
+    browser.point_at(2, 2)  # away from all charts
     return said
 
 

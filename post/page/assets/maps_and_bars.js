@@ -83,8 +83,10 @@ const mapsAndBars = (function () {
     const tall = Math.min(Math.max(rows * 30, 90), data.y.words ? 620 : 400);
     const values = data.cells.map((cell, i) => [0.5 * (cell.at[0] + cell.at[1]), 0.5 * (cell.at[2] + cell.at[3]), cell.at[4], i]);
     const shown = (cell) => cell.text || number(+cell.at[4].toPrecision(data.signed ? 2 : 4));
-    const brightness = (css) => { const [r, g, b] = (css.match(/\d+(\.\d+)?/g) || [0, 0, 0]).map(Number); return css[0] === "#"
-      ? brightness(`rgb(${[1, 3, 5].map((i) => parseInt(css.slice(i, i + 2), 16)).join(",")})`) : 0.299 * r + 0.587 * g + 0.114 * b; };
+    // Black stands off better where the relative luminance (WCAG) is above 0.18: at least 4.6:1 either way.
+    const linear = (c) => ((c /= 255) <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
+    const channels = (css) => (css[0] === "#" ? [1, 3, 5].map((i) => parseInt(css.slice(i, i + 2), 16)) : (css.match(/\d+(\.\d+)?/g) || [0, 0, 0]).map(Number));
+    const isLight = (css) => { const [r, g, b] = channels(css).map(linear); return 0.2126 * r + 0.7152 * g + 0.0722 * b > 0.18; };
     const series = [{ type: "custom", name: data.name, data: values, encode: { x: 0, y: 1, value: 2 }, clip: true,
       renderItem: (params, api) => {
         const cell = data.cells[api.value(3)], a = api.coord([cell.at[0], cell.at[2]]), b = api.coord([cell.at[1], cell.at[3]]);
@@ -93,9 +95,9 @@ const mapsAndBars = (function () {
           style: { fill, stroke: look.paper, lineWidth: wide > 6 && high > 6 ? 1 : 0 } };
         const children = [rect];
         if (cell.marked) children.push({ type: "rect", z2: 10, shape: { x: rect.shape.x + 2, y: rect.shape.y + 2, width: Math.max(wide - 4, 1), height: Math.max(high - 4, 1) },
-          style: { fill: "none", stroke: brightness(fill) > 140 ? "#000" : "#fff", lineWidth: 1.8, lineDash: [5, 3] } });
+          style: { fill: "none", stroke: isLight(fill) ? "#000" : "#fff", lineWidth: 1.8, lineDash: [5, 3] } });
         if (wide > 6.6 * text.length + 4 && high > 15) children.push({ type: "text", z2: 11, x: rect.shape.x + wide / 2, y: rect.shape.y + high / 2,
-          style: { text, fill: brightness(fill) > 140 ? "#111" : "#fff", fontSize: 11, align: "center", verticalAlign: "middle" } });
+          style: { text, fill: isLight(fill) ? "#000" : "#fff", fontSize: 11, align: "center", verticalAlign: "middle" } });
         return { type: "group", children };
       } }];
     if (data.x.words) series.push(wordsOf(data, look, "x", room.x));

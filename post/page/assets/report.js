@@ -79,7 +79,9 @@
       reach += wide;
     }
     const top = 20 + 24 * rows;
-    const heights = data.panels.map((panel) => (panel.short ? 130 : small ? 250 : 340));
+    const tall = data.panels.map((panel) => (panel.short ? 130 : small ? 250 : 340));
+    const sum = tall.reduce((all, one) => all + one, 0), room = 590 - gap * (tall.length - 1);  // of a sheet of paper
+    const heights = tall.map((one) => (printing && sum > room ? Math.floor(one * room / sum) : one));
     const option = { grid: [], xAxis: [], yAxis: [], series: [] };
     let y = top;
     data.panels.forEach((panel, i) => {
