@@ -13,7 +13,7 @@ namespace tiretherm::post {
 /// A chart of a page.
 struct PageChart {
     std::string title;
-    std::string element;  ///< the whole <figure> as it stands in the page
+    std::string element;  ///< the whole figure as it stands in the page
 };
 
 /// What a page holds.
