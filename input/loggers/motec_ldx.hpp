@@ -7,7 +7,7 @@
 
 namespace tiretherm::input {
 
-/// Times of the beacons, <Marker ClassName="BCN" Time="1.22e8"/> in microseconds. Empty where there is no such file or none
+/// Times of the beacons, the elements Marker of class BCN, in microseconds. Empty where there is no such file or none
 /// can be read: the laps may stand in a channel.
 /// @param ld_file path of the .ld file  @returns s, ascending
 [[nodiscard]] std::vector<double> read_ldx_markers(const std::filesystem::path& ld_file);
