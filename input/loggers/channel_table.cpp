@@ -51,8 +51,7 @@ void ChannelTable::choose(const std::vector<int>& columns) {
         }
     }
     std::ranges::sort(rows_);
-    const auto repeated = std::ranges::unique(rows_, [](double a, double b) { return b - a < same_time; });
-    rows_.erase(repeated.begin(), repeated.end());
+    rows_.erase(std::unique(rows_.begin(), rows_.end(), [](double a, double b) { return b - a < same_time; }), rows_.end());
 }
 
 std::vector<double> ChannelTable::in_rows(const Channel& channel) const {
