@@ -63,7 +63,7 @@ std::string size_text(const input::CaseSize& size) {
                        input::spell_bytes(size.memory));
 }
 
-struct Options {
+struct CheckOptions {
     std::string case_file;
     std::vector<std::string> data;
     bool json = false;
@@ -229,7 +229,7 @@ void print_json(const Checked& checked) {
 
 void print(const Checked& checked, bool json) { json ? print_json(checked) : print_text(checked); }
 
-int check(const Options& options) {
+int check(const CheckOptions& options) {
     if (input::is_log_file(options.case_file)) {
         if (options.data.empty()) {
             return check_log(options.case_file, options.json);
@@ -275,7 +275,7 @@ int check(const Options& options) {
 void add_check_command(CLI::App& program, int& exit_code) {
     CLI::App* command = program.add_subcommand(
         "check", "Read a case without running it, and list all its errors at once; of a log: what is in it");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<CheckOptions>();
     command->add_option("CASE|LOG", options->case_file, "Case file (TOML), or a data logger's file")
         ->required()
         ->option_text(" ");

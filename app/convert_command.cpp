@@ -29,7 +29,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t widest_value = 24;  // a law is reported with its reason
 
-struct Options {
+struct ConvertOptions {
     std::string sheet;
     std::string directory = ".";
     bool force = false;
@@ -37,7 +37,7 @@ struct Options {
 };
 
 /// "tire.toml" of "sheets/tire.xls" or of the folder "sheets/tire/".
-fs::path case_file(const Options& options) {
+fs::path case_file(const ConvertOptions& options) {
     fs::path sheet = fs::path(options.sheet).lexically_normal();
     if (sheet.filename().empty()) {
         sheet = sheet.parent_path();
@@ -107,7 +107,7 @@ void print_text(const input::SheetCase& made, const std::string& file) {
     fmt::print("{}\nIt runs with: tiretherm run {}\n", made.warnings.empty() ? "" : "\n", input::printable(file));
 }
 
-int convert(const Options& options) {
+int convert(const ConvertOptions& options) {
     solver::install_stop_handlers();
     const fs::path target = case_file(options);
     const std::string file = target.generic_string();
@@ -144,7 +144,7 @@ int convert(const Options& options) {
 
 void add_convert_command(CLI::App& program, int& exit_code) {
     CLI::App* command = program.add_subcommand("convert", "Make a case from the thesis's spreadsheet of ten sheets");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ConvertOptions>();
     command->add_option("SHEET", options->sheet, "Workbook (.xls, .xlsx), or a folder with a CSV file for each sheet")
         ->required()
         ->option_text(" ");

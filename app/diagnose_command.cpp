@@ -31,14 +31,14 @@ namespace tiretherm::app {
 
 namespace {
 
-struct Options : MeasuredCall {
+struct DiagnoseOptions : MeasuredCall {
     std::optional<double> time_limit;  ///< s
     bool by_run = false;               ///< each run alone, too, however long that takes
     bool no_by_run = false;            ///< neither: where that is quick
 };
 
 /// Each run alone, where there are several and nobody has asked for an end; or why not.
-diagnosis::RunVerdicts diagnosed_by_run(const Options& call, const input::Experiment& experiment,
+diagnosis::RunVerdicts diagnosed_by_run(const DiagnoseOptions& call, const input::Experiment& experiment,
                                         const diagnosis::Diagnosis& all, const diagnosis::DiagnosisOptions& options) {
     if (experiment.runs.size() < 2 || call.no_by_run) {
         return {};
@@ -66,7 +66,7 @@ std::optional<input::Experiment> on_layers(const MeasuredCall& call, const input
     return diagnosis::with_free_conductivity(diagnosis::with_fine_steps(std::move(*reading.experiment)));
 }
 
-int diagnose(const Options& call, const TableOptions& of_table) {
+int diagnose(const DiagnoseOptions& call, const TableOptions& of_table) {
     if (call.time_limit && !(*call.time_limit > 0.0)) {
         report_error(fmt::format("the time limit is {} s", *call.time_limit), "give more than 0 s", call.json);
         return Exit::input_error;
@@ -171,7 +171,7 @@ int diagnose(const Options& call, const TableOptions& of_table) {
 void add_diagnose_command(CLI::App& program, int& exit_code) {
     CLI::App* command = program.add_subcommand(
         "diagnose", "Find which effect a model lacks in measured runs, and what adding it gains");
-    const auto call = std::make_shared<Options>();
+    const auto call = std::make_shared<DiagnoseOptions>();
     add_measured_options(*command, *call, "[[run]] and [[parameter]]",
                          "files of an earlier diagnosis there are replaced. Default: out/<case name>");
     add_fresh_option(*command, call->fresh);

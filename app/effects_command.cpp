@@ -168,13 +168,13 @@ int show(const std::string& name, bool json, bool markdown) {
 }  // namespace
 
 void add_effects_command(CLI::App& program, int& exit_code) {
-    struct Options {
+    struct EffectsOptions {
         std::string name;
         bool json = false;
         bool markdown = false;
     };
     CLI::App* command = program.add_subcommand("effects", "List the catalogue of physical effects, or one in full");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<EffectsOptions>();
     command->add_option("EFFECT", options->name, "Name of an effect; without it all are listed")->option_text(" ");
     CLI::Option* json = command->add_flag("--json", options->json, "One JSON object");
     command->add_flag("--markdown", options->markdown, "The page docs/effects.md")->excludes(json);

@@ -26,7 +26,7 @@ namespace tiretherm::app {
 
 namespace {
 
-struct Options : MeasuredCall {
+struct IdentifyOptions : MeasuredCall {
     double correlation_time = 10.0;  ///< s, of a plan's noise
     bool profile = false;
     bool plan = false;
@@ -36,7 +36,7 @@ struct Options : MeasuredCall {
 constexpr double white_share = 0.3;
 
 /// What a fit would say.
-int plan(const Options& options, input::ExperimentReading& reading) {
+int plan(const IdentifyOptions& options, input::ExperimentReading& reading) {
     std::unique_ptr<post::OutputFolder> folder;
     if (!options.directory.empty()) {
         folder = open_output(options.directory, reading.files, post::plan_names(), "nothing was planned", options.json);
@@ -91,7 +91,7 @@ int plan(const Options& options, input::ExperimentReading& reading) {
     return Exit::done;
 }
 
-int identify(const Options& options) {
+int identify(const IdentifyOptions& options) {
     if (!(options.correlation_time >= 0.0)) {
         report_error(fmt::format("the correlation time is {} s", options.correlation_time), "give 0 s or more",
                      options.json);
@@ -165,7 +165,7 @@ int identify(const Options& options) {
 void add_identify_command(CLI::App& program, int& exit_code) {
     CLI::App* command =
         program.add_subcommand("identify", "Fit parameters of a case to measured runs, with 95 % intervals");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<IdentifyOptions>();
     add_measured_options(*command, *options, "[[run]] and [[parameter]]",
                          "files of an earlier fit there are replaced. Default: out/<case name>; of a plan none");
     add_fresh_option(*command, options->fresh);

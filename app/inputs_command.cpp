@@ -123,13 +123,13 @@ void print_markdown() {
     }
 }
 
-struct Options {
+struct InputsOptions {
     std::string name;
     bool json = false;
     bool markdown = false;
 };
 
-int show(const Options& options) {
+int show(const InputsOptions& options) {
     const physics::Signal* one = options.name.empty() ? nullptr : physics::find_signal(options.name);
     if (!options.name.empty() && one == nullptr) {
         std::vector<std::string> known;
@@ -167,7 +167,7 @@ int show(const Options& options) {
 
 void add_inputs_command(CLI::App& program, int& exit_code) {
     CLI::App* command = program.add_subcommand("inputs", "List the inputs of a case: unit, sign, and what reads them");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<InputsOptions>();
     command->add_option("INPUT", options->name, "Name of an input; without it all are listed")->option_text(" ");
     CLI::Option* json = command->add_flag("--json", options->json, "One JSON object");
     command->add_flag("--markdown", options->markdown, "The page docs/inputs.md")->excludes(json);

@@ -18,7 +18,7 @@ namespace tiretherm::app {
 
 namespace {
 
-struct Options {
+struct KeysOptions {
     std::string table;
     bool markdown = false;
 };
@@ -29,7 +29,7 @@ std::string without_brackets(std::string name) {
     return name;
 }
 
-int show(const Options& options) {
+int show(const KeysOptions& options) {
     const std::vector<input::CaseTable> tables = input::case_tables();
     if (options.markdown) {
         fmt::print("{}", post::case_reference_markdown(tables));
@@ -59,7 +59,7 @@ int show(const Options& options) {
 
 void add_keys_command(CLI::App& program, int& exit_code) {
     CLI::App* command = program.add_subcommand("keys", "List every key of a case: form, unit, range, meaning");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<KeysOptions>();
     command->add_option("TABLE", options->table, "A table of a case, such as mesh.layer; without it all are listed")
         ->option_text(" ");
     command->add_flag("--markdown", options->markdown, "The page docs/case-reference.md");

@@ -32,7 +32,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view assumed_size = "225/50 R17";
 
-struct Options {
+struct NewOptions {
     std::string subject;
     std::string file;
     std::string size;
@@ -49,7 +49,7 @@ bool is_log(const std::string& subject) {
 }
 
 /// "225_50_R17.toml" of a size, "drive.toml" of drive.csv.
-fs::path standard_file(const Options& options, const input::NewCaseRequest& request) {
+fs::path standard_file(const NewOptions& options, const input::NewCaseRequest& request) {
     std::string name = request.log ? request.log->stem().string() : std::string(input::trim(options.subject));
     std::ranges::replace_if(
         name, [](char c) { return c == '/' || c == ' '; }, '_');
@@ -57,7 +57,7 @@ fs::path standard_file(const Options& options, const input::NewCaseRequest& requ
 }
 
 /// What the call asks for; nothing after an error, which has been reported.
-std::optional<input::NewCaseRequest> read_request(const Options& options) {
+std::optional<input::NewCaseRequest> read_request(const NewOptions& options) {
     input::NewCaseRequest request;
     const bool log = is_log(options.subject);
     if (log) {
@@ -148,7 +148,7 @@ void print_json(const input::NewCase& made, const input::NewCaseRequest& request
     fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
-void print_text(const input::NewCase& made, const input::NewCaseRequest& request) {
+void print_case(const input::NewCase& made, const input::NewCaseRequest& request) {
     const std::string file = input::printable(request.target.generic_string());
     fmt::print("{}: a {} on {}\n", file, request.size.text, made.mesh);
     if (made.log) {
@@ -159,7 +159,7 @@ void print_text(const input::NewCase& made, const input::NewCaseRequest& request
         for (const input::LogColumn& column : made.log->columns) {
             table.add({column.title(), use_of(column)});
         }
-        app::print_text(table.text(2));
+        print_text(table.text(2));
     }
     if (!made.assumed.empty()) {
         post::Table table({true, true, true});
@@ -167,12 +167,12 @@ void print_text(const input::NewCase& made, const input::NewCaseRequest& request
             table.add({value.key, value.value, value.reason});
         }
         fmt::print("\nAssumed; change it in the case\n");
-        app::print_text(table.text(2));
+        print_text(table.text(2));
     }
     if (!made.missing.empty()) {
         fmt::print("\nStill missing\n");
         for (const input::MissingPart& part : made.missing) {
-            app::print_text(post::wrap(fmt::format("{}; {}", part.what, part.remedy), 2, prose_width()));
+            print_text(post::wrap(fmt::format("{}; {}", part.what, part.remedy), 2, prose_width()));
         }
     }
     for (const std::string& warning : made.warnings) {
@@ -184,7 +184,7 @@ void print_text(const input::NewCase& made, const input::NewCaseRequest& request
     }
 }
 
-int make_case(const Options& options) {
+int make_case(const NewOptions& options) {
     solver::install_stop_handlers();
     const std::optional<input::NewCaseRequest> request = read_request(options);
     if (!request) {
@@ -220,7 +220,7 @@ int make_case(const Options& options) {
         report_error(failure.what(), "no case was written; choose another file with --out", options.json);
         return Exit::input_error;
     }
-    options.json ? print_json(made, *request) : print_text(made, *request);
+    options.json ? print_json(made, *request) : print_case(made, *request);
     return Exit::done;
 }
 
@@ -228,7 +228,7 @@ int make_case(const Options& options) {
 
 void add_new_command(CLI::App& program, int& exit_code) {
     CLI::App* command = program.add_subcommand("new", "Write a commented case from a tire's size or a measured log");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<NewOptions>();
     const auto names = input::mesh_template_names();
     command
         ->add_option("SIZE|LOG", options->subject,

@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 constexpr const char* picture_folder = "charts";
 constexpr const char* no_pictures = "no picture was written";
 
-struct Options {
+struct ReportOptions {
     std::string folder;
     int width = 1600;
     double time_limit = 60.0;  ///< s
@@ -44,7 +44,7 @@ struct Options {
 };
 
 /// Why a folder has no page, and what to do.
-int report_missing(const Options& options) {
+int report_missing(const ReportOptions& options) {
     std::error_code error;
     if (!fs::exists(options.folder, error)) {
         report_error(fmt::format("there is no folder {}", options.folder),
@@ -60,7 +60,7 @@ int report_missing(const Options& options) {
     return Exit::input_error;
 }
 
-std::optional<post::PageCharts> read_charts(const Options& options) {
+std::optional<post::PageCharts> read_charts(const ReportOptions& options) {
     try {
         return post::read_page(options.page());
     } catch (const std::runtime_error& error) {
@@ -80,7 +80,8 @@ post::Value size_at(const std::string& png, std::size_t at) {
     return size;
 }
 
-post::Value data_of(const Options& options, const post::PageCharts& page, const std::vector<std::string>& pictures) {
+post::Value data_of(const ReportOptions& options, const post::PageCharts& page,
+                    const std::vector<std::string>& pictures) {
     std::error_code error;
     const fs::path text = fs::path(options.folder) / post::text_page_name;
     const std::vector<std::string> names = post::picture_names(page.charts);
@@ -103,7 +104,7 @@ post::Value data_of(const Options& options, const post::PageCharts& page, const 
 }
 
 /// The page as text, where its charts are, and how pictures are made of them.
-void show(const Options& options, const post::PageCharts& page) {
+void show_charts(const ReportOptions& options, const post::PageCharts& page) {
     const fs::path text = fs::path(options.folder) / post::text_page_name;
     std::error_code error;
     if (fs::exists(text, error)) {
@@ -124,7 +125,7 @@ void show(const Options& options, const post::PageCharts& page) {
 }
 
 /// What kept the browser from its pictures, with the remedy.
-int report_browser(const Options& options, const post::PageCharts& page, const post::BrowserError& error) {
+int report_browser(const ReportOptions& options, const post::PageCharts& page, const post::BrowserError& error) {
     using Cause = post::BrowserError::Cause;
     std::string remedy = no_pictures;
     switch (error.cause) {
@@ -149,7 +150,7 @@ int report_browser(const Options& options, const post::PageCharts& page, const p
     return Exit::numerical_failure;
 }
 
-int make_pictures(const Options& options, const post::PageCharts& page) {
+int make_pictures(const ReportOptions& options, const post::PageCharts& page) {
     if (page.charts.empty()) {
         report_error(fmt::format("{} has no chart", options.page().string()), no_pictures, options.json);
         return Exit::input_error;
@@ -193,7 +194,7 @@ int make_pictures(const Options& options, const post::PageCharts& page) {
     return Exit::done;
 }
 
-int report(const Options& options) {
+int report(const ReportOptions& options) {
     std::error_code error;
     if (!fs::exists(options.page(), error)) {
         return report_missing(options);
@@ -210,7 +211,7 @@ int report(const Options& options) {
     if (options.json) {
         fmt::print("{}", post::json_text(data_of(options, *page, {})));
     } else {
-        show(options, *page);
+        show_charts(options, *page);
     }
     return Exit::done;
 }
@@ -220,7 +221,7 @@ int report(const Options& options) {
 void add_report_command(CLI::App& program, int& exit_code) {
     CLI::App* command =
         program.add_subcommand("report", "Show the page that a call has written, or make pictures of its charts");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ReportOptions>();
     command->add_option("DIR", options->folder, "Folder that a call has written its files to")
         ->required()
         ->option_text(" ");

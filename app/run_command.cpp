@@ -32,7 +32,7 @@ namespace tiretherm::app {
 
 namespace {
 
-struct Options {
+struct RunOptions {
     std::string case_file;
     std::string run;  ///< of the case's [[run]] tables; empty: the first
     std::string directory;
@@ -48,7 +48,7 @@ using Clock = std::chrono::steady_clock;
 /// Marches through the case, from where an interrupted call had come to; stops where the user asks for it, with the
 /// field of that moment.
 solver::Report march(const solver::Problem& problem, post::RunFiles& files, diagnosis::HotSpotTracker& hot_spots,
-                     post::RunJournal& journal, const Options& options) {
+                     post::RunJournal& journal, const RunOptions& options) {
     if (journal.is_damaged()) {
         tell_of_damage("the run begins anew");
     }
@@ -90,14 +90,14 @@ bool is_duration(const std::string& text) {
 }
 
 /// What the files of a run follow from.
-solver::Digest::Value identity_of(const Options& options, const std::vector<std::string>& files) {
+solver::Digest::Value identity_of(const RunOptions& options, const std::vector<std::string>& files) {
     std::vector<std::string> arguments{"run", options.case_file, options.run,
                                        fmt::format("{}", options.field_interval)};
     arguments.insert(arguments.end(), options.switched.begin(), options.switched.end());
     return call_identity(files, arguments);
 }
 
-int run(const Options& options) {
+int run(const RunOptions& options) {
     solver::install_stop_handlers();
     now_doing(fmt::format("reading {} and the files that it names", options.case_file));
     input::Reading reading = input::read_case_run(options.case_file, options.run);
@@ -190,7 +190,7 @@ int run(const Options& options) {
 
 void add_run_command(CLI::App& program, int& exit_code) {
     CLI::App* command = program.add_subcommand("run", "Simulate a case");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<RunOptions>();
     command->add_option("CASE", options->case_file, "Case file (TOML)")->required()->option_text(" ");
     command->add_option("--run", options->run, "Which of the case's [[run]] tables, by its name. Default: the first")
         ->option_text("NAME");

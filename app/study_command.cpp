@@ -35,7 +35,7 @@ namespace tiretherm::app {
 
 namespace {
 
-struct Options {
+struct StudyOptions {
     std::string study_file;
     std::string directory;
     unsigned threads = 0;
@@ -52,7 +52,7 @@ using Clock = std::chrono::steady_clock;
 
 /// What a part's call has to say: its files come with the merge.
 void report_part(const diagnosis::StudyPart& part, const diagnosis::StudyResults& results, std::size_t runs,
-                 const Options& options) {
+                 const StudyOptions& options) {
     if (options.json) {
         const nlohmann::ordered_json json{{"part", part.index},
                                           {"of", part.count},
@@ -83,7 +83,7 @@ int report_failed(const std::vector<std::size_t>& failed, std::size_t runs, cons
     return Exit::numerical_failure;
 }
 
-int study(const Options& options) {
+int study(const StudyOptions& options) {
     solver::install_stop_handlers();
     now_doing(fmt::format("reading {} and the files that it names", options.study_file));
     input::StudyReading reading = input::read_study(options.study_file);
@@ -197,14 +197,14 @@ int study(const Options& options) {
 }
 
 /// Each rank makes a part, in one thread unless another number is asked for; the first puts them together.
-int study_over_ranks(const Options& options) {
+int study_over_ranks(const StudyOptions& options) {
     const std::optional<MpiRanks> ranks = MpiRanks::join();
     if (!ranks) {
         report_error("this program was built without MPI",
                      "configure it with -DTIRETHERM_MPI=ON, or share the study by --part and --merge", options.json);
         return Exit::input_error;
     }
-    Options mine = options;
+    StudyOptions mine = options;
     mine.threads = options.threads == 0 ? 1 : options.threads;
     if (ranks->size() == 1) {
         return study(mine);
@@ -216,7 +216,7 @@ int study_over_ranks(const Options& options) {
     if (worst != Exit::done && worst != Exit::numerical_failure) {
         return worst;
     }
-    Options all = options;
+    StudyOptions all = options;
     all.merge = true;
     return ranks->rank() == 0 ? study(all) : Exit::done;
 }
@@ -226,7 +226,7 @@ int study_over_ranks(const Options& options) {
 void add_study_command(CLI::App& program, int& exit_code) {
     CLI::App* command =
         program.add_subcommand("study", "Run a case many times, with values on a grid or drawn at random");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<StudyOptions>();
     command->add_option("STUDY", options->study_file, "Study file (TOML)")->required()->option_text(" ");
     add_out_option(*command, options->directory,
                    "Where the files go; runs that an earlier call made there are kept. Default: out/<study name>");

@@ -30,7 +30,7 @@ namespace {
 
 constexpr const char* shipped = "cases/validation.toml";
 
-struct Options : MeasuredCall {
+struct ValidateOptions : MeasuredCall {
     std::string table = shipped;
     std::vector<std::string> only;
     unsigned threads = 0;
@@ -41,7 +41,7 @@ struct Options : MeasuredCall {
 using Clock = std::chrono::steady_clock;
 
 /// Says what is wrong and returns true, or leaves the table as asked for.
-bool refuses(input::ValidationReading& reading, const Options& options) {
+bool refuses(input::ValidationReading& reading, const ValidateOptions& options) {
     if (!reading.table) {
         std::error_code error;
         if (!std::filesystem::exists(options.table, error) && options.table == shipped) {
@@ -66,7 +66,7 @@ bool refuses(input::ValidationReading& reading, const Options& options) {
 }
 
 /// Writes the files of the call and prints its page.
-int finish(const Options& options, const diagnosis::ValidationRecord& record, post::OutputFolder& folder) {
+int finish(const ValidateOptions& options, const diagnosis::ValidationRecord& record, post::OutputFolder& folder) {
     const auto page = write_measured_page(
         options, folder, post::validation_names(), "validate",
         [&](const std::filesystem::path& stage) { return post::write_validation(record, stage); },
@@ -79,7 +79,7 @@ int finish(const Options& options, const diagnosis::ValidationRecord& record, po
 }
 
 /// Files that the call reads: the table and its cases.
-std::vector<std::string> files_of(const Options& options, const input::Validation& table) {
+std::vector<std::string> files_of(const ValidateOptions& options, const input::Validation& table) {
     std::vector<std::string> files{options.table};
     for (const input::ValidationRun& run : table.runs) {
         if (std::ranges::find(files, run.file.string()) == files.end()) {
@@ -89,7 +89,7 @@ std::vector<std::string> files_of(const Options& options, const input::Validatio
     return files;
 }
 
-int validate(const Options& options) {
+int validate(const ValidateOptions& options) {
     solver::install_stop_handlers();
     now_doing(fmt::format("reading {} and the files that it names", options.table));
     input::ValidationReading reading = input::read_validation(options.table);
@@ -144,7 +144,7 @@ int validate(const Options& options) {
 void add_validate_command(CLI::App& program, int& exit_code) {
     CLI::App* command =
         program.add_subcommand("validate", "Run the experiments of a table and compare the models with them");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ValidateOptions>();
     command->add_option("EXPERIMENTS", options->table, "Table of measured numbers (TOML)")
         ->capture_default_str()
         ->option_text(fmt::format("[{}]", shipped));

@@ -9,7 +9,7 @@ namespace tiretherm::app {
 
 namespace {
 
-constexpr const char* head = R"BASH(# bash completion for tiretherm, written by `tiretherm completion bash`.
+constexpr const char* bash_head = R"BASH(# bash completion for tiretherm, written by `tiretherm completion bash`.
 # For this shell: source <(tiretherm completion bash)
 
 _tiretherm_words() {  # WORD ...: those that begin like what is typed, up to the last colon of which readline has done
@@ -121,7 +121,7 @@ std::string bash_script(const CallSyntax& syntax) {
         "_tiretherm_options() {{  # COMMAND\n    case \"$1\" in\n{}    esac\n}}\n\n"
         "_tiretherm_value() {{  # COMMAND, OPTION or place of the argument, CURRENT\n    case \"$1 $2\" in\n{}    "
         "esac\n}}\n{}",
-        head, commands, valued, options, values, body);
+        bash_head, commands, valued, options, values, body);
 }
 
 }  // namespace tiretherm::app

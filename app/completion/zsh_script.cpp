@@ -11,7 +11,7 @@ namespace tiretherm::app {
 
 namespace {
 
-constexpr const char* head = R"(#compdef tiretherm -p */./run
+constexpr const char* zsh_head = R"(#compdef tiretherm -p */./run
 # zsh completion for tiretherm, written by `tiretherm completion zsh`.
 # For this shell, after compinit: source <(tiretherm completion zsh)
 
@@ -106,7 +106,7 @@ std::string specs(const CommandSyntax& command, std::size_t indent) {
 }  // namespace
 
 std::string zsh_script(const CallSyntax& syntax) {
-    std::string text = head;
+    std::string text = zsh_head;
     std::string cases;
     for (const CommandSyntax& command : syntax.commands) {
         text += fmt::format("        '{}:{}'\n", command.name, escaped(command.sentence));

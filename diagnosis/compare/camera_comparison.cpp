@@ -13,7 +13,7 @@ namespace tiretherm::diagnosis {
 
 namespace {
 
-constexpr int most_rings = 8;
+constexpr int shown_rings = 8;
 constexpr std::size_t most_stages = 6;
 
 /// Sums of differences.
@@ -36,11 +36,11 @@ std::vector<PartFigures> rings_of(const ComparedImages& images) {
     std::ranges::transform(images.where, std::back_inserter(distance),
                            [](const auto& at) { return std::hypot(at[0], at[1]); });
     const double farthest = *std::ranges::max_element(distance);
-    std::vector<Sum> sums(most_rings);
-    std::vector<std::size_t> pixels(most_rings, 0);
+    std::vector<Sum> sums(shown_rings);
+    std::vector<std::size_t> pixels(shown_rings, 0);
     for (std::size_t p = 0; p < images.pixels(); ++p) {
         const double share = farthest > 0.0 ? distance[p] / farthest : 0.0;
-        const auto ring = static_cast<std::size_t>(std::min(most_rings - 1, static_cast<int>(share * most_rings)));
+        const auto ring = static_cast<std::size_t>(std::min(shown_rings - 1, static_cast<int>(share * shown_rings)));
         ++pixels[ring];
         for (std::size_t f = 0; f < images.time.size(); ++f) {
             sums[ring].add(images.difference(f, p));
@@ -49,8 +49,8 @@ std::vector<PartFigures> rings_of(const ComparedImages& images) {
     std::vector<PartFigures> rings;
     for (std::size_t k = 0; k < sums.size(); ++k) {
         if (pixels[k] > 0) {
-            rings.push_back({.from = static_cast<double>(k) * farthest / most_rings,
-                             .to = static_cast<double>(k + 1) * farthest / most_rings,
+            rings.push_back({.from = static_cast<double>(k) * farthest / shown_rings,
+                             .to = static_cast<double>(k + 1) * farthest / shown_rings,
                              .pixels = pixels[k],
                              .bias = sums[k].mean(),
                              .rmse = sums[k].rms()});

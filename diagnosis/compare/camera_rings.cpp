@@ -20,7 +20,7 @@ namespace {
 
 /// Few, because a diagnosis takes the noise of its channels as independent: what the rings share of the camera's drift is
 /// counted once for each of them.
-constexpr std::size_t most_rings = 3;
+constexpr std::size_t fitted_rings = 3;
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 /// Which ring each pixel of a run lies in. The rings are equally wide and end where the farthest pixel is.
@@ -29,7 +29,7 @@ std::vector<std::size_t> rings_of(const input::MeasuredFrames& frames, const sol
     std::vector<std::size_t> ring;
     for (const auto& [x, y] : middles_of(frames, problem)) {
         const double share = std::hypot(x, y) / farthest;
-        ring.push_back(std::min(most_rings - 1, static_cast<std::size_t>(share * most_rings)));
+        ring.push_back(std::min(fitted_rings - 1, static_cast<std::size_t>(share * fitted_rings)));
     }
     return ring;
 }
@@ -62,7 +62,7 @@ std::vector<Seen> cameras_of(const input::Experiment& experiment) {
                 known = all.end() - 1;
             }
             known->farthest = std::max(known->farthest, farthest_of(frames, run.problem));
-            known->rings = most_rings;
+            known->rings = fitted_rings;
         }
     }
     std::ranges::sort(all, {}, &Seen::first_node);
@@ -75,7 +75,7 @@ std::vector<mesh::Functional> places_of(const input::MeasuredFrames& frames, con
     const physics::SeenSurface surface(problem.mesh, frames.patch);
     const std::vector<mesh::Functional> pixels =
         physics::over_pixels(surface, frames.detectors, physics::pose_of(problem.effects[frames.pose]), frames.pixels);
-    std::vector<mesh::Functional> places(most_rings);
+    std::vector<mesh::Functional> places(fitted_rings);
     for (std::size_t p = 0; p < pixels.size(); ++p) {
         for (std::size_t k = 0; k < pixels[p].nodes.size(); ++k) {
             const int node = surface.nodes()[static_cast<std::size_t>(pixels[p].nodes[k])];
@@ -129,8 +129,8 @@ void change_channels(solver::Problem& problem, const std::vector<Seen>& cameras,
             solver::Channel channel;
             channel.name = fmt::format("{} {}", camera.name, k + 1);
             channel.meaning = fmt::format("{}, mean over the pixels from {:.1f} to {:.1f} mm from the spot's centre",
-                                          camera.name, 1e3 * camera.farthest * static_cast<double>(k) / most_rings,
-                                          1e3 * camera.farthest * static_cast<double>(k + 1) / most_rings);
+                                          camera.name, 1e3 * camera.farthest * static_cast<double>(k) / fitted_rings,
+                                          1e3 * camera.farthest * static_cast<double>(k + 1) / fitted_rings);
             problem.channels.push_back(std::move(channel));
         }
     }
@@ -229,7 +229,8 @@ input::Experiment in_rings(input::Experiment experiment, std::vector<std::string
             "that they lie; identify takes every pixel and fits where they lie. The rings' noise counts as "
             "independent: a "
             "drift that they share makes sigmas up to {:.1f} times too large",
-            camera.name, camera.rings, 1e3 * camera.farthest / most_rings, std::sqrt(static_cast<double>(most_rings))));
+            camera.name, camera.rings, 1e3 * camera.farthest / fitted_rings,
+            std::sqrt(static_cast<double>(fitted_rings))));
     }
     std::vector<std::size_t> poses;
     for (input::MeasuredRun& run : experiment.runs) {

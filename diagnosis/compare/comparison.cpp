@@ -20,7 +20,7 @@ namespace tiretherm::diagnosis {
 
 namespace {
 
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_read = std::numeric_limits<double>::quiet_NaN();
 
 /// Every time at which a run is to be read. @returns s, ascending, each once
 std::vector<double> times_of(const input::MeasuredRun& run) {
@@ -69,7 +69,7 @@ ComparedSeries Beside::series(const input::MeasuredSeries& measured) const {
         result.time.push_back(t);
         result.measured.push_back(measured.value[i]);
         result.simulated.push_back(simulated);
-        result.surroundings.push_back(!is_temperature ? 0.0 : has_air ? inputs.air_temperature : missing);
+        result.surroundings.push_back(!is_temperature ? 0.0 : has_air ? inputs.air_temperature : not_read);
         result.phase.push_back(phase_at(run.problem, t));
         const SampleContext moment{
             .run = run, .sample = i, .inputs = inputs, .simulated = simulated, .is_temperature = is_temperature};

@@ -14,7 +14,7 @@ namespace tiretherm::diagnosis {
 
 namespace {
 
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
 bool any_run_gives(const input::Experiment& experiment, std::string_view signal) {
     return std::any_of(experiment.runs.begin(), experiment.runs.end(), [&](const input::MeasuredRun& run) {
@@ -36,7 +36,7 @@ Regressor unused(const std::string& name, const std::string& unit) {
                         return signal.value[moment.sample];
                     }
                 }
-                return missing;
+                return absent;
             }};
 }
 
@@ -67,7 +67,7 @@ std::vector<Regressor> regressors_of(const input::Experiment& experiment) {
     add("road_temperature", "road temperature", "degC",
         [](const SampleContext& m) { return solver::celsius(m.inputs.road_temperature); });
     add("air_temperature", "simulated rise over air", "K",
-        [](const SampleContext& m) { return m.is_temperature ? m.simulated - m.inputs.air_temperature : missing; });
+        [](const SampleContext& m) { return m.is_temperature ? m.simulated - m.inputs.air_temperature : absent; });
     for (const input::MeasuredRun& run : experiment.runs) {
         for (const input::UnusedSignal& signal : run.unused) {
             const bool known = std::any_of(regressors.begin(), regressors.end(),

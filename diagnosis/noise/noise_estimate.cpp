@@ -21,7 +21,7 @@ namespace {
 constexpr double undetermined = std::numeric_limits<double>::quiet_NaN();
 constexpr Eigen::Index fewest_samples = 10;
 /// In -2 log likelihood. Three standard deviations of a parameter that is off by this much are off by 0.05.
-constexpr double settled = 1e-3;
+constexpr double settled_log_likelihood = 1e-3;
 /// In -2 log likelihood, exceeded by a few in a hundred white series. A stricter test (BIC: 14 for 1 000 samples) would
 /// let pass slow noise of 5 % of the variance, which doubles the variance of a slow effect's size.
 constexpr double significant = 4.0;
@@ -109,7 +109,7 @@ void Estimation::settle(NoiseEstimate& estimate) {
         }
         ++estimate.passes;
         const double now = likelihood.value();
-        if (std::abs(before - now) < settled) {
+        if (std::abs(before - now) < settled_log_likelihood) {
             return;
         }
         before = now;

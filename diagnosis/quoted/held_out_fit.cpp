@@ -16,8 +16,6 @@ constexpr double of_interval = 3.84;  ///< rise of chi squared at the ends of a 
 constexpr std::size_t most_passes = 40;
 constexpr std::size_t coarse = 12;  ///< steps of the values in which the start of a fit of two numbers is sought
 
-bool contains(const std::vector<std::size_t>& all, std::size_t one) { return std::ranges::find(all, one) != all.end(); }
-
 }  // namespace
 
 std::vector<Judge::Block> Judge::blocks(const std::vector<std::size_t>& chosen) const {
@@ -47,7 +45,7 @@ double Judge::cost(const std::vector<Block>& blocks, const std::vector<std::size
                    const std::vector<double>& changes) const {
     double sum = 0.0;
     for (const Block& block : blocks) {
-        if (contains(left_out, block.experiment)) {
+        if (std::ranges::count(left_out, block.experiment) > 0) {
             continue;
         }
         const std::size_t n = block.rows.size();
@@ -143,7 +141,7 @@ AdditionFit Judge::fit(const std::vector<Block>& blocks, const std::vector<std::
     }
     std::size_t n_fitted = 0;
     for (const Block& block : blocks) {
-        n_fitted += contains(left_out, block.experiment) ? 0 : block.rows.size();
+        n_fitted += std::ranges::count(left_out, block.experiment) > 0 ? 0 : block.rows.size();
     }
     const double freedom = std::max(1.0, static_cast<double>(n_fitted) - static_cast<double>(n));
     const double rise = of_interval * std::max(1.0, found.chi_squared / freedom);

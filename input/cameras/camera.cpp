@@ -23,7 +23,7 @@ constexpr QuantitySpec offset{.unit = "m", .low = -0.1, .high = 0.1};
 constexpr QuantitySpec smear{.unit = "m", .low = 0.0, .high = 0.1};
 constexpr QuantitySpec pixel{
     .unit = "m", .low = 0.0, .high = 0.1, .above = true, .usual_low = 1e-6, .usual_high = 0.01};
-constexpr int most_pixels = 100000;
+constexpr int most_columns = 100000;
 
 /// One size, or one along a row and one along a column.
 std::optional<std::array<double, 2>> read_size(TomlTable& camera) {
@@ -52,7 +52,7 @@ std::optional<std::array<int, 2>> read_stretch(TomlTable& camera, std::string_vi
         return std::nullopt;
     }
     const auto sound = [](const TomlValue& node) {
-        return node.kind == TomlValue::Kind::integer && node.number >= 0.0 && node.number < most_pixels;
+        return node.kind == TomlValue::Kind::integer && node.number >= 0.0 && node.number < most_columns;
     };
     if (list->kind != TomlValue::Kind::array || list->items.size() != 2 || !sound(list->items[0]) ||
         !sound(list->items[1]) || list->items[0].number > list->items[1].number) {

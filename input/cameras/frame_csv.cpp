@@ -15,7 +15,7 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr int most_pixels = 100'000;  // in a row or a column of an image
+constexpr int pixels_of_a_line = 100'000;  // in a row or a column of an image
 
 /// Row and column of the pixel that a heading names: "r3c17".
 std::optional<std::array<int, 2>> pixel_of(std::string_view name) {
@@ -27,7 +27,7 @@ std::optional<std::array<int, 2>> pixel_of(std::string_view name) {
             return std::nullopt;
         }
         const auto [after, error] = std::from_chars(at + 1, end, *number);
-        if (error != std::errc() || *number < 0 || *number >= most_pixels) {
+        if (error != std::errc() || *number < 0 || *number >= pixels_of_a_line) {
             return std::nullopt;
         }
         at = after;

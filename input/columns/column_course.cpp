@@ -12,7 +12,7 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr std::size_t least_samples = 20;
+constexpr std::size_t least_pairs = 20;
 constexpr double copied = 0.9999;
 constexpr double even = 0.999;     ///< correlation with time or distance of what counts
 constexpr double jump_back = 0.3;  ///< of its range; a smaller fall is no counter's
@@ -68,7 +68,7 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
             ab += (a[i] - mean_a) * (b[i] - mean_b);
         }
     }
-    return n < least_samples || !(aa > 0.0) || !(bb > 0.0) ? 0.0 : ab / std::sqrt(aa * bb);
+    return n < least_pairs || !(aa > 0.0) || !(bb > 0.0) ? 0.0 : ab / std::sqrt(aa * bb);
 }
 
 Course detrended(const Course& course) {
@@ -262,7 +262,7 @@ bool is_function(const std::vector<double>& column, const std::vector<double>& i
         }
     }
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return input[i]; });
-    if (order.size() < 2 * least_samples) {
+    if (order.size() < 2 * least_pairs) {
         return false;
     }
     Course along{.value = {}, .first = {0, order.size()}};

@@ -36,17 +36,6 @@ struct Sample {
     [[nodiscard]] bool decides_as(const Sample& other) const { return decisions.taken == other.decisions.taken; }
 };
 
-/// Straight between its points and held beyond them; before a jump at the jump.
-double value_at(const SignalHistory& history, double t) {
-    const auto next = std::ranges::lower_bound(history.time, t);
-    const auto i = static_cast<std::size_t>(next - history.time.begin());
-    if (i == 0 || i == history.time.size()) {
-        return i == 0 ? history.value.front() : history.value.back();
-    }
-    const double share = (t - history.time[i - 1]) / (history.time[i] - history.time[i - 1]);
-    return history.value[i - 1] + share * (history.value[i] - history.value[i - 1]);
-}
-
 /// One attempt with one density and one tolerance.
 class Sampling {
 public:
@@ -370,6 +359,18 @@ private:
 };
 
 }  // namespace
+
+double value_at(const SignalHistory& history, double t) {
+    const auto next = std::ranges::lower_bound(history.time, t);
+    const auto i = static_cast<std::size_t>(next - history.time.begin());
+    if (i == 0 || i == history.time.size()) {
+        return i == 0 ? history.value.front() : history.value.back();
+    }
+    const double width = history.time[i] - history.time[i - 1];
+    return history.time[i] == t
+               ? history.value[i]
+               : history.value[i - 1] + (history.value[i] - history.value[i - 1]) * (t - history.time[i - 1]) / width;
+}
 
 FormulaSamples sample_formula(const FormulaAtTime& formula, const std::vector<double>& knots, FormulaDetail detail,
                               double jump_share) {

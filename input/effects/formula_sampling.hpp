@@ -44,4 +44,7 @@ constexpr double formula_accuracy = 1e-4;
 [[nodiscard]] FormulaSamples sample_formula(const FormulaAtTime& formula, const std::vector<double>& knots,
                                             FormulaDetail detail, double jump_share);
 
+/// The value of a history at a time: straight between its points and held beyond them; before a jump at the jump.
+[[nodiscard]] double value_at(const solver::SignalHistory& history, double t);
+
 }  // namespace tiretherm::input

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "input/effects/formula_sampling.hpp"
 #include "input/measurements/run_inputs.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/units.hpp"
@@ -23,19 +24,6 @@ using solver::SignalHistory;
 
 /// A jump between two samples of a log, as a share of their distance.
 constexpr double logged_jump = 1e-3;
-
-/// Straight between its points and held beyond them.
-double value_at(const SignalHistory& history, double t) {
-    const auto next = std::ranges::lower_bound(history.time, t);
-    const auto i = static_cast<std::size_t>(next - history.time.begin());
-    if (i == 0 || i == history.time.size()) {
-        return i == 0 ? history.value.front() : history.value.back();
-    }
-    const double width = history.time[i] - history.time[i - 1];
-    return history.time[i] == t
-               ? history.value[i]
-               : history.value[i - 1] + (history.value[i] - history.value[i - 1]) * (t - history.time[i - 1]) / width;
-}
 
 /// A formula over the signals of a run.
 class Follower {

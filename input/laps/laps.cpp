@@ -15,8 +15,8 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr double shortest_lap = 0.5;     ///< s; marks that are closer are one crossing, told twice
-constexpr std::size_t most_laps = 5000;  ///< a column that changes more often counts something else
+constexpr double shortest_between_marks = 0.5;  ///< s; marks that are closer are one crossing, told twice
+constexpr std::size_t most_laps = 5000;         ///< a column that changes more often counts something else
 constexpr std::size_t most_listed = 60;
 
 void set_kinds(std::vector<Lap>& laps) {
@@ -63,8 +63,8 @@ std::optional<std::vector<Range>> read_ranges(std::string_view text) {
 std::vector<Lap> laps_between(const std::vector<double>& markers, double from, double to) {
     std::vector<double> crossings;
     for (const double marker : markers) {
-        const bool inside = marker > from + shortest_lap && marker < to - shortest_lap;
-        if (inside && (crossings.empty() || marker > crossings.back() + shortest_lap)) {
+        const bool inside = marker > from + shortest_between_marks && marker < to - shortest_between_marks;
+        if (inside && (crossings.empty() || marker > crossings.back() + shortest_between_marks)) {
             crossings.push_back(marker);
         }
     }

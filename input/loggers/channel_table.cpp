@@ -51,7 +51,8 @@ void ChannelTable::choose(const std::vector<int>& columns) {
         }
     }
     std::ranges::sort(rows_);
-    rows_.erase(std::unique(rows_.begin(), rows_.end(), [](double a, double b) { return b - a < same_time; }), rows_.end());
+    rows_.erase(std::unique(rows_.begin(), rows_.end(), [](double a, double b) { return b - a < same_time; }),
+                rows_.end());
 }
 
 std::vector<double> ChannelTable::in_rows(const Channel& channel) const {

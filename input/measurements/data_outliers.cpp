@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "input/measurements/data_stretches.hpp"
 #include "input/measurements/data_warnings.hpp"
 
 /// What looks suspicious in the course of a signal, whatever its unit.
@@ -20,7 +21,6 @@ constexpr double outlying = 8.0;         ///< robust standard deviations
 constexpr double least_scale = 0.0025;   ///< of a sensor's range: what is small beside it is no outlier
 constexpr double least_of_input = 0.01;  ///< of an input's range, which may have corners
 constexpr double steep = 0.75;           ///< of its height that a spike rises and falls at once; a cusp does not
-constexpr double eventful = 0.1;         ///< of an input's range; where it changes by that, a sensor may jump
 constexpr std::size_t half_window = 5;   ///< samples on either side of a running median
 constexpr std::size_t widest_spike = 3;  ///< samples; what lasts longer is an event. Of an input a single one
 
@@ -50,21 +50,6 @@ double scale_of(const RecordedColumn& column, const std::vector<double>& off) {
     const double least = column.is_input ? least_of_input : least_scale;
     return std::max(
         {1.4826 * median(std::move(magnitudes)), least * (column.high() - column.low()), column.resolution()});
-}
-
-/// Whether an input changes so much between two times that a sensor's jump may be real.
-bool is_eventful(const Recording& recording, double from, double to) {
-    return std::ranges::any_of(recording.columns, [&](const RecordedColumn& column) {
-        const auto first = std::lower_bound(column.time.begin(), column.time.end(), from);
-        const auto last = std::upper_bound(first, column.time.end(), to);
-        if (!column.is_input || first == last) {
-            return false;
-        }
-        const auto begin = column.value.begin() + (first - column.time.begin());
-        const auto [low, high] = std::minmax_element(begin, begin + (last - first));
-        const auto [lowest, highest] = std::minmax_element(column.value.begin(), column.value.end());
-        return *high - *low > eventful * (*highest - *lowest);
-    });
 }
 
 }  // namespace

@@ -17,15 +17,15 @@ namespace {
 
 constexpr std::size_t least_knots = 20;
 constexpr std::size_t largest_ratio = 100;
-constexpr double uneven = 0.01;        ///< of the interval; a clock may round
-constexpr double on_grid = 0.98;       ///< of the changes of what is held lie on one grid
-constexpr double least_changes = 0.3;  ///< of the grid's samples: a coarse sensor that rests changes at fewer
-constexpr double of_the_knots = 0.85;  ///< of the squares of the second differences is at the knots
-constexpr double lie_straight = 0.95;  ///< of the intervals between them
-constexpr double bent = 3.0;           ///< times what is between them, of most knots
-constexpr double most_knots = 0.6;     ///< of all that are bent
-constexpr double rounding = 1.25;      ///< steps of the logger: off a straight line where it and its ends are rounded
-constexpr std::size_t segment = 256;   ///< samples of a spectrum
+constexpr double uneven = 0.01;                 ///< of the interval; a clock may round
+constexpr double on_grid = 0.98;                ///< of the changes of what is held lie on one grid
+constexpr double least_share_of_changes = 0.3;  ///< of the grid's samples: a coarse sensor that rests changes at fewer
+constexpr double of_the_knots = 0.85;           ///< of the squares of the second differences is at the knots
+constexpr double lie_straight = 0.95;           ///< of the intervals between them
+constexpr double bent = 3.0;                    ///< times what is between them, of most knots
+constexpr double most_knots = 0.6;              ///< of all that are bent
+constexpr double rounding = 1.25;     ///< steps of the logger: off a straight line where it and its ends are rounded
+constexpr std::size_t segment = 256;  ///< samples of a spectrum
 constexpr std::size_t least_segments = 8;
 constexpr std::size_t most_segments = 200;
 constexpr std::size_t largest_smooth_ratio = 16;
@@ -73,7 +73,7 @@ Resampling held_resampling(const RecordedColumn& column) {
         const Grid grid = best_grid(changed, ratio);
         const double of_grid =
             static_cast<double>(changes) * static_cast<double>(ratio) / static_cast<double>(value.size());
-        if (changes >= least_knots && grid.share > on_grid && of_grid > least_changes) {
+        if (changes >= least_knots && grid.share > on_grid && of_grid > least_share_of_changes) {
             return {Resampling::How::held, ratio, grid.first};
         }
     }

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double stuck_share = 0.02;
 constexpr double stuck_factor = 5.0;  ///< over the stretch of equal values in which a typical sample lies
+constexpr double eventful = 0.1;      ///< of an input's range; where it changes by that, a sensor may jump
 constexpr double noisy = 0.2;         ///< reversals a sample; a ramp has none, white noise two thirds
 
 /// The length of the stretch in which the middle sample lies when they are sorted by length, some left out.
@@ -112,6 +113,22 @@ std::vector<std::size_t> too_long(const Recording& recording, const RecordedColu
     }
     std::ranges::stable_sort(found, std::greater{}, [&](std::size_t s) { return all[s].length; });
     return found;
+}
+
+bool is_eventful(const Recording& recording, double from, double to) {
+    return std::ranges::any_of(recording.columns, [&](const RecordedColumn& column) {
+        if (!column.is_input || column.value.empty()) {
+            return false;
+        }
+        const auto first = std::ranges::lower_bound(column.time, from) - column.time.begin();
+        const auto last = std::ranges::upper_bound(column.time, to) - column.time.begin();
+        const auto [low, high] = std::ranges::minmax(column.value);
+        if (first >= last) {
+            return false;
+        }
+        const auto [least, most] = std::minmax_element(column.value.begin() + first, column.value.begin() + last);
+        return *most - *least > eventful * (high - low);
+    });
 }
 
 std::string_view left_out(const Recording& recording) {

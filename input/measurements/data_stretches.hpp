@@ -42,6 +42,9 @@ constexpr double coarse = 3.0;             ///< steps of the logger; a signal th
 [[nodiscard]] std::vector<Stretch> stuck_together(const Recording& recording, const RecordedColumn& column,
                                                   std::vector<std::string>& sensors);
 
+/// Whether an input changes by a tenth of its range or more between two times: a sensor may jump with it.
+[[nodiscard]] bool is_eventful(const Recording& recording, double from, double to);
+
 /// The end of a finding: what becomes of samples that are surely unusable.
 [[nodiscard]] std::string_view left_out(const Recording& recording);
 

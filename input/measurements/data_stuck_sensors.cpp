@@ -15,31 +15,12 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr double eventful = 0.1;  ///< of an input's range; where it changes by that, a sensor may jump
-
 /// Whether anything else in the recording moves: the tire rolls, or another sensor changes.
 bool anything_happens(const Recording& recording, const RecordedColumn& but) {
     return std::ranges::any_of(recording.columns, [&](const RecordedColumn& other) {
         const bool changes = std::ranges::adjacent_find(other.value, std::ranges::not_equal_to{}) != other.value.end();
         return other.name != but.name && !other.value.empty() &&
                (changes || (other.name == "speed" && std::abs(other.value.front()) > 0.1));
-    });
-}
-
-/// Whether an input changes by much between two times, which lets a sensor jump.
-bool is_eventful(const Recording& recording, double from, double to) {
-    return std::ranges::any_of(recording.columns, [&](const RecordedColumn& column) {
-        if (!column.is_input || column.value.empty()) {
-            return false;
-        }
-        const auto first = std::ranges::lower_bound(column.time, from) - column.time.begin();
-        const auto last = std::ranges::upper_bound(column.time, to) - column.time.begin();
-        const auto [low, high] = std::ranges::minmax(column.value);
-        if (first >= last) {
-            return false;
-        }
-        const auto [least, most] = std::minmax_element(column.value.begin() + first, column.value.begin() + last);
-        return *most - *least > eventful * (high - low);
     });
 }
 

@@ -11,17 +11,12 @@
 #include <fmt/format.h>
 
 #include "input/measurements/data_warnings.hpp"
+#include "input/measurements/usual_units.hpp"
 
 /// What looks suspicious in the size of a signal: its unit is probably another one.
 namespace tiretherm::input {
 
 namespace {
-
-constexpr double none = std::numeric_limits<double>::infinity();
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr double celsius = 273.15;
-constexpr double km_h = 1.0 / 3.6;
-constexpr double bar = 1e5;
 
 /// The largest magnitude of an input, 0 where the file does not have it.
 double largest(const Recording& recording, std::string_view name) {
@@ -70,7 +65,7 @@ bool always(const Recording&) { return true; }
 struct Size {
     std::string_view name;
     double low = 0.0;  ///< smaller is suspicious where `matters`
-    double high = none;
+    double high = no_limit;
     bool (*matters)(const Recording& recording) = always;
     std::array<std::string_view, 4> units{};
 };

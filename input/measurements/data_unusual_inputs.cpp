@@ -9,17 +9,12 @@
 #include <fmt/format.h>
 
 #include "input/measurements/data_warnings.hpp"
+#include "input/measurements/usual_units.hpp"
 
 /// Inputs that are possible but unusual.
 namespace tiretherm::input {
 
 namespace {
-
-constexpr double none = std::numeric_limits<double>::infinity();
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr double celsius = 273.15;
-constexpr double km_h = 1.0 / 3.6;
-constexpr double bar = 1e5;
 
 /// What is usual of an input.
 struct Usual {
@@ -27,7 +22,7 @@ struct Usual {
     double low;
     double high;
 };
-constexpr std::array usual{Usual{"speed", -none, 300.0 * km_h},
+constexpr std::array usual{Usual{"speed", -no_limit, 300.0 * km_h},
                            Usual{"vertical_load", 0.0, 1.5e4},
                            Usual{"slip_angle", -15.0 * degree, 15.0 * degree},
                            Usual{"slip_ratio", -1.0, 1.0},

@@ -17,29 +17,29 @@ namespace tiretherm::input {
 
 namespace {
 
-struct Kind {
+struct MeshKind {
     std::string_view name;
     bool (*read)(TomlTable& mesh, ProblemBuilder& builder);
 };
 
-constexpr std::array kinds{Kind{"two_node", read_two_node}, Kind{"layers", read_layers},
-                           Kind{"cylinder", read_cylinder}, Kind{"section", read_section},
-                           Kind{"block", read_block},       Kind{"axisymmetric", read_axisymmetric}};
+constexpr std::array mesh_kinds{MeshKind{"two_node", read_two_node}, MeshKind{"layers", read_layers},
+                                MeshKind{"cylinder", read_cylinder}, MeshKind{"section", read_section},
+                                MeshKind{"block", read_block},       MeshKind{"axisymmetric", read_axisymmetric}};
 
 }  // namespace
 
 void read_mesh(TomlTable& root, ProblemBuilder& builder) {
     TomlTable mesh = root.subtable("mesh", Need::required);
     builder.has_mesh = false;
-    std::array<std::string_view, kinds.size()> names;
-    std::transform(kinds.begin(), kinds.end(), names.begin(), [](const Kind& kind) { return kind.name; });
+    std::array<std::string_view, mesh_kinds.size()> names;
+    std::transform(mesh_kinds.begin(), mesh_kinds.end(), names.begin(), [](const MeshKind& kind) { return kind.name; });
     const std::optional<std::size_t> kind = mesh.choice("kind", names, Need::required);
     if (!kind) {
         mesh.allow_unknown_keys();
         return;
     }
     const std::size_t before = mesh.errors().count();
-    builder.has_mesh = kinds[*kind].read(mesh, builder) && mesh.errors().count() == before;
+    builder.has_mesh = mesh_kinds[*kind].read(mesh, builder) && mesh.errors().count() == before;
 }
 
 bool read_two_node(TomlTable& mesh, ProblemBuilder& builder) {

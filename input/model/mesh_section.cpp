@@ -20,7 +20,7 @@ namespace tiretherm::input {
 namespace {
 
 constexpr int most_columns = 10'000;
-constexpr QuantitySpec ratio{.unit = "1", .low = 1e-3, .high = 1e3};
+constexpr QuantitySpec ratio_of_ends{.unit = "1", .low = 1e-3, .high = 1e3};
 /// How far the profile has turned from the axis where the shoulder ends and where the bead begins. These two angles shape
 /// the picture and, through the local radius, the area of shoulders and sidewalls by a few per cent; assumed.
 constexpr double turn_at_sidewall = 45.0 / 180.0 * std::numbers::pi;
@@ -192,8 +192,8 @@ bool read_section(TomlTable& mesh, ProblemBuilder& builder) {
     stretches[crown].cells = mesh.count("crown_cells", 1, most_columns, Need::required).value_or(1);
     stretches[shoulders].cells = mesh.count("shoulder_cells", 0, most_columns, Need::required).value_or(0);
     stretches[sidewalls].cells = mesh.count("sidewall_cells", 0, most_columns, Need::required).value_or(0);
-    stretches[shoulders].ratio = mesh.quantity("shoulder_ratio", ratio).value_or(1.0);
-    stretches[sidewalls].ratio = mesh.quantity("sidewall_ratio", ratio).value_or(1.0);
+    stretches[shoulders].ratio = mesh.quantity("shoulder_ratio", ratio_of_ends).value_or(1.0);
+    stretches[sidewalls].ratio = mesh.quantity("sidewall_ratio", ratio_of_ends).value_or(1.0);
     stretches[shoulders].length = shoulder;
     stretches[crown].length = tread - (stretches[shoulders].cells > 0 ? 2.0 * shoulder : 0.0);
     stretches[sidewalls].length = mesh.quantity("sidewall_length", quantity_specs::length).value_or(0.0);

@@ -13,7 +13,7 @@ namespace tiretherm::input {
 namespace {
 
 constexpr std::size_t comment_column = 36;
-constexpr std::size_t width = 124;
+constexpr std::size_t line_width = 124;
 
 /// The words of a text in lines of at most `room` characters, one at least.
 std::vector<std::string> wrapped(const std::string& text, std::size_t room) {
@@ -41,7 +41,7 @@ std::string commented(const std::string& line, std::string_view comment) {
     }
     const std::size_t size = split_characters(line).size();
     const std::size_t column = std::max(comment_column, size + 2);
-    const std::size_t room = std::max<std::size_t>(width - std::min(width, column + 2), 40);
+    const std::size_t room = std::max<std::size_t>(line_width - std::min(line_width, column + 2), 40);
     std::string text = line + std::string(column - size, ' ');
     bool first = true;
     for (const std::string& part : wrapped(printable(comment), room)) {
@@ -71,7 +71,7 @@ void CaseWriter::suggestion(std::string_view key, std::string_view value, std::s
 }
 
 void CaseWriter::remark(std::string_view text) {
-    for (const std::string& line : wrapped(printable(text), width - 2)) {
+    for (const std::string& line : wrapped(printable(text), line_width - 2)) {
         text_ += "# " + line + "\n";
     }
 }

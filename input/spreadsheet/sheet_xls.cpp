@@ -15,13 +15,13 @@ namespace tiretherm::input {
 
 namespace {
 
-struct Closed {
+struct ClosedBook {
     void operator()(const void* book) const { freexl_close(book); }
 };
 
 /// More than any sheet of parameters has; a broken file may claim a table of millions.
-constexpr unsigned most_rows = 10'000;
-constexpr unsigned short most_columns = 256;
+constexpr unsigned most_xls_rows = 10'000;
+constexpr unsigned short most_xls_columns = 256;
 
 std::string text_of(const FreeXL_CellValue& cell) {
     switch (cell.type) {
@@ -50,9 +50,9 @@ std::optional<RawSheet> read_worksheet(const void* book, unsigned short number) 
         return std::nullopt;
     }
     RawSheet sheet{.name = name, .rows = {}};
-    for (unsigned r = 0; r < std::min(rows, most_rows); ++r) {
+    for (unsigned r = 0; r < std::min(rows, most_xls_rows); ++r) {
         std::vector<std::string>& row = sheet.rows.emplace_back();
-        for (unsigned short c = 0; c < std::min(columns, most_columns); ++c) {
+        for (unsigned short c = 0; c < std::min(columns, most_xls_columns); ++c) {
             FreeXL_CellValue cell{};
             row.push_back(freexl_get_cell_value(book, r, c, &cell) == FREEXL_OK ? text_of(cell) : std::string());
         }
@@ -67,7 +67,7 @@ RawBook broken(std::string_view why, std::string remedy = "save it anew, as .xls
 RawBook read_here(const std::filesystem::path& path) {
     const void* opened = nullptr;
     const int status = freexl_open(path.c_str(), &opened);
-    const std::unique_ptr<const void, Closed> book(opened);
+    const std::unique_ptr<const void, ClosedBook> book(opened);
     if (status == FREEXL_BIFF_WORKBOOK_NOT_FOUND || status == FREEXL_BIFF_INVALID_BOF) {
         return broken("is none: the file is another document, or of another program");
     }

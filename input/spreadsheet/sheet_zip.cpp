@@ -16,7 +16,7 @@ namespace {
 struct Discarded {
     void operator()(zip_t* archive) const { zip_discard(archive); }
 };
-struct Closed {
+struct ClosedFile {
     void operator()(zip_file_t* file) const { zip_fclose(file); }
 };
 
@@ -35,7 +35,7 @@ std::optional<std::string> part(zip_t* archive, const std::string& name, std::op
                     "save a workbook with the sheets of the parameters alone"};
         return std::nullopt;
     }
-    const std::unique_ptr<zip_file_t, Closed> file(zip_fopen(archive, name.c_str(), 0));
+    const std::unique_ptr<zip_file_t, ClosedFile> file(zip_fopen(archive, name.c_str(), 0));
     std::string bytes(about.size, '\0');
     if (!file || zip_fread(file.get(), bytes.data(), about.size) != static_cast<zip_int64_t>(about.size)) {
         return std::nullopt;

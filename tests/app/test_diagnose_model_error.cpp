@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::string practice = TIRETHERM_SOURCE_DIR "/cases/practice/";
+const std::string practice_section = TIRETHERM_SOURCE_DIR "/cases/practice/";
 
 // layers_run1 and 2 were made by an integrator of its own with 23 cells through tread and carcass of other conductivities
 // (section_bench.md), the noise 0.5 and 0.3 K. Two nodes, film, loss and starts fitted, miss them by several kelvin; layers
@@ -23,8 +23,9 @@ const std::string practice = TIRETHERM_SOURCE_DIR "/cases/practice/";
 TEST(DiagnoseBesideModelError, ACoarseMeshIsTheCause) {
     const input::Written written;
     const std::string out = (written.folder() / "out").string();
-    const Call found = call("diagnose " + practice + "two_node_bench.toml --data " + practice +
-                            "layers_run1.csv --data " + practice + "layers_run2.csv --no-by-run --json --out " + out);
+    const Call found =
+        call("diagnose " + practice_section + "two_node_bench.toml --data " + practice_section +
+             "layers_run1.csv --data " + practice_section + "layers_run2.csv --no-by-run --json --out " + out);
     ASSERT_EQ(found.exit_code, 0) << found.err;
     const Json json = Json::parse(found.out);
     EXPECT_EQ(json["verdict"], "partial") << json["reason"];
@@ -47,7 +48,7 @@ TEST(DiagnoseBesideModelError, ACoarseMeshIsTheCause) {
 }
 
 TEST(DiagnoseBesideModelError, ATimeLimitIsMoreThanNothing) {
-    const Call wrong = call("diagnose " + practice + "two_node_bench.toml --time-limit -1");
+    const Call wrong = call("diagnose " + practice_section + "two_node_bench.toml --time-limit -1");
     EXPECT_EQ(wrong.exit_code, 1);
     EXPECT_NE(wrong.err.find("the time limit is -1 s; give more than 0 s"), std::string::npos) << wrong.err;
 }

@@ -24,7 +24,7 @@ SectionTrace truth_of(const SectionProgramme& programme, const std::vector<Cause
     return drive_layers({.start = programme.air_temperature.front(), .causes = causes}, programme);
 }
 
-constexpr const char* four_times_finer = R"(
+constexpr const char* finer_layers = R"(
 [mesh]
 kind = "layers"
 [[mesh.layer]]
@@ -60,7 +60,7 @@ TEST(LayersTruth, ThePageIsTheCase) {
     const SectionTrace truth =
         drive_layers({.start = programme.air_temperature.front()}, programme, {.refinement = 2, .tolerance = 1e-5});
     const std::vector<std::vector<double>> project =
-        readings_of(practice_problem("layers_bench", four_times_finer, log_of(programme)), 4.0, 1e-4);
+        readings_of(practice_problem("layers_bench", finer_layers, log_of(programme)), 4.0, 1e-4);
     ASSERT_EQ(project.size(), layers_channels.size());
     for (std::size_t c = 0; c < project.size(); ++c) {
         EXPECT_LT(largest_difference(project[c], truth.channel[c]), 0.008) << layers_channels[c];

@@ -11,12 +11,12 @@ namespace hidden_effects {
 namespace {
 
 /// Fifteen minutes with camber, slip and a stop.
-SectionProgramme quarter_of_an_hour() { return first_of(draw_section_programme(406), 226); }
+SectionProgramme section_quarter_of_an_hour() { return first_of(draw_section_programme(406), 226); }
 
 double start_of(const SectionProgramme& programme) { return programme.air_temperature.front(); }
 
 /// The bench's logs with readings of no meaning, which a run of the program does not look at.
-std::vector<Column> log_of(const SectionProgramme& programme) {
+std::vector<Column> section_log_of(const SectionProgramme& programme) {
     const SectionTrace blank{.channel = {section_channels.size(), std::vector<double>(programme.time.size(), 300.0)}};
     std::vector<Column> log = section_columns(programme, blank);
     // As the truth has them: angles beyond the digits of a log.
@@ -26,7 +26,7 @@ std::vector<Column> log_of(const SectionProgramme& programme) {
     return log;
 }
 
-constexpr const char* four_times_finer = R"(
+constexpr const char* finer_section = R"(
 [mesh]
 kind = "section"
 crown_cells = 12
@@ -67,10 +67,10 @@ TEST(SectionTruth, IsConvergedToFiveMillikelvin) {
 // the program's grid, four times finer along the meridian and finer under the surface than the case's, is off by
 // 5 mK in the mean square (the page's table), and where the tire stops within 4 s by 10 mK at one sample.
 TEST(SectionTruth, ThePageIsTheCase) {
-    const SectionProgramme programme = quarter_of_an_hour();
+    const SectionProgramme programme = section_quarter_of_an_hour();
     const SectionTrace truth = drive_section({.start = start_of(programme)}, programme);
     const std::vector<std::vector<double>> project =
-        readings_of(practice_problem("section_bench", four_times_finer, log_of(programme)), 4.0, 1e-3);
+        readings_of(practice_problem("section_bench", finer_section, section_log_of(programme)), 4.0, 1e-3);
     ASSERT_EQ(project.size(), section_channels.size());
     for (std::size_t c = 0; c < project.size(); ++c) {
         SCOPED_TRACE(section_channels[c]);
@@ -104,13 +104,13 @@ TEST(SectionTruth, SettlesWhereThePageSays) {
     }
 }
 
-struct Example {
+struct SectionExample {
     Cause cause;
     std::string text;  ///< in the case
 };
 
 /// The causes of the page, of a size that changes a reading by kelvins.
-std::vector<Example> examples() {
+std::vector<SectionExample> examples() {
     return {
         {{"camber_asymmetry", {{"c", 5.0}}}, "[effects.camber_asymmetry]\nc = \"5 1/rad\"\n"},
         {{"sidewall_convection", {{"conductance", 10.0}}}, "[effects.sidewall_convection]\nconductance = \"10 W/K\"\n"},
@@ -146,12 +146,12 @@ std::vector<Example> examples() {
 // read differently, another place or another sign would be off by tens of per cent, the grid by what it is off at all,
 // 0.5 %, and by 15 mK at the first sample after film or friction have jumped.
 TEST(SectionTruth, ACauseChangesBothAlike) {
-    const SectionProgramme programme = quarter_of_an_hour();
+    const SectionProgramme programme = section_quarter_of_an_hour();
     const SectionBench plain{.start = start_of(programme)};
     const SectionTrace truth = drive_section(plain, programme);
-    const std::vector<Column> log = log_of(programme);
+    const std::vector<Column> log = section_log_of(programme);
     const std::vector<std::vector<double>> project = readings_of(practice_problem("section_bench", "", log), 4.0, 1e-3);
-    for (const Example& example : examples()) {
+    for (const SectionExample& example : examples()) {
         SCOPED_TRACE(example.text);
         SectionBench bench = plain;
         bench.causes = {example.cause};
@@ -175,7 +175,7 @@ TEST(SectionTruth, ACauseChangesBothAlike) {
 // Heat of the throttle: 100 W on a shoulder warm that side alone; 10 W/K at the inside sidewall cool
 // that side more, the other through the gas.
 TEST(SectionTruth, WhatIsInNoCatalogueShowsWhereItIs) {
-    const SectionProgramme programme = quarter_of_an_hour();
+    const SectionProgramme programme = section_quarter_of_an_hour();
     const SectionBench plain{.start = start_of(programme)};
     const SectionTrace truth = drive_section(plain, programme);
     const auto change = [&](const Cause& cause, std::size_t channel) {

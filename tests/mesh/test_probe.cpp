@@ -16,7 +16,7 @@ namespace tiretherm::mesh {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 const std::vector<Layer> stack{{.name = "tread", .thickness = 0.003, .cells = 4, .ratio = 2.0},
                                {.name = "bulk", .thickness = 0.012, .cells = 6, .ratio = 3.0}};
 

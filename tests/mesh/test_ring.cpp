@@ -19,7 +19,7 @@ namespace tiretherm::mesh {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Mesh section() { return build(support::tire_section({}, 1)); }
 

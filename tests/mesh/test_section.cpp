@@ -14,7 +14,7 @@ namespace tiretherm::mesh {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Tread and liner in the middle, wall rubber and liner on both sides: 10 and 6 mm thick.
 Section three_zones() {

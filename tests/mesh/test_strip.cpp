@@ -12,7 +12,7 @@ namespace tiretherm::mesh {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A flat drum, 0.3 m radius: five columns from -50 to 50 mm, 20 mm wide.
 Mesh drum() {

@@ -9,6 +9,7 @@
 #include "mesh/builders.hpp"
 #include "mesh/probe.hpp"
 #include "solver/problem.hpp"
+#include "tests/support/problem.hpp"
 
 namespace tiretherm::solver {
 
@@ -28,9 +29,7 @@ inline void act(Problem& problem, std::string_view id,
     switch_on(problem, std::move(active), 293.15);
 }
 
-inline void hold(Problem& problem, std::string_view signal, double value) {
-    problem.input_signals.add(*physics::find_signal(signal), value);
-}
+using support::hold;
 
 /// A strip of rubber, 10 mm thick, 1 m2, cooled on both sides with h = 20 W/m2K to 300 K; 300 K at the start.
 inline Problem strip(int cells) {

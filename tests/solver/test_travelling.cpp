@@ -18,7 +18,7 @@ namespace tiretherm::solver {
 
 namespace {
 
-constexpr double road = 296.15;
+constexpr double road_temperature = 296.15;
 constexpr double k = 0.29;
 constexpr double capacity = 1.98e6;
 
@@ -43,7 +43,7 @@ Problem tread(std::string_view contact, double end, int refinement = 1) {
     }
     support::hold(problem, "speed", 100.0 / 3.6);
     support::hold(problem, "vertical_load", 4000.0);
-    support::hold(problem, "road_temperature", road);
+    support::hold(problem, "road_temperature", road_temperature);
     support::read(problem, "surface", mesh::over_patch(problem.mesh, problem.mesh.find_patch("outside")));
     support::read(problem, "tread",
                   problem.mesh.regions[static_cast<std::size_t>(problem.mesh.find_region("bulk"))].mean);
@@ -101,7 +101,7 @@ TEST(TravellingContact, AgreesWithTheContactAveragedOverItsRevolutions) {
     const Revolution slow = last_revolution(averaged);
     const physics::ContactInRevolutions contact = *physics::contact_in_revolutions(
         averaged.effects.back(), std::sqrt(0.29 * 1.98e6), averaged.tire, averaged.input_signals.constants());
-    const double above = slow.mean - road;
+    const double above = slow.mean - road_temperature;
     EXPECT_GT(brute.entry - brute.exit, 10.0) << "the surface swings in each revolution";
     EXPECT_NEAR(brute.mean, slow.mean, 0.1);
     EXPECT_NEAR(brute.entry, slow.mean + above * contact.at_entry(), 0.1);
@@ -189,7 +189,7 @@ TEST(Ring, ComesToTheAveragedContactAsItsSectorsShrink) {
         Problem ring = column_around(sectors, 0.36);
         ring.settings.tolerance = 0.02;
         const physics::Effect& contact = physics::in_frames(*physics::find_effect("travelling_contact"));
-        solver::switch_on(ring, physics::activate(contact, ring.mesh), road);
+        solver::switch_on(ring, physics::activate(contact, ring.mesh), road_temperature);
         turn_wheel(ring);
         errors.push_back(support::run_closed(ring).joules.back() / averaged - 1.0);
     }

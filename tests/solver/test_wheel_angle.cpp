@@ -16,7 +16,7 @@ namespace tiretherm::solver {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Problem rolling_column() {
     Problem problem = support::tire_problem(1);

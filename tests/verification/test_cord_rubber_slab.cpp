@@ -15,9 +15,9 @@ namespace tiretherm {
 namespace {
 
 constexpr double cold = 293.15;
-constexpr double hot = 373.15;
+constexpr double hot_slab = 373.15;
 constexpr double h = 500.0;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 /// Steel cords at +-22 degrees; with 0.25 W/mK of rubber k1 = 12.6875 and k2 = 0.25 * 62.6875/37.8125 W/mK.
 constexpr physics::ConductingCords steel{.share = 0.25, .conductivity_along = 50.0, .conductivity_across = 50.0};
 constexpr double angle = 22.0 * pi / 180.0;
@@ -55,7 +55,7 @@ Passed pass(const Brick& brick, const physics::Curve& rubber, int cells) {
     problem.materials[0].conductivity = physics::ply_conductivity(steel, rubber, angle);
     support::switch_on(problem, "conduction");
     support::switch_on(problem, support::surroundings, {{"h", h}, {"T", cold}}, {brick.faces[0]});
-    support::switch_on(problem, support::surroundings, {{"h", h}, {"T", hot}}, {brick.faces[1]});
+    support::switch_on(problem, support::surroundings, {{"h", h}, {"T", hot_slab}}, {brick.faces[1]});
     support::start_at(problem, 330.0);
     problem.settings.steady = true;
     problem.settings.tolerance = 1e-8;
@@ -76,11 +76,11 @@ TEST(CordRubberSlab, PassesTheHeatOfItsResistanceInEachDirection) {
     const std::array k{12.6875 * (1.0 - c2) + k2 * c2, 12.6875 * c2 + k2 * (1.0 - c2), k2};
     for (std::size_t i = 0; i < bricks.size(); ++i) {
         for (const int cells : {2, 5}) {
-            const double watts = bricks[i].area() * (hot - cold) / (2.0 / h + bricks[i].length() / k[i]);
+            const double watts = bricks[i].area() * (hot_slab - cold) / (2.0 / h + bricks[i].length() / k[i]);
             const Passed passed = pass(bricks[i], physics::Curve::constant(0.25), cells);
             EXPECT_NEAR(passed.watts / watts, 1.0, 1e-8) << i;
             EXPECT_NEAR(passed.cold_face, cold + watts / (h * bricks[i].area()), 1e-6) << i;
-            EXPECT_NEAR(passed.hot_face, hot - watts / (h * bricks[i].area()), 1e-6) << i;
+            EXPECT_NEAR(passed.hot_face, hot_slab - watts / (h * bricks[i].area()), 1e-6) << i;
         }
     }
 }

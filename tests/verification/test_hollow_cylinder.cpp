@@ -13,7 +13,7 @@
 namespace tiretherm {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A tube cooled outside with h to 300 K, with a heater of `watts` on its inner surface.
 solver::Problem tube(const mesh::Cylinder& cylinder, const std::vector<double>& conductivities, double h,

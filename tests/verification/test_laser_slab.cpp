@@ -16,7 +16,7 @@
 namespace tiretherm {
 namespace {
 
-constexpr double air = 296.15;
+constexpr double laboratory_air = 296.15;
 const double spot = std::sqrt(1e-4 / std::numbers::pi);
 constexpr std::array<double, 4> times{10.0, 60.0, 300.0, 600.0};
 
@@ -47,8 +47,8 @@ void fill(solver::Problem& problem, bool is_linear) {
     support::switch_on(problem, "laser", {{"radius", spot}});
     support::switch_on(problem, "still_air");  // 10 W/m2K on top and bottom
     support::hold(problem, "laser_power", 1.0);
-    support::hold(problem, "air_temperature", air);
-    support::start_at(problem, air);
+    support::hold(problem, "air_temperature", laboratory_air);
+    support::start_at(problem, laboratory_air);
     support::read(problem, "top", mesh::at_point(problem.mesh, {0.0, 0.0, 0.0}));
     support::read(problem, "bottom", mesh::at_point(problem.mesh, {0.0, 0.0, 0.015}));
     problem.settings.end = 600.0;
@@ -162,7 +162,7 @@ TEST(LaserSlab, PlaceOfTheRimHardlyMatters) {
     const support::History circumscribed = support::record(round(true, 0.030 * std::numbers::sqrt2));
     ASSERT_EQ(inscribed.time.size(), circumscribed.time.size());
     for (std::size_t i = 0; i < 2; ++i) {
-        const double rise = inscribed.channels.back()[i] - air;
+        const double rise = inscribed.channels.back()[i] - laboratory_air;
         const double change = (inscribed.channels.back()[i] - circumscribed.channels.back()[i]) / rise;
         support::expect_below(i == 0 ? "top" : "bottom", change, 1e-3);
     }

@@ -12,7 +12,7 @@ namespace tiretherm {
 namespace {
 
 /// A small laser specimen in three dimensions.
-solver::Problem block(bool varying) {
+solver::Problem block_with(bool varying) {
     solver::Problem problem;
     problem.title = varying ? "nonlinear block" : "linear block";
     problem.mesh = mesh::build(mesh::Block{.x = {{0.006, 4, 1.0}, {0.030, 6, 4.0}},
@@ -50,7 +50,7 @@ TEST(LinearSolvers, CholeskyAndConjugateGradientsGiveTheSameField) {
     for (const bool varying : {false, true}) {
         for (const double tolerance : {1e-2, 1e-4}) {
             for (const bool fixed : {true, false}) {
-                solver::Problem problem = block(varying);
+                solver::Problem problem = block_with(varying);
                 problem.settings.tolerance = tolerance;
                 if (fixed) {
                     problem.settings.fixed_step = 5.0;
@@ -63,7 +63,7 @@ TEST(LinearSolvers, CholeskyAndConjugateGradientsGiveTheSameField) {
                                       largest_difference(direct, iterative), (fixed ? 1.0 : 3.0) * tolerance);
             }
         }
-        solver::Problem problem = block(varying);
+        solver::Problem problem = block_with(varying);
         problem.settings.steady = true;
         problem.settings.tolerance = 1e-5;
         problem.settings.linear_solver = solver::LinearSolver::cholesky;
@@ -77,7 +77,7 @@ TEST(LinearSolvers, CholeskyAndConjugateGradientsGiveTheSameField) {
 TEST(LinearSolvers, SteadyStateOfConductivitiesAMillionApartIsWithinTheTolerance) {
     // Layers of 1e3 and 1e-3 W/mK in turn: what one good conductor is warmer than the next hardly shows in the heat balance,
     // so that an iteration that ends on a small residual is far from the field.
-    solver::Problem problem = block(false);
+    solver::Problem problem = block_with(false);
     problem.mesh = mesh::build(mesh::Block{.x = {{0.03, 8, 1.0}},
                                            .y = {{0.03, 8, 1.0}},
                                            .stack = {{"tread", 0.003, 3, 1.0},

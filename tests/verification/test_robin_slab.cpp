@@ -46,7 +46,7 @@ solver::Problem slab(int cells, double end) {
 }
 
 /// Errors of the three readings [K], and of the heat given off, as kelvin of the whole slab.
-std::array<double, 4> errors(const solver::Problem& problem) {
+std::array<double, 4> errors_of_slab(const solver::Problem& problem) {
     const support::LayeredSlab exact = exact_slab();
     const double t = problem.settings.end;
     const auto modes = exact.modes(t);
@@ -91,7 +91,7 @@ TEST(RobinSlab, SurfacesAndMiddleConvergeAtSecondOrderInSpace) {
     for (const int cells : {8, 16, 32, 64}) {
         solver::Problem problem = slab(cells, 300.0);
         problem.settings.tolerance = 1e-9;
-        const auto now = errors(problem);
+        const auto now = errors_of_slab(problem);
         for (std::size_t i = 0; i < 4; ++i) {
             all[i].push_back(now[i]);
         }
@@ -111,7 +111,7 @@ TEST(RobinSlab, TrBdf2ConvergesAtSecondOrderInTime) {
         solver::Problem problem = slab(600, 300.0);
         problem.settings.fixed_step = step;
         problem.settings.tolerance = 1e-7;
-        const auto now = errors(problem);
+        const auto now = errors_of_slab(problem);
         at_surface.push_back(now[outside]);
         in_middle.push_back(now[middle]);
     }
@@ -128,7 +128,7 @@ TEST(RobinSlab, BackwardEulerConvergesAtFirstOrderInTime) {
         problem.settings.method = solver::Method::backward_euler;
         problem.settings.fixed_step = step;
         problem.settings.tolerance = 1e-7;
-        const auto now = errors(problem);
+        const auto now = errors_of_slab(problem);
         at_surface.push_back(now[outside]);
         in_middle.push_back(now[middle]);
     }
@@ -143,7 +143,7 @@ TEST(RobinSlab, ErrorControlKeepsTheToleranceAfterTheUnfittingStart) {
         for (const double end : {5.0, 50.0, 500.0}) {
             solver::Problem problem = slab(400, end);
             problem.settings.tolerance = tolerance;
-            for (const double error : errors(problem)) {
+            for (const double error : errors_of_slab(problem)) {
                 EXPECT_LE(std::abs(error), 3.0 * tolerance) << "tolerance " << tolerance << " K, at " << end << " s";
             }
         }

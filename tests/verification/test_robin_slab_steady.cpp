@@ -7,7 +7,7 @@
 namespace tiretherm {
 namespace {
 
-constexpr double area = 0.5;
+constexpr double slab_area = 0.5;
 
 TEST(RobinSlab, SurfaceSettlesAt333K) {
     // 1/12.5 outside, 0.012/0.3 in the rubber, 1/25 inside: 0.08 + 0.04 + 0.04 = 0.16 m2K/W between 293.15 and 373.15
@@ -16,7 +16,7 @@ TEST(RobinSlab, SurfaceSettlesAt333K) {
     for (const int cells : {1, 2, 7}) {
         solver::Problem problem;
         problem.title = "steady Robin slab";
-        problem.mesh = mesh::build(mesh::Layers{.area = area, .stack = {{"rubber", 0.012, cells, 2.0}}});
+        problem.mesh = mesh::build(mesh::Layers{.area = slab_area, .stack = {{"rubber", 0.012, cells, 2.0}}});
         problem.materials = {support::material(0.3, 1100.0, 1800.0)};
         support::switch_on(problem, "conduction");
         support::switch_on(problem, support::surroundings, {{"h", 12.5}, {"T", 293.15}}, {"outside"});
@@ -28,7 +28,7 @@ TEST(RobinSlab, SurfaceSettlesAt333K) {
         const solver::Report report = support::run_closed(problem);
         EXPECT_NEAR(report.channel_final[0], 333.15, 1e-9);
         EXPECT_NEAR(report.channel_final[1], 353.15, 1e-9);
-        EXPECT_NEAR(report.watts[1], -area * 80.0 / 0.16, 1e-7);  // 250 W
+        EXPECT_NEAR(report.watts[1], -slab_area * 80.0 / 0.16, 1e-7);  // 250 W
     }
 }
 

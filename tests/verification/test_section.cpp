@@ -17,7 +17,7 @@ namespace {
 // The problem "section" of performance.md, section 2.
 constexpr double width = 0.225;
 constexpr double depth = 0.015;
-constexpr double conductivity = 0.25;
+constexpr double section_conductivity = 0.25;
 constexpr double capacity = 1100.0 * 1800.0;
 constexpr double source = 1e5;
 constexpr std::array<double, 4> times{60.0, 300.0, 600.0, 1200.0};
@@ -37,8 +37,8 @@ constexpr std::array<Row, 4> table{{{26.0182, 24.9942, 25.7965, 24.7201, 19141.4
                                     {55.1029, 37.9194, 54.3807, 32.3300, 189686.2}}};
 
 support::HeatedRectangle exact_rectangle() {
-    return {{.layers = {{width, conductivity, capacity}}, .h_top = 20.0, .h_bottom = 20.0},
-            {.layers = {{depth, conductivity, capacity}}, .h_top = 60.0, .h_bottom = 10.0},
+    return {{.layers = {{width, section_conductivity, capacity}}, .h_top = 20.0, .h_bottom = 20.0},
+            {.layers = {{depth, section_conductivity, capacity}}, .h_top = 60.0, .h_bottom = 10.0},
             source};
 }
 
@@ -59,7 +59,7 @@ solver::Problem section(int nx, int nz) {
                                            .stack = {{"rubber", depth, nz, 1.0}},
                                            .quarter = false,
                                            .side_patches = true});
-    problem.materials = {support::material(conductivity, 1100.0, 1800.0)};
+    problem.materials = {support::material(section_conductivity, 1100.0, 1800.0)};
     support::switch_on(problem, "conduction");
     support::switch_on(problem, "uniform_source", {{"power_density", source}});
     support::switch_on(problem, "still_air", {{"h", 60.0}}, {"top"});

@@ -15,7 +15,7 @@
 namespace tiretherm {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Largest difference of two fields. K
 double apart(const std::vector<double>& a, const std::vector<double>& b) {

@@ -23,7 +23,7 @@ sample::Log with_dead(sample::Log log, std::string_view sensor) {
     return log;
 }
 
-Diagnosis diagnosis_of(const input::Experiment& experiment) {
+Diagnosis refused_diagnosis_of(const input::Experiment& experiment) {
     Diagnosis result =
         diagnose(experiment, observe(experiment), {.measure_gain = false, .finer = nullptr, .plan_next = false});
     EXPECT_TRUE(result.status.ok()) << result.status.message;
@@ -39,14 +39,15 @@ TEST(DiagnosisRefusal, LeavesADeadSensorOut) {
         sample::practice_bench({with_dead(sample::read_log(sample::practice() / "run1.csv"), "bulk_temperature")});
     const Observations observations = observe(experiment);
     EXPECT_EQ(observations.names, std::vector<std::string>{"surface_temperature"});
-    const Diagnosis result = diagnosis_of(experiment);
+    const Diagnosis result = refused_diagnosis_of(experiment);
     EXPECT_EQ(result.verdict, Verdict::consistent) << result.reason;
     EXPECT_TRUE(result.hypotheses.empty());
 }
 
 TEST(DiagnosisRefusal, SaysNothingWhereAllSensorsAreDead) {
     sample::Log log = with_dead(sample::read_log(sample::practice() / "run1.csv"), "bulk_temperature");
-    const Diagnosis result = diagnosis_of(sample::practice_bench({with_dead(std::move(log), "surface_temperature")}));
+    const Diagnosis result =
+        refused_diagnosis_of(sample::practice_bench({with_dead(std::move(log), "surface_temperature")}));
     EXPECT_EQ(result.verdict, Verdict::cannot_tell);
     EXPECT_EQ(result.reason, "no sensor changes (surface_temperature of run1, bulk_temperature of run1).");
 }
@@ -57,7 +58,7 @@ TEST(DiagnosisRefusal, SaysNothingWithAsManyValuesAsNumbers) {
     for (std::vector<double>& column : log.columns) {
         column = {column.front(), column.back()};
     }
-    const Diagnosis result = diagnosis_of(sample::practice_bench({log}));
+    const Diagnosis result = refused_diagnosis_of(sample::practice_bench({log}));
     EXPECT_EQ(result.verdict, Verdict::cannot_tell);
     EXPECT_TRUE(result.reason.starts_with("4 values for 4 free numbers and 2 noises leave nothing")) << result.reason;
     EXPECT_EQ(result.extended, result.base);
@@ -75,7 +76,7 @@ TEST(DiagnosisRefusal, NamesNoCauseAtItsBound) {
             }
         }
     }
-    const Diagnosis result = diagnosis_of(sample::practice_bench({log}));
+    const Diagnosis result = refused_diagnosis_of(sample::practice_bench({log}));
     for (const std::vector<std::size_t>& hypothesis : result.hypotheses) {
         for (const std::size_t cause : hypothesis) {
             EXPECT_TRUE(result.causes[cause].bound.empty()) << result.causes[cause].id;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Dense logs thinned to block means: fitted numbers, their intervals and a delay stay; short logs, slow sensors, gaps.
 
+#include <numbers>
+
 #include "diagnosis/observations/thinning.hpp"
 
 #include "diagnosis/noise/noise_sample.hpp"
@@ -11,7 +13,7 @@ namespace tiretherm::diagnosis {
 
 namespace {
 
-constexpr double pi = 3.141592653589793;
+using std::numbers::pi;
 
 /// Laps of 80 s with corners every 13 s, on the bench.
 sample::Log laps(double rate, double length) {

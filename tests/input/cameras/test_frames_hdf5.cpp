@@ -48,7 +48,7 @@ ExperimentReading read_hdf5(const Write& write, std::string_view camera = one_ca
                                                         "[[run]]\nname = \"heating\"\nframes = \"frames.h5\"\n"));
 }
 
-std::string what_is_wrong(const ExperimentReading& reading) {
+std::string what_is_wrong_with(const ExperimentReading& reading) {
     std::string text;
     for (const InputError& error : reading.errors) {
         text += error.what + " | " + error.remedy + "\n";
@@ -100,7 +100,7 @@ TEST(Hdf5Frames, ThatAreWrongInSeveralWaysAreToldOfAll) {
         file.write("/time", Values{0.0, 10.0, 20.0}, 0, units("s"));
     });
     EXPECT_FALSE(reading.experiment);
-    const std::string found = what_is_wrong(reading);
+    const std::string found = what_is_wrong_with(reading);
     for (const char* what : {"the dataset frames is in \"W\"", "the dataset frames has no attribute pixel_size_units",
                              "time has 3 values for 2 frames | give each frame one moment"}) {
         EXPECT_NE(found.find(what), std::string::npos) << what << "\nin\n" << found;
@@ -108,7 +108,7 @@ TEST(Hdf5Frames, ThatAreWrongInSeveralWaysAreToldOfAll) {
 }
 
 TEST(Hdf5Frames, WhoseTimeGoesBackAreRefused) {
-    EXPECT_EQ(what_is_wrong(read_hdf5([](post::Hdf5File& file) {
+    EXPECT_EQ(what_is_wrong_with(read_hdf5([](post::Hdf5File& file) {
                   add_frames(file, frames_of_two());
                   file.write("/time", Values{10.0, 5.0}, 0, units("s"));
               })),
@@ -116,19 +116,19 @@ TEST(Hdf5Frames, WhoseTimeGoesBackAreRefused) {
 }
 
 TEST(Hdf5Frames, WhoseShapeDoesNotFitAreRefused) {
-    EXPECT_EQ(what_is_wrong(read_hdf5([](post::Hdf5File& file) {
+    EXPECT_EQ(what_is_wrong_with(read_hdf5([](post::Hdf5File& file) {
                   add_frames(file, frames_of_two(), "degC", 8);
                   file.write("/time", Values{0.0, 5.0, 10.0}, 0, units("s"));
               })),
               "an image of 3 x 4 pixels has 12 values, and frames has 8 in a row | correct the attributes rows and "
               "columns, or write three dimensions\n");
-    EXPECT_EQ(what_is_wrong(read_hdf5([](post::Hdf5File& file) { file.write("/T", Values{1.0}, 0, units("K")); })),
+    EXPECT_EQ(what_is_wrong_with(read_hdf5([](post::Hdf5File& file) { file.write("/T", Values{1.0}, 0, units("K")); })),
               "the file has no dataset frames of numbers | write the images as frames [n, rows, columns], with the "
               "attribute units = \"degC\"\n");
 }
 
 TEST(Hdf5Frames, WithoutALivingPixelAreRefused) {
-    EXPECT_EQ(what_is_wrong(read_hdf5([](post::Hdf5File& file) {
+    EXPECT_EQ(what_is_wrong_with(read_hdf5([](post::Hdf5File& file) {
                   add_frames(file, Values(24, std::nan("")));
                   file.write("/time", Values{0.0, 5.0}, 0, units("s"));
               })),
@@ -137,7 +137,7 @@ TEST(Hdf5Frames, WithoutALivingPixelAreRefused) {
 }
 
 TEST(Hdf5Frames, ThatAreCutOffAreRefused) {
-    const std::string found = what_is_wrong(read_hdf5(
+    const std::string found = what_is_wrong_with(read_hdf5(
         [](post::Hdf5File& file) {
             add_frames(file, frames_of_two());
             file.write("/time", Values{0.0, 5.0}, 0, units("s"));

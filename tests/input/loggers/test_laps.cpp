@@ -18,7 +18,7 @@ using made_up::Session;
 
 Laps four_laps() { return {.source = LapSource::markers, .laps = laps_between({30.0, 90.0, 150.5}, 0.0, 200.0)}; }
 
-Positions drive(double end, double step) {
+Positions driven_circuit(double end, double step) {
     Positions positions;
     for (double t = 0.0; t < end; t += step) {
         positions.time.push_back(t);
@@ -32,8 +32,8 @@ Positions drive(double end, double step) {
 ExperimentReading read_aim(const std::string& keys) {
     const Written written;
     written.add("session.csv", made_up::aim_csv(Session(2201, 0.05)));
-    const std::string drive = "[drive]\nair_temperature = \"25 degC\"\nroad_temperature = \"30 degC\"\n";
-    return read_experiment(written.add("case.toml", std::string(bench) + drive + keys));
+    const std::string driven_circuit = "[drive]\nair_temperature = \"25 degC\"\nroad_temperature = \"30 degC\"\n";
+    return read_experiment(written.add("case.toml", std::string(bench) + driven_circuit + keys));
 }
 
 }  // namespace
@@ -94,7 +94,7 @@ TEST(Laps, ShowTheirTimeInMinutes) {
 // The car goes round a circle; where the line is found, it is crossed once in each lap of 10 pi s, whatever the place. Between
 // samples 4 m apart a straight line differs from the circle by 10 mm at most, 0.3 ms at 40 m/s.
 TEST(Track, ClosesOnceALap) {
-    const Positions positions = drive(110.0, 0.1);
+    const Positions positions = driven_circuit(110.0, 0.1);
     const std::optional<StartLine> line = find_start_line(positions);
     ASSERT_TRUE(line.has_value());
     const std::vector<double> times = crossings_of(positions, *line);
@@ -102,7 +102,7 @@ TEST(Track, ClosesOnceALap) {
     for (std::size_t i = 1; i < times.size(); ++i) {
         EXPECT_NEAR(times[i] - times[i - 1], 10.0 * std::acos(-1.0), 1e-3);
     }
-    EXPECT_FALSE(find_start_line(drive(25.0, 0.1)).has_value());  // less than a lap
+    EXPECT_FALSE(find_start_line(driven_circuit(25.0, 0.1)).has_value());  // less than a lap
 }
 
 // Lap 1 goes from 15.708 to 47.124 s in steps of 0.05 s: from 15.75 to 47.10 s.

@@ -16,7 +16,7 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 std::string good(std::string_view name) {
     return "include = [\"" + (source_folder() / "tests/bad_cases/good" / name).string() + "\"]\n";

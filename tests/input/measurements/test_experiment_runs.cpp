@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using physics::Inputs;
 
-double input(const MeasuredRun& run, double t, double Inputs::*member) {
+double input_at(const MeasuredRun& run, double t, double Inputs::*member) {
     return run.problem.input_signals.at(t, solver::JumpSide::after).*member;
 }
 
@@ -71,8 +71,8 @@ TEST(Runs, EachHasItsOwnInputs) {
     const auto& runs = runs_of(reading, 2);
     EXPECT_EQ(runs[0].name, "slow");
     EXPECT_EQ(runs[1].name, "fast");
-    EXPECT_NEAR(input(runs[0], 50.0, &Inputs::speed), 10.0, 1e-12);
-    EXPECT_NEAR(input(runs[1], 50.0, &Inputs::speed), 20.0, 1e-12);
+    EXPECT_NEAR(input_at(runs[0], 50.0, &Inputs::speed), 10.0, 1e-12);
+    EXPECT_NEAR(input_at(runs[1], 50.0, &Inputs::speed), 20.0, 1e-12);
     EXPECT_EQ(runs[0].problem.name, runs[1].problem.name);
 }
 
@@ -102,13 +102,13 @@ tolerance = "0.05 K"
     const auto& runs = runs_of(reading, 2);
     EXPECT_NEAR(runs[0].problem.initial[0], 304.15, 1e-9);
     EXPECT_NEAR(runs[0].problem.initial[1], 304.15, 1e-9);
-    EXPECT_NEAR(input(runs[0], 0.0, &Inputs::camber), 2.0 * M_PI / 180.0, 1e-12);
+    EXPECT_NEAR(input_at(runs[0], 0.0, &Inputs::camber), 2.0 * M_PI / 180.0, 1e-12);
     EXPECT_EQ(runs[0].problem.settings.end, 100.0) << "the file's, not the case's";
     EXPECT_EQ(runs[0].problem.settings.tolerance, 0.02);
     EXPECT_EQ(runs[1].name, "second half");
     EXPECT_NEAR(runs[1].problem.initial[0], 313.15, 1e-9);  // its own
     EXPECT_NEAR(runs[1].problem.initial[1], 296.15, 1e-9);  // the case's
-    EXPECT_EQ(input(runs[1], 0.0, &Inputs::camber), 0.0);
+    EXPECT_EQ(input_at(runs[1], 0.0, &Inputs::camber), 0.0);
     EXPECT_EQ(runs[1].problem.settings.start, 30.0) << "its own table's";
     EXPECT_EQ(runs[1].problem.settings.end, 90.0);
     EXPECT_EQ(runs[1].problem.settings.tolerance, 0.05);
@@ -127,9 +127,9 @@ rows = [[0, 5, 0], [100, 5, 1]]
 )")
                                           .read();
     const auto& runs = runs_of(reading, 2);
-    EXPECT_NEAR(input(runs[1], 50.0, &Inputs::speed), 20.0, 1e-12);
-    EXPECT_EQ(input(runs[1], 50.0, &Inputs::vertical_load), 4000.0);
-    EXPECT_NEAR(input(runs[1], 50.0, &Inputs::camber), 0.5 * M_PI / 180.0, 1e-12) << "what no file gives stays";
+    EXPECT_NEAR(input_at(runs[1], 50.0, &Inputs::speed), 20.0, 1e-12);
+    EXPECT_EQ(input_at(runs[1], 50.0, &Inputs::vertical_load), 4000.0);
+    EXPECT_NEAR(input_at(runs[1], 50.0, &Inputs::camber), 0.5 * M_PI / 180.0, 1e-12) << "what no file gives stays";
 }
 
 TEST(Runs, MayStartAtTheTemperatureOfTheAir) {
@@ -208,9 +208,9 @@ TEST(Runs, FilesBesideTheCaseTakeThePlaceOfItsRuns) {
     EXPECT_EQ(runs[0].name, "a_log");
     EXPECT_EQ(runs[1].name, "b_log");
     EXPECT_EQ(runs[2].name, "fast");
-    EXPECT_NEAR(input(runs[0], 50.0, &Inputs::speed), 10.0, 1e-12);
-    EXPECT_NEAR(input(runs[1], 50.0, &Inputs::speed), 20.0, 1e-12);
-    EXPECT_NEAR(input(runs[2], 50.0, &Inputs::speed), 20.0, 1e-12);
+    EXPECT_NEAR(input_at(runs[0], 50.0, &Inputs::speed), 10.0, 1e-12);
+    EXPECT_NEAR(input_at(runs[1], 50.0, &Inputs::speed), 20.0, 1e-12);
+    EXPECT_NEAR(input_at(runs[2], 50.0, &Inputs::speed), 20.0, 1e-12);
     EXPECT_EQ(runs[2].time.front(), 20.0);
     const ExperimentReading without = rig.read();
     ASSERT_EQ(without.errors.size(), 1U) << error_report(without);
@@ -256,7 +256,7 @@ TEST(Runs, MissingSamplesAreLeftOutOfInputsAndStayMissingInSensors) {
     const ExperimentReading reading = rig.read();
     const auto& runs = runs_of(reading, 1);
     // Straight from 5 m/s at 10 s to 10 m/s at 30 s.
-    EXPECT_NEAR(input(runs[0], 20.0, &Inputs::speed), 7.5, 1e-12);
+    EXPECT_NEAR(input_at(runs[0], 20.0, &Inputs::speed), 7.5, 1e-12);
     ASSERT_EQ(runs[0].series.size(), 1U);
     EXPECT_EQ(runs[0].time.size(), 12U);
     EXPECT_TRUE(std::isnan(runs[0].series[0].value[2]));
@@ -271,7 +271,7 @@ TEST(Runs, MissingSamplesAreLeftOutOfInputsAndStayMissingInSensors) {
 TEST(Runs, AUnitOfTheCaseWinsOverTheHeadingWithAWarning) {
     const ExperimentReading reading = Bench("[[run]]\nfile = \"slow.csv\"\nunits = { speed = \"m/s\" }\n").read();
     const auto& runs = runs_of(reading, 1);
-    EXPECT_NEAR(input(runs[0], 50.0, &Inputs::speed), 36.0, 1e-12);
+    EXPECT_NEAR(input_at(runs[0], 50.0, &Inputs::speed), 36.0, 1e-12);
     ASSERT_EQ(reading.warnings.size(), 1U) << error_report(reading);
     EXPECT_TRUE(reading.warnings[0].ends_with("the column speed is in [km/h] by its heading; m/s is taken instead"));
 }
@@ -298,8 +298,8 @@ TEST(Runs, AFileWinsOverALogOfTheCaseColumnByColumn) {
     rig.add("rig.csv", "time [s],speed [km/h],camber [deg]\n0,1,0\n200,1,2\n");
     const ExperimentReading reading = rig.read();
     const auto& runs = runs_of(reading, 1);
-    EXPECT_NEAR(input(runs[0], 50.0, &Inputs::speed), 10.0, 1e-12);
-    EXPECT_NEAR(input(runs[0], 50.0, &Inputs::camber), 0.5 * M_PI / 180.0, 1e-12);
+    EXPECT_NEAR(input_at(runs[0], 50.0, &Inputs::speed), 10.0, 1e-12);
+    EXPECT_NEAR(input_at(runs[0], 50.0, &Inputs::camber), 0.5 * M_PI / 180.0, 1e-12);
     EXPECT_EQ(runs[0].problem.settings.end, 100.0) << "the run's file says how long, not the log of the case";
 }
 

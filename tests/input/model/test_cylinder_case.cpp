@@ -13,7 +13,7 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 const std::string rubber =
     "[[mesh.layer]]\nname = \"tread\"\nthickness = \"12 mm\"\ncells = 4\nmaterial = \"rubber\"\n"

@@ -18,9 +18,9 @@ namespace tiretherm::input {
 namespace {
 
 constexpr double zero = 273.15;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
-solver::Problem read(std::string_view name) {
+solver::Problem read_library(std::string_view name) {
     Reading reading = read_case(source_folder() / "cases" / (std::string(name) + ".toml"));
     EXPECT_TRUE(reading.problem.has_value()) << render(reading);
     EXPECT_TRUE(reading.warnings.empty()) << render(reading);
@@ -114,7 +114,7 @@ TEST(Library, EveryCaseIsSound) {
 
 // Thesis-notes section 2: S_tot = 2 pi 0.3308 0.225 = 0.46766 m2, m = 1100 S_tot 0.012 = 6.173 kg, 15 % of it outside.
 TEST(Library, TwoNodeIsTheThesissTire) {
-    const solver::Problem problem = read("two_node/4000N_100kmh");
+    const solver::Problem problem = read_library("two_node/4000N_100kmh");
     const double area = 2.0 * pi * 0.3308 * 0.225;
     EXPECT_NEAR(problem.tire.outer_area(), area, 1e-12);
     EXPECT_NEAR(problem.tire.band_mass(), 6.173, 0.0005);
@@ -155,7 +155,7 @@ TEST(Library, TwoNodeCasesDifferInLoadSpeedAndMeasurement) {
     for (const Row& row : {Row{"two_node/4000N_100kmh", 4000.0, 100.0 / 3.6, 50.0},
                            Row{"two_node/7000N_100kmh", 7000.0, 100.0 / 3.6, 70.0},
                            Row{"two_node/7500N_150kmh", 7500.0, 150.0 / 3.6, 80.0}}) {
-        const solver::Problem problem = read(row.name);
+        const solver::Problem problem = read_library(row.name);
         const physics::Inputs inputs = problem.input_signals.at(1800.0, solver::JumpSide::after);
         EXPECT_NEAR(inputs.speed, row.speed, 1e-13);
         EXPECT_DOUBLE_EQ(inputs.vertical_load, row.load);
@@ -173,7 +173,7 @@ TEST(Library, TwoNodeCasesDifferInLoadSpeedAndMeasurement) {
 TEST(Library, LaserCasesAreAxisymmetricWithTwoLayers) {
     for (const auto& [name, power, low, high] :
          {std::tuple("laser/one_watt", 1.0, 40.0, 50.0), std::tuple("laser/three_watts", 3.0, 60.0, 80.0)}) {
-        const solver::Problem problem = read(name);
+        const solver::Problem problem = read_library(name);
         ASSERT_TRUE(problem.mesh.grid.has_value());
         EXPECT_EQ(problem.mesh.grid->metric, mesh::Metric::axisymmetric);
         EXPECT_NEAR(problem.mesh.grid->edge[0].back(), 0.060, 1e-15);
@@ -290,7 +290,7 @@ TEST(Library, LaserToIdentifyFreesTwoQuadraticsAndTheBench) {
 // Performance page, section 1: 30 x 30 x 15 mm of a quarter, K1 above 3 mm; K1(40) = 0.29 + 0.0094 20 = 0.478,
 // K2(40) = 0.060 + 0.0002 20 = 0.064.
 TEST(Library, SlabsAreTheReferenceProblem) {
-    const solver::Problem linear = read("reference/slab_linear");
+    const solver::Problem linear = read_library("reference/slab_linear");
     EXPECT_EQ(linear.mesh.n_cells, 16 * 16 * 58);
     EXPECT_DOUBLE_EQ(linear.symmetry, 4.0);
     EXPECT_NEAR(linear.mesh.total_volume(), 0.03 * 0.03 * 0.015, 1e-15);
@@ -306,12 +306,12 @@ TEST(Library, SlabsAreTheReferenceProblem) {
     }
     EXPECT_NEAR(shares, 0.25, 1e-12);
 
-    const solver::Problem nonlinear = read("reference/slab_nonlinear");
+    const solver::Problem nonlinear = read_library("reference/slab_nonlinear");
     EXPECT_NEAR(nonlinear.materials[0].conductivity[2].value(zero + 100.0), 0.29 + 0.0094 * 80.0, 1e-12);
     EXPECT_NEAR(nonlinear.materials[1].conductivity[2].value(zero + 100.0), 0.060 + 0.0002 * 80.0, 1e-12);
     EXPECT_DOUBLE_EQ(nonlinear.settings.end, 600.0);
 
-    const solver::Problem round = read("reference/slab_axisymmetric");
+    const solver::Problem round = read_library("reference/slab_axisymmetric");
     EXPECT_EQ(round.materials, nonlinear.materials);
     EXPECT_NEAR(round.mesh.total_volume(), 0.06 * 0.06 * 0.015, 3e-5 * 5.4e-5);  // the radius is rounded to 1e-5
     EXPECT_DOUBLE_EQ(round.symmetry, 1.0);
@@ -319,7 +319,7 @@ TEST(Library, SlabsAreTheReferenceProblem) {
 
 // Performance page, section 2. A metre along y, so that joules are those per metre.
 TEST(Library, SectionHasItsOwnCoefficientOnEachSide) {
-    const solver::Problem problem = read("reference/section");
+    const solver::Problem problem = read_library("reference/section");
     EXPECT_EQ(problem.mesh.n_cells, 450 * 60);
     EXPECT_NEAR(problem.mesh.total_volume(), 0.225 * 0.015, 1e-12);
     EXPECT_DOUBLE_EQ(effect(problem, "uniform_source")[0], 1e5);

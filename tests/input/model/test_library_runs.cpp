@@ -13,7 +13,7 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr double zero = 273.15;
+constexpr double zero_of_library = 273.15;
 
 /// Final temperatures of the channels in degrees Celsius.
 std::vector<double> run(std::string_view name, bool steady = false) {
@@ -28,7 +28,7 @@ std::vector<double> run(std::string_view name, bool steady = false) {
     EXPECT_LE(report.energy_closure, 1e-10) << name;
     std::vector<double> celsius = report.channel_final;
     for (double& T : celsius) {
-        T -= zero;
+        T -= zero_of_library;
     }
     return celsius;
 }
@@ -49,9 +49,9 @@ TEST(LibraryRuns, LayersShowTheInnerFaceThatTwoNodesHide) {
     support::TwoNodeThesis rolling;
     rolling.V = 100.0 / 3.6;
     rolling.Fz = 4000.0;
-    rolling.T_air = rolling.T_track = 23.0 + zero;
+    rolling.T_air = rolling.T_track = 23.0 + zero_of_library;
     const auto after_an_hour = [&](SectionThesis::Kind kind) {
-        SectionThesis layers(kind, 23.0 + zero);
+        SectionThesis layers(kind, 23.0 + zero_of_library);
         for (int i = 0; i < 36000; ++i) {
             layers.step(rolling, 0.0);
         }
@@ -59,14 +59,18 @@ TEST(LibraryRuns, LayersShowTheInnerFaceThatTwoNodesHide) {
     };
     const SectionThesis one = after_an_hour(SectionThesis::Kind::one_rubber);
     expect_near(run("layers/one_rubber"),
-                {one.surface() - zero, one.bulk() - zero, one.liner() - zero, one.outside_probe() - zero}, 0.06);
-    expect_near({one.surface() - zero, one.bulk() - zero, one.liner() - zero}, {37.7, 68.9, 78.8}, 0.06);
+                {one.surface() - zero_of_library, one.bulk() - zero_of_library, one.liner() - zero_of_library,
+                 one.outside_probe() - zero_of_library},
+                0.06);
+    expect_near({one.surface() - zero_of_library, one.bulk() - zero_of_library, one.liner() - zero_of_library},
+                {37.7, 68.9, 78.8}, 0.06);
     const SectionThesis two = after_an_hour(SectionThesis::Kind::crown_alone);
     const std::vector<double> found = run("layers/two_conductivities");
-    expect_near({found[0], found[2], found[3]}, {two.surface() - zero, two.liner() - zero, two.outside_probe() - zero},
+    expect_near({found[0], found[2], found[3]},
+                {two.surface() - zero_of_library, two.liner() - zero_of_library, two.outside_probe() - zero_of_library},
                 0.06);
-    expect_near({two.surface() - zero, two.liner() - zero}, {38.6, 80.2}, 0.06);
-    EXPECT_NEAR(found[1], two.bulk() - zero, 0.06);
+    expect_near({two.surface() - zero_of_library, two.liner() - zero_of_library}, {38.6, 80.2}, 0.06);
+    EXPECT_NEAR(found[1], two.bulk() - zero_of_library, 0.06);
 }
 
 // LSODA at 1e-8, an integration apart from this project, printed to 0.1 K: half a digit and the stepper's 0.01 K.

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double zero = 273.15;
 
-solver::Problem read(const std::string& text) {
+solver::Problem read_section(const std::string& text) {
     const Written written;
     Reading reading = read_case(written.add("case.toml", text));
     if (!reading.problem) {
@@ -51,7 +51,7 @@ std::size_t channel(const solver::Problem& problem, std::string_view name) {
 
 // 225 mm of tread, a fifth each shoulder; the profile ends where the rim begins, R0 - H = 218.3 mm.
 TEST(SectionCase, HasTheThesisTiresZones) {
-    const solver::Problem problem = read(included(""));
+    const solver::Problem problem = read_section(included(""));
     const mesh::Mesh& mesh = problem.mesh;
     EXPECT_EQ(mesh.zones, (std::vector<std::string>{"outside_sidewall", "outside_shoulder", "crown", "inside_shoulder",
                                                     "inside_sidewall"}));
@@ -71,7 +71,7 @@ TEST(SectionCase, HasTheThesisTiresZones) {
 
 // A probe at the middles of both shoulders reads the mean of its two places.
 TEST(SectionCase, SensorsStandInZones) {
-    const solver::Problem problem = read(included(R"(
+    const solver::Problem problem = read_section(included(R"(
 [[sensor]]
 name = "both"
 kind = "point"
@@ -100,21 +100,21 @@ zone = "inside_sidewall"
 TEST(SectionCase, GasAndRimStartWithTheAir) {
     const std::string effects =
         "[effects.inner_gas]\n[effects.rim_conduction]\n[drive]\nair_temperature = \"10 degC\"\n";
-    const solver::Problem problem = read(included(effects));
+    const solver::Problem problem = read_section(included(effects));
     const auto at = [&](std::string_view name) {
         return problem.initial[static_cast<std::size_t>(problem.mesh.find_lumped_node(name))];
     };
     EXPECT_NEAR(at("gas"), zero + 10.0, 1e-12);
     EXPECT_NEAR(at("rim"), zero + 10.0, 1e-12);
-    const solver::Problem stated = read(included(effects + "[initial]\nrim = \"60 degC\"\n"));
+    const solver::Problem stated = read_section(included(effects + "[initial]\nrim = \"60 degC\"\n"));
     EXPECT_NEAR(stated.initial[static_cast<std::size_t>(stated.mesh.find_lumped_node("rim"))], zero + 60.0, 1e-12);
 }
 
 // (51) F_R = SEL R_R/(V R_L); (52) with the bulk's temperature; (60) lambda_Tb = CP / K; and the lateral force that (59)
 // makes of it, beside the one without temperature.
 TEST(SectionCase, ReadsForcesAndStiffness) {
-    const solver::Problem problem =
-        read(included("[tire]\nproperty_file = \"" + (source_folder() / "tests/input/data/made_up.tir").string() + R"("
+    const solver::Problem problem = read_section(
+        included("[tire]\nproperty_file = \"" + (source_folder() / "tests/input/data/made_up.tir").string() + R"("
 [tire.modulus]
 lambda_CP = 0.5
 [drive]
@@ -171,7 +171,7 @@ TEST(SectionCase, WarnsOfTwoContacts) {
 // Heated at constant volume from the start of the case: p = (p0 + 101.325 kPa) T/T0 - 101.325 kPa, also where the run is
 // a steady state and never was cold.
 TEST(SectionCase, GasPressureCountsFromTheStart) {
-    const solver::Problem problem = read(included(R"(
+    const solver::Problem problem = read_section(included(R"(
 [effects.inner_gas]
 [drive]
 inflation_pressure = "220 kPa"
@@ -194,7 +194,7 @@ kind = "gas_pressure"
 
 // One offset for a sensor, another for a second.
 TEST(SectionCase, ReadingsAreBoundToSensors) {
-    const solver::Problem problem = read(included(R"(
+    const solver::Problem problem = read_section(included(R"(
 [effects.sensor_offset]
 channels = ["bulk_temperature", "wall"]
 kelvin = "1 K"

@@ -14,9 +14,9 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr double zero = 273.15;
+constexpr double zero_of_strips = 273.15;
 
-solver::Problem read(const std::string& text) {
+solver::Problem read_strips(const std::string& text) {
     const Written written;
     const std::string base = (source_folder() / "tests/bad_cases/good/section.toml").string();
     Reading reading = read_case(written.add("case.toml", "include = [\"" + base + "\"]\n" + text));
@@ -27,7 +27,7 @@ solver::Problem read(const std::string& text) {
     return *reading.problem;
 }
 
-const solver::Channel& channel(const solver::Problem& problem, std::string_view name) {
+const solver::Channel& channel_of(const solver::Problem& problem, std::string_view name) {
     for (const solver::Channel& candidate : problem.channels) {
         if (candidate.name == name) {
             return candidate;
@@ -52,7 +52,7 @@ std::vector<double> along(const solver::Problem& problem) {
 // 303 K: the first is the outermost on the outboard side. The crown's rings differ by 0.5 % in radius over a column, which
 // moves a mean by less than 0.005 * 1 K.
 TEST(Strips, AreChannelsSideBySideFromOutboardToInboard) {
-    const solver::Problem problem = read(R"(
+    const solver::Problem problem = read_strips(R"(
 [[sensor]]
 name = "ir"
 kind = "strips"
@@ -71,19 +71,19 @@ meaning = "camera"
     const std::vector<double> T = along(problem);
     for (const auto& [name, expected] :
          {std::pair{"ir_1", 297.0}, std::pair{"ir_2", 299.0}, std::pair{"ir_3", 301.0}, std::pair{"ir_4", 303.0}}) {
-        EXPECT_NEAR(channel(problem, name).where(T), expected, 5e-3) << name;
-        EXPECT_EQ(channel(problem, name).standard_deviation, 0.8);
+        EXPECT_NEAR(channel_of(problem, name).where(T), expected, 5e-3) << name;
+        EXPECT_EQ(channel_of(problem, name).standard_deviation, 0.8);
     }
-    EXPECT_NEAR(channel(problem, "wide").where(T), 300.0, 1e-9);  // symmetric
-    EXPECT_EQ(channel(problem, "wide").meaning, "camera");
-    EXPECT_FALSE(channel(problem, "wide").standard_deviation.has_value());
-    EXPECT_EQ(channel(problem, "ir_1").meaning, "outer surface, mean from -40 to -20 mm along the meridian");
+    EXPECT_NEAR(channel_of(problem, "wide").where(T), 300.0, 1e-9);  // symmetric
+    EXPECT_EQ(channel_of(problem, "wide").meaning, "camera");
+    EXPECT_FALSE(channel_of(problem, "wide").standard_deviation.has_value());
+    EXPECT_EQ(channel_of(problem, "ir_1").meaning, "outer surface, mean from -40 to -20 mm along the meridian");
 }
 
 // Sensors stand behind strips as behind any temperature: at the start everything has 23 degC = 296.15 K, the lagged
 // channel too; the gain of 0.1 about 298.15 K takes 0.2 K, the offset adds 2 K.
 TEST(Strips, AreReadThroughLagOffsetAndGain) {
-    const solver::Problem problem = read(R"(
+    const solver::Problem problem = read_strips(R"(
 [[sensor]]
 name = "ir"
 kind = "strips"
@@ -111,8 +111,9 @@ emissivity = 0.9
     });
     ASSERT_TRUE(report.status.ok()) << report.status.message;
     ASSERT_EQ(first.size(), 3U);
-    EXPECT_NEAR(first[1], zero + 25.0, 1e-9);  // surface and surroundings are alike: the emissivity does not show
-    EXPECT_NEAR(first[2], zero + 22.8, 1e-9);
+    EXPECT_NEAR(first[1], zero_of_strips + 25.0,
+                1e-9);  // surface and surroundings are alike: the emissivity does not show
+    EXPECT_NEAR(first[2], zero_of_strips + 22.8, 1e-9);
 }
 
 // What an array of infrared sensors has written is read by the names of its strips.
@@ -137,7 +138,7 @@ file = "camera.csv"
     const MeasuredRun& run = reading.experiment->runs.front();
     ASSERT_EQ(run.series.size(), 2U);
     EXPECT_EQ(run.problem.channels[run.series[1].channel].name, "ir_2");
-    EXPECT_NEAR(run.series[1].value[1], zero + 25.0, 1e-9);
+    EXPECT_NEAR(run.series[1].value[1], zero_of_strips + 25.0, 1e-9);
     EXPECT_TRUE(std::isnan(run.series[1].value[2]));
 }
 
@@ -160,7 +161,7 @@ channels = ["ir"]
 // A flat distribution has its width over the root of 12 as standard deviation: 10 K make 2.887 K, with 2.8 K of the
 // source's 4.022 K.
 TEST(Measured, HasItsUncertaintyAndItsRanges) {
-    const solver::Problem problem = read(R"(
+    const solver::Problem problem = read_strips(R"(
 [[sensor]]
 name = "radius"
 kind = "loaded_radius"
@@ -191,7 +192,7 @@ uncertainty = "1 mm"
     EXPECT_NEAR(problem.measured[3].uncertainty.value_or(0.0), 4.0216083, 1e-6);
     EXPECT_NEAR(problem.measured[4].low, 0.31, 1e-15);
     EXPECT_NEAR(problem.measured[4].uncertainty.value_or(0.0), 1e-3, 1e-18);
-    EXPECT_NEAR(channel(problem, "radius").standard_deviation.value_or(0.0), 3e-4, 1e-18);
+    EXPECT_NEAR(channel_of(problem, "radius").standard_deviation.value_or(0.0), 3e-4, 1e-18);
 }
 
 }  // namespace tiretherm::input

@@ -10,7 +10,7 @@ namespace tiretherm::input {
 
 namespace {
 
-Reading read(const std::string& tables, const std::string& base = "tire") {
+Reading read_tire(const std::string& tables, const std::string& base = "tire") {
     const Written written;
     return read_case(written.add(
         "case.toml",
@@ -19,7 +19,7 @@ Reading read(const std::string& tables, const std::string& base = "tire") {
 
 /// The only warning, or what there is in its place.
 std::string warning(const std::string& tables, const std::string& base = "tire") {
-    const Reading reading = read(tables, base);
+    const Reading reading = read_tire(tables, base);
     EXPECT_TRUE(reading.problem.has_value()) << render(reading);
     EXPECT_EQ(reading.warnings.size(), 1U) << render(reading);
     return reading.warnings.empty() ? "" : reading.warnings.front();
@@ -32,11 +32,11 @@ void expect_in(const std::string& text, const std::string& piece) {
 }  // namespace
 
 TEST(TireRanges, LawsFollowThePressureOnlyWhereItIsGiven) {
-    EXPECT_EQ(read("").problem->tire.reference_pressure, 0.0);
-    EXPECT_EQ(read("[drive]\ninflation_pressure = \"230 kPa\"\n").problem->tire.reference_pressure, 220e3);
+    EXPECT_EQ(read_tire("").problem->tire.reference_pressure, 0.0);
+    EXPECT_EQ(read_tire("[drive]\ninflation_pressure = \"230 kPa\"\n").problem->tire.reference_pressure, 220e3);
     const std::string own = "[tire]\nreference_pressure = \"2.5 bar\"\npressure_exponent_of_loss = 0.4\n";
-    EXPECT_EQ(read(own).problem->tire.reference_pressure, 0.0);
-    const Reading both = read(own + "[drive]\ninflation_pressure = \"230 kPa\"\n");
+    EXPECT_EQ(read_tire(own).problem->tire.reference_pressure, 0.0);
+    const Reading both = read_tire(own + "[drive]\ninflation_pressure = \"230 kPa\"\n");
     EXPECT_EQ(both.problem->tire.reference_pressure, 250e3);
     EXPECT_EQ(both.problem->tire.pressure_exponent_of_loss, 0.4);
 }
@@ -44,7 +44,7 @@ TEST(TireRanges, LawsFollowThePressureOnlyWhereItIsGiven) {
 // 0.5 and 1.7 times 220 kPa are 110 and 374 kPa.
 TEST(TireRanges, PressuresFarFromTheReferenceAreTold) {
     for (const char* pressure : {"112 kPa", "370 kPa"}) {
-        const Reading reading = read(std::string("[drive]\ninflation_pressure = \"") + pressure + "\"\n");
+        const Reading reading = read_tire(std::string("[drive]\ninflation_pressure = \"") + pressure + "\"\n");
         EXPECT_TRUE(reading.warnings.empty()) << render(reading);
     }
     expect_in(
@@ -56,7 +56,7 @@ TEST(TireRanges, PressuresFarFromTheReferenceAreTold) {
 
 // 25 kN deflect by 4.2e-6 25000 = 105 mm, 93 % of 112.5 mm; 10.7 kN by 44.9 mm, 39.9 %.
 TEST(TireRanges, LoadsThatFoldTheTireAreTold) {
-    EXPECT_TRUE(read("[drive]\nvertical_load = \"10.7 kN\"\n").warnings.empty());
+    EXPECT_TRUE(read_tire("[drive]\nvertical_load = \"10.7 kN\"\n").warnings.empty());
     expect_in(warning("[drive]\nvertical_load = \"25 kN\"\n"),
               "2.5e+04 N at 0 s deflect the tire by 105.0 mm, 93 % of its section's height: the laws of the load know "
               "no more "
@@ -77,14 +77,14 @@ TEST(TireRanges, InputsThatOnlySensorsReadAreTold) {
     const std::string inner =
         "[effects.inner_gas]\n[effects.strain_energy_loss]\non = false\n[effects.air_convection]\non = "
         "false\n[effects.road_contact]\non = false\n";
-    const Reading said = read(inner + "[drive]\ninflation_pressure = \"230 kPa\"\n" + sensor);
+    const Reading said = read_tire(inner + "[drive]\ninflation_pressure = \"230 kPa\"\n" + sensor);
     ASSERT_EQ(said.warnings.size(), 2U) << render(said);
     expect_in(render(said), "no heat follows inflation_pressure: pressure alone reads it");
     expect_in(render(said), "no active effect and no sensor uses road_temperature");
 }
 
 TEST(TireRanges, LawIsReadWithItsRange) {
-    const Reading reading = read(
+    const Reading reading = read_tire(
         "[[material]]\nname = \"rubber\"\nconductivity = { at = \"20 degC\", value = \"0.29 W/mK\", slope = \"0.0094 "
         "W/mK/K\", "
         "range = [\"20 degC\", \"120 degC\"] }\n");
@@ -106,16 +106,16 @@ TEST(TireRanges, ShareOfTheRoadThatCountsTwiceIsTold) {
         "\"1 kN\"\n[effects.sliding_friction]\n";
     expect_in(warning(slides),
               "partition = 0.6 gives the road 0.4 of the heat of sliding, and resolved_contact lets the road");
-    EXPECT_TRUE(read(slides + "partition = \"charm\"\n").warnings.empty());
-    EXPECT_TRUE(read(slides + "partition = 1.0\n").warnings.empty()) << "heat that is made in the tread";
+    EXPECT_TRUE(read_tire(slides + "partition = \"charm\"\n").warnings.empty());
+    EXPECT_TRUE(read_tire(slides + "partition = 1.0\n").warnings.empty()) << "heat that is made in the tread";
 }
 
 // Either of the two gives the slip along the heading; what is left to be said is that there is no property file.
 TEST(TireRanges, SensorOfTheMagicFormulaTakesASlipSpeedToo) {
     const std::string sensor = "[[sensor]]\nname = \"Fx\"\nkind = \"longitudinal_force\"\n";
-    expect_in(render(read(sensor)), "longitudinal_force follows slip_ratio, which [drive] lacks");
+    expect_in(render(read_tire(sensor)), "longitudinal_force follows slip_ratio, which [drive] lacks");
     for (const char* slip : {"slip_ratio = 0.05\n", "slip_speed = \"1 m/s\"\n"}) {
-        const Reading reading = read(std::string("[drive]\n") + slip + sensor);
+        const Reading reading = read_tire(std::string("[drive]\n") + slip + sensor);
         ASSERT_EQ(reading.errors.size(), 1U) << render(reading);
         expect_in(render(reading), "the tire has no property file");
     }

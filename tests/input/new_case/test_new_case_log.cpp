@@ -6,7 +6,7 @@
 namespace tiretherm::input {
 namespace {
 
-constexpr double zero = 273.15;
+constexpr double zero_of_log = 273.15;
 
 /// A minute in standard names; the tire starts warm.
 constexpr std::string_view standard_log =
@@ -77,12 +77,14 @@ TEST(NewCaseLog, TireStartsWhereItsSensorsDo) {
         for (int node = 0; node < cells.n_nodes; ++node) {
             const auto i = static_cast<std::size_t>(node);
             if (cells.layer[i] >= 0) {
-                EXPECT_NEAR(problem.initial[i], zero + (cells.layer[i] == 0 ? outer : 45.5), 1e-9) << mesh << node;
+                EXPECT_NEAR(problem.initial[i], zero_of_log + (cells.layer[i] == 0 ? outer : 45.5), 1e-9)
+                    << mesh << node;
             }
         }
         for (const mesh::LumpedNode& lumped : cells.lumped_nodes) {
             const double expected = lumped.name == "gas" ? 40.0 : 21.0;  // the rim stands in the air
-            EXPECT_NEAR(problem.initial[static_cast<std::size_t>(lumped.node)], zero + expected, 1e-9) << lumped.name;
+            EXPECT_NEAR(problem.initial[static_cast<std::size_t>(lumped.node)], zero_of_log + expected, 1e-9)
+                << lumped.name;
         }
     }
 }
@@ -103,7 +105,7 @@ TEST(NewCaseLog, SpellingOfNamesAndUnitsIsForgiven) {
     const ExperimentReading reading = read_experiment(written.add("case.toml", made.text));
     ASSERT_TRUE(reading.experiment.has_value()) << render(reading.errors.front());
     const MeasuredRun& run = reading.experiment->runs.at(0);
-    EXPECT_NEAR(run.series.at(0).value.at(0), zero + 30.0, 1e-9);
+    EXPECT_NEAR(run.series.at(0).value.at(0), zero_of_log + 30.0, 1e-9);
     EXPECT_NEAR(run.problem.input_signals.at(5.0, solver::JumpSide::after).speed, 50.0 / 3.6, 1e-12);
 }
 
@@ -121,7 +123,8 @@ TEST(NewCaseLog, InputsThatTheLogLacksAreConstants) {
                                                  "drive.road_temperature 12 degC"}));
     const Reading reading = read_case(written.add("case.toml", made.text));
     ASSERT_TRUE(reading.problem) << render(reading);
-    EXPECT_NEAR(reading.problem->input_signals.at(5.0, solver::JumpSide::after).road_temperature, zero + 12.0, 1e-9);
+    EXPECT_NEAR(reading.problem->input_signals.at(5.0, solver::JumpSide::after).road_temperature, zero_of_log + 12.0,
+                1e-9);
 }
 
 TEST(NewCaseLog, OddLogRunsAtOnceAndIsComparedOnceItsColumnsAreConfirmed) {
@@ -150,11 +153,11 @@ TEST(NewCaseLog, OddLogRunsAtOnceAndIsComparedOnceItsColumnsAreConfirmed) {
     ASSERT_TRUE(reading.experiment.has_value()) << render(reading.errors.front()) << confirmed(made.text);
     const MeasuredRun& run = reading.experiment->runs.at(0);
     ASSERT_EQ(run.series.size(), 1U);
-    EXPECT_NEAR(run.series[0].value[1], zero + 30.0, 1e-9);
+    EXPECT_NEAR(run.series[0].value[1], zero_of_log + 30.0, 1e-9);
     const physics::Inputs inputs = run.problem.input_signals.at(30.0, solver::JumpSide::before);
     EXPECT_NEAR(inputs.speed, 25.0, 1e-12);
     EXPECT_NEAR(inputs.vertical_load, 4200.0, 1e-9);
-    EXPECT_NEAR(inputs.air_temperature, zero + 25.0, 1e-9);
+    EXPECT_NEAR(inputs.air_temperature, zero_of_log + 25.0, 1e-9);
 }
 
 // Inputs alone drive the tire; a column with a gap or without a unit is left to a constant.
@@ -173,7 +176,7 @@ TEST(NewCaseLog, InputsAloneDriveTheTire) {
     const physics::Inputs inputs = reading.problem->input_signals.at(5.0, solver::JumpSide::after);
     EXPECT_NEAR(inputs.speed, 15.0, 1e-12);
     EXPECT_NEAR(inputs.vertical_load, 4000.0, 1e-9);
-    EXPECT_NEAR(inputs.road_temperature, zero + 20.0, 1e-9);
+    EXPECT_NEAR(inputs.road_temperature, zero_of_log + 20.0, 1e-9);
     EXPECT_EQ(reading.problem->settings.end, 20.0);
     std::vector<std::string> missing;
     for (const MissingPart& part : made.missing) {

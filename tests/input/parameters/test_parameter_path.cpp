@@ -20,12 +20,12 @@ namespace {
 namespace fs = std::filesystem;
 using solver::FreeParameter;
 
-std::string including(const std::string& name) {
+std::string case_including(const std::string& name) {
     return "include = [\"" + (source_folder() / "tests/bad_cases/good" / name).string() + "\"]\n";
 }
 
 /// A section with an effect of each sort. A name of a material has dots and a blank.
-const std::string section_case = including("section.toml") + R"(
+const std::string section_case = case_including("section.toml") + R"(
 [effects.still_air]
 patches = ["inside", "beads"]
 h_by_patch = { beads = "40 W/m2K" }
@@ -64,7 +64,7 @@ value = "40 degC"
 uncertainty = "1 K"
 )";
 
-Experiment read(const fs::path& file) {
+Experiment read_again(const fs::path& file) {
     ExperimentReading reading = read_experiment(file);
     for (const InputError& error : reading.errors) {
         ADD_FAILURE() << render(error);
@@ -94,7 +94,7 @@ TomlValue text_value(const std::string& text) {
 
 /// The numbers that a [[parameter]] with this text frees, added to a case.
 std::vector<FreeParameter> freed(const Written& written, const std::string& text, const std::string& entry) {
-    const Experiment experiment = read(written.add("free.toml", text + "[[parameter]]\n" + entry));
+    const Experiment experiment = read_again(written.add("free.toml", text + "[[parameter]]\n" + entry));
     return experiment.parameters;
 }
 
@@ -193,7 +193,7 @@ TEST(ParameterPath, FreesWhatTheFormsOfAParameterFree) {
         ASSERT_EQ(by_path.size(), 1U);
         ASSERT_EQ(by_form.size(), 1U);
         expect_same(by_path.front(), by_form.front());
-        const Experiment experiment = read(written.add("plain.toml", section_case));
+        const Experiment experiment = read_again(written.add("plain.toml", section_case));
         EXPECT_EQ(ParameterPath::of(experiment.runs.front().problem, by_path.front()).text(), path);
     }
 }
@@ -201,7 +201,7 @@ TEST(ParameterPath, FreesWhatTheFormsOfAParameterFree) {
 TEST(ParameterPath, FreesALawAtItsTemperatures) {
     const Written written;
     const std::string at = "at = [\"40 degC\", \"90 degC\"]\n";
-    const std::string two_node = including("tire.toml") +
+    const std::string two_node = case_including("tire.toml") +
                                  "[[measured]]\nchannel = \"bulk_temperature\"\nvalue = \"40 degC\"\n"
                                  "uncertainty = \"1 K\"\n";
     for (const auto& [text, path, form] : std::vector<std::array<std::string, 3>>{
@@ -213,7 +213,7 @@ TEST(ParameterPath, FreesALawAtItsTemperatures) {
         const std::vector<FreeParameter> by_form = freed(written, text, form + at);
         ASSERT_EQ(by_path.size(), 2U);
         ASSERT_EQ(by_form.size(), 2U);
-        const Experiment experiment = read(written.add("plain.toml", text));
+        const Experiment experiment = read_again(written.add("plain.toml", text));
         for (std::size_t i = 0; i < 2; ++i) {
             expect_same(by_path[i], by_form[i]);
             EXPECT_EQ(ParameterPath::of(experiment.runs.front().problem, by_path[i]).text(), path);
@@ -227,7 +227,7 @@ TEST(ParameterPath, FreesNumbersOfACamera) {
     written.add("frames.csv", frames_csv());
     const std::string text =
         std::string(camera_bench) + std::string(one_camera) + "emissivity = 0.9\n" + std::string(one_run);
-    const Experiment experiment = read(written.add("plain.toml", text));
+    const Experiment experiment = read_again(written.add("plain.toml", text));
     for (const std::string key : {"x", "blur", "emissivity"}) {
         SCOPED_TRACE(key);
         const std::vector<FreeParameter> by_path = freed(written, text, "key = \"camera.camera." + key + "\"\n");

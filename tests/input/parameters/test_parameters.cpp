@@ -19,7 +19,7 @@ namespace {
 using solver::FreeParameter;
 using Kind = FreeParameter::Kind;
 
-constexpr double zero = 273.15;
+constexpr double celsius_zero = 273.15;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// A number that makes the case an experiment; its runs, where it has some, bring their own.
@@ -154,7 +154,7 @@ expected = "2 kJ/kgK"
         const FreeParameter& number = experiment.parameters[k];
         EXPECT_EQ(number.kind, Kind::conductivity);
         EXPECT_EQ(number.layers, (std::vector<int>{0, 1}));  // tread and carcass are of one rubber
-        EXPECT_EQ(number.knots, (std::vector<double>{zero + 40.0, zero + 90.0, 413.15}));
+        EXPECT_EQ(number.knots, (std::vector<double>{celsius_zero + 40.0, celsius_zero + 90.0, 413.15}));
         EXPECT_EQ(number.knot, k);
         EXPECT_NEAR(number.prior, 0.5, 1e-15);
         EXPECT_EQ(number.standard_deviation, 0.1);

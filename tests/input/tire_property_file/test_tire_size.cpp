@@ -7,7 +7,7 @@
 namespace tiretherm::input {
 namespace {
 
-TireSize read(std::string_view text) {
+TireSize read_size(std::string_view text) {
     const auto size = read_tire_size(text);
     EXPECT_TRUE(std::holds_alternative<TireSize>(size)) << text;
     return std::holds_alternative<TireSize>(size) ? std::get<TireSize>(size) : TireSize{};
@@ -15,7 +15,7 @@ TireSize read(std::string_view text) {
 
 // H = 0.5 * 225 mm, rim 17 * 25.4 mm, R = 215.9 + 112.5 mm.
 TEST(TireSize, PassengerTireHasItsDimensions) {
-    const TireSize size = read("225/50 R17");
+    const TireSize size = read_size("225/50 R17");
     EXPECT_EQ(size.text, "225/50 R17");
     EXPECT_NEAR(size.width, 0.225, 1e-12);
     EXPECT_NEAR(size.section_height, 0.1125, 1e-12);
@@ -28,27 +28,27 @@ TEST(TireSize, PassengerTireHasItsDimensions) {
 TEST(TireSize, SpellingsOfOneSizeAreAlike) {
     for (const std::string_view text :
          {"225/50R17", " P225/50 ZR17 94W", "225/50-17", "225 / 50 r 17", "T225/50 R17"}) {
-        EXPECT_NEAR(read(text).radius(), 0.3284, 1e-12) << text;
-        EXPECT_FALSE(read(text).light_truck) << text;
+        EXPECT_NEAR(read_size(text).radius(), 0.3284, 1e-12) << text;
+        EXPECT_FALSE(read_size(text).light_truck) << text;
     }
-    EXPECT_NEAR(read("315/80 R22.5").rim_diameter, 0.5715, 1e-12);
+    EXPECT_NEAR(read_size("315/80 R22.5").rim_diameter, 0.5715, 1e-12);
 }
 
 TEST(TireSize, LightTruckTiresAreMarked) {
-    EXPECT_TRUE(read("265/65 R16C").light_truck);
-    EXPECT_TRUE(read("265/65 R16C 112/110R").light_truck);
-    EXPECT_TRUE(read("LT265/70 R17").light_truck);
+    EXPECT_TRUE(read_size("265/65 R16C").light_truck);
+    EXPECT_TRUE(read_size("265/65 R16C 112/110R").light_truck);
+    EXPECT_TRUE(read_size("LT265/70 R17").light_truck);
 }
 
 TEST(TireSize, ServiceDescriptionMayStandBehind) {
-    EXPECT_FALSE(read("225/50 R17").service);
-    ASSERT_TRUE(read("225/50 R17 94H").service);
-    EXPECT_EQ(read("225/50 R17 94H").service->load_index, 94);
-    EXPECT_EQ(read("225/50 R17 94H").service->speed_symbol, 'H');
-    EXPECT_EQ(read("265/65 R16C 112/110R").service->load_index, 112);
-    EXPECT_EQ(read("265/65 R16C 112/110R").service->speed_symbol, 'R');
-    EXPECT_EQ(read("225/50 R17 94").service->speed_symbol, ' ');
-    EXPECT_FALSE(read("225/50 R17 XL").service);
+    EXPECT_FALSE(read_size("225/50 R17").service);
+    ASSERT_TRUE(read_size("225/50 R17 94H").service);
+    EXPECT_EQ(read_size("225/50 R17 94H").service->load_index, 94);
+    EXPECT_EQ(read_size("225/50 R17 94H").service->speed_symbol, 'H');
+    EXPECT_EQ(read_size("265/65 R16C 112/110R").service->load_index, 112);
+    EXPECT_EQ(read_size("265/65 R16C 112/110R").service->speed_symbol, 'R');
+    EXPECT_EQ(read_size("225/50 R17 94").service->speed_symbol, ' ');
+    EXPECT_FALSE(read_size("225/50 R17 XL").service);
 }
 
 TEST(TireSize, OtherTextsAreRefusedWithAnExample) {

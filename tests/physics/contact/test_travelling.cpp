@@ -17,9 +17,9 @@ namespace tiretherm::physics {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
-Inputs rolling(double wheel_angle) {
+Inputs rolling_at_angle(double wheel_angle) {
     Inputs in;
     in.speed = 100.0 / 3.6;
     in.vertical_load = 4000.0;
@@ -54,24 +54,24 @@ TEST(ContactOfHalfSpaces, GivesAtEachMomentWhatItsMeanIsMadeOf) {
 TEST(TravellingContact, MeetsThePlaceAtAngleZeroHalfATurnAfterTheStart) {
     const Tire tire;
     const double length = tire.contact_length(4000.0) / tire.rolling_radius(4000.0);
-    const TravellingContact start(tire, rolling(0.0));
+    const TravellingContact start(tire, rolling_at_angle(0.0));
     EXPECT_NEAR(start.length(), length, 1e-15);
     EXPECT_NEAR(start.length(), 0.0967 / 0.3232, 2e-4);
     EXPECT_FALSE(start.part(0, 1).inside);
-    EXPECT_FALSE(TravellingContact(tire, rolling(pi - 0.51 * length)).part(0, 1).inside);
-    EXPECT_FALSE(TravellingContact(tire, rolling(pi + 0.51 * length)).part(0, 1).inside);
+    EXPECT_FALSE(TravellingContact(tire, rolling_at_angle(pi - 0.51 * length)).part(0, 1).inside);
+    EXPECT_FALSE(TravellingContact(tire, rolling_at_angle(pi + 0.51 * length)).part(0, 1).inside);
     for (const double turns : {0.0, 5.0, -3.0, 4e5}) {
-        const auto part = TravellingContact(tire, rolling(2.0 * pi * turns + pi - 0.25 * length)).part(0, 1);
+        const auto part = TravellingContact(tire, rolling_at_angle(2.0 * pi * turns + pi - 0.25 * length)).part(0, 1);
         EXPECT_TRUE(part.inside) << turns;
         EXPECT_NEAR(part.from, 0.25 * length, 1e-9);
     }
-    Inputs back = rolling(-pi + 0.25 * length);
+    Inputs back = rolling_at_angle(-pi + 0.25 * length);
     back.speed = -back.speed;
     EXPECT_NEAR(TravellingContact(tire, back).part(0, 1).from, 0.25 * length, 1e-12) << "from the other side";
-    Inputs rest = rolling(pi);
+    Inputs rest = rolling_at_angle(pi);
     rest.speed = 0.0;
     EXPECT_FALSE(TravellingContact(tire, rest).touches());
-    Inputs lifted = rolling(pi);
+    Inputs lifted = rolling_at_angle(pi);
     lifted.vertical_load = 0.0;
     EXPECT_FALSE(TravellingContact(tire, lifted).touches());
 }
@@ -80,7 +80,7 @@ TEST(TravellingContact, LiesWhollyInTheSectorsAtAnyAngle) {
     const Tire tire;
     for (const int sectors : {2, 7, 60}) {
         for (const double angle : {0.0, 0.3, 1.7, pi, 5.9, 123.4}) {
-            const TravellingContact contact(tire, rolling(angle));
+            const TravellingContact contact(tire, rolling_at_angle(angle));
             double held = 0.0;
             double concentrated = 0.0;
             for (int s = 0; s < sectors; ++s) {
@@ -123,7 +123,7 @@ double watts(const solver::Problem& problem, const Inputs& in, std::size_t effec
 // rule in the root of time, as above. It does so at every angle, wherever the sectors' borders lie.
 TEST(TravellingContactOnARing, ExchangesTheSameAtEveryAngle) {
     const solver::Problem problem = ring_with({"travelling_contact"}, 37);
-    const Inputs first = rolling(0.0);
+    const Inputs first = rolling_at_angle(0.0);
     const double duration = problem.tire.contact_length(4000.0) / first.speed;
     double mean = 0.0;
     for (int i = 0; i < 4000; ++i) {
@@ -132,13 +132,13 @@ TEST(TravellingContactOnARing, ExchangesTheSameAtEveryAngle) {
     }
     const double expected = -mean * problem.tire.contact_area(4000.0);
     for (const double angle : {0.0, 0.01, 0.4, 2.0, 77.7}) {
-        EXPECT_NEAR(watts(problem, rolling(angle)), expected, 1e-5 * std::abs(expected)) << angle;
+        EXPECT_NEAR(watts(problem, rolling_at_angle(angle)), expected, 1e-5 * std::abs(expected)) << angle;
     }
 }
 
 TEST(SlidingFriction, GoesRoundWithTheContactAndKeepsItsWatts) {
     solver::Problem problem = ring_with({"sliding_friction"}, 24);
-    Inputs in = rolling(1.234);
+    Inputs in = rolling_at_angle(1.234);
     in.lateral_force = 2000.0;
     in.slip_angle = 2.0 * support::deg;
     const double evenly = watts(problem, in);
@@ -181,7 +181,7 @@ TEST(SlidingFriction, OnARingLosesToTheRoadWhatAColumnDoes) {
     solver::Problem problem = ring_with({"travelling_contact", "sliding_friction"}, 37);
     problem.effects[1].choices[static_cast<std::size_t>(find_choice(*problem.effects[1].effect, around_key))] =
         in_contact;
-    Inputs in = rolling(0.0);
+    Inputs in = rolling_at_angle(0.0);
     in.lateral_force = 2000.0;
     in.slip_angle = 2.0 * support::deg;
     const double duration = problem.tire.contact_length(4000.0) / in.speed;

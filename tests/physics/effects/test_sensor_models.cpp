@@ -20,7 +20,7 @@ double read(const Part& part, double value, const Inputs& logged) {
 }
 
 /// A slab 10 mm thick without losses, heated at 1e5 W/m3: 1e5/1.98e6 = 0.0505051 K/s. One channel, 3 mm deep.
-constexpr double rate = 1e5 / 1.98e6;
+constexpr double sampling_rate = 1e5 / 1.98e6;
 Bench slab() {
     Bench bench;
     bench.mesh = mesh::build(mesh::Layers{.area = 1.0, .stack = {{.name = "rubber", .thickness = 0.01, .cells = 5}}});
@@ -89,13 +89,13 @@ TEST(PressureReadingSpeed, FallsWithTheSquareOfTheSpeed) {
 TEST(SensorLag, StaysBehindARamp) {
     // T = 300 + r t: T - T_m = r tau (1 - exp(-t/tau)); tau 10 s, after 60 s 0.503799 K. The lag is integrated exactly.
     EXPECT_NEAR(final_reading({{"sensor_lag", {{"tau", 10.0}}}}),
-                300.0 + rate * 60.0 - rate * 10.0 * (1.0 - std::exp(-6.0)), 1e-9);
+                300.0 + sampling_rate * 60.0 - sampling_rate * 10.0 * (1.0 - std::exp(-6.0)), 1e-9);
 }
 
 TEST(ClockDelay, ReadsAnEarlierTime) {
     // 0.5 s late on a ramp: r * 0.5 s low, 0.5 s early: as much high.
-    EXPECT_NEAR(final_reading({{"clock_delay", {{"delay", 0.5}}}}), 300.0 + rate * 59.5, 1e-9);
-    EXPECT_NEAR(final_reading({{"clock_delay", {{"delay", -0.5}}}}), 300.0 + rate * 60.5, 1e-9);
+    EXPECT_NEAR(final_reading({{"clock_delay", {{"delay", 0.5}}}}), 300.0 + sampling_rate * 59.5, 1e-9);
+    EXPECT_NEAR(final_reading({{"clock_delay", {{"delay", -0.5}}}}), 300.0 + sampling_rate * 60.5, 1e-9);
 }
 
 TEST(SensorDepth, ReadsDeeper) {
@@ -115,7 +115,7 @@ TEST(SensorDepth, ReadsDeeper) {
 
 TEST(SensorOutputs, ActInTheOrderOfTheCatalogue) {
     // Lag first, then the offset, then the gain about 25 C of what the offset left, whatever the order in the case.
-    const double lagged = 300.0 + rate * 60.0 - rate * 10.0 * (1.0 - std::exp(-6.0));
+    const double lagged = 300.0 + sampling_rate * 60.0 - sampling_rate * 10.0 * (1.0 - std::exp(-6.0));
     const double expected = (lagged + 2.0) + 0.1 * (lagged + 2.0 - 298.15);
     EXPECT_NEAR(final_reading({{"sensor_lag", {{"tau", 10.0}}},
                                {"sensor_offset", {{"kelvin", 2.0}}},
@@ -127,8 +127,8 @@ TEST(SensorOutputs, CameraSeesBeforeItLags) {
     // What lags is the mixed temperature. On a ramp of 3 K it is straight to 1e-4 K: its own ramp less its own lag.
     const double e = 0.9;
     const auto seen = [&](double T) { return std::pow(e * std::pow(T, 4) + (1.0 - e) * std::pow(280.0, 4), 0.25); };
-    const double end = seen(300.0 + rate * 60.0);
-    const double slope = (end - seen(300.0 + rate * 59.0));
+    const double end = seen(300.0 + sampling_rate * 60.0);
+    const double slope = (end - seen(300.0 + sampling_rate * 59.0));
     EXPECT_NEAR(final_reading({{"camera_emissivity", {{"emissivity", e}}}, {"sensor_lag", {{"tau", 10.0}}}}),
                 end - slope * 10.0 * (1.0 - std::exp(-6.0)), 1e-3);
 }

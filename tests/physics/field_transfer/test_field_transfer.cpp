@@ -14,14 +14,14 @@ namespace tiretherm::physics {
 
 namespace {
 
-double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+double sum_of_field(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
 std::vector<int> outside(const mesh::Mesh& mesh) { return {mesh.find_patch("outside")}; }
 
 std::vector<double> uniform(const std::vector<double>& watts) {
     std::vector<double> shares = watts;
     for (double& share : shares) {
-        share /= sum(watts);
+        share /= sum_of_field(watts);
     }
     return shares;
 }
@@ -69,8 +69,8 @@ TEST(FieldTransfer, KeepsTheTotalOfAnyCloudOfPoints) {
         const FieldTransfer cells = onto_cells(bench.mesh, volume);
         for (const FieldTransfer& transfer : {faces, cells}) {
             const std::vector<double> watts = transfer.watts(density);
-            ASSERT_GT(sum(watts), 0.0);
-            EXPECT_NEAR(sum(watts), transfer.total(density), 1e-12 * sum(watts)) << cloud;
+            ASSERT_GT(sum_of_field(watts), 0.0);
+            EXPECT_NEAR(sum_of_field(watts), transfer.total(density), 1e-12 * sum_of_field(watts)) << cloud;
             EXPECT_GE(*std::ranges::min_element(watts), 0.0);
         }
         EXPECT_EQ(faces.measure, contact.measure);
@@ -147,7 +147,7 @@ TEST(FieldTransfer, ContactOfRowsHasItsOwnArea) {
     const FieldTransfer faces = onto_faces(bench.mesh, outside(bench.mesh), contact);
     const std::vector<double> watts = faces.watts(std::vector<double>(contact.size(), 1e4));
     // 1e4 W/m2 on 120 mm by 180 mm.
-    EXPECT_NEAR(sum(watts), 1e4 * 0.12 * 0.18, 1e-10);
+    EXPECT_NEAR(sum_of_field(watts), 1e4 * 0.12 * 0.18, 1e-10);
     for (const mesh::PatchFace& face : bench.mesh.patches[static_cast<std::size_t>(outside(bench.mesh)[0])].faces) {
         const auto i = static_cast<std::size_t>(std::ranges::find(faces.nodes, face.node) - faces.nodes.begin());
         const double width = std::max(0.0, std::min(face.extent[1], 0.09) - std::max(face.extent[0], -0.09));
@@ -229,7 +229,7 @@ TEST(FieldTransfer, CellsTakeWhatIsTheirs) {
     const std::vector<double> watts = onto_cells(bench.mesh, points).watts(std::vector{1e4, 1e4, 3e4});
     EXPECT_NEAR(watts[3], 1e4 * bench.mesh.volume[3], 1e-12);
     EXPECT_NEAR(watts[5], 2e4 * bench.mesh.volume[5], 1e-12);
-    EXPECT_NEAR(sum(watts), watts[3] + watts[5], 1e-15);
+    EXPECT_NEAR(sum_of_field(watts), watts[3] + watts[5], 1e-15);
 }
 
 // Beyond the tread (112.5 mm), too deep for a sidewall of 4 mm, and a cell that there is not.

@@ -20,7 +20,7 @@ namespace {
 constexpr Brush brush{.half_length = 0.05, .tread_stiffness = 20e6, .friction = 1.0, .load = 4000.0};
 constexpr double speed = 30.0;
 
-double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+double sum_of_strips(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
 }  // namespace
 
@@ -104,7 +104,7 @@ TEST(Brush, SlicesSumUpToTheSlidingPower) {
     for (const double slip : {0.003, 0.06, 0.11, 0.4}) {
         for (const std::size_t slices : {1U, 2U, 7U, 100U}) {
             const double total = brush.sliding_power(slip, speed);
-            EXPECT_NEAR(sum(brush.sliding_power_slices(slip, speed, slices)) / total, 1.0, 1e-13) << slip;
+            EXPECT_NEAR(sum_of_strips(brush.sliding_power_slices(slip, speed, slices)) / total, 1.0, 1e-13) << slip;
         }
     }
     EXPECT_TRUE(brush.sliding_power_slices(0.06, speed, 0).empty());

@@ -18,7 +18,7 @@ namespace tiretherm::physics {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 /// Steel cords, a quarter of the volume.
 constexpr ConductingCords steel{.share = 0.25, .conductivity_along = 50.0, .conductivity_across = 50.0};
 /// Drawn polymer, which conducts along its chains.

@@ -11,7 +11,7 @@ namespace tiretherm::physics {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 /// Steel cord in rubber, a quarter of the volume.
 constexpr CordRubber belt{
     .cord = {.modulus = 200e9, .poisson = 0.3}, .rubber = {.modulus = 10e6, .poisson = 0.5}, .cord_share = 0.25};

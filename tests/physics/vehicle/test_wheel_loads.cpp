@@ -14,7 +14,7 @@ namespace tiretherm::physics {
 
 namespace {
 
-constexpr double g = standard_gravity;
+constexpr double gravity = standard_gravity;
 constexpr double round_off = 1e-9;  // N, of numbers of 1e4 N
 
 double sum(const std::array<double, n_corners>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
@@ -35,7 +35,7 @@ TEST(WheelLoads, SteadyLeftTurnOfOneG) {
     // Roll centres on the road: M = m g h = 5883.99 N m; dF = 0.6 M / 1.5 = 2353.596 N in front, 1569.064 N behind. The
     // outer, right wheels carry 2588.9556 + 2353.596 = 4942.5516 N and 3295.0344 + 1569.064 = 4864.0984 N.
     // Fy_f = m a_y b/L = 5177.9112 N, Fy_r = 6590.0688 N.
-    const VehicleForces forces = vehicle_forces(round_car(), {.speed = 30.0, .lateral_acceleration = g});
+    const VehicleForces forces = vehicle_forces(round_car(), {.speed = 30.0, .lateral_acceleration = gravity});
     EXPECT_NEAR(forces.vertical[0], 235.3596, 1e-4);
     EXPECT_NEAR(forces.vertical[1], 4942.5516, 1e-4);
     EXPECT_NEAR(forces.vertical[2], 1725.9704, 1e-4);
@@ -50,7 +50,7 @@ TEST(WheelLoads, RollCentresTakeTheirPartPastTheSprings) {
     Vehicle car = round_car();
     car.axles[0].roll_centre_height = 0.1;
     car.axles[1].roll_centre_height = 0.2;
-    const VehicleForces forces = vehicle_forces(car, {.speed = 30.0, .lateral_acceleration = g});
+    const VehicleForces forces = vehicle_forces(car, {.speed = 30.0, .lateral_acceleration = gravity});
     EXPECT_NEAR(0.5 * (forces.vertical[1] - forces.vertical[0]), 1964.468128, 1e-5);
     EXPECT_NEAR(0.5 * (forces.vertical[3] - forces.vertical[2]), 1958.191872, 1e-5);
 }
@@ -58,7 +58,7 @@ TEST(WheelLoads, RollCentresTakeTheirPartPastTheSprings) {
 TEST(WheelLoads, BrakingWithOneG) {
     // m g h / L = 2353.596 N from behind to the front: 2588.9556 + 1176.798 = 3765.7536 N each in front, 2118.2364 N
     // behind. Brakes 65 to 35: -0.65 x 11767.98 / 2 = -3824.5935 N and -2059.3965 N a wheel.
-    const VehicleForces forces = vehicle_forces(round_car(), {.speed = 30.0, .longitudinal_acceleration = -g});
+    const VehicleForces forces = vehicle_forces(round_car(), {.speed = 30.0, .longitudinal_acceleration = -gravity});
     EXPECT_NEAR(forces.vertical[0], 3765.7536, 1e-4);
     EXPECT_NEAR(forces.vertical[3], 2118.2364, 1e-4);
     EXPECT_NEAR(forces.longitudinal[1], -3824.5935, 1e-4);
@@ -99,12 +99,12 @@ TEST(WheelLoads, SumsHoldWhateverTheCarDoes) {
     int lifted = 0;
     for (int i = 0; i < 2000; ++i) {
         const VehicleMotion motion{.speed = 40.0 + 40.0 * any(random),
-                                   .longitudinal_acceleration = 3.0 * g * any(random),
-                                   .lateral_acceleration = 3.0 * g * any(random),
+                                   .longitudinal_acceleration = 3.0 * gravity * any(random),
+                                   .lateral_acceleration = 3.0 * gravity * any(random),
                                    .yaw_acceleration = 2.0 * any(random)};
         const double q = 0.6 * motion.speed * motion.speed;
         const VehicleForces forces = vehicle_forces(car, motion);
-        EXPECT_NEAR(sum(forces.vertical), 1200.0 * g + 2.2 * q, 1e-7);
+        EXPECT_NEAR(sum(forces.vertical), 1200.0 * gravity + 2.2 * q, 1e-7);
         EXPECT_NEAR(sum(forces.longitudinal), 1200.0 * motion.longitudinal_acceleration + 1.1 * q, 1e-7);
         EXPECT_NEAR(forces.lateral_of_axle[0] + forces.lateral_of_axle[1], 1200.0 * motion.lateral_acceleration, 1e-7);
         EXPECT_NEAR(1.4 * forces.lateral_of_axle[0] - 1.1 * forces.lateral_of_axle[1], 1800.0 * motion.yaw_acceleration,
@@ -121,7 +121,7 @@ TEST(WheelLoads, TheMomentsOfAxlesMakeTheRollMomentUntilTheCarRollsOver) {
     // t (dF_f + dF_r) = m a_y h, whether or not a wheel is in the air: at 1.3 g the front inner one is, since its axle
     // would need 0.6 x 7649.187 / 1.5 = 3059.67 N of its 2588.96 N; the rear one takes the rest, 5099.458 - 2588.956 =
     // 2510.502 N of 3295.034 N.
-    const VehicleForces forces = vehicle_forces(round_car(), {.lateral_acceleration = 1.3 * g});
+    const VehicleForces forces = vehicle_forces(round_car(), {.lateral_acceleration = 1.3 * gravity});
     EXPECT_TRUE(forces.lifted[0]);
     EXPECT_FALSE(forces.lifted[2]);
     EXPECT_FALSE(forces.rolls_over);
@@ -129,13 +129,13 @@ TEST(WheelLoads, TheMomentsOfAxlesMakeTheRollMomentUntilTheCarRollsOver) {
     EXPECT_NEAR(forces.vertical[1], 5177.9112, 1e-4);
     EXPECT_NEAR(0.5 * (forces.vertical[3] - forces.vertical[2]), 2510.502, 1e-3);
     // It rolls over beyond t/(2 h) = 1.5 g.
-    EXPECT_FALSE(vehicle_forces(round_car(), {.lateral_acceleration = 1.49 * g}).rolls_over);
-    EXPECT_TRUE(vehicle_forces(round_car(), {.lateral_acceleration = -1.51 * g}).rolls_over);
+    EXPECT_FALSE(vehicle_forces(round_car(), {.lateral_acceleration = 1.49 * gravity}).rolls_over);
+    EXPECT_TRUE(vehicle_forces(round_car(), {.lateral_acceleration = -1.51 * gravity}).rolls_over);
 }
 
 TEST(WheelLoads, AnAxleThatLiftsLeavesAllToTheOther) {
     // The front lifts beyond a_x = g b/h = 2.2 g; at 3 g all 11767.98 N and the force are behind.
-    const VehicleForces forces = vehicle_forces(round_car(), {.longitudinal_acceleration = 3.0 * g});
+    const VehicleForces forces = vehicle_forces(round_car(), {.longitudinal_acceleration = 3.0 * gravity});
     EXPECT_TRUE(forces.lifted[0] && forces.lifted[1]);
     EXPECT_NEAR(forces.vertical[2], 5883.99, 1e-4);
     EXPECT_NEAR(forces.longitudinal[2], 1.5 * 11767.98, 1e-4);

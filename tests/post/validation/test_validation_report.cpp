@@ -16,9 +16,9 @@ namespace tiretherm::post {
 using namespace diagnosis;  // whose results are rendered
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_bound = std::numeric_limits<double>::infinity();
 
-ModelValue value(double number) { return {.applicable = true, .value = number, .failure = {}}; }
+ModelValue model_value(double number) { return {.applicable = true, .value = number, .failure = {}}; }
 
 ValidationRow row(const char* unit, double low, double high, double u, std::vector<ModelValue> models) {
     return {.id = "M1",
@@ -35,7 +35,7 @@ ValidationRow row(const char* unit, double low, double high, double u, std::vect
 }
 
 /// A temperature of 50 degC, u = 2 K, that one model gives.
-std::string judged(double simulated) { return verdict(row("degC", 50.0, 50.0, 2.0, {value(simulated)}), 0); }
+std::string judged(double simulated) { return verdict(row("degC", 50.0, 50.0, 2.0, {model_value(simulated)}), 0); }
 
 /// A table of one number.
 ValidationRecord only(const ValidationRow& row) {
@@ -61,11 +61,12 @@ ValidationRecord record() {
     ValidationRecord made;
     made.title = "Two models";
     made.models = {{"two_node", "two nodes"}, {"section", "section"}};
-    made.rows = {
-        row("degC", 50.0, 50.0, 2.0, {value(58.0), value(51.0)}),
-        row("degC", 60.0, 70.0, 1.0, {value(74.0), value(65.0)}), row("degC", 100.0, 100.0, 5.0, {{}, value(88.0)}),
-        row("K", -infinity, 0.0, 0.0, {value(-3.0), value(2.5)}),
-        row("K", 15.0, 15.0, 2.0, {value(15.5), {.applicable = true, .value = {}, .failure = "case x: it broke"}})};
+    made.rows = {row("degC", 50.0, 50.0, 2.0, {model_value(58.0), model_value(51.0)}),
+                 row("degC", 60.0, 70.0, 1.0, {model_value(74.0), model_value(65.0)}),
+                 row("degC", 100.0, 100.0, 5.0, {{}, model_value(88.0)}),
+                 row("K", -no_bound, 0.0, 0.0, {model_value(-3.0), model_value(2.5)}),
+                 row("K", 15.0, 15.0, 2.0,
+                     {model_value(15.5), {.applicable = true, .value = {}, .failure = "case x: it broke"}})};
     made.runs = 7;
     made.seconds = 1.25;
     made.energy_closure = 2e-13;
@@ -84,13 +85,13 @@ TEST(Verdict, IsInUncertaintiesOfTheMeasuredNumber) {
 }
 
 TEST(Verdict, UsesTheWordsOfTheUnit) {
-    EXPECT_EQ(verdict(row("K", 15.0, 15.0, 2.0, {value(5.0)}), 0), "5.0 u too small");
-    EXPECT_EQ(verdict(row("s", 600.0, 600.0, 60.0, {value(900.0)}), 0), "5.0 u too late");
-    EXPECT_EQ(verdict(row("1", 1.1, 1.1, 0.03, {value(1.25)}), 0), "5.0 u too large");
+    EXPECT_EQ(verdict(row("K", 15.0, 15.0, 2.0, {model_value(5.0)}), 0), "5.0 u too small");
+    EXPECT_EQ(verdict(row("s", 600.0, 600.0, 60.0, {model_value(900.0)}), 0), "5.0 u too late");
+    EXPECT_EQ(verdict(row("1", 1.1, 1.1, 0.03, {model_value(1.25)}), 0), "5.0 u too large");
 }
 
 TEST(Verdict, DifferenceIsToTheNearerEndOfARange) {
-    const ValidationRow range = row("degC", 40.0, 50.0, 2.0, {value(37.0), value(45.0), value(56.0)});
+    const ValidationRow range = row("degC", 40.0, 50.0, 2.0, {model_value(37.0), model_value(45.0), model_value(56.0)});
     EXPECT_EQ(difference(range, 0), -3.0);
     EXPECT_EQ(difference(range, 1), 0.0);
     EXPECT_EQ(difference(range, 2), 6.0);
@@ -98,7 +99,7 @@ TEST(Verdict, DifferenceIsToTheNearerEndOfARange) {
 }
 
 TEST(Verdict, OpenRangeHoldsOrNotAndItsEndIsOutside) {
-    const ValidationRow falls = row("K", -infinity, 0.0, 0.0, {value(-0.1), value(0.0), value(2.0)});
+    const ValidationRow falls = row("K", -no_bound, 0.0, 0.0, {model_value(-0.1), model_value(0.0), model_value(2.0)});
     EXPECT_TRUE(falls.is_open());
     EXPECT_EQ(verdict(falls, 0), "holds");
     EXPECT_EQ(verdict(falls, 1), "does not hold");
@@ -107,7 +108,7 @@ TEST(Verdict, OpenRangeHoldsOrNotAndItsEndIsOutside) {
 }
 
 TEST(Verdict, IsNotGivenWhereNothingWasMeasuredOrAsked) {
-    ValidationRow shown = row("N", 0.0, 0.0, 0.0, {value(48.0), {}});
+    ValidationRow shown = row("N", 0.0, 0.0, 0.0, {model_value(48.0), {}});
     shown.is_measured = false;
     EXPECT_EQ(verdict(shown, 0), "");
     EXPECT_EQ(cell(shown, "measured"), "-");
@@ -116,14 +117,14 @@ TEST(Verdict, IsNotGivenWhereNothingWasMeasuredOrAsked) {
 }
 
 TEST(Cells, HaveTheDecimalsOfTheirUnit) {
-    EXPECT_EQ(cell(row("degC", 47.0, 48.0, 4.123, {value(1.0)}), "measured"), "47.0 to 48.0 +- 4.1");
-    const ValidationRow ratio = row("1", 1.1, 1.1, 0.03, {value(1.0)});
+    EXPECT_EQ(cell(row("degC", 47.0, 48.0, 4.123, {model_value(1.0)}), "measured"), "47.0 to 48.0 +- 4.1");
+    const ValidationRow ratio = row("1", 1.1, 1.1, 0.03, {model_value(1.0)});
     EXPECT_EQ(cell(ratio, "measured"), "1.100 +- 0.030");
     EXPECT_NE(validation_markdown(only(ratio)).find("| 1.100 ± 0.030  |"), std::string::npos);
-    EXPECT_EQ(cell(row("s", 600.0, 600.0, 60.0, {value(1.0)}), "measured"), "600 +- 60");
-    EXPECT_EQ(cell(row("K", 0.0, infinity, 0.0, {value(1.0)}), "measured"), "> 0.0");
-    EXPECT_EQ(cell(row("K", 0.0, 0.0, 1.0, {value(-0.04)}), "model 0"), "0.0");
-    EXPECT_EQ(cell(row("K", 1.0, 1.0, 1.0, {value(3.0)}), "off"), "+2.0");
+    EXPECT_EQ(cell(row("s", 600.0, 600.0, 60.0, {model_value(1.0)}), "measured"), "600 +- 60");
+    EXPECT_EQ(cell(row("K", 0.0, no_bound, 0.0, {model_value(1.0)}), "measured"), "> 0.0");
+    EXPECT_EQ(cell(row("K", 0.0, 0.0, 1.0, {model_value(-0.04)}), "model 0"), "0.0");
+    EXPECT_EQ(cell(row("K", 1.0, 1.0, 1.0, {model_value(3.0)}), "off"), "+2.0");
 }
 
 // Common to both: off 8 and 4 (two nodes), 1 and 0 (section). Bias 6, rms sqrt((64 + 16) / 2) = 6.325; variance 40 - 36
@@ -168,7 +169,7 @@ TEST(ValidationText, HasALineForEachNumberAndTellsWhatFailedOnce) {
 
 // A time is neither a temperature nor an order: no model has figures.
 TEST(ValidationText, HasTheHeadingsOfFiguresThatNoModelHas) {
-    const std::string text = page_text(validation_report(only(row("s", 9.0, 9.0, 1.0, {value(9.0)}))), false);
+    const std::string text = page_text(validation_report(only(row("s", 9.0, 9.0, 1.0, {model_value(9.0)}))), false);
     const std::string headings =
         "\nModel against experiment\n  model  temperatures  bias K  rms K  scatter K  "
         "within 2 u  orders that hold  not decidable\n\n  Off: ";

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@ namespace tiretherm::solver {
 
 namespace {
 
-constexpr double pi = 3.14159265358979;
+using std::numbers::pi;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 

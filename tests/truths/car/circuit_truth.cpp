@@ -10,7 +10,7 @@ namespace hidden_effects {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double mean_radius = 330.0;  // m
 
 /// r and its first two derivatives by the angle.

@@ -14,7 +14,7 @@ namespace hidden_effects {
 namespace {
 
 constexpr double celsius = 273.15;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double width = 0.225;
 constexpr double height = 0.1125;
 constexpr double radius = 0.3308;

@@ -10,7 +10,7 @@ namespace hidden_effects {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double crown_radius = 1.0;
 constexpr double bead_radius = centre_radius - 0.1125;
 

@@ -19,7 +19,7 @@ using quadratic::gauss_weight;
 using quadratic::shapes;
 using quadratic::slopes;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double density = 1100.0;
 constexpr double heat_capacity = 1800.0;
 constexpr std::array<double, 2> conductivity{0.40, 0.30};  ///< tread, carcass

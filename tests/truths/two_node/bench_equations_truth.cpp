@@ -12,7 +12,7 @@ namespace hidden_effects {
 namespace {
 
 constexpr double celsius = 273.15;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // The tire, 225/50 R17: every number as the thesis prints it.
 constexpr double width = 0.225;
