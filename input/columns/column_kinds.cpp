@@ -31,7 +31,7 @@ struct Verdict {
 };
 
 /// A column over all runs.
-struct LogColumnOfRuns {
+struct UnusedColumn {
     std::string name;
     std::string unit;
     std::vector<UnusedSignal*> in{};  ///< [n_runs] null where the run does not have it
@@ -40,8 +40,8 @@ struct LogColumnOfRuns {
 };
 
 /// The unused columns of all runs, each once, without their courses.
-std::vector<LogColumnOfRuns> columns_of(std::vector<MeasuredRun>& runs) {
-    std::vector<LogColumnOfRuns> columns;
+std::vector<UnusedColumn> columns_of(std::vector<MeasuredRun>& runs) {
+    std::vector<UnusedColumn> columns;
     std::map<std::string_view, std::size_t> known;
     for (std::size_t r = 0; r < runs.size(); ++r) {
         for (UnusedSignal& signal : runs[r].unused) {
@@ -57,7 +57,7 @@ std::vector<LogColumnOfRuns> columns_of(std::vector<MeasuredRun>& runs) {
 }
 
 /// Whether a column counts time or the way, on all its samples.
-bool is_clock(const std::vector<MeasuredRun>& runs, const LogColumnOfRuns& column) {
+bool is_clock(const std::vector<MeasuredRun>& runs, const UnusedColumn& column) {
     std::vector<std::vector<double>> value;
     std::vector<std::vector<double>> time;
     std::vector<std::vector<double>> way;
@@ -88,7 +88,7 @@ std::string number(double r) { return fmt::format("r = {:.4f}", r); }
 
 /// Of a temperature: whose it is, by its name, and where that says nothing by whether it comes before all sensors of the tire
 /// and is hotter than any of them, as a brake or an exhaust.
-Verdict judge_temperature(const LogColumnOfRuns& column, const std::vector<Reference>& sensors) {
+Verdict judge_temperature(const UnusedColumn& column, const std::vector<Reference>& sensors) {
     if (const std::string word = word_of_tire(column.name); !word.empty()) {
         return {ColumnKind::temperature_of_tire, fmt::format("a temperature of the tire by its name ({})", word)};
     }
@@ -120,7 +120,7 @@ Verdict judge_temperature(const LogColumnOfRuns& column, const std::vector<Refer
 }
 
 /// By name and unit, and by what needs no other column.
-std::optional<Verdict> judge_alone(const LogColumnOfRuns& column, const std::vector<MeasuredRun>& runs,
+std::optional<Verdict> judge_alone(const UnusedColumn& column, const std::vector<MeasuredRun>& runs,
                                    const std::vector<Reference>& sensors) {
     if (is_constant(column.course)) {
         return Verdict{ColumnKind::constant, "never changes"};
@@ -142,7 +142,7 @@ std::optional<Verdict> judge_alone(const LogColumnOfRuns& column, const std::vec
 }
 
 /// Beside inputs and sensors.
-std::optional<Verdict> judge_beside(const LogColumnOfRuns& column, const std::vector<double>& standard,
+std::optional<Verdict> judge_beside(const UnusedColumn& column, const std::vector<double>& standard,
                                     const std::vector<Reference>& inputs, const std::vector<Reference>& products,
                                     const std::vector<Reference>& sensors) {
     for (const std::vector<Reference>* list : {&inputs, &sensors}) {
@@ -183,12 +183,12 @@ std::optional<Verdict> judge_beside(const LogColumnOfRuns& column, const std::ve
 }  // namespace
 
 void classify_unused(std::vector<MeasuredRun>& runs) {
-    std::vector<LogColumnOfRuns> columns = columns_of(runs);
+    std::vector<UnusedColumn> columns = columns_of(runs);
     if (columns.empty()) {
         return;
     }
     const CommonSamples samples(runs, columns.size());
-    for (LogColumnOfRuns& column : columns) {
+    for (UnusedColumn& column : columns) {
         column.course = samples.of([&](std::size_t r, std::size_t row) {
             return column.in[r] == nullptr ? std::nan("") : column.in[r]->value[row];
         });
@@ -196,8 +196,8 @@ void classify_unused(std::vector<MeasuredRun>& runs) {
     const std::vector<Reference> inputs = changing_inputs(runs, samples);
     const std::vector<Reference> products = products_of(inputs);
     const std::vector<Reference> sensors = temperature_sensors(runs, samples);
-    std::vector<std::pair<const LogColumnOfRuns*, std::vector<double>>> drives;
-    for (LogColumnOfRuns& column : columns) {
+    std::vector<std::pair<const UnusedColumn*, std::vector<double>>> drives;
+    for (UnusedColumn& column : columns) {
         column.verdict = judge_alone(column, runs, sensors);
         if (column.verdict && column.verdict->kind != ColumnKind::drive) {
             continue;
@@ -218,7 +218,7 @@ void classify_unused(std::vector<MeasuredRun>& runs) {
             }
         }
     }
-    for (const LogColumnOfRuns& column : columns) {
+    for (const UnusedColumn& column : columns) {
         for (UnusedSignal* signal : column.in) {
             if (signal != nullptr) {
                 signal->kind = column.verdict->kind;

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::string practice_section = TIRETHERM_SOURCE_DIR "/cases/practice/";
+const std::string practice_folder = TIRETHERM_SOURCE_DIR "/cases/practice/";
 
 // layers_run1 and 2 were made by an integrator of its own with 23 cells through tread and carcass of other conductivities
 // (section_bench.md), the noise 0.5 and 0.3 K. Two nodes, film, loss and starts fitted, miss them by several kelvin; layers
@@ -24,8 +24,8 @@ TEST(DiagnoseBesideModelError, ACoarseMeshIsTheCause) {
     const input::Written written;
     const std::string out = (written.folder() / "out").string();
     const Call found =
-        call("diagnose " + practice_section + "two_node_bench.toml --data " + practice_section +
-             "layers_run1.csv --data " + practice_section + "layers_run2.csv --no-by-run --json --out " + out);
+        call("diagnose " + practice_folder + "two_node_bench.toml --data " + practice_folder +
+             "layers_run1.csv --data " + practice_folder + "layers_run2.csv --no-by-run --json --out " + out);
     ASSERT_EQ(found.exit_code, 0) << found.err;
     const Json json = Json::parse(found.out);
     EXPECT_EQ(json["verdict"], "partial") << json["reason"];
@@ -48,7 +48,7 @@ TEST(DiagnoseBesideModelError, ACoarseMeshIsTheCause) {
 }
 
 TEST(DiagnoseBesideModelError, ATimeLimitIsMoreThanNothing) {
-    const Call wrong = call("diagnose " + practice_section + "two_node_bench.toml --time-limit -1");
+    const Call wrong = call("diagnose " + practice_folder + "two_node_bench.toml --time-limit -1");
     EXPECT_EQ(wrong.exit_code, 1);
     EXPECT_NE(wrong.err.find("the time limit is -1 s; give more than 0 s"), std::string::npos) << wrong.err;
 }

@@ -15,14 +15,14 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::string cases = TIRETHERM_SOURCE_DIR "/cases/";
-const std::string lost_bench = cases + "practice/two_node_bench.toml";
+const std::string practice_bench = cases + "practice/two_node_bench.toml";
 const std::string workbook = cases + "convert/thesis_225_50_R17.xlsx";
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// A case with two measured runs whose steps are so small that a simulation takes minutes.
 void write_slow_bench(const fs::path& folder) {
-    post::replace_file(folder / "bench.toml", "include = [\"" + lost_bench + "\"]\n[time]\nstep = \"0.0005 s\"\n");
+    post::replace_file(folder / "bench.toml", "include = [\"" + practice_bench + "\"]\n[time]\nstep = \"0.0005 s\"\n");
 }
 
 std::string data(const fs::path& /*folder*/) {
@@ -32,7 +32,7 @@ std::string data(const fs::path& /*folder*/) {
 
 /// A case of its own with a measured run, its files in one folder.
 void write_own_bench(const fs::path& folder, const std::string& name) {
-    std::string text = post::read_text(lost_bench);
+    std::string text = post::read_text(practice_bench);
     text.replace(text.find("../tires"), 8, cases + "tires");
     text.erase(text.find("[[run]]"));
     post::replace_file(folder / name, text + "[[run]]\nfile = \"channels.csv\"\n");
@@ -93,8 +93,9 @@ TEST(NothingLost, OneCallAtATimeWorksInAFolder) {
         run.err,
         "tiretherm: another call of tiretherm works in o; nothing was run; choose another directory with --out\n");
     for (const std::string& command :
-         {"compare " + lost_bench + data(scratch.path()), "identify " + lost_bench + data(scratch.path()),
-          "diagnose " + lost_bench + data(scratch.path()), "study " + cases + "studies/speed_and_load_two_node.toml"}) {
+         {"compare " + practice_bench + data(scratch.path()), "identify " + practice_bench + data(scratch.path()),
+          "diagnose " + practice_bench + data(scratch.path()),
+          "study " + cases + "studies/speed_and_load_two_node.toml"}) {
         const Call second = call(command + " --out o", scratch.path());
         EXPECT_EQ(second.exit_code, 1);
         EXPECT_TRUE(has(second.err, elsewhere)) << second.err;
@@ -151,7 +152,7 @@ TEST(NothingLost, LogsAndSheetsAreNoTargetsOfCases) {
 
 TEST(NothingLost, EmptyNameOfAFolderIsRefused) {
     for (const std::string& command :
-         {"run " + two_node, "compare " + lost_bench, "identify " + lost_bench, "diagnose " + lost_bench,
+         {"run " + two_node, "compare " + practice_bench, "identify " + practice_bench, "diagnose " + practice_bench,
           "study " + cases + "studies/speed_and_load_two_node.toml", "convert " + workbook,
           std::string("new '225/50 R17'")}) {
         const sample::Scratch scratch;
@@ -286,7 +287,7 @@ TEST(NothingLost, FullDiskIsASentenceAndCostsNothing) {
     int failed = 0;
     for (std::size_t free = 0; free <= 400 * 1024; free += 20 * 1024) {
         for (const std::string& command :
-             {"run " + two_node + " --no-report --fields 300", "compare --no-report " + lost_bench + data({})}) {
+             {"run " + two_node + " --no-report --fields 300", "compare --no-report " + practice_bench + data({})}) {
             SCOPED_TRACE(fmt::format("{} B free: {}", free, command));
             fs::remove(disk / "fill");
             const std::size_t room = fs::space(disk).available;

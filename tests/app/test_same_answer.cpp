@@ -13,7 +13,7 @@
 namespace tiretherm::app_test {
 namespace {
 
-const std::string answered_cases = TIRETHERM_SOURCE_DIR "/cases/";
+const std::string case_library = TIRETHERM_SOURCE_DIR "/cases/";
 
 /// What may differ between two calls, and nothing else: the time that a call took, in all and by its parts; how many threads
 /// it was given; and the order of a study's journal, whose runs end in any.
@@ -28,20 +28,20 @@ struct Command {
 };
 
 /// Small calls of the commands that compute.
-std::vector<Command> answering_commands() {
+std::vector<Command> repeated_commands() {
     const std::string data =
-        " --data " + answered_cases + "practice/run1.csv --data " + answered_cases + "practice/run2.csv";
+        " --data " + case_library + "practice/run1.csv --data " + case_library + "practice/run2.csv";
     return {{"run", "run run.toml --fields 300"},       {"compare", "compare bench.toml" + data},
             {"identify", "identify bench.toml" + data}, {"diagnose", "diagnose bench.toml" + data},
             {"study", "study study.toml", true},        {"validate", "validate table.toml", true, false}};
 }
 
-void write_answered_cases(const std::filesystem::path& folder) {
+void write_short_cases(const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder);
     post::replace_file(folder / "run.toml",
-                       "include = [\"" + answered_cases + "section/4000N_100kmh.toml\"]\n[time]\nend = \"600 s\"\n");
+                       "include = [\"" + case_library + "section/4000N_100kmh.toml\"]\n[time]\nend = \"600 s\"\n");
     post::replace_file(folder / "bench.toml",
-                       "include = [\"" + answered_cases +
+                       "include = [\"" + case_library +
                            "practice/two_node_bench.toml\"]\n[diagnose]\ncandidates = [\"sidewall_convection\", "
                            "\"sensor_offset\", \"convection_exponent\"]\n");
     post::replace_file(folder / "study.toml", "case = \"" + two_node +
@@ -52,7 +52,7 @@ void write_answered_cases(const std::filesystem::path& folder) {
         table += fmt::format(
             "[[number]]\nid = \"{0}\"\nwhat = \"bulk\"\nfiles = {{ two_node = \"{1}two_node/{0}_100kmh.toml\" "
             "}}\nchannel = \"bulk_temperature\"\nvalue = \"50 degC\"\nuncertainty = \"2 K\"\nsource = \"a page\"\n",
-            load, answered_cases);
+            load, case_library);
     }
     post::replace_file(folder / "table.toml", table);
 }
@@ -123,7 +123,7 @@ std::map<std::string, std::string> answer(const std::filesystem::path& folder, c
 
 std::map<std::string, std::string> answer_of(const Command& command, const Setting& setting) {
     const sample::Scratch scratch;
-    write_answered_cases(scratch.path());
+    write_short_cases(scratch.path());
     const Environment environment(setting);
     const Call done = call(arguments_of(command, setting), scratch.path());
     EXPECT_EQ(done.exit_code, 0) << done.out << done.err;
@@ -139,7 +139,7 @@ void expect_same(const std::map<std::string, std::string>& expected, const std::
 
 /// Every command under the plain setting and under each of some others.
 void expect_same_under(const std::vector<Setting>& settings) {
-    for (const Command& command : answering_commands()) {
+    for (const Command& command : repeated_commands()) {
         const auto expected = answer_of(command, plain);
         EXPECT_GT(expected.size(), command.writes_files ? 1U : 0U);
         EXPECT_GT(expected.at("what it said").size(), 200U);
@@ -175,11 +175,11 @@ TEST(SameAnswer, OverLocalesAndTimeZones) {
 // Killed at a third and at two thirds of its time, and called again: `run`, `identify`, `diagnose` and `study` go on, `compare`
 // and `validate` begin anew.
 TEST(SameAnswer, AfterAKill) {
-    for (const Command& command : answering_commands()) {
+    for (const Command& command : repeated_commands()) {
         SCOPED_TRACE(command.name);
         const sample::Scratch scratch;
-        write_answered_cases(scratch / "whole");
-        write_answered_cases(scratch / "killed");
+        write_short_cases(scratch / "whole");
+        write_short_cases(scratch / "killed");
         const Environment environment(plain);
         Spawned whole(arguments_of(command, plain), scratch / "whole", "0");
         ASSERT_EQ(whole.end(), 0) << whole.err();

@@ -12,7 +12,7 @@ namespace tiretherm::physics {
 
 namespace {
 
-const Tire measured_tire{};  // the 225/50 R17 of the thesis
+const Tire thesis_tire{};  // the 225/50 R17 of the thesis
 constexpr double flat = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -21,21 +21,21 @@ TEST(RollingResistance, MomentAndDragCarryTheDissipatedPower) {
     // 1204 W at 100 km/h and 4000 N: M = 1204 * 0.3232 / 27.778 = 14.01 N m (50), F = 14.01 / 0.3140 = 44.6 N (51).
     // Three figures of R_R are quoted, hence 0.02 N m and 0.06 N.
     const double speed = 100.0 / 3.6;
-    EXPECT_NEAR(rolling_moment(measured_tire, 1204.0, speed, 4000.0), 14.01, 0.02);
-    EXPECT_NEAR(rolling_drag(measured_tire, 1204.0, speed, 4000.0), 44.6, 0.06);
+    EXPECT_NEAR(rolling_moment(thesis_tire, 1204.0, speed, 4000.0), 14.01, 0.02);
+    EXPECT_NEAR(rolling_drag(thesis_tire, 1204.0, speed, 4000.0), 44.6, 0.06);
     // M omega = E with omega = V / R_R, to round-off
-    const double omega = speed / measured_tire.rolling_radius(4000.0);
-    EXPECT_NEAR(rolling_moment(measured_tire, 1204.0, speed, 4000.0) * omega, 1204.0, 1e-10);
+    const double omega = speed / thesis_tire.rolling_radius(4000.0);
+    EXPECT_NEAR(rolling_moment(thesis_tire, 1204.0, speed, 4000.0) * omega, 1204.0, 1e-10);
 }
 
 TEST(RollingResistance, BackwardsIsAsHardAsForwards) {
-    EXPECT_EQ(rolling_drag(measured_tire, 500.0, -20.0, 4000.0), rolling_drag(measured_tire, 500.0, 20.0, 4000.0));
+    EXPECT_EQ(rolling_drag(thesis_tire, 500.0, -20.0, 4000.0), rolling_drag(thesis_tire, 500.0, 20.0, 4000.0));
 }
 
 TEST(RollingResistance, IsNothingAtRestAndWithoutContact) {
-    EXPECT_EQ(rolling_moment(measured_tire, 1000.0, 0.0, 4000.0), 0.0);
-    EXPECT_EQ(rolling_drag(measured_tire, 1000.0, standing_speed, 4000.0), 0.0);
-    EXPECT_EQ(rolling_drag(measured_tire, 1000.0, 20.0, 0.0), 0.0);
+    EXPECT_EQ(rolling_moment(thesis_tire, 1000.0, 0.0, 4000.0), 0.0);
+    EXPECT_EQ(rolling_drag(thesis_tire, 1000.0, standing_speed, 4000.0), 0.0);
+    EXPECT_EQ(rolling_drag(thesis_tire, 1000.0, 20.0, 0.0), 0.0);
 }
 
 TEST(Drum, FlatRoadIsTheLimitOfALargeDrum) {
