@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/output.hpp"
+#include "diagnosis/detect/score_test_data.hpp"
 #include "input/measurements/experiment.hpp"
 #include "post/report/prediction_journal.hpp"
 #include "post/report/progress.hpp"
@@ -50,20 +51,32 @@ void add_measured_options(CLI::App& command, MeasuredCall& call, const char* cas
 class SimulationCount {
 public:
     [[nodiscard]] std::function<void(long)> shown() {
-        return [this](long simulations) { show("", simulations); };
+        return [this](long simulations) { show({}, simulations); };
     }
-    /// The same with what is being done.
-    [[nodiscard]] std::function<void(const std::string&, long)> stages() {
-        return [this](const std::string& doing, long simulations) { show(doing, simulations); };
+    /// The same with what is being done, and what is left of it.
+    [[nodiscard]] diagnosis::Progress stages() {
+        return [this](const diagnosis::Stage& stage, long simulations) { show(stage, simulations); };
     }
     void wipe() { line_.wipe(); }
 
 private:
-    void show(const std::string& doing, long simulations) {
-        line_.show({.stage = doing, .done = static_cast<std::size_t>(simulations), .thing = "simulation"});
+    void show(const diagnosis::Stage& stage, long simulations) {
+        if (stage.doing != doing_) {
+            doing_ = stage.doing;
+            begun_ = post::ProgressLine::wall_clock();
+        }
+        line_.show({.stage = {.doing = stage.doing,
+                              .of = stage.of,
+                              .number = stage.number,
+                              .count = stage.count,
+                              .elapsed = post::ProgressLine::wall_clock() - begun_},
+                    .done = static_cast<std::size_t>(simulations),
+                    .thing = "simulation"});
     }
 
     post::ProgressLine line_{stderr, false};
+    std::string doing_{};
+    double begun_ = 0.0;  ///< s of wall time, when this stage began
 };
 
 /// Simulations that an interrupted call of the same kind has kept; tells of them.

@@ -55,7 +55,7 @@ bool leaves_noise_alone(const ScoreTestData& score_data, const HeldOutErrors& ou
 }
 
 HeldOutErrors out_of(ScoreTestData& score_data, const input::Experiment& model, const Refit& fit) {
-    score_data.say("predicting data that are left out");
+    score_data.say({.doing = "predicting data that are left out"});
     HeldOutErrors found = held_out(model, *score_data.observations, score_data.noise, score_data.steps, fit);
     score_data.count(found.simulations);
     return found;
@@ -93,7 +93,7 @@ std::vector<std::size_t> by_score(const ScoreTestData& score_data, std::size_t m
 
 void search_beside_model_error(DiagnosisState& state, const std::vector<RicherModel>& richer) {
     ScoreTestData& score_data = state.score_data;
-    score_data.say("predicting data that are left out");
+    score_data.say({.doing = "predicting data that are left out"});
     state.search = choose_base(score_data);
     search_by_prediction(score_data, *state.search);
     PredictionSearch& search = *state.search;
@@ -102,7 +102,7 @@ void search_beside_model_error(DiagnosisState& state, const std::vector<RicherMo
     const Covariance even =
         search.white ? search.base.noise : white_equivalent(score_data.noise, score_data.observations->blocks);
     for (const RicherModel& one : richer) {
-        score_data.say(fmt::format("trying the mesh \"{}\"", one.name));
+        score_data.say({.doing = fmt::format("trying the mesh \"{}\"", one.name)});
         const std::optional<PredictedModel> model = predicted_on(score_data, one, even);
         if (!model) {
             continue;
@@ -159,7 +159,7 @@ void take_heat_without_a_name(DiagnosisState& state) {
     if (std::abs(state.unknown.z) < score_data.unknown_threshold) {
         return;
     }
-    score_data.say("trying heat that no effect is");
+    score_data.say({.doing = "trying heat that no effect is"});
     const auto k = static_cast<Eigen::Index>(state.unknown.term);
     state.unknown_fit = fit_unknown_source(score_data, state.unknown.term, score_data.unknown_scores.amplitude(k));
     if (state.unknown_fit.sound && unknown_source_beats(state, state.search->base.out)) {

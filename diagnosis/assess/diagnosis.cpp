@@ -125,7 +125,7 @@ void find_causes(DiagnosisState& state, const DiagnosisOptions& choice, Diagnosi
     describe_model_error(state, result);
     if (choice.plan_next) {
         stage = "plan of the next experiment";
-        state.score_data.say("planning an experiment that would tell more");
+        state.score_data.say({.doing = "planning an experiment that would tell more"});
         plan_next(state, result);
     }
     result.simulations = state.score_data.simulations;

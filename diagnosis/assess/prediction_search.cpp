@@ -141,8 +141,10 @@ std::vector<Trial> try_all(ScoreTestData& score_data, const PredictedModel& now,
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         const std::size_t k = chosen[i];
         const Candidate& candidate = score_data.candidates[k];
-        score_data.say(
-            fmt::format("candidate {} of {}: {}", i + 1, chosen.size(), name_of(candidate, *score_data.experiment)));
+        score_data.say({.doing = "candidate",
+                        .of = name_of(candidate, *score_data.experiment),
+                        .number = i + 1,
+                        .count = chosen.size()});
         Trial trial{.hypothesis = extended(score_data, now.hypothesis, k, now.noise)};
         if (!trial.hypothesis.sound) {
             continue;
@@ -182,7 +184,7 @@ void look_back(ScoreTestData& score_data, PredictionSearch& search) {
         dropped = false;
         const PredictedModel now = search.best();
         for (std::size_t cause = 0; cause + 1 < now.hypothesis.candidates.size(); ++cause) {
-            score_data.say("looking back");
+            score_data.say({.doing = "looking back"});
             std::optional<PredictedModel> less = without(score_data, now, cause);
             if (!less) {
                 continue;
@@ -290,8 +292,10 @@ void search_by_prediction(ScoreTestData& score_data, PredictionSearch& search) {
         for (std::size_t i = 0; i < trials.size(); ++i) {
             Trial& trial = trials[i];
             const Candidate& added = score_data.candidates[trial.hypothesis.candidates.back()];
-            score_data.say(
-                fmt::format("prediction {} of {}: {}", i + 1, trials.size(), name_of(added, *score_data.experiment)));
+            score_data.say({.doing = "prediction",
+                            .of = name_of(added, *score_data.experiment),
+                            .number = i + 1,
+                            .count = trials.size()});
             Improvement one{.model = predicted(score_data, std::move(trial.hypothesis), now.noise)};
             one.gain = gain_over(search.accepted.empty() ? search.base : now, one.model, score_data);
             if (one.model.out.ok && is_better(one.gain)) {

@@ -86,8 +86,10 @@ RunVerdicts diagnose_by_run(const input::Experiment& experiment, const Diagnosis
             options.richer.push_back({.name = richer.name, .experiment = &meshes.back(), .change = richer.change});
         }
         if (choice.progress) {
-            options.progress = [&](const std::string& doing, long simulations) {
-                choice.progress(name + " alone: " + doing, simulations);
+            options.progress = [&](const Stage& stage, long simulations) {
+                Stage of_run = stage;
+                of_run.doing = fmt::format("{} alone: {}", name, stage.doing);
+                choice.progress(of_run, simulations);
             };
         }
         verdicts.runs.push_back(verdict_of(name, diagnose(one, observe(one), options)));

@@ -65,8 +65,10 @@ void take_signatures(const input::Experiment& still, const Eigen::VectorXd& simu
             }
             continue;
         }
-        score_data.say(fmt::format("signature {} of {}: {}", k + 1, score_data.candidates.size(),
-                                   name_of(candidate, *score_data.experiment)));
+        score_data.say({.doing = "signature",
+                        .of = name_of(candidate, *score_data.experiment),
+                        .number = k + 1,
+                        .count = score_data.candidates.size()});
         input::Experiment moved = with(still, {candidate}, {candidate.trial});
         moved.parameters.clear();
         Simulator one(moved, *score_data.observations);
@@ -114,12 +116,12 @@ Scores scores_against(const Refit& model, const Eigen::MatrixXd& columns) {
 void ScoreTestData::count(long more) {
     simulations += more;
     if (progress) {
-        progress(doing, simulations);
+        progress(stage, simulations);
     }
 }
 
-void ScoreTestData::say(std::string what) {
-    doing = std::move(what);
+void ScoreTestData::say(Stage what) {
+    stage = std::move(what);
     count(0);
 }
 
@@ -172,7 +174,7 @@ ScoreTestData prepare_score_tests(const input::Experiment& experiment, const Obs
                                   std::vector<Candidate> candidates, Progress progress) {
     ScoreTestData score_data;
     score_data.progress = std::move(progress);
-    score_data.say("fitting the case as it is");
+    score_data.say({.doing = "fitting the case as it is"});
     score_data.experiment = &experiment;
     score_data.observations = &observations;
     Fit fit(experiment, observations);
@@ -196,17 +198,17 @@ ScoreTestData prepare_score_tests(const input::Experiment& experiment, const Obs
         score_data.sign[static_cast<Eigen::Index>(k)] =
             candidate.absent == candidate.low ? 1 : (candidate.absent == candidate.high ? -1 : 0);
     }
-    score_data.say(fmt::format("signatures of {} candidates", score_data.candidates.size()));
+    score_data.say({.doing = fmt::format("signatures of {} candidates", score_data.candidates.size())});
     const input::Experiment still = frozen(score_data, fit.simulator(), score_data.base.values);
     take_signatures(still, fit.now().simulated, score_data);
-    score_data.say("responses to unknown heat");
+    score_data.say({.doing = "responses to unknown heat"});
     std::vector<solver::Problem> problems;
     for (const input::MeasuredRun& run : still.runs) {
         problems.push_back(run.problem);
     }
     score_data.unknowns = candidate_sources_of(experiment, observations, problems, score_data.steps, windows);
     score_data.count(fit.simulator().simulations());
-    score_data.say("estimating the noise");
+    score_data.say({.doing = "estimating the noise"});
     settle(score_data);
     return score_data;
 }

@@ -3,6 +3,7 @@
 // unknown sources, and thresholds.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -16,8 +17,16 @@
 
 namespace tiretherm::diagnosis {
 
+/// What is being done: `candidate 7 of 23: sidewall_convection`.
+struct Stage {
+    std::string doing{};     ///< "candidate"
+    std::string of{};        ///< "sidewall_convection"; empty where there is nothing to name
+    std::size_t number = 0;  ///< of `count` equal pieces of work, from 1
+    std::size_t count = 0;   ///< 0: it is one piece, as long as it takes
+};
+
 /// Told what is being done, and how many runs were simulated so far.
-using Progress = std::function<void(const std::string& doing, long simulations)>;
+using Progress = std::function<void(const Stage& stage, long simulations)>;
 
 /// Score tests of a fitted model against measured data: the noise, and the signature of every effect that may be
 /// missing.
@@ -46,11 +55,11 @@ struct ScoreTestData {
     double pair_threshold = 0.0;
     long simulations = 0;
     Progress progress{};
-    std::string doing{};
+    Stage stage{};
 
     void count(long more);
     /// Says what is being done from now on.
-    void say(std::string what);
+    void say(Stage what);
     /// Scores of the candidates and of the unknown sources against another model.
     [[nodiscard]] Scores scores_after(const Refit& model) const;
     [[nodiscard]] Scores unknown_scores_after(const Refit& model) const;

@@ -9,12 +9,10 @@
 #include <chrono>
 #include <exception>
 #include <mutex>
-#include <numeric>
 
 #include <fmt/format.h>
 
 #include "mesh/place.hpp"
-#include "solver/hot_spot/hot_spot.hpp"
 #include "solver/in_parallel.hpp"
 #include "solver/stop_signal.hpp"
 #include "solver/time_integration/run_to_end.hpp"
@@ -25,37 +23,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The hottest temperature of a run: at the rows between the cells too, at every step that of a node.
-class Hottest {
-public:
-    explicit Hottest(const solver::Problem& problem) : finder_(problem.mesh, all_nodes(problem.mesh)) {}
-
-    void take(const solver::Snapshot& snapshot) {
-        const solver::HotSpotFinder::Found found = finder_.find(snapshot.temperature);
-        if (found.temperature > peak_.temperature) {
-            peak_ = {.temperature = found.temperature, .time = snapshot.time, .node = found.node};
-        }
-    }
-    [[nodiscard]] solver::Report::Extreme of(const solver::Report& report) const {
-        return peak_.temperature > report.hottest.temperature ? peak_ : report.hottest;
-    }
-
-private:
-    static std::vector<int> all_nodes(const mesh::Mesh& mesh) {
-        std::vector<int> nodes(static_cast<std::size_t>(mesh.n_nodes));
-        std::iota(nodes.begin(), nodes.end(), 0);
-        return nodes;
-    }
-    solver::HotSpotFinder finder_;
-    solver::Report::Extreme peak_;
-};
-
-diagnosis::StudyOutcome outcome_of(const solver::Problem& problem, const solver::RunEnd& run_end, const Hottest& seen) {
+diagnosis::StudyOutcome outcome_of(const solver::Problem& problem, const solver::RunEnd& run_end) {
     const solver::Report& report = run_end.report;
     if (!run_end.failure.empty()) {
         return {.failure = run_end.failure};
     }
-    const solver::Report::Extreme hottest = seen.of(report);
+    const solver::Report::Extreme& hottest = report.hottest;
     const mesh::Place place = mesh::place_of(problem.mesh, hottest.node);
     return {.failure = {},
             .hottest = hottest.temperature,
@@ -105,9 +78,8 @@ StudyResults run_study(const input::Study& study, CompletedRuns& journal, unsign
         diagnosis::StudyOutcome outcome;
         try {
             const solver::Problem problem = study.problem(run);
-            Hottest hottest(problem);
-            run_end = solver::run_to_end(problem, [&](const solver::Snapshot& snapshot) { hottest.take(snapshot); });
-            outcome = outcome_of(problem, run_end, hottest);
+            run_end = solver::run_to_end(problem, [](const solver::Snapshot&) {});
+            outcome = outcome_of(problem, run_end);
         } catch (const std::exception& error) {
             run_end.failure = error.what();
         }

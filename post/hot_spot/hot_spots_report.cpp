@@ -259,10 +259,6 @@ std::string moment_text(const TestMoment& moment) {
 
 Section hot_spots_section(const HotSpots& hot_spots, const mesh::Mesh& mesh) {
     Section section("Hot spots");
-    section.say(
-        "A hot spot's temperature and place are those of the peak between the centres of cells. \"hottest\" of "
-        "Readings is "
-        "the mean of a cell, and mostly lower.");
     for (const HotSpot& spot : hot_spots.spots) {
         section.add(spot_part(hot_spots, spot, mesh));
     }

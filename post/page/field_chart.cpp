@@ -173,7 +173,19 @@ FieldFrames::FieldFrames(const solver::Problem& problem)
     : problem_(problem),
       folded_(!problem.mesh.columns.empty() && !problem.mesh.drawing.places.empty()),
       section_(folded_ && problem.mesh.sectors > 1 ? mesh::drawn_section(problem.mesh) : mesh::Mesh{}),
-      drawn_(problem.mesh.sectors > 1 ? section_ : problem.mesh) {}
+      drawn_(problem.mesh.sectors > 1 ? section_ : problem.mesh) {
+    if (folded_) {
+        std::vector<int> nodes;
+        for (const mesh::Column& column : drawn_mesh().columns) {
+            nodes.insert(nodes.end(), {column.outer, column.inner});
+            for (int k = 0; k < column.cells(); ++k) {
+                nodes.push_back(column.first_cell + k);
+            }
+        }
+        std::ranges::sort(nodes);
+        hot_spot_finder_.emplace(drawn_mesh(), std::move(nodes));
+    }
+}
 
 FieldFrames::Frame FieldFrames::frame_of(const solver::Snapshot& snapshot) const {
     Frame frame;
@@ -207,10 +219,12 @@ FieldFrames::Frame FieldFrames::frame_of(const solver::Snapshot& snapshot) const
         }
         frame.celsius.push_back(static_cast<float>(solver::celsius(0.25 * sum)));
     }
-    const auto hottest = std::ranges::max_element(kelvin);
-    const mesh::Point& at = mesh.drawing.points[static_cast<std::size_t>(hottest - kelvin.begin())];
-    frame.hottest = solver::celsius(*hottest);
-    frame.at = {mm(at[0]), mm(at[2])};
+    const solver::HotSpotFinder::Found hottest =
+        hot_spot_finder_->find(is_ring ? std::span<const double>(mean) : snapshot.temperature);
+    frame.hottest = solver::celsius(hottest.temperature);
+    if (const auto at = folded_place(mesh, hottest.point[0], hottest.point[2])) {
+        frame.at = {mm((*at)[0]), mm((*at)[1])};
+    }
     return frame;
 }
 
@@ -411,9 +425,7 @@ std::string FieldFrames::caption(const diagnosis::HotSpots* hot_spots) const {
         folded_ && hot_spots != nullptr ? " The diamonds are the hot spots of the parts with a critical temperature."
                                         : "",
         problem_.mesh.sectors > 1 ? " Mean around the tire." : "",
-        folded_ ? " The picture interpolates between the cells; \"hottest\" of Readings is the mean of a cell."
-                : " The colour of a cell is its mean; the circle stands in the hottest cell.",
-        layers);
+        folded_ ? "" : " The colour of a cell is its mean; the circle stands in the hottest cell.", layers);
 }
 
 }  // namespace tiretherm::post

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "mesh/mesh.hpp"
 #include "post/pictures/drawn_field.hpp"
 #include "post/report/value.hpp"
+#include "solver/hot_spot_finder.hpp"
 #include "solver/problem.hpp"
 #include "solver/time_integration/march.hpp"
 
@@ -47,6 +49,7 @@ private:
     bool folded_ = false;
     mesh::Mesh section_;  ///< of a ring, or empty
     DrawnField drawn_;
+    std::optional<solver::HotSpotFinder> hot_spot_finder_;  ///< of the folded section, the gas and the rim aside
     std::vector<Frame> frames_;
     Frame hottest_;
     std::size_t stride_ = 1;  ///< of the fields that are kept

@@ -78,9 +78,33 @@ std::string progress_line(const std::string& name, const Advance& advance) {
     return line;
 }
 
+namespace {
+
+/// Before what a narrow terminal cuts off.
+std::string stage_text(const WorkDone::Stage& stage) {
+    if (stage.doing.empty()) {
+        return "";
+    }
+    std::string text = stage.doing;
+    if (stage.count > 0) {
+        text += fmt::format(" {} of {}", stage.number, stage.count);
+    }
+    if (!stage.of.empty()) {
+        text += ": " + stage.of;
+    }
+    if (stage.count > 0 && stage.number > 1) {
+        const auto done = static_cast<double>(stage.number - 1);
+        text +=
+            fmt::format(", about {} left", duration(stage.elapsed * (static_cast<double>(stage.count) - done) / done));
+    }
+    return text + ", ";
+}
+
+}  // namespace
+
 std::string work_line(const WorkDone& work, double elapsed) {
     const auto grouped_count = [](std::size_t n) { return grouped(static_cast<double>(n)); };
-    std::string line = work.stage.empty() ? "" : work.stage + ", ";
+    std::string line = stage_text(work.stage);
     line += work.total > 0
                 ? fmt::format("{} of {} {}s", grouped_count(work.done), grouped_count(work.total), work.thing)
                 : fmt::format("{} {}{}", grouped_count(work.done), work.thing, work.done == 1 ? "" : "s");

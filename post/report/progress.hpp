@@ -28,14 +28,23 @@ struct Advance {
 
 /// How far work is that consists of equal pieces.
 struct WorkDone {
-    std::string stage{};             ///< "candidate 7 of 23: sidewall_convection"; empty: there is one alone
+    /// One of several things that are done one after the other.
+    struct Stage {
+        std::string doing{};     ///< "candidate"; empty: there is one stage alone
+        std::string of{};        ///< "sidewall_convection"
+        std::size_t number = 0;  ///< of `count` pieces that the stage consists of, from 1
+        std::size_t count = 0;   ///< 0: not known, and then nothing is said of the time left
+        double elapsed = 0.0;    ///< s of wall time since the stage began
+    };
+    Stage stage{};
     std::size_t done = 0;            ///< pieces
     std::size_t total = 0;           ///< 0: not known, and then nothing is said of the time left
     std::size_t kept = 0;            ///< of those done, by an earlier call: they took no time
     std::string_view thing = "run";  ///< a piece
 };
 
-/// `candidate 7 of 23: sidewall_convection, 212 simulations, 3.4 simulations/s, 62 s so far`, or where the total is known
+/// `candidate 7 of 23: sidewall_convection, about 40 s left, 212 simulations, 3.4 simulations/s, 62 s so far` - what is left
+/// is left of the candidates, by the six that are done - or where the total is known
 /// `12 of 40 runs, 3.1 runs/s, about 9 s left`. @param elapsed s of wall time
 [[nodiscard]] std::string work_line(const WorkDone& work, double elapsed);
 

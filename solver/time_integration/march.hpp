@@ -47,7 +47,7 @@ struct Report {
         double time = 0.0;         ///< s
         int node = -1;
     };
-    Extreme hottest;
+    Extreme hottest;  ///< the peak between the centres of cells, see HotSpotFinder
     Extreme coldest;
     std::vector<double> channel_final;  ///< [n_channels] K
     std::vector<double> channel_min;

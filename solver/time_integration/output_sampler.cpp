@@ -17,6 +17,7 @@ OutputSampler::OutputSampler(const Problem& problem, const Observer& observer, c
     : problem_(&problem),
       observer_(&observer),
       stepper_(&stepper),
+      hot_spot_finder_(problem.mesh, all_nodes(problem.mesh)),
       sensor_outputs_(problem, stepper.system()),
       channels_(problem.channels.size()),
       field_(problem.initial),
@@ -48,10 +49,11 @@ void OutputSampler::take_step() {
 
 void OutputSampler::watch(Report& report) {
     const std::span<const double> T = stepper_->temperature();
+    const HotSpotFinder::Found hottest = hot_spot_finder_.find(T);
+    if (hottest.temperature > report.hottest.temperature) {
+        report.hottest = {hottest.temperature, stepper_->time(), hottest.node};
+    }
     for (std::size_t n = 0; n < T.size(); ++n) {
-        if (T[n] > report.hottest.temperature) {
-            report.hottest = {T[n], stepper_->time(), static_cast<int>(n)};
-        }
         if (T[n] < report.coldest.temperature) {
             report.coldest = {T[n], stepper_->time(), static_cast<int>(n)};
         }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/hot_spot_finder.hpp"
 #include "solver/time_integration/law_ranges.hpp"
 #include "solver/time_integration/march.hpp"
 #include "solver/time_integration/sensor_outputs.hpp"
@@ -46,6 +47,7 @@ private:
     const Problem* problem_;
     const Observer* observer_;
     const Stepper* stepper_;
+    HotSpotFinder hot_spot_finder_;
     SensorOutputs sensor_outputs_;
     std::vector<physics::Inputs> inputs_;  ///< logged ones at the stages of a step
     std::vector<double> channels_;

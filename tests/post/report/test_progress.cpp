@@ -44,9 +44,23 @@ TEST(Progress, TimeLeftFollowsFromTheRunsThatTookTime) {
 
 TEST(Progress, NothingIsSaidOfTheTimeLeftWhereTheTotalIsUnknown) {
     // 300 simulations in 150 s are 2 a second; one in 50 s is slower than 0.1 a second, which is said as seconds for one.
-    EXPECT_EQ(work_line({.stage = "candidate 7 of 23: sidewall_convection", .done = 300, .thing = "simulation"}, 150.0),
-              "candidate 7 of 23: sidewall_convection, 300 simulations, 2 simulations/s, 2 min so far");
+    EXPECT_EQ(work_line({.stage = {.doing = "looking back"}, .done = 300, .thing = "simulation"}, 150.0),
+              "looking back, 300 simulations, 2 simulations/s, 2 min so far");
     EXPECT_EQ(work_line({.done = 1, .thing = "simulation"}, 50.0), "1 simulation, 50 s a simulation, 50 s so far");
+}
+
+// Six candidates took 36 s, and so the seventh to the 23rd take 17 x 6 s = 102 s. Of the first nothing is known.
+TEST(Progress, TimeLeftOfAStageFollowsFromItsOwnPieces) {
+    WorkDone work{
+        .stage = {.doing = "candidate", .of = "sidewall_convection", .number = 7, .count = 23, .elapsed = 36.0},
+        .done = 300,
+        .thing = "simulation"};
+    EXPECT_EQ(
+        work_line(work, 150.0),
+        "candidate 7 of 23: sidewall_convection, about 102 s left, 300 simulations, 2 simulations/s, 2 min so far");
+    work.stage.number = 1;
+    EXPECT_EQ(work_line(work, 150.0),
+              "candidate 1 of 23: sidewall_convection, 300 simulations, 2 simulations/s, 2 min so far");
 }
 
 // Updates within a tenth of a second after one that was written are not: of 0.10, 0.15, 0.20 s the second is left out.

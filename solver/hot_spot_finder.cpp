@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parabolas through three nodes about the hottest one, in depth and along the meridian, on one side of jumps of
+// material or thickness.
+
+#include "solver/hot_spot_finder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace tiretherm::solver {
+
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Two mirrored shoulders are equally hot but for round-off: the first one is reported, always. K
+constexpr double as_hot = 1e-7;
+
+/// The highest place of the parabola through three points, between two limits, and its weights there.
+struct Peak {
+    double at = 0.0;
+    std::array<double, 3> weight{};
+};
+
+Peak peak(const std::array<double, 3>& x, const std::array<double, 3>& f, double low, double high) {
+    const double left = (f[1] - f[0]) / (x[1] - x[0]);
+    const double right = (f[2] - f[1]) / (x[2] - x[1]);
+    const double bend = (right - left) / (x[2] - x[0]);
+    const auto value = [&](double z) { return f[0] + (z - x[0]) * (left + (z - x[1]) * bend); };
+    Peak found;
+    if (bend < 0.0) {
+        found.at = std::clamp(0.5 * (x[0] + x[1] - left / bend), low, high);
+    } else {
+        found.at = value(low) > value(high) ? low : high;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3;
+        const std::size_t k = (i + 2) % 3;
+        found.weight[i] = (found.at - x[j]) * (found.at - x[k]) / ((x[i] - x[j]) * (x[i] - x[k]));
+    }
+    return found;
+}
+
+/// Three neighbours in a row about one of them, on its own side of whatever interrupts the row.
+/// @param joined whether i and i + 1 belong together  @returns the first of them; n where there are not three
+template <typename Joined>
+std::size_t three_about(std::size_t i, std::size_t n, const Joined& joined) {
+    const auto whole = [&](std::size_t first) { return first + 2 < n && joined(first) && joined(first + 1); };
+    for (const std::size_t back : {1U, 0U, 2U}) {
+        if (i >= back && whole(i - back)) {
+            return i - back;
+        }
+    }
+    return n;
+}
+
+}  // namespace
+
+HotSpotFinder::HotSpotFinder(const mesh::Mesh& mesh, std::vector<int> nodes)
+    : mesh_(&mesh), nodes_(std::move(nodes)), line_positions_(at(mesh.n_nodes)) {
+    for (const mesh::Column& column : mesh.columns) {
+        Line line{.node = {column.outer}, .depth = {0.0}, .edge = column.edge, .first_cell = 1};
+        for (int k = 0; k < column.cells(); ++k) {
+            line.node.push_back(column.first_cell + k);
+            line.depth.push_back(0.5 * (column.edge[at(k)] + column.edge[at(k) + 1]));
+        }
+        line.node.push_back(column.inner);
+        line.depth.push_back(column.edge.back());
+        add_line(std::move(line));
+    }
+    if (mesh.grid) {
+        const mesh::Grid& grid = *mesh.grid;
+        const auto has = [&](mesh::Side side) { return !grid.surface[static_cast<std::size_t>(side)].empty(); };
+        for (int j = 0; j < grid.size(1); ++j) {
+            for (int i = 0; i < grid.size(0); ++i) {
+                Line line{.node = {}, .depth = {}, .edge = grid.edge[2], .first_cell = 0};
+                if (has(mesh::Side::z_min)) {
+                    line.node.push_back(grid.surface_node(mesh::Side::z_min, i, j, 0));
+                    line.depth.push_back(grid.edge[2].front());
+                    line.first_cell = 1;
+                }
+                for (int k = 0; k < grid.size(2); ++k) {
+                    line.node.push_back(grid.cell(i, j, k));
+                    line.depth.push_back(grid.centre[2][at(k)]);
+                }
+                if (has(mesh::Side::z_max)) {
+                    line.node.push_back(grid.surface_node(mesh::Side::z_max, i, j, 0));
+                    line.depth.push_back(grid.edge[2].back());
+                }
+                add_line(std::move(line));
+            }
+        }
+    }
+    goes_on_.assign(lines_.size(), false);
+    for (std::size_t i = 0; i + 1 < mesh.columns.size(); ++i) {
+        const auto layer_of = [&](int node) { return mesh.layer[at(node)]; };
+        const bool beside = std::abs(mesh.columns[i].to - mesh.columns[i + 1].from) < 1e-9;  // not so between sectors
+        goes_on_[i] = beside &&
+                      std::ranges::equal(lines_[i].edge, lines_[i + 1].edge,
+                                         [](double a, double b) { return std::abs(a - b) < 1e-9; }) &&
+                      std::ranges::equal(lines_[i].node, lines_[i + 1].node, {}, layer_of, layer_of);
+    }
+}
+
+void HotSpotFinder::add_line(Line line) {
+    for (std::size_t i = 0; i < line.node.size(); ++i) {
+        line_positions_[at(line.node[i])] = {.line = static_cast<int>(lines_.size()), .index = i};
+    }
+    lines_.push_back(std::move(line));
+}
+
+int HotSpotFinder::hottest_node(std::span<const double> T) const {
+    int hottest = nodes_.front();
+    for (const int node : nodes_) {
+        hottest = T[at(node)] > T[at(hottest)] + as_hot ? node : hottest;
+    }
+    return hottest;
+}
+
+/// A surface is a place of its own: nothing lies beyond it.
+HotSpotFinder::Interpolant HotSpotFinder::in_depth(const LinePosition& position, std::span<const double> T) const {
+    const Line& line = lines_[at(position.line)];
+    const std::size_t n = line.node.size();
+    Interpolant here{.at = line.depth[position.index], .index = {position.index, position.index, position.index}};
+    const std::size_t cell = position.index - line.first_cell;
+    if (position.index < line.first_cell || cell + 1 >= line.edge.size()) {
+        return here;
+    }
+    const auto joined = [&](std::size_t i) {
+        return mesh_->layer[at(line.node[i])] == mesh_->layer[at(line.node[i + 1])];
+    };
+    std::size_t first = three_about(position.index, n, joined);
+    if (first == n) {
+        first = three_about(position.index, n, [](std::size_t) { return true; });
+    }
+    if (first == n) {
+        return here;
+    }
+    std::array<double, 3> x{};
+    std::array<double, 3> f{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        here.index[i] = first + i;
+        x[i] = line.depth[first + i];
+        f[i] = T[at(line.node[first + i])];
+    }
+    const Peak found = peak(x, f, line.edge[cell], line.edge[cell + 1]);
+    here.at = found.at;
+    here.weight = found.weight;
+    here.count = 3;
+    return here;
+}
+
+double HotSpotFinder::at_depth(std::size_t line, const Interpolant& depth, std::span<const double> T) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < depth.count; ++i) {
+        sum += depth.weight[i] * T[at(lines_[line].node[depth.index[i]])];
+    }
+    return sum;
+}
+
+HotSpotFinder::Interpolant HotSpotFinder::along(std::size_t line, const Interpolant& depth,
+                                                std::span<const double> T) const {
+    Interpolant here{.index = {line, line, line}};
+    if (line >= mesh_->columns.size()) {
+        return here;
+    }
+    const mesh::Column& column = mesh_->columns[line];
+    here.at = column.middle();
+    const std::size_t n = lines_.size();
+    const std::size_t first = three_about(line, n, [&](std::size_t i) { return goes_on_[i]; });
+    if (first == n) {
+        return here;
+    }
+    std::array<double, 3> x{};
+    std::array<double, 3> f{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        here.index[i] = first + i;
+        x[i] = mesh_->columns[first + i].middle();
+        f[i] = at_depth(first + i, depth, T);
+    }
+    // Where the thickness jumps the field turns into the neighbour: the parabola is not carried on towards it.
+    const bool ends_before = line == first;
+    const bool ends_behind = line == first + 2;
+    const Peak found =
+        peak(x, f, ends_before ? column.middle() : column.from, ends_behind ? column.middle() : column.to);
+    here.at = found.at;
+    here.weight = found.weight;
+    here.count = 3;
+    return here;
+}
+
+HotSpotFinder::Found HotSpotFinder::find(std::span<const double> temperature) const {
+    Found found{.temperature = std::numeric_limits<double>::quiet_NaN()};
+    if (nodes_.empty()) {
+        return found;
+    }
+    found.node = hottest_node(temperature);
+    found.temperature = temperature[at(found.node)];
+    found.point = mesh_->centre[at(found.node)];
+    const LinePosition& position = line_positions_[at(found.node)];
+    if (position.line < 0) {
+        return found;
+    }
+    const Interpolant depth = in_depth(position, temperature);
+    const Interpolant beside = along(at(position.line), depth, temperature);
+    found.temperature = 0.0;
+    for (std::size_t i = 0; i < beside.count; ++i) {
+        found.temperature += beside.weight[i] * at_depth(beside.index[i], depth, temperature);
+    }
+    found.point[2] = depth.at;
+    if (at(position.line) < mesh_->columns.size()) {
+        found.point[0] = beside.at;
+    }
+    return found;
+}
+
+mesh::Functional HotSpotFinder::functional(std::span<const double> temperature) const {
+    mesh::Functional place;
+    if (nodes_.empty()) {
+        return place;
+    }
+    const int node = hottest_node(temperature);
+    const LinePosition& position = line_positions_[at(node)];
+    if (position.line < 0) {
+        place.add(node, 1.0);
+        return place;
+    }
+    const Interpolant depth = in_depth(position, temperature);
+    const Interpolant beside = along(at(position.line), depth, temperature);
+    for (std::size_t i = 0; i < beside.count; ++i) {
+        for (std::size_t k = 0; k < depth.count; ++k) {
+            place.add(lines_[beside.index[i]].node[depth.index[k]], beside.weight[i] * depth.weight[k]);
+        }
+    }
+    return place;
+}
+
+std::vector<int> all_nodes(const mesh::Mesh& mesh) {
+    std::vector<int> nodes(at(mesh.n_nodes));
+    std::iota(nodes.begin(), nodes.end(), 0);
+    return nodes;
+}
+
+}  // namespace tiretherm::solver
