@@ -125,6 +125,33 @@ DataTable extremes(const RunRecord& run) {
     return table;
 }
 
+/// What rows that are far apart leave out of the channels' courses: named where a temperature goes further between two rows
+/// than in all of them. Its extremes are of every step.
+std::string missed_between_rows(const RunRecord& run) {
+    constexpr double noticed = 1.0;         // K
+    constexpr double noticed_share = 0.05;  // of all that the channel changes by
+    double most = 0.0;
+    std::size_t where = 0;
+    for (std::size_t c = 0; c < run.problem.channels.size(); ++c) {
+        if (run.problem.channels[c].quantity != solver::Quantity::temperature) {
+            continue;
+        }
+        const std::vector<double> rows = run.history.channel(c);
+        const auto [low, high] = std::ranges::minmax(rows);
+        const double missed = std::max(run.report.channel_max[c] - high, low - run.report.channel_min[c]);
+        if (missed > std::max(noticed, noticed_share * (run.report.channel_max[c] - run.report.channel_min[c])) &&
+            missed > most) {
+            most = missed;
+            where = c;
+        }
+    }
+    return most == 0.0 ? ""
+                       : fmt::format(
+                             "Between the rows of output, every {:.4g} s, {} goes up to {:.1f} K further than "
+                             "in them: charts and files do not show it. A smaller `output` under [run] does.",
+                             run.problem.settings.output_interval, run.problem.channels[where].name, most);
+}
+
 Value extreme(const RunRecord& run, const solver::Report::Extreme& found) {
     const mesh::Place place = mesh::place_of(run.problem.mesh, found.node);
     Value position;  // null for a lump
@@ -168,6 +195,9 @@ void add_results(Report& page, const RunRecord& run) {
     const mesh::Mesh& mesh = run.problem.mesh;
     Section section("Readings", readings(run, page.data));
     section.add(extremes(run));
+    if (const std::string missed = missed_between_rows(run); !missed.empty()) {
+        section.say(missed);
+    }
     add_channel_charts(section, run);
     if (is_meaningless(run.report)) {
         Section nothing("Results");
