@@ -24,10 +24,6 @@ constexpr std::size_t values_on_a_page = 500'000;  ///< 1.3 MB as text
 constexpr double per_metre = 1e3;                  ///< mm
 constexpr double steps = 65535.0;
 
-std::size_t corner(const mesh::Mesh& mesh, int cell, std::size_t i) {
-    return static_cast<std::size_t>(mesh.drawing.corners[4 * static_cast<std::size_t>(cell) + i]);
-}
-
 double mm(double metres) { return rounded(per_metre * metres, 5); }
 
 std::string words(std::string name) {
@@ -35,10 +31,11 @@ std::string words(std::string name) {
     return name;
 }
 
-/// Numbers of a quadrilateral, corner after corner.
-void add_quad(Value::List& quads, const std::array<double, 8>& at) {
+/// Numbers of a polygon, corner after corner.
+template <std::size_t N>
+void add_polygon(Value::List& polygons, const std::array<double, N>& at) {
     for (const double value : at) {
-        quads.emplace_back(mm(value));
+        polygons.emplace_back(mm(value));
     }
 }
 
@@ -61,57 +58,21 @@ Value axis(std::string_view name, const Range& range, double margin, bool down) 
 }
 
 /// Lines where layers meet and where zones meet. mm
-Value::List borders_of(const mesh::Mesh& mesh) {
+Value::List borders_of(const FoldedSection& section) {
     Value::List borders;
-    const auto add = [&](const mesh::Point& a, const mesh::Point& b) {
-        borders.emplace_back(Value::List{mm(a[0]), mm(a[2]), mm(b[0]), mm(b[2])});
-    };
-    const auto& points = mesh.drawing.points;
-    for (std::size_t i = 0; i < mesh.columns.size(); ++i) {
-        const mesh::Column& column = mesh.columns[i];
-        for (int k = 0; k + 1 < column.cells(); ++k) {
-            const int cell = column.first_cell + k;
-            if (mesh.layer[static_cast<std::size_t>(cell)] != mesh.layer[static_cast<std::size_t>(cell) + 1]) {
-                add(points[corner(mesh, cell, 0)], points[corner(mesh, cell, 1)]);
-            }
+    for (const FoldedSection::Border& border : section.borders()) {
+        Value::List line;
+        for (const FoldedSection::Place& place : border.line) {
+            line.emplace_back(mm(place[0]));
+            line.emplace_back(mm(place[1]));
         }
-        if (i + 1 < mesh.columns.size() && mesh.columns[i + 1].zone != column.zone) {
-            add(points[corner(mesh, column.first_cell, 2)],
-                points[corner(mesh, column.first_cell + column.cells() - 1, 1)]);
-        }
+        borders.emplace_back(std::move(line));
     }
     return borders;
 }
 
-/// Where a place of the unrolled section lies in the folded one: straight between the corners of its cell. m
-std::optional<std::array<double, 2>> folded_place(const mesh::Mesh& mesh, double along, double depth) {
-    for (const mesh::Column& column : mesh.columns) {
-        if (along < column.from || along > column.to) {
-            continue;
-        }
-        int k = 0;
-        while (k + 1 < column.cells() && depth > column.edge[static_cast<std::size_t>(k) + 1]) {
-            ++k;
-        }
-        const double top = column.edge[static_cast<std::size_t>(k)];
-        const double bottom = column.edge[static_cast<std::size_t>(k) + 1];
-        const double u = (along - column.from) / (column.to - column.from);
-        const double v = std::clamp((depth - top) / (bottom - top), 0.0, 1.0);
-        // Corners: inner side from outboard to inboard, then the outer side back.
-        std::array<double, 2> at{};
-        const std::array<double, 4> weight{(1.0 - u) * v, u * v, u * (1.0 - v), (1.0 - u) * (1.0 - v)};
-        for (std::size_t i = 0; i < 4; ++i) {
-            const mesh::Point& p = mesh.drawing.points[corner(mesh, column.first_cell + k, i)];
-            at[0] += weight[i] * p[0];
-            at[1] += weight[i] * p[2];
-        }
-        return at;
-    }
-    return std::nullopt;
-}
-
 /// The name of each zone beside its middle column, inside the cavity.
-Value::List names_of(const mesh::Mesh& mesh) {
+Value::List names_of(const FoldedSection& section, const mesh::Mesh& mesh) {
     Value::List names;
     for (std::size_t zone = 0; zone < mesh.zones.size(); ++zone) {
         std::vector<const mesh::Column*> own;
@@ -124,22 +85,18 @@ Value::List names_of(const mesh::Mesh& mesh) {
             continue;
         }
         const mesh::Column& middle = *own[own.size() / 2];
-        const mesh::Point& at = mesh.drawing.points[corner(mesh, middle.first_cell + middle.cells() - 1, 0)];
+        const FoldedSection::Place at = section.in_cell(middle.first_cell + middle.cells() - 1, 0.0, 0.0);
         constexpr double beside = 4.0;  // mm
         names.emplace_back(Value{{"name", words(mesh.zones[zone])},
-                                 {"x", mm(at[0]) + (at[0] < -0.05  ? beside
-                                                    : at[0] > 0.05 ? -beside
-                                                                   : 0.0)},
-                                 {"y", mm(at[2]) - beside},
-                                 {"align", at[0] < -0.05  ? "left"
-                                           : at[0] > 0.05 ? "right"
-                                                          : "center"}});
+                                 {"x", mm(at[0]) + (at[0] < -0.05 ? beside : -beside)},
+                                 {"y", mm(at[1]) - beside},
+                                 {"align", at[0] < -0.05 ? "left" : "right"}});
     }
     return names;
 }
 
 /// A point in the middle of each layer of the crown, side by side, and the cavity below it, where the names have room. mm
-Value::List layer_places_of(const mesh::Mesh& mesh) {
+Value::List layer_places_of(const FoldedSection& section, const mesh::Mesh& mesh) {
     std::size_t middle = 0;  // column at the tire's plane
     for (std::size_t i = 0; i < mesh.columns.size(); ++i) {
         const auto off = [&](std::size_t c) { return std::abs(mesh.columns[c].from + mesh.columns[c].to); };
@@ -158,7 +115,7 @@ Value::List layer_places_of(const mesh::Mesh& mesh) {
         first = k + 1;
         // Side by side: 4 mm from one to the next.
         const double along = 0.5 * (column.from + column.to) + 4e-3 * static_cast<double>(places.size());
-        if (const auto at = folded_place(mesh, along, depth)) {
+        if (const auto at = section.place(along, depth)) {
             places.emplace_back(Value{{"name", words(mesh.layers[static_cast<std::size_t>(layer(k))])},
                                       {"x", mm((*at)[0])},
                                       {"y", mm((*at)[1])}});
@@ -175,15 +132,7 @@ FieldFrames::FieldFrames(const solver::Problem& problem)
       section_(folded_ && problem.mesh.sectors > 1 ? mesh::drawn_section(problem.mesh) : mesh::Mesh{}),
       drawn_(problem.mesh.sectors > 1 ? section_ : problem.mesh) {
     if (folded_) {
-        std::vector<int> nodes;
-        for (const mesh::Column& column : drawn_mesh().columns) {
-            nodes.insert(nodes.end(), {column.outer, column.inner});
-            for (int k = 0; k < column.cells(); ++k) {
-                nodes.push_back(column.first_cell + k);
-            }
-        }
-        std::ranges::sort(nodes);
-        hot_spot_finder_.emplace(drawn_mesh(), std::move(nodes));
+        section_shape_.emplace(drawn_mesh());
     }
 }
 
@@ -215,14 +164,14 @@ FieldFrames::Frame FieldFrames::frame_of(const solver::Snapshot& snapshot) const
     for (int cell = 0; cell < mesh.n_cells; ++cell) {
         double sum = 0.0;
         for (std::size_t i = 0; i < 4; ++i) {
-            sum += kelvin[corner(mesh, cell, i)];
+            sum += kelvin[section_shape_->corner(cell, i)];
         }
         frame.celsius.push_back(static_cast<float>(solver::celsius(0.25 * sum)));
     }
     const solver::HotSpotFinder::Found hottest =
-        hot_spot_finder_->find(is_ring ? std::span<const double>(mean) : snapshot.temperature);
+        section_shape_->hottest(is_ring ? std::span<const double>(mean) : snapshot.temperature);
     frame.hottest = solver::celsius(hottest.temperature);
-    if (const auto at = folded_place(mesh, hottest.point[0], hottest.point[2])) {
+    if (const auto at = section_shape_->place(hottest.point[0], hottest.point[2])) {
         frame.at = {mm((*at)[0]), mm((*at)[1])};
     }
     return frame;
@@ -258,32 +207,36 @@ void FieldFrames::thin() {
 }
 
 Value FieldFrames::outline() const {
-    Value::List quads;
+    Value::List polygons;
     Value::List layers;
     Range across;
     Range along;
     if (folded_) {
         const mesh::Mesh& mesh = drawn_mesh();
         for (int cell = 0; cell < mesh.n_cells; ++cell) {
-            std::array<double, 8> at{};
-            for (std::size_t i = 0; i < 4; ++i) {
-                const mesh::Point& p = mesh.drawing.points[corner(mesh, cell, i)];
-                at[2 * i] = p[0];
-                at[2 * i + 1] = p[2];
-                across.include(per_metre * p[0]);
-                along.include(per_metre * p[2]);
+            constexpr int pieces = FoldedSection::pieces;
+            std::array<double, 4 * (pieces + 1)> polygon{};  // the inner side, and the outer side back
+            for (int i = 0; i < 2 * (pieces + 1); ++i) {
+                const bool inner = i <= pieces;
+                const double u = static_cast<double>(inner ? i : 2 * pieces + 1 - i) / pieces;
+                const FoldedSection::Place place = section_shape_->in_cell(cell, u, inner ? 0.0 : 1.0);
+                polygon[2 * static_cast<std::size_t>(i)] = place[0];
+                polygon[2 * static_cast<std::size_t>(i) + 1] = place[1];
+                across.include(per_metre * place[0]);
+                along.include(per_metre * place[1]);
             }
-            add_quad(quads, at);
+            add_polygon(polygons, polygon);
             layers.emplace_back(mesh.layer[static_cast<std::size_t>(cell)]);
         }
         return {{"x", axis("across, outboard to inboard", across, 6.0, false)},
                 {"y", axis("radius", along, 6.0, false)},
-                {"quads", std::move(quads)},
+                {"corners", 2 * (FoldedSection::pieces + 1)},
+                {"polygons", std::move(polygons)},
                 {"layers", std::move(layers)},
                 {"layer_names", mesh.layers},
-                {"borders", borders_of(mesh)},
-                {"names", names_of(mesh)},
-                {"layer_places", layer_places_of(mesh)}};
+                {"borders", borders_of(*section_shape_)},
+                {"names", names_of(*section_shape_, mesh)},
+                {"layer_places", layer_places_of(*section_shape_, mesh)}};
     }
     const mesh::Grid& grid = *problem_.mesh.grid;
     const bool mirrored = grid.mirror[0];
@@ -295,7 +248,7 @@ Value FieldFrames::outline() const {
                 const double x1 = sign * grid.edge[0][static_cast<std::size_t>(i) + 1];
                 const double z0 = grid.edge[2][static_cast<std::size_t>(k)];
                 const double z1 = grid.edge[2][static_cast<std::size_t>(k) + 1];
-                add_quad(quads, {x0, z0, x1, z0, x1, z1, x0, z1});
+                add_polygon(polygons, std::array{x0, z0, x1, z0, x1, z1, x0, z1});
                 layers.emplace_back(problem_.mesh.layer[static_cast<std::size_t>(grid.cell(i, 0, k))]);
                 across.include(per_metre * x0);
                 across.include(per_metre * x1);
@@ -327,7 +280,8 @@ Value FieldFrames::outline() const {
     }
     return {{"x", axis("across", across, 0.0, false)},
             {"y", axis("depth", along, 0.0, true)},
-            {"quads", std::move(quads)},
+            {"corners", 4},
+            {"polygons", std::move(polygons)},
             {"layers", std::move(layers)},
             {"layer_names", problem_.mesh.layers},
             {"borders", std::move(borders)},
@@ -347,7 +301,7 @@ Value::List FieldFrames::spots(const diagnosis::HotSpots& hot_spots, const std::
                 continue;
             }
             const solver::HotSpotFinder::Found& found = spot.history.found(row);
-            const std::optional<std::array<double, 2>> at = folded_place(drawn_mesh(), found.point[0], found.point[2]);
+            const auto at = section_shape_->place(found.point[0], found.point[2]);
             places.push_back(
                 at ? Value(Value::List{mm((*at)[0]), mm((*at)[1]), rounded(solver::celsius(found.temperature), 7)})
                    : Value());

@@ -10,8 +10,8 @@
 #include "diagnosis/hot_spot/hot_spots.hpp"
 #include "mesh/mesh.hpp"
 #include "post/pictures/drawn_field.hpp"
+#include "post/pictures/folded_section.hpp"
 #include "post/report/value.hpp"
-#include "solver/hot_spot_finder.hpp"
 #include "solver/problem.hpp"
 #include "solver/time_integration/march.hpp"
 
@@ -35,7 +35,7 @@ public:
 private:
     struct Frame {
         double time = 0.0;           ///< s
-        std::vector<float> celsius;  ///< [quadrilaterals]
+        std::vector<float> celsius;  ///< [polygons]
         double hottest = 0.0;        ///< degC
         std::array<double, 2> at{};  ///< mm, where it is that hot
     };
@@ -49,7 +49,7 @@ private:
     bool folded_ = false;
     mesh::Mesh section_;  ///< of a ring, or empty
     DrawnField drawn_;
-    std::optional<solver::HotSpotFinder> hot_spot_finder_;  ///< of the folded section, the gas and the rim aside
+    std::optional<FoldedSection> section_shape_;
     std::vector<Frame> frames_;
     Frame hottest_;
     std::size_t stride_ = 1;  ///< of the fields that are kept

@@ -13,6 +13,7 @@
 #include "post/pictures/colour_bar.hpp"
 #include "post/pictures/drawn_field.hpp"
 #include "post/pictures/field_layout.hpp"
+#include "post/pictures/folded_section.hpp"
 #include "post/pictures/picture.hpp"
 #include "solver/celsius.hpp"
 
@@ -37,7 +38,7 @@ struct Page {
     [[nodiscard]] Dot dot(double lateral, double radius) const {
         return {margin + scale * (lateral - left), room_above + scale * (top - radius)};
     }
-    [[nodiscard]] Dot dot(const Point& p) const { return dot(p[0], p[2]); }
+    [[nodiscard]] Dot dot(const FoldedSection::Place& place) const { return dot(place[0], place[1]); }
 };
 
 Page page_of(const Mesh& mesh) {
@@ -55,39 +56,22 @@ Page page_of(const Mesh& mesh) {
     return {.scale = scale, .left = left, .top = top, .height = scale * (top - bottom)};
 }
 
-/// Corners of a cell: outboard and inboard below, inboard and outboard above.
-std::array<std::size_t, 4> corners(const Mesh& mesh, int cell) {
-    std::array<std::size_t, 4> c{};
-    for (std::size_t i = 0; i < 4; ++i) {
-        c[i] = static_cast<std::size_t>(mesh.drawing.corners[4 * static_cast<std::size_t>(cell) + i]);
-    }
-    return c;
+/// Between the corners of a cell. @param u from outboard to inboard, 0 to 1  @param v from the inner to the outer side
+double blend(const std::array<double, 4>& value, double u, double v) {
+    return (1.0 - v) * ((1.0 - u) * value[0] + u * value[1]) + v * ((1.0 - u) * value[3] + u * value[2]);
 }
 
-/// Between the corners of a cell. @param x from outboard to inboard, 0 to 1  @param y from below to above
-template <typename Value>
-auto blend(const std::array<Value, 4>& v, double x, double y) {
-    return (1.0 - y) * ((1.0 - x) * v[0] + x * v[1]) + y * ((1.0 - x) * v[3] + x * v[2]);
-}
-
-void fill_cell(Canvas& canvas, const Page& page, const Mesh& mesh, int cell, std::span<const double> kelvin, double low,
-               double high) {
-    const std::array<std::size_t, 4> c = corners(mesh, cell);
+void fill_cell(Canvas& canvas, const Page& page, const FoldedSection& section, int cell, std::span<const double> kelvin,
+               double low, double high) {
     std::array<double, 4> T{};
-    std::array<double, 4> px{};
-    std::array<double, 4> py{};
     for (std::size_t i = 0; i < 4; ++i) {
-        T[i] = solver::celsius(kelvin[c[i]]);
-        const Dot dot = page.dot(mesh.drawing.points[c[i]]);
-        px[i] = dot.x;
-        py[i] = dot.y;
+        T[i] = solver::celsius(kelvin[section.corner(cell, i)]);
     }
     for (int a = 0; a < pieces; ++a) {
         for (int b = 0; b < pieces; ++b) {
             const auto at = [&](int i, int j) {
-                const double x = static_cast<double>(i) / pieces;
-                const double y = static_cast<double>(j) / pieces;
-                return Dot{blend(px, x, y), blend(py, x, y)};
+                return page.dot(
+                    section.in_cell(cell, static_cast<double>(i) / pieces, static_cast<double>(j) / pieces));
             };
             const double middle = blend(T, (a + 0.5) / pieces, (b + 0.5) / pieces);
             canvas.tile(std::array{at(a, b), at(a + 1, b), at(a + 1, b + 1), at(a, b + 1)},
@@ -97,24 +81,14 @@ void fill_cell(Canvas& canvas, const Page& page, const Mesh& mesh, int cell, std
 }
 
 /// Lines where layers meet and where zones meet.
-void draw_borders(Canvas& canvas, const Page& page, const Mesh& mesh) {
+void draw_borders(Canvas& canvas, const Page& page, const FoldedSection& section) {
     const Colour faint = colour(0xffffff, 0.6);
-    for (std::size_t i = 0; i < mesh.columns.size(); ++i) {
-        const mesh::Column& column = mesh.columns[i];
-        for (int k = 0; k + 1 < column.cells(); ++k) {
-            const int cell = column.first_cell + k;
-            if (mesh.layer[static_cast<std::size_t>(cell)] != mesh.layer[static_cast<std::size_t>(cell) + 1]) {
-                const auto c = corners(mesh, cell);
-                canvas.line(std::array{page.dot(mesh.drawing.points[c[0]]), page.dot(mesh.drawing.points[c[1]])}, faint,
-                            1.5);
-            }
+    for (const FoldedSection::Border& border : section.borders()) {
+        std::vector<Dot> line;
+        for (const FoldedSection::Place& place : border.line) {
+            line.push_back(page.dot(place));
         }
-        if (i + 1 < mesh.columns.size() && mesh.columns[i + 1].zone != column.zone) {
-            const auto outer = corners(mesh, column.first_cell);
-            const auto inner = corners(mesh, column.first_cell + column.cells() - 1);
-            canvas.line(std::array{page.dot(mesh.drawing.points[outer[2]]), page.dot(mesh.drawing.points[inner[1]])},
-                        faint, 2.0, true);
-        }
+        canvas.line(line, faint, border.of_zones ? 2.0 : 1.5, border.of_zones);
     }
 }
 
@@ -124,7 +98,7 @@ std::string words(std::string name) {
 }
 
 /// The name of each zone beside its middle column, inside the cavity.
-void name_zones(Canvas& canvas, const Page& page, const Mesh& mesh) {
+void name_zones(Canvas& canvas, const Page& page, const FoldedSection& section, const Mesh& mesh) {
     for (std::size_t zone = 0; zone < mesh.zones.size(); ++zone) {
         std::vector<const mesh::Column*> own;
         for (const mesh::Column& column : mesh.columns) {
@@ -133,8 +107,7 @@ void name_zones(Canvas& canvas, const Page& page, const Mesh& mesh) {
             }
         }
         const mesh::Column& middle = *own[own.size() / 2];
-        const auto inner = corners(mesh, middle.first_cell + middle.cells() - 1);
-        const Dot at = page.dot(mesh.drawing.points[inner[0]]);
+        const Dot at = page.dot(section.in_cell(middle.first_cell + middle.cells() - 1, 0.0, 0.0));
         const bool left = at.x < 0.4 * look::page_width;
         const bool right = at.x > 0.6 * look::page_width;
         canvas.write({left    ? at.x + 22.0
@@ -157,29 +130,30 @@ void draw_folded(const std::filesystem::path& path, const solver::Problem& probl
     const bool is_ring = problem.mesh.sectors > 1;
     const Mesh mesh = is_ring ? mesh::drawn_section(problem.mesh) : problem.mesh;
     const std::vector<double> mean = is_ring ? mesh::around(problem.mesh, temperature) : std::vector<double>{};
-    const std::vector<double> kelvin = DrawnField(mesh).at_points(is_ring ? mean : temperature);
-    const auto hottest = std::max_element(kelvin.begin(), kelvin.end());
-    const double low = solver::celsius(*std::min_element(kelvin.begin(), kelvin.end()));
-    const double high = solver::celsius(*hottest);
+    const std::span<const double> shown = is_ring ? std::span<const double>(mean) : temperature;
+    const std::vector<double> kelvin = DrawnField(mesh).at_points(shown);
+    const FoldedSection section(mesh);
+    const solver::HotSpotFinder::Found hottest = section.hottest(shown);
+    const double low = solver::celsius(std::ranges::min(kelvin));
+    const double high = solver::celsius(hottest.temperature);
     const Page page = page_of(mesh);
     Canvas canvas(look::page_width, static_cast<int>(room_above + page.height + 215.0), look::paper);
     canvas.write({margin, 40.0}, problem.title.empty() ? problem.name : problem.title,
                  {.size = look::title, .ink = look::ink, .bold = true});
     const std::string moment =
         problem.settings.steady ? std::string("steady state") : fmt::format("t = {:.6g} s", time);
-    canvas.write(
-        {margin, 88.0},
-        fmt::format("{}{}; hottest {:.1f} °C between the cells (circle); outboard on the left, inboard on the right",
-                    moment, is_ring ? ", mean around the tire" : "", high),
-        {.size = look::text, .ink = look::faint});
+    canvas.write({margin, 88.0},
+                 fmt::format("{}{}; hottest {:.1f} °C (circle); outboard on the left, inboard on the right", moment,
+                             is_ring ? ", mean around the tire" : "", high),
+                 {.size = look::text, .ink = look::faint});
     for (int cell = 0; cell < mesh.n_cells; ++cell) {
-        fill_cell(canvas, page, mesh, cell, kelvin, low, high);
+        fill_cell(canvas, page, section, cell, kelvin, low, high);
     }
-    draw_borders(canvas, page, mesh);
-    name_zones(canvas, page, mesh);
-    const auto index = static_cast<std::size_t>(hottest - kelvin.begin());
-    const Dot mark = page.dot(mesh.drawing.points[index]);
-    canvas.disc(mark, 7.0, colour(0xffffff, 0.9), look::ink, 2.0);
+    draw_borders(canvas, page, section);
+    name_zones(canvas, page, section, mesh);
+    if (const auto place = section.place(hottest.point[0], hottest.point[2])) {
+        canvas.disc(page.dot(*place), 7.0, colour(0xffffff, 0.9), look::ink, 2.0);
+    }
     draw_colour_bar(canvas, low, high, ticks(low, high, 9), room_above + page.height + 60.0);
     canvas.save(path);
 }

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A page answers its reader: slider, zoom, legend and tooltip, by mouse and by keys."""
+import math
 import re
 
 from held import frame_values, page_data, places
@@ -23,6 +24,7 @@ chart.plot.scrollIntoView({block: "center"});
 const box = chart.plot.getBoundingClientRect();
 const [x, y] = chart.echart.convertToPixel({xAxisIndex: 0, yAxisIndex: 0}, at);
 return [box.left + x, box.top + y];"""
+PIXEL = "return tiretherm.charts[arguments[0]].echart.convertToPixel({xAxisIndex: 0, yAxisIndex: 0}, arguments[1])"
 ON_PLOT = PLACE.replace("chart.echart.convertToPixel({xAxisIndex: 0, yAxisIndex: 0}, at)", "at")
 TIP = """const tips = [...tiretherm.charts[arguments[0]].plot.querySelectorAll(":scope > div")].filter((d) => !d.querySelector("svg, canvas"));
 const seen = tips.find((d) => getComputedStyle(d).visibility !== "hidden" && +getComputedStyle(d).opacity > 0);
@@ -189,8 +191,10 @@ def wrong_tooltip(browser, page):
             point = inside[len(inside) // 2]
             check(index, point, point[1], 1e-4 * abs(point[1]), curve["name"])  # five digits
     for index, data in of_kind(page, "field")[:1]:
-        free = [(value, place) for value, place in zip(frame_values(data, data["hottest"]), places(browser, index)) if place]
-        if free:  # the coldest place: no mark covers it
+        mark = browser.run(PIXEL, index, data["marks"][data["hottest"]][:2])
+        free = [(value, place) for value, place in zip(frame_values(data, data["hottest"]), places(browser, index))
+                if place and math.dist(place, mark) > 15]  # px, where no mark covers it
+        if free:
             value, place = min(free)
             check(index, place, value, 0.006, "the coldest place", ON_PLOT)  # two digits are shown
     for index, data in [(i, bars) for i, bars in of_kind(page, "bars") if "value" in bars["items"][0]][:1]:

@@ -12,9 +12,11 @@ return tiretherm.charts.map((chart) => ({
   kind: chart.data.kind, marks: chart.plot.querySelectorAll("svg path, canvas").length, frame: chart.frame,
   series: chart.echart.getOption().series.map((s) => ({name: s.name, type: s.type, panel: s.xAxisIndex || 0,
     data: (s.data || []).map((d) => d && d.value !== undefined ? d.value : d)}))}))"""
-PLACES = """const chart = tiretherm.charts[arguments[0]], quads = chart.data.quads, places = [];
-for (let q = 0; q < quads.length; q += 8) {
-  const p = [0, 2, 4, 6].map((i) => chart.echart.convertToPixel({xAxisIndex: 0, yAxisIndex: 0}, [quads[q + i], quads[q + i + 1]]));
+PLACES = """const chart = tiretherm.charts[arguments[0]], {polygons, corners} = chart.data, places = [];
+for (let q = 0; q < polygons.length; q += 2 * corners) {
+  // The corners of the four-sided cell, of which two sides may be arcs of several pieces.
+  const four = [0, corners / 2 - 1, corners / 2, corners - 1].map((i) => q + 2 * i);
+  const p = four.map((i) => chart.echart.convertToPixel({xAxisIndex: 0, yAxisIndex: 0}, [polygons[i], polygons[i + 1]]));
   const area = 0.5 * Math.abs(p.reduce((sum, a, i) => { const b = p[(i + 1) % 4]; return sum + a[0] * b[1] - b[0] * a[1]; }, 0));
   const longest = Math.max(...p.map((a, i) => Math.hypot(a[0] - p[(i + 1) % 4][0], a[1] - p[(i + 1) % 4][1])));
   places.push(area / longest < 5 ? null : [0, 1].map((c) => p.reduce((sum, a) => sum + a[c] / 4, 0)));
@@ -66,8 +68,8 @@ def wrong_cells(data, series):
 
 def frame_values(data, frame):
     """Temperatures of a moment, degC."""
-    steps = struct.unpack(f"<{len(data['times']) * len(data['quads']) // 8}H", base64.b64decode(data["values"]))
-    count = len(data["quads"]) // 8
+    count = len(data["polygons"]) // (2 * data["corners"])
+    steps = struct.unpack(f"<{len(data['times']) * count}H", base64.b64decode(data["values"]))
     return [data["low"] + (data["high"] - data["low"]) / 65535 * s for s in steps[frame * count:(frame + 1) * count]]
 
 

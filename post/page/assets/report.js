@@ -127,14 +127,20 @@
   function frames(data) {
     const bytes = Uint8Array.from(atob(data.values), (c) => c.charCodeAt(0));
     const steps = new Uint16Array(bytes.buffer);
-    const quads = data.quads.length / 8, scale = (data.high - data.low) / 65535;
-    return data.times.map((_, f) => Array.from(steps.subarray(f * quads, (f + 1) * quads), (s) => data.low + scale * s));
+    const cells = data.polygons.length / (2 * data.corners), scale = (data.high - data.low) / 65535;
+    return data.times.map((_, f) => Array.from(steps.subarray(f * cells, (f + 1) * cells), (s) => data.low + scale * s));
+  }
+
+  function cornersOf(data, cell) {
+    const first = 2 * data.corners * cell;
+    return Array.from({ length: data.corners }, (_, i) => [data.polygons[first + 2 * i], data.polygons[first + 2 * i + 1]]);
   }
 
   function fieldData(data, values) {
-    return values.map((T, q) => {
-      const c = data.quads.slice(8 * q, 8 * q + 8);
-      return [(c[0] + c[2] + c[4] + c[6]) / 4, (c[1] + c[3] + c[5] + c[7]) / 4, T, q];
+    const middle = (corners) => corners.reduce((sum, value) => sum + value, 0) / corners.length;
+    return values.map((T, cell) => {
+      const corners = cornersOf(data, cell);
+      return [middle(corners.map((p) => p[0])), middle(corners.map((p) => p[1])), T, cell];
     });
   }
 
@@ -163,19 +169,18 @@
     let inner = width - left - right, tall = inner * high / wide;
     if (tall > 620) { tall = 620; inner = tall * wide / high; }
     tall = Math.max(tall, 60);
-    const quads = data.quads;
     const mark = data.marks && data.marks[frame];
     // Drawn at once, not in pieces over several frames: paper and slider show the whole field.
     const series = [{ type: "custom", name: "temperature", data: fieldData(data, data.frames[frame]), encode: { x: 0, y: 1, value: 2 }, clip: true, animation: false, progressive: 0,
       renderItem: (params, api) => {
-        const q = 8 * api.value(3), fill = api.visual("color");
-        const points = [0, 2, 4, 6].map((i) => api.coord([quads[q + i], quads[q + i + 1]]));
+        const fill = api.visual("color"), points = cornersOf(data, api.value(3)).map((p) => api.coord(p));
         return { type: "polygon", shape: { points }, style: { fill, stroke: fill, lineWidth: 0.6 } };
       } }];
     series.push({ type: "custom", name: "borders", silent: true, data: (data.borders || []).map((_, i) => [0, 0, i]), z: 3, animation: false, tooltip: { show: false },
       renderItem: (params, api) => {
-        const b = data.borders[params.dataIndex], p = [0, 2].map((i) => api.coord([b[i], b[i + 1]]));
-        return { type: "line", shape: { x1: p[0][0], y1: p[0][1], x2: p[1][0], y2: p[1][1] }, style: { stroke: "rgba(255,255,255,0.65)", lineWidth: 1 } };
+        const line = data.borders[params.dataIndex];
+        const points = Array.from({ length: line.length / 2 }, (_, i) => api.coord([line[2 * i], line[2 * i + 1]]));
+        return { type: "polyline", shape: { points }, style: { stroke: "rgba(255,255,255,0.65)", lineWidth: 1, fill: null } };
       } });
     const labelled = [];  // names of spots that lie close together stand above one another
     for (const spot of data.spots || []) {

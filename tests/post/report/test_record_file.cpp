@@ -14,12 +14,12 @@
 namespace tiretherm::post {
 namespace {
 
-const solver::Digest::Value identity{1, 2};
+const solver::Digest::Value file_identity{1, 2};
 const std::vector<double> first{1.0 / 3.0, -0.0, std::numeric_limits<double>::infinity()};
 const std::vector<double> second{5e-324};
 
 std::filesystem::path written(const sample::Scratch& scratch) {
-    RecordFile file(scratch / "records", identity);
+    RecordFile file(scratch / "records", file_identity);
     file.append(first);
     file.append({second, first});
     return scratch / "records";
@@ -29,7 +29,7 @@ std::filesystem::path written(const sample::Scratch& scratch) {
 
 TEST(RecordFile, GivesBackEveryBit) {
     const sample::Scratch scratch;
-    const RecordFile file(written(scratch), identity);
+    const RecordFile file(written(scratch), file_identity);
     ASSERT_EQ(file.size(), 2U);
     EXPECT_EQ(file.read(0), first);
     EXPECT_TRUE(std::signbit(file.read(0)[1]));
@@ -42,7 +42,7 @@ TEST(RecordFile, EveryCutLeavesTheWholeRecordsBeforeIt) {
     const std::size_t one = 24 + 16 + 8 * first.size();
     for (std::size_t length = 0; length <= whole.size(); ++length) {
         replace_file(scratch / "records", whole.substr(0, length));
-        RecordFile file(scratch / "records", identity);
+        RecordFile file(scratch / "records", file_identity);
         ASSERT_EQ(file.size(), length == whole.size() ? 2U : length >= one ? 1U : 0U) << length;
         file.append(second);  // goes on behind them
         EXPECT_EQ(file.read(file.size() - 1), second);
@@ -57,7 +57,7 @@ TEST(RecordFile, EveryDamagedByteEndsItThereAtTheLatest) {
         std::string damaged = whole;
         damaged[at] = static_cast<char>(damaged[at] ^ 0x10);
         replace_file(scratch / "records", damaged);
-        EXPECT_EQ(RecordFile(scratch / "records", identity).size(), at < one ? 0U : 1U) << at;
+        EXPECT_EQ(RecordFile(scratch / "records", file_identity).size(), at < one ? 0U : 1U) << at;
     }
 }
 
@@ -66,32 +66,32 @@ TEST(RecordFile, SaysHowManyBytesWereNoWholeRecord) {
     const sample::Scratch scratch;
     const std::string whole = read_text(written(scratch));
     const std::size_t one = 24 + 16 + 8 * first.size();
-    EXPECT_EQ(RecordFile(scratch / "records", identity).dropped(), 0U);
+    EXPECT_EQ(RecordFile(scratch / "records", file_identity).dropped(), 0U);
     replace_file(scratch / "records", whole.substr(0, whole.size() - 3));
-    EXPECT_EQ(RecordFile(scratch / "records", identity).dropped(), whole.size() - 3 - one);
+    EXPECT_EQ(RecordFile(scratch / "records", file_identity).dropped(), whole.size() - 3 - one);
     std::string damaged = whole;
     damaged[30] = '!';
     replace_file(scratch / "records", damaged);
-    EXPECT_EQ(RecordFile(scratch / "records", identity).dropped(), whole.size() - 24);
+    EXPECT_EQ(RecordFile(scratch / "records", file_identity).dropped(), whole.size() - 24);
     replace_file(scratch / "records", "short");
-    EXPECT_EQ(RecordFile(scratch / "records", identity).dropped(), 5U);
+    EXPECT_EQ(RecordFile(scratch / "records", file_identity).dropped(), 5U);
     EXPECT_EQ(RecordFile(written(scratch), {1, 3}).dropped(), 0U);
-    EXPECT_EQ(RecordFile(scratch / "new", identity).dropped(), 0U);
+    EXPECT_EQ(RecordFile(scratch / "new", file_identity).dropped(), 0U);
 }
 
 TEST(RecordFile, RecordsOfAnotherIdentityAreForgotten) {
     const sample::Scratch scratch;
     EXPECT_EQ(RecordFile(written(scratch), {1, 3}).size(), 0U);
-    EXPECT_EQ(RecordFile(scratch / "records", identity).size(), 0U);
+    EXPECT_EQ(RecordFile(scratch / "records", file_identity).size(), 0U);
 }
 
 TEST(RecordFile, CanBeShortened) {
     const sample::Scratch scratch;
-    RecordFile file(written(scratch), identity);
+    RecordFile file(written(scratch), file_identity);
     file.truncate(1);
     file.append(second);
     EXPECT_EQ(file.read(1), second);
-    EXPECT_EQ(RecordFile(scratch / "records", identity).size(), 2U);
+    EXPECT_EQ(RecordFile(scratch / "records", file_identity).size(), 2U);
 }
 
 TEST(Digest, TellsApartWhatDiffersInABitAnOrderOrABorder) {

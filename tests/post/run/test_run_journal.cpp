@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const solver::Digest::Value identity{3, 4};
+const solver::Digest::Value run_identity{3, 4};
 const solver::Checkpoint checkpoint{.numbers = {1.0, 2.0, 3.0}};
 const std::vector<double> follower{4.0};
 
@@ -21,7 +21,7 @@ class Kept {
 public:
     Kept() : problem_(sample::problem()) {
         OutputFolder folder(scratch_ / "o");
-        RunJournal journal(folder, identity, problem_, false);
+        RunJournal journal(folder, run_identity, problem_, false);
         journal.take(sample::Moment(problem_, 0.0, {296.15, 296.15}, false).snapshot);
         journal.take(row_with_field());
         journal.keep(checkpoint, follower);
@@ -30,7 +30,7 @@ public:
     [[nodiscard]] fs::path file(const std::string& name) const { return scratch_ / "o/.tiretherm" / name; }
 
     /// What the next call finds. @returns whether it goes on
-    [[nodiscard]] bool goes_on(bool& damaged, const solver::Digest::Value& by = identity) {
+    [[nodiscard]] bool goes_on(bool& damaged, const solver::Digest::Value& by = run_identity) {
         OutputFolder folder(scratch_ / "o");
         RunJournal journal(folder, by, problem_, false);
         folder.keep_journals();
@@ -78,7 +78,7 @@ TEST(RunJournal, GivesBackStateAndRows) {
     EXPECT_FALSE(damaged);
 }
 
-// Any byte of the state, and any length: never another state than that which was kept. The two words of the identity make
+// Any byte of the state, and any length: never another state than that which was kept. The two words of the run_identity make
 // it a state of another call, which is nothing that a user should hear of.
 TEST(RunJournal, DamagedStateIsNotUsedAndSaidToBeSo) {
     const std::string whole = [] { return read_text(Kept().file("run.state")); }();
@@ -115,7 +115,7 @@ TEST(RunJournal, RowsThatAreNotThoseOfTheRunAreNotUsed) {
     }
     Kept kept;
     {
-        RecordFile rows(kept.file("run.rows"), identity);
+        RecordFile rows(kept.file("run.rows"), run_identity);
         rows.truncate(0);
         rows.append(std::vector<double>{1.0});
         rows.append(std::vector<double>{1.0, 2.0, 3.0, 4.0});
@@ -133,7 +133,7 @@ TEST(RunJournal, CountsThatCannotBeAreNotUsed) {
             std::vector<double> numbers{2.0, 30.0, 1.0, 3.0, 1.0};  // rows, time, seconds, numbers of the solver, one
             numbers[place] = wrong;
             fs::remove(kept.file("run.state"));
-            RecordFile(kept.file("run.state"), identity).append(numbers);
+            RecordFile(kept.file("run.state"), run_identity).append(numbers);
             bool damaged = false;
             EXPECT_FALSE(kept.goes_on(damaged)) << wrong << " at " << place;
             EXPECT_TRUE(damaged);
