@@ -60,7 +60,7 @@ void add_compare_command(CLI::App& program, int& exit_code) {
     CLI::App* command =
         program.add_subcommand("compare", "Compare measured runs with the simulation, channel by channel");
     const auto call = std::make_shared<MeasuredCall>();
-    add_measured_options(*command, *call, "measured runs or numbers",
+    add_measured_options(*command, *call, "measured runs or values",
                          "files of an earlier comparison there are replaced. Default: out/<case name>");
     command->footer(
         "The case is simulated as it stands: nothing is fitted. Differences are simulated - measured.\n"

@@ -46,7 +46,7 @@ bool has_free_parameters(const MeasuredCall& call, const input::Experiment& expe
     if (!experiment.parameters.empty()) {
         return true;
     }
-    report_error(fmt::format("{}: no number of the case is free", call.case_file),
+    report_error(fmt::format("{}: no parameter of the case is free", call.case_file),
                  "name those to be fitted: [[parameter]], see cases/README.md", call.json);
     return false;
 }

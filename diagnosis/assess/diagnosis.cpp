@@ -43,7 +43,7 @@ std::string too_little(const input::Experiment& experiment, const Observations& 
         return fmt::format("no sensor changes ({}).", fmt::join(frozen, ", "));
     }
     // A stated number may stand against what was known of a parameter before. Where the noise is estimated from what is
-    // left, there must be more values than free numbers, and each channel's noise takes one more.
+    // left, there must be more values than free parameters, and each channel's noise takes one more.
     const auto without_prior = std::ranges::count_if(experiment.parameters, [](const solver::FreeParameter& parameter) {
         return std::isinf(parameter.standard_deviation);
     });
@@ -52,8 +52,8 @@ std::string too_little(const input::Experiment& experiment, const Observations& 
     const auto numbers = free + static_cast<long>(observations.channels.size());
     if (values <= numbers && !(stated && free == 0)) {
         return fmt::format(
-            "{} values for {} free numbers and {} noises leave nothing to judge the model by. Longer runs, more "
-            "sensors or fewer free numbers would help.",
+            "{} values for {} free parameters and {} noises leave nothing to judge the model by. Longer runs, more "
+            "sensors or fewer free parameters would help.",
             values, free, observations.channels.size());
     }
     return "";

@@ -65,7 +65,7 @@ std::string given_up_sentence(const ChannelFit& fit, const solver::Channel& chan
     if (is_given_up(fit)) {
         return fmt::format(
             "{}: its rms rose with the fit, from {:.2g} to {:.2g} {}: a missing effect passes for slow noise, and the "
-            "numbers and intervals are not to be trusted; see compare, and fit with noise = "
+            "values and intervals are not to be trusted; see compare, and fit with noise = "
             "\"white\" beside it",
             fit.name, fit.rmse_before, fit.rmse_after, solver::unit_of(channel.quantity));
     }

@@ -300,10 +300,10 @@ DataTable single_numbers(const Comparison& comparison) {
 }
 
 Section numbers_section(DataTable table) {
-    Section section("Single numbers");
+    Section section("Single values");
     if (!table.empty()) {
         section.add(std::move(table));
-        section.say("u: standard uncertainty of the measured number; within up to 2 u");
+        section.say("u: standard uncertainty of the measured value; within up to 2 u");
     }
     return section;
 }

@@ -46,11 +46,11 @@ void add_cause_charts(Section& section, const Diagnosis& result) {
         std::ranges::any_of(result.causes, &Cause::in_set) ? " Framed: in the set of explanations." : "";
     section.chart("Gain of each cause",
                   "Natural logarithm of how much more likely the data are with this cause than without it, the free "
-                  "numbers fitted anew." +
+                  "parameters fitted anew." +
                       framed,
                   bar_chart("gain in log likelihood", "", gains));
     section.chart("Size of each cause",
-                  "Standard deviations of its fitted number from no effect, or from the case's number." + framed,
+                  "Standard deviations of its fitted parameter from no effect, or from the case's value." + framed,
                   bar_chart("size", "standard deviations", sigmas));
 }
 

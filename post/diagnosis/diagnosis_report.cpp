@@ -83,7 +83,7 @@ void add_rows(DataTable& table, const Cause& cause) {
         const std::string interval =
             half > 0.0 ? fmt::format("{} to {}", show(number.low), show(number.high)) : "on trial";
         table.add({page_only("", right(i == 0 ? fmt::format("{}", cause.rank) : "")),
-                   page_only("cause", i < names.size() ? names[i] : ""), page_only("number", number.key),
+                   page_only("cause", i < names.size() ? names[i] : ""), page_only("parameter", number.key),
                    page_only("fitted", right(any ? show(number.value) : "")),
                    page_only("unit", any ? unit_or_dash(number.unit) : ""),
                    page_only("95 %", right(any ? interval : "")),
@@ -108,8 +108,8 @@ Section causes_section(const Diagnosis& result) {
     section.add(std::move(table));
     add_cause_charts(section, result);
     section.say(
-        fmt::format("{}sigma: standard deviations from no effect or from the case's number; gain: in log "
-                    "likelihood over the model without it, the free numbers fitted anew each time.",
+        fmt::format("{}sigma: standard deviations from no effect or from the case's value; gain: in log "
+                    "likelihood over the model without it, the free parameters fitted anew each time.",
                     std::ranges::any_of(result.causes, &Cause::in_set) ? "*: in the set; " : ""));
     if (others > most_others) {
         section.say(fmt::format("{} more are less likely; all of them stand in diagnosis.json.", others - most_others));
@@ -184,7 +184,7 @@ DataTable limits(const Diagnosis& result) {
         table.add({{"cause", "id", {limit.id, cause, false}},
                    data_only("channel", text_or_null(limit.channel)),
                    data_only("place", text_or_null(limit.place)),
-                   {"number", "key", limit.key},
+                   {"parameter", "key", limit.key},
                    {"unit", "unit", {slashed_unit(limit.unit), unit_or_dash(limit.unit), false}},
                    {"95 % from", "low", {limit.low, to_its_digits(limit.low, half)}},
                    {"to", "high", {limit.high, to_its_digits(limit.high, half)}}});
@@ -323,7 +323,7 @@ DataTable free_numbers(const Diagnosis& result) {
     DataTable table;
     for (const FreeNumber& one : result.free_numbers) {
         const double half = 0.5 * (one.high - one.low);
-        table.add({{"number", "name", one.name},
+        table.add({{"parameter", "name", one.name},
                    {"unit", "unit", {slashed_unit(one.unit), unit_or_dash(one.unit), false}},
                    {"fitted", "value", {one.value, to_its_digits(one.value, half)}},
                    {"95 % from", "low", {one.low, to_its_digits(one.low, half)}},
@@ -378,7 +378,7 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
     Report report{.title = record.experiment.runs.front().problem.title};
     report.lead = {fmt::format("{}, {} values, {}; {} simulations, {} s", plural(record.experiment.runs.size(), "run"),
                                grouped(static_cast<double>(record.observations.measured.size())),
-                               plural(record.experiment.parameters.size(), "free number"), result.simulations,
+                               plural(record.experiment.parameters.size(), "free parameter"), result.simulations,
                                to_its_digits(result.seconds, 0.05 * result.seconds)),
                    "Differences are simulated - measured."};
     report.data = {{"case", record.case_file.generic_string()},
@@ -420,7 +420,7 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
     if (!of_error.empty()) {
         Section of_error_section("Error of the model that is left", std::move(of_error));
         of_error_section.say(
-            "These differences are no noise of the sensors. The intervals of all numbers are widened by them.");
+            "These differences are no noise of the sensors. The intervals of all parameters are widened by them.");
         report.add(std::move(of_error_section));
     }
     report.add(next_section(result));
@@ -429,7 +429,7 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
     report.add(causes_section(result));
     report.add(Section("Upper limits (95 %)", std::move(of_limits)));
     report.add(gain_section(record, std::move(of_channels)));
-    report.add(Section("Free numbers", std::move(of_numbers)));
+    report.add(Section("Free parameters", std::move(of_numbers)));
     Section of_noise_section = Section("Noise", std::move(of_noise));
     if (!result.noise.empty() && result.numerical_error_sigma > 0.0) {
         of_noise_section.say(

@@ -178,7 +178,7 @@ Section residual_breakdown(const DiagnosisRecord& record) {
     if (DataTable numbers = single_numbers(record); !numbers.empty()) {
         section.gap();
         section.add(std::move(numbers));
-        section.say("u: standard uncertainty of the measured number");
+        section.say("u: standard uncertainty of the measured value");
     }
     return section;
 }

@@ -75,7 +75,7 @@ Section fit_section(const IdentificationRecord& record, DataTable of_channels, D
     if (!of_numbers.empty()) {
         section.gap();
         section.add(std::move(of_numbers));
-        section.say("u: standard uncertainty of the measured number");
+        section.say("u: standard uncertainty of the measured value");
     }
     return section;
 }

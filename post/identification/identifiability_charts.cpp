@@ -46,11 +46,11 @@ void add_uncertainties(Section& section, const IdentificationRecord& record) {
         section.chart(
             "What is left of the uncertainty",
             "One standard deviation after the fit, in percent of what was known before it. 100 %: the data say nothing "
-            "of this number; below 50 % they say more of it than was known.",
+            "of this parameter; below 50 % they say more of it than was known.",
             bar_chart("left of the uncertainty", "%", of_known, {{.name = "as known before", .value = 100.0}}));
     }
     if (!of_value.empty()) {
-        section.chart("Uncertainty of the numbers of which nothing was known",
+        section.chart("Uncertainty of the parameters of which nothing was known",
                       "One standard deviation after the fit, in percent of the fitted value.",
                       bar_chart("standard deviation", "% of the value", of_value));
     }
@@ -74,7 +74,7 @@ void add_correlations(Section& section, const IdentificationRecord& record) {
     std::vector<std::string> columns = names_of(record);
     std::vector<std::string> rows(columns.begin() + 1, columns.end());
     columns.pop_back();
-    section.chart("Which numbers the data tell apart",
+    section.chart("Which parameters the data tell apart",
                   "Correlation of each pair. Near 0 each is determined by itself. Near -1 only the sum of the two is "
                   "known, near +1 "
                   "only their difference: a change of one can be made up for by the other.",
@@ -113,9 +113,9 @@ void add_directions(Section& section, const IdentificationRecord& record) {
         }
     }
     section.chart("Combinations that the data see least",
-                  "Each row is a combination of the numbers, the least seen first. Beside it: how many times smaller "
+                  "Each row is a combination of the parameters, the least seen first. Beside it: how many times smaller "
                   "its uncertainty is "
-                  "by the data than by what was known before; below 1 the data add little. Moving all numbers of a row "
+                  "by the data than by what was known before; below 1 the data add little. Moving all parameters of a row "
                   "as coloured, each in its own "
                   "uncertainty, changes the readings least.",
                   cell_chart({.name = "", .words = names_of(record)}, {.name = "", .words = std::move(rows)},
@@ -125,7 +125,7 @@ void add_directions(Section& section, const IdentificationRecord& record) {
 }  // namespace
 
 Section identifiability_section(const IdentificationRecord& record) {
-    Section section("How well the numbers are determined");
+    Section section("How well the parameters are determined");
     add_uncertainties(section, record);
     add_correlations(section, record);
     add_directions(section, record);

@@ -56,7 +56,7 @@ DataTable parameters(const IdentificationRecord& record) {
         const solver::FreeParameter& parameter = record.experiment.parameters[j];
         const bool has_prior = std::isfinite(parameter.standard_deviation);
         table.add(
-            {{"number", "name", parameter.name},
+            {{"parameter", "name", parameter.name},
              {"unit", "unit", {parameter.unit, parameter.unit == "1" ? "-" : parameter.unit, false}},
              {"case", "case", shown("{:.5g}", one.before)},
              {planned ? "" : "fitted", "value", {one.value, planned ? "" : to_its_digits(one.value, half_width(one))}},
@@ -86,7 +86,7 @@ std::string channels_in_doubt(const Identification& result) {
 }
 
 Section numbers(const IdentificationRecord& record, DataTable table) {
-    Section section("Numbers", std::move(table));
+    Section section("Parameters", std::move(table));
     const std::vector<Fitted>& fitted = record.result.fitted;
     std::string moved;
     for (std::size_t j = 0; j < fitted.size(); ++j) {
@@ -106,7 +106,7 @@ Section numbers(const IdentificationRecord& record, DataTable table) {
     }
     if (record.result.widened > 1.0) {
         section.say(
-            fmt::format("The noise of {} may be an error of the model (see Fit): what the data say of a number is in "
+            fmt::format("The noise of {} may be an error of the model (see Fit): what the data say of a parameter is in "
                         "doubt, and what they "
                         "add to its interval is {:.2g} times as wide as that noise makes it.",
                         channels_in_doubt(record.result), record.result.widened));
@@ -140,7 +140,7 @@ Section directions(const IdentificationRecord& record) {
         }
         if (section.blocks().empty()) {
             section.say(
-                "Moved together as written, within what was known of them, these numbers change all readings by less "
+                "Moved together as written, within what was known of them, these parameters change all readings by less "
                 "than one standard deviation of the noise:");
         }
         section.item(fmt::format("{}: {}", describe(direction, record.experiment, record.result.values),
@@ -187,7 +187,7 @@ std::string verdict_of(const IdentificationRecord& record) {
                                   word_of(fitted[j].identifiability));
         }
     }
-    return fmt::format("{} of {} {} determined by the data{}", determined, plural(fitted.size(), "number"),
+    return fmt::format("{} of {} {} determined by the data{}", determined, plural(fitted.size(), "parameter"),
                        determined == 1 ? "is" : "are", others.empty() ? "." : "; the others: " + others + ".");
 }
 
@@ -237,7 +237,7 @@ Report identification_report(const IdentificationRecord& record, const std::vect
     }
     Report report{.title = record.experiment.runs.front().problem.title};
     report.lead = {
-        fmt::format("{} {} {}, {} values", plural(result.fitted.size(), "number"),
+        fmt::format("{} {} {}, {} values", plural(result.fitted.size(), "parameter"),
                     record.planned ? "planned for" : "fitted to", plural(record.experiment.runs.size(), "run"),
                     grouped(values)),
         record.planned

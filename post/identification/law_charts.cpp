@@ -155,7 +155,7 @@ Section law_charts(const IdentificationRecord& record) {
             title.front() = static_cast<char>(title.front() - 'a' + 'A');
             section.chart(std::move(title),
                           "Over the temperatures that were measured. The band is of first order, from the intervals of "
-                          "the numbers and their correlation.",
+                          "the parameters and their correlation.",
                           chart.data());
         }
     }

@@ -193,7 +193,7 @@ Value seconds_by_part(const solver::Report& report) {
 
 void add_results(Report& page, const RunRecord& run) {
     const mesh::Mesh& mesh = run.problem.mesh;
-    Section section("Readings", readings(run, page.data));
+    Section section("Sensors", readings(run, page.data));
     section.add(extremes(run));
     if (const std::string missed = missed_between_rows(run); !missed.empty()) {
         section.say(missed);

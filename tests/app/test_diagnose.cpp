@@ -63,7 +63,7 @@ TEST(Diagnose, FindsWhatThePuzzleHides) {
     EXPECT_FALSE(has_text(page.out, "\033"));
     // 2 numbers of effects and 2 starts for each of 3 runs; 601 samples of 2 channels in each
     EXPECT_TRUE(
-        page.out.starts_with("Bench of two nodes, runs of forty minutes\n3 runs, 3 606 values, 8 free numbers; "))
+        page.out.starts_with("Bench of two nodes, runs of forty minutes\n3 runs, 3 606 values, 8 free parameters; "))
         << page.out;
     for (const char* section : {"\nVerdict\n", "\nWhere it shows\n", "\nCandidate causes\n", "\nFiles\n"}) {
         EXPECT_TRUE(has_text(page.out, section)) << section << page.out;
@@ -142,7 +142,7 @@ TEST(Diagnose, ACaseThatFreesNothingIsRefused) {
     EXPECT_EQ(call.exit_code, 1);
     EXPECT_EQ(call.out, "");
     EXPECT_EQ(call.err, "tiretherm: " + file +
-                            ": no number of the case is free; name those to be fitted: [[parameter]], see "
+                            ": no parameter of the case is free; name those to be fitted: [[parameter]], see "
                             "cases/README.md\n");
 }
 

@@ -82,7 +82,7 @@ TEST(Identify, EndsWithAPageAndTwoFiles) {
     EXPECT_EQ(fit.out.find('\033'), std::string::npos);
     // 2 numbers of effects and 2 starts for each of 3 runs; 601 samples of 2 channels in each
     EXPECT_TRUE(
-        fit.out.starts_with("Bench of two nodes, runs of forty minutes\n8 numbers fitted to 3 runs, 3 606 values\n"))
+        fit.out.starts_with("Bench of two nodes, runs of forty minutes\n8 parameters fitted to 3 runs, 3 606 values\n"))
         << fit.out;
     for (const char* section : {"\nNumbers\n", "\nFit\n", "\nFiles\n"}) {
         EXPECT_NE(fit.out.find(section), std::string::npos) << section << fit.out;
@@ -206,7 +206,7 @@ TEST(Identify, ACaseThatFreesNothingIsRefused) {
     EXPECT_EQ(fit.exit_code, 1);
     EXPECT_EQ(fit.out, "");
     EXPECT_EQ(fit.err, "tiretherm: " + file +
-                           ": no number of the case is free; name those to be fitted: [[parameter]], see "
+                           ": no parameter of the case is free; name those to be fitted: [[parameter]], see "
                            "cases/README.md\n");
     EXPECT_EQ(call("compare " + file + " --out " + fits.file("out")).exit_code, 0);  // it is a sound case otherwise
 }

@@ -47,7 +47,7 @@
         label: { show: true, formatter: mark.name, position: mark.x > middle ? "left" : "right", offset: [0, 30 + 17 * i], color: look.ink, fontSize: 12, textBorderColor: look.paper, textBorderWidth: 3 } });
     }
     const heights = [...new Set((panel.levels || []).map((level) => level.value))];
-    const levels = heights.map((value) => ({ yAxis: value, label: { position: panel.marks && panel.marks.length ? "insideStartTop" : "insideEndTop", color: look.ink, textBorderColor: look.paper, textBorderWidth: 3,
+    const levels = heights.map((value) => ({ yAxis: value, label: { position: "insideStartTop", color: look.ink, textBorderColor: look.paper, textBorderWidth: 3,
       formatter: panel.levels.filter((level) => level.value === value && level.name).map((level) => level.name).join("; ") } }));
     if (made.length && levels.length) {
       made[0].markLine = { symbol: "none", silent: true, lineStyle: { color: look.ink, type: "dashed" }, data: levels };

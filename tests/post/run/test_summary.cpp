@@ -41,7 +41,7 @@ TEST(Summary, TextIsThisLineByLine) {
     EXPECT_EQ(MadeUpRun().text(),
               "A warm spot (sample/spot)\n"
               "\n"
-              "Readings\n"
+              "Sensors\n"
               "  channel  unit  final    min    max          measured  sim - meas  source\n"
               "  spot     degC  97.50  23.00  97.50                85      +12.50  camera\n"
               "  liner    degC  40.00  23.00  40.00  37 to 47 at 30 s       -7.00  thermocouple\n"
@@ -163,7 +163,7 @@ TEST(Summary, HeadingsAreBoldOnATerminalOnly) {
     const MadeUpRun made_up;
     const History history = sample::history(made_up.problem);
     EXPECT_TRUE(page_text(run_report(made_up.record(history)), true)
-                    .starts_with("\033[1mA warm spot (sample/spot)\033[0m\n\n\033[1mReadings"));
+                    .starts_with("\033[1mA warm spot (sample/spot)\033[0m\n\n\033[1mSensors"));
     EXPECT_EQ(made_up.text().find('\033'), std::string::npos);
 }
 
