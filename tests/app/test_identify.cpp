@@ -84,7 +84,7 @@ TEST(Identify, EndsWithAPageAndTwoFiles) {
     EXPECT_TRUE(
         fit.out.starts_with("Bench of two nodes, runs of forty minutes\n8 parameters fitted to 3 runs, 3 606 values\n"))
         << fit.out;
-    for (const char* section : {"\nNumbers\n", "\nFit\n", "\nFiles\n"}) {
+    for (const char* section : {"\nParameters\n", "\nFit\n", "\nFiles\n"}) {
         EXPECT_NE(fit.out.find(section), std::string::npos) << section << fit.out;
     }
     for (const char* name : {"identified.toml", "identify.csv"}) {
