@@ -136,7 +136,8 @@ std::string cannot_tell(const Diagnosis& diagnosis) {
             "direction would do.",
             diagnosis.numerical_error_sigma, coarse, std::sqrt(diagnosis.numerical_error_sigma / coarse));
     }
-    return "These data do not allow a diagnosis: too little is left beside the free parameters. Longer runs, runs under "
+    return "These data do not allow a diagnosis: too little is left beside the free parameters. Longer runs, runs "
+           "under "
            "other conditions or more sensors would help.";
 }
 
@@ -285,7 +286,8 @@ std::string reason_of(const DiagnosisRecord& record) {
         case Verdict::unknown:
             return unknown(diagnosis, record.experiment);
         case Verdict::consistent:
-            return "The model, its free parameters fitted, agrees with these data within their noise; whatever else acts "
+            return "The model, its free parameters fitted, agrees with these data within their noise; whatever else "
+                   "acts "
                    "is smaller than its upper limit.";
         case Verdict::cannot_tell:
             return cannot_tell(diagnosis);

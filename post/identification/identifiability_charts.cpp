@@ -112,14 +112,15 @@ void add_directions(Section& section, const IdentificationRecord& record) {
                 {.x_from = x, .x_to = x + 1.0, .y_from = y, .y_to = y + 1.0, .value = sign * direction.share[j]});
         }
     }
-    section.chart("Combinations that the data see least",
-                  "Each row is a combination of the parameters, the least seen first. Beside it: how many times smaller "
-                  "its uncertainty is "
-                  "by the data than by what was known before; below 1 the data add little. Moving all parameters of a row "
-                  "as coloured, each in its own "
-                  "uncertainty, changes the readings least.",
-                  cell_chart({.name = "", .words = names_of(record)}, {.name = "", .words = std::move(rows)},
-                             {.name = "part", .is_signed = true, .reach = 1.0}, cells));
+    section.chart(
+        "Combinations that the data see least",
+        "Each row is a combination of the parameters, the least seen first. Beside it: how many times smaller "
+        "its uncertainty is "
+        "by the data than by what was known before; below 1 the data add little. Moving all parameters of a row "
+        "as coloured, each in its own "
+        "uncertainty, changes the readings least.",
+        cell_chart({.name = "", .words = names_of(record)}, {.name = "", .words = std::move(rows)},
+                   {.name = "part", .is_signed = true, .reach = 1.0}, cells));
 }
 
 }  // namespace

@@ -105,11 +105,11 @@ Section numbers(const IdentificationRecord& record, DataTable table) {
         section.say("The intervals are those of the profile likelihood.");
     }
     if (record.result.widened > 1.0) {
-        section.say(
-            fmt::format("The noise of {} may be an error of the model (see Fit): what the data say of a parameter is in "
-                        "doubt, and what they "
-                        "add to its interval is {:.2g} times as wide as that noise makes it.",
-                        channels_in_doubt(record.result), record.result.widened));
+        section.say(fmt::format(
+            "The noise of {} may be an error of the model (see Fit): what the data say of a parameter is in "
+            "doubt, and what they "
+            "add to its interval is {:.2g} times as wide as that noise makes it.",
+            channels_in_doubt(record.result), record.result.widened));
     }
     constexpr std::array meanings{
         std::pair(Identifiability::doubtful,
@@ -140,7 +140,8 @@ Section directions(const IdentificationRecord& record) {
         }
         if (section.blocks().empty()) {
             section.say(
-                "Moved together as written, within what was known of them, these parameters change all readings by less "
+                "Moved together as written, within what was known of them, these parameters change all readings by "
+                "less "
                 "than one standard deviation of the noise:");
         }
         section.item(fmt::format("{}: {}", describe(direction, record.experiment, record.result.values),

@@ -60,7 +60,8 @@ TEST(DiagnosisRefusal, SaysNothingWithAsManyValuesAsNumbers) {
     }
     const Diagnosis result = refused_diagnosis_of(sample::practice_bench({log}));
     EXPECT_EQ(result.verdict, Verdict::cannot_tell);
-    EXPECT_TRUE(result.reason.starts_with("4 values for 4 free parameters and 2 noises leave nothing")) << result.reason;
+    EXPECT_TRUE(result.reason.starts_with("4 values for 4 free parameters and 2 noises leave nothing"))
+        << result.reason;
     EXPECT_EQ(result.extended, result.base);
 }
 
