@@ -61,10 +61,11 @@ public:
 
 private:
     void show(const diagnosis::Stage& stage, long simulations) {
-        if (stage.doing != doing_) {
+        if (stage.doing != doing_ || stage.number < number_) {
             doing_ = stage.doing;
             begun_ = post::ProgressLine::wall_clock();
         }
+        number_ = stage.number;
         line_.show({.stage = {.doing = stage.doing,
                               .of = stage.of,
                               .number = stage.number,
@@ -76,6 +77,7 @@ private:
 
     post::ProgressLine line_{stderr, false};
     std::string doing_{};
+    std::size_t number_ = 0;
     double begun_ = 0.0;  ///< s of wall time, when this stage began
 };
 

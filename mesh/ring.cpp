@@ -224,6 +224,15 @@ Functional around(const Mesh& ring, const Functional& reading) {
     return mean;
 }
 
+Column in_sector(const Mesh& ring, Column column, int sector) {
+    const Numbering number(ring);
+    const auto moved = [&](int node) { return number.node(number.of_section(node), sector); };
+    column.first_cell = moved(column.first_cell);
+    column.outer = moved(column.outer);
+    column.inner = moved(column.inner);
+    return column;
+}
+
 Functional at_angle(const Mesh& ring, const Functional& in_first_sector, double angle) {
     const Numbering number(ring);
     const double position = angle / turn * ring.sectors;

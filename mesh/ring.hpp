@@ -22,6 +22,9 @@ namespace tiretherm::mesh {
 /// The same reading as a mean around the circumference: every node's weight is shared among its copies.
 [[nodiscard]] Functional around(const Mesh& ring, const Functional& reading);
 
+/// A column of the first sector, which are those that a ring lists, with the nodes of another sector. A section has one sector.
+[[nodiscard]] Column in_sector(const Mesh& ring, Column column, int sector);
+
 /// The same reading at an angle in the rubber's frame, straight between the middles of two sectors.
 /// @param in_first_sector a reading whose nodes belong to the first sector  @param angle rad
 [[nodiscard]] Functional at_angle(const Mesh& ring, const Functional& in_first_sector, double angle);

@@ -10,6 +10,8 @@
 #include <numeric>
 #include <utility>
 
+#include "mesh/ring.hpp"
+
 namespace tiretherm::solver {
 
 namespace {
@@ -61,7 +63,8 @@ std::size_t three_about(std::size_t i, std::size_t n, const Joined& joined) {
 
 HotSpotFinder::HotSpotFinder(const mesh::Mesh& mesh, std::vector<int> nodes)
     : mesh_(&mesh), nodes_(std::move(nodes)), line_positions_(at(mesh.n_nodes)) {
-    for (const mesh::Column& column : mesh.columns) {
+    for (std::size_t i = 0; i < columns(); ++i) {
+        const mesh::Column column = mesh::in_sector(mesh, column_of(i), static_cast<int>(i / mesh.columns.size()));
         Line line{.node = {column.outer}, .depth = {0.0}, .edge = column.edge, .first_cell = 1};
         for (int k = 0; k < column.cells(); ++k) {
             line.node.push_back(column.first_cell + k);
@@ -95,13 +98,12 @@ HotSpotFinder::HotSpotFinder(const mesh::Mesh& mesh, std::vector<int> nodes)
         }
     }
     goes_on_.assign(lines_.size(), false);
-    for (std::size_t i = 0; i + 1 < mesh.columns.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < columns(); ++i) {
         const auto layer_of = [&](int node) { return mesh.layer[at(node)]; };
-        const bool beside = std::abs(mesh.columns[i].to - mesh.columns[i + 1].from) < 1e-9;  // not so between sectors
-        goes_on_[i] = beside &&
-                      std::ranges::equal(lines_[i].edge, lines_[i + 1].edge,
-                                         [](double a, double b) { return std::abs(a - b) < 1e-9; }) &&
-                      std::ranges::equal(lines_[i].node, lines_[i + 1].node, {}, layer_of, layer_of);
+        const bool ends_sector = (i + 1) % mesh.columns.size() == 0;
+        goes_on_[i] = !ends_sector && std::ranges::equal(lines_[i].edge, lines_[i + 1].edge, [](double a, double b) {
+            return std::abs(a - b) < 1e-9;
+        }) && std::ranges::equal(lines_[i].node, lines_[i + 1].node, {}, layer_of, layer_of);
     }
 }
 
@@ -118,6 +120,24 @@ int HotSpotFinder::hottest_node(std::span<const double> T) const {
         hottest = T[at(node)] > T[at(hottest)] + as_hot ? node : hottest;
     }
     return hottest;
+}
+
+/// Between three neighbours from `first` on, where the parabola through them is highest between two limits.
+template <typename Place, typename Value>
+HotSpotFinder::Interpolant HotSpotFinder::at_peak(std::size_t first, const Place& place, const Value& value, double low,
+                                                  double high) {
+    std::array<double, 3> x{};
+    std::array<double, 3> f{};
+    Interpolant here{.count = 3};
+    for (std::size_t i = 0; i < 3; ++i) {
+        here.index[i] = first + i;
+        x[i] = place(first + i);
+        f[i] = value(first + i);
+    }
+    const Peak found = peak(x, f, low, high);
+    here.at = found.at;
+    here.weight = found.weight;
+    return here;
 }
 
 /// A surface is a place of its own: nothing lies beyond it.
@@ -139,18 +159,9 @@ HotSpotFinder::Interpolant HotSpotFinder::in_depth(const LinePosition& position,
     if (first == n) {
         return here;
     }
-    std::array<double, 3> x{};
-    std::array<double, 3> f{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        here.index[i] = first + i;
-        x[i] = line.depth[first + i];
-        f[i] = T[at(line.node[first + i])];
-    }
-    const Peak found = peak(x, f, line.edge[cell], line.edge[cell + 1]);
-    here.at = found.at;
-    here.weight = found.weight;
-    here.count = 3;
-    return here;
+    return at_peak(
+        first, [&](std::size_t i) { return line.depth[i]; }, [&](std::size_t i) { return T[at(line.node[i])]; },
+        line.edge[cell], line.edge[cell + 1]);
 }
 
 double HotSpotFinder::at_depth(std::size_t line, const Interpolant& depth, std::span<const double> T) const {
@@ -164,32 +175,23 @@ double HotSpotFinder::at_depth(std::size_t line, const Interpolant& depth, std::
 HotSpotFinder::Interpolant HotSpotFinder::along(std::size_t line, const Interpolant& depth,
                                                 std::span<const double> T) const {
     Interpolant here{.index = {line, line, line}};
-    if (line >= mesh_->columns.size()) {
+    if (line >= columns()) {
         return here;
     }
-    const mesh::Column& column = mesh_->columns[line];
+    const mesh::Column& column = column_of(line);
     here.at = column.middle();
     const std::size_t n = lines_.size();
     const std::size_t first = three_about(line, n, [&](std::size_t i) { return goes_on_[i]; });
     if (first == n) {
         return here;
     }
-    std::array<double, 3> x{};
-    std::array<double, 3> f{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        here.index[i] = first + i;
-        x[i] = mesh_->columns[first + i].middle();
-        f[i] = at_depth(first + i, depth, T);
-    }
     // Where the thickness jumps the field turns into the neighbour: the parabola is not carried on towards it.
     const bool ends_before = line == first;
     const bool ends_behind = line == first + 2;
-    const Peak found =
-        peak(x, f, ends_before ? column.middle() : column.from, ends_behind ? column.middle() : column.to);
-    here.at = found.at;
-    here.weight = found.weight;
-    here.count = 3;
-    return here;
+    return at_peak(
+        first, [&](std::size_t i) { return column_of(i).middle(); },
+        [&](std::size_t i) { return at_depth(i, depth, T); }, ends_before ? column.middle() : column.from,
+        ends_behind ? column.middle() : column.to);
 }
 
 HotSpotFinder::Found HotSpotFinder::find(std::span<const double> temperature) const {
@@ -211,7 +213,7 @@ HotSpotFinder::Found HotSpotFinder::find(std::span<const double> temperature) co
         found.temperature += beside.weight[i] * at_depth(beside.index[i], depth, temperature);
     }
     found.point[2] = depth.at;
-    if (at(position.line) < mesh_->columns.size()) {
+    if (at(position.line) < columns()) {
         found.point[0] = beside.at;
     }
     return found;

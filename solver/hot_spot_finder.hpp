@@ -14,7 +14,8 @@ namespace tiretherm::solver {
 /// The hottest place of a part, between its cells as well: a parabola through three nodes in depth and another along the
 /// meridian about the hottest node, each on one side of a jump of material or thickness where there is one; along the
 /// meridian never beyond the last node before it. Second order in the cell size where the hottest node alone lies below the
-/// peak by as much as half a cell's bend. Along the meridian only on a section; of lumps and of directions with too few
+/// peak by as much as half a cell's bend. Along the meridian on a section and a ring, around the
+/// tire nowhere; of lumps and of directions with too few
 /// cells the node itself. This is what "hottest" means wherever a result names it.
 class HotSpotFinder {
 public:
@@ -51,7 +52,17 @@ private:
         std::array<double, 3> weight{1.0, 0.0, 0.0};
         std::size_t count = 1;
     };
+    /// Columns of all sectors, sector by sector: the first lines.
+    [[nodiscard]] std::size_t columns() const {
+        return mesh_->columns.size() * static_cast<std::size_t>(mesh_->sectors);
+    }
+    [[nodiscard]] const mesh::Column& column_of(std::size_t line) const {
+        return mesh_->columns[line % mesh_->columns.size()];
+    }
     void add_line(Line line);
+    template <typename Place, typename Value>
+    [[nodiscard]] static Interpolant at_peak(std::size_t first, const Place& place, const Value& value, double low,
+                                             double high);
     [[nodiscard]] int hottest_node(std::span<const double> T) const;
     [[nodiscard]] Interpolant in_depth(const LinePosition& position, std::span<const double> T) const;
     [[nodiscard]] Interpolant along(std::size_t line, const Interpolant& depth, std::span<const double> T) const;
@@ -59,7 +70,7 @@ private:
 
     const mesh::Mesh* mesh_;
     std::vector<int> nodes_;
-    std::vector<Line> lines_;                   ///< of a section: its columns, in their order
+    std::vector<Line> lines_;                   ///< of a section or a ring: its columns, sector by sector
     std::vector<LinePosition> line_positions_;  ///< [n_nodes]
     std::vector<bool> goes_on_;                 ///< [lines] whether the next one continues this one
 };

@@ -56,6 +56,8 @@ void take_signatures(const input::Experiment& still, const Eigen::VectorXd& simu
     const ModelPrediction& slopes = all.at(all.start());
     score_data.count(all.simulations());
     Eigen::Index taken = 0;
+    std::size_t simulated_alone = 0;
+    const auto by_slope = static_cast<std::size_t>(std::ranges::count_if(score_data.candidates, &Candidate::by_slope));
     for (std::size_t k = 0; k < score_data.candidates.size(); ++k) {
         const Candidate& candidate = score_data.candidates[k];
         auto column = score_data.signatures.col(static_cast<Eigen::Index>(k));
@@ -67,8 +69,8 @@ void take_signatures(const input::Experiment& still, const Eigen::VectorXd& simu
         }
         score_data.say({.doing = "signature",
                         .of = name_of(candidate, *score_data.experiment),
-                        .number = k + 1,
-                        .count = score_data.candidates.size()});
+                        .number = ++simulated_alone,
+                        .count = score_data.candidates.size() - by_slope});
         input::Experiment moved = with(still, {candidate}, {candidate.trial});
         moved.parameters.clear();
         Simulator one(moved, *score_data.observations);

@@ -115,10 +115,8 @@ void add_directions(Section& section, const IdentificationRecord& record) {
     section.chart(
         "Combinations that the data see least",
         "Each row is a combination of the parameters, the least seen first. Beside it: how many times smaller "
-        "its uncertainty is "
-        "by the data than by what was known before; below 1 the data add little. Moving all parameters of a row "
-        "as coloured, each in its own "
-        "uncertainty, changes the readings least.",
+        "its uncertainty is by the data than by what was known before; below 1 the data add little. Moving all "
+        "parameters of a row as coloured, each in its own uncertainty, changes the readings least.",
         cell_chart({.name = "", .words = names_of(record)}, {.name = "", .words = std::move(rows)},
                    {.name = "part", .is_signed = true, .reach = 1.0}, cells));
 }

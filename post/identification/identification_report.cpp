@@ -107,8 +107,7 @@ Section numbers(const IdentificationRecord& record, DataTable table) {
     if (record.result.widened > 1.0) {
         section.say(fmt::format(
             "The noise of {} may be an error of the model (see Fit): what the data say of a parameter is in "
-            "doubt, and what they "
-            "add to its interval is {:.2g} times as wide as that noise makes it.",
+            "doubt, and what they add to its interval is {:.2g} times as wide as that noise makes it.",
             channels_in_doubt(record.result), record.result.widened));
     }
     constexpr std::array meanings{
@@ -140,9 +139,8 @@ Section directions(const IdentificationRecord& record) {
         }
         if (section.blocks().empty()) {
             section.say(
-                "Moved together as written, within what was known of them, these parameters change all readings by "
-                "less "
-                "than one standard deviation of the noise:");
+                "Moved together as written, within what was known of them, these parameters change all readings "
+                "by less than one standard deviation of the noise:");
         }
         section.item(fmt::format("{}: {}", describe(direction, record.experiment, record.result.values),
                                  direction.strength < 1e-3

@@ -148,7 +148,7 @@ std::string missed_between_rows(const RunRecord& run) {
     return most == 0.0 ? ""
                        : fmt::format(
                              "Between the rows of output, every {:.4g} s, {} goes up to {:.1f} K further than "
-                             "in them: charts and files do not show it. A smaller `output` under [run] does.",
+                             "in them: charts and files do not show it. A smaller `output` under [time] does.",
                              run.problem.settings.output_interval, run.problem.channels[where].name, most);
 }
 

@@ -58,6 +58,21 @@ TEST(Run, JsonIsOneObjectWithTheAgreedKeys) {
     }
 }
 
+// The page's field is marked with seven digits.
+TEST(Run, SummaryAndPageTellOneHotSpot) {
+    const sample::Scratch scratch;
+    const Json json = Json::parse(call("run --json --no-vtk --no-pictures " TIRETHERM_SOURCE_DIR
+                                       "/cases/section/7500N_150kmh.toml --out " +
+                                       scratch.path().string())
+                                      .out);
+    const std::string page = post::read_text(scratch / "report.html");
+    const std::size_t kind = page.find("{\"kind\":\"field\"");
+    ASSERT_NE(kind, std::string::npos);
+    const Json field = Json::parse(page.substr(kind, page.find("</script>", kind) - kind));
+    const double marked = field["marks"][field["hottest"].get<std::size_t>()][2];
+    EXPECT_NEAR(marked, json["hottest"]["temperature"].get<double>(), 1e-5);
+}
+
 TEST(Run, WritesBelowOutInTheCurrentDirectoryUnlessTold) {
     const sample::Scratch scratch;
     EXPECT_EQ(call("run --no-vtk --no-pictures --quiet " + two_node, scratch.path()).exit_code, 0);

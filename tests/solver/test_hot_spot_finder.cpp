@@ -153,27 +153,44 @@ TEST(HotSpotFinder, LumpIsItself) {
     EXPECT_DOUBLE_EQ(found.temperature, 350.0);
 }
 
-// Columns of a ring follow each other sector by sector: the last of one and the first of the next lie on opposite shoulders,
-// and no parabola runs from one to the other. Each sector rises linearly towards its end, 300 + 1e3 s; the first is 1 K
-// hotter. With one layer of one thickness everywhere nothing else would end the row.
+// The parabola of the first test in the second sector of three, 1 K below in the others: the same peak, at the sector's angle.
+TEST(HotSpotFinder, FindsThePeakInEverySectorOfARing) {
+    const mesh::Mesh ring = mesh::ring(crown(9, 7), 3);
+    const int per_sector = ring.n_cells / 3;
+    std::vector<double> T = field(ring, [](double s, double z) {
+        return 399.0 - 3e3 * (s - 0.013) * (s - 0.013) - 4e5 * (z - 0.0073) * (z - 0.0073);
+    });
+    for (int cell = per_sector; cell < 2 * per_sector; ++cell) {
+        T[at(cell)] += 1.0;
+    }
+    const HotSpotFinder finder(ring, all_nodes(ring));
+    const HotSpotFinder::Found found = finder.find(T);
+    EXPECT_NEAR(found.temperature, 400.0, 1e-9);
+    EXPECT_NEAR(found.point[0], 0.013, 1e-9);
+    EXPECT_NEAR(found.point[1], ring.centre[at(per_sector + found.node % per_sector)][1], 1e-12);
+    EXPECT_GT(found.point[1], 0.1);  // a third of a turn is 0.63 m
+    EXPECT_NEAR(found.point[2], 0.0073, 1e-9);
+    EXPECT_NEAR(finder.functional(T)(T), 400.0, 1e-9);
+}
+
+// Lines through the thickness follow each other sector by sector: the last of one and the first of the next lie on opposite
+// shoulders, and no parabola runs from one to the other. Each sector rises linearly towards its end, 300 + 1e3 s; the second
+// is 1 K hotter. With one layer of one thickness everywhere nothing else ends the row.
 TEST(HotSpotFinder, EndsWhereASectorOfARingEnds) {
-    const mesh::Mesh section = crown(9, 7);
-    const mesh::Mesh ring = mesh::ring(section, 3);
-    std::vector<double> T;
-    for (int n = 0; n < ring.n_nodes; ++n) {
-        T.push_back(300.0 + 1e3 * ring.centre[at(n)][0]);
+    const mesh::Mesh ring = mesh::ring(crown(9, 7), 3);
+    const int per_sector = ring.n_cells / 3;
+    std::vector<double> T = field(ring, [](double s, double) { return 300.0 + 1e3 * s; });
+    for (int cell = per_sector; cell < 2 * per_sector; ++cell) {
+        T[at(cell)] += 1.0;
     }
-    const mesh::Column& last = ring.columns[section.columns.size() - 1];
-    for (int k = 0; k < last.cells(); ++k) {
-        T[at(last.first_cell + k)] += 1.0;
-    }
-    T[at(last.outer)] += 1.0;
-    T[at(last.inner)] += 1.0;
     std::vector<int> cells = all_nodes(ring);
     cells.resize(at(ring.n_cells));  // the end's own surface would be hotter
+    // In the middle of the thickness, for the surfaces are not 1 K hotter.
+    std::erase_if(cells, [&](int cell) { return cell % 7 != 3; });
     const HotSpotFinder::Found found = HotSpotFinder(ring, cells).find(T);
-    EXPECT_NEAR(found.point[0], last.middle(), 1e-12);
-    EXPECT_NEAR(found.temperature, 301.0 + 1e3 * last.middle(), 1e-9);
+    const double end = ring.columns.back().middle();
+    EXPECT_NEAR(found.point[0], end, 1e-12);
+    EXPECT_NEAR(found.temperature, 301.0 + 1e3 * end, 1e-9);
 }
 
 }  // namespace tiretherm::solver

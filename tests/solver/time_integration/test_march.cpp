@@ -365,4 +365,15 @@ TEST(March, NoStepOfNoLengthIsLeftUpToASample) {
     EXPECT_GT(shortest, 1e-9);
 }
 
+// Hottest is the peak, on the face between the middle two of four cells of 2.5 mm. In the steady state the surface is at
+// 300 K + q L/(2 h) = 325 K, and the parabola rises by q L^2/(8 k) = 4.3103 K above it. Its flux at the surface goes through half a
+// cell in a straight line, which lifts all centres by q d^2/(8 k) = 0.2694 K: 329.5797 K. The middle cells are 0.2694 K colder.
+TEST(March, HottestIsThePeakBetweenTheCells) {
+    Problem problem = heated_strip(4);
+    problem.settings.end = 1e4;  // 20 time constants rho c L/(2 h) = 495 s
+    const Report report = run(problem, [](const Snapshot&) { return true; });
+    ASSERT_TRUE(report.status.ok()) << report.status.message;
+    EXPECT_NEAR(report.hottest.temperature, 329.5797, 1e-3);
+}
+
 }  // namespace tiretherm::solver
