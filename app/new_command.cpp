@@ -36,7 +36,7 @@ struct NewOptions {
     std::string subject;
     std::string file;
     std::string size;
-    std::string mesh = std::string(input::mesh_template_names().front());
+    std::string mesh;
     std::string pressure;
     bool force = false;
     bool json = false;
@@ -100,18 +100,20 @@ std::optional<input::NewCaseRequest> read_request(const NewOptions& options) {
 std::string use_of(const input::LogColumn& column) {
     if (!column.is_used()) {
         const bool guess = !column.suggestion.empty() && column.suggestion != column.heading.name;
-        return guess ? fmt::format("not used; is it {}?", column.suggestion)
+        const bool asked = column.reason.ends_with('?');
+        return guess ? fmt::format("not used; is it {}?{}{}", column.full_suggestion(), asked ? " " : "",
+                                   asked ? column.reason : "")
                      : fmt::format("not used: {}", column.reason);
     }
     const std::string unit = column.unit.empty() ? "" : fmt::format(", read in {}", column.unit);
     const std::string kind = column.is_sensor ? "measured by the sensor " : column.is_input ? "input " : "";
-    return kind + column.name + unit;
+    return kind + column.full_name() + unit;
 }
 
 void print_json(const input::NewCase& made, const input::NewCaseRequest& request) {
     Json json{{"case", request.target.generic_string()},
               {"size", request.size.text},
-              {"mesh", request.mesh},
+              {"mesh", made.mesh_name},
               {"log", nullptr},
               {"columns", Json::array()},
               {"assumed", Json::array()},
@@ -133,6 +135,7 @@ void print_json(const input::NewCase& made, const input::NewCaseRequest& request
                                        {"unit", column.heading.unit ? Json(*column.heading.unit) : Json()},
                                        {"use", use},
                                        {"name", column.name},
+                                       {"corner", column.corner},
                                        {"read_in", column.unit},
                                        {"suggestion", column.suggestion},
                                        {"suggested_unit", column.suggested_unit},
@@ -156,10 +159,16 @@ void print_case(const input::NewCase& made, const input::NewCaseRequest& request
         fmt::print("\nFrom {}, {} samples from {:g} to {:g} s\n", input::printable(made.log->path),
                    post::grouped(static_cast<double>(time.size())), time.front(), time.back());
         post::Table table({true, true});
+        std::vector<std::string> foreign;
         for (const input::LogColumn& column : made.log->columns) {
-            table.add({column.title(), use_of(column)});
+            column.is_foreign ? foreign.push_back(column.heading.name) : table.add({column.title(), use_of(column)});
         }
         print_text(table.text(2));
+        if (!foreign.empty()) {
+            print_text(post::wrap(fmt::format("Not used, as the model has nothing by such names: {}.",
+                                              input::printable(input::listed(foreign))),
+                                  2, prose_width()));
+        }
     }
     if (!made.assumed.empty()) {
         post::Table table({true, true, true});
@@ -175,10 +184,11 @@ void print_case(const input::NewCase& made, const input::NewCaseRequest& request
             print_text(post::wrap(fmt::format("{}; {}", part.what, part.remedy), 2, prose_width()));
         }
     }
+    fmt::print("{}", made.warnings.empty() ? "" : "\n");
     for (const std::string& warning : made.warnings) {
-        fmt::print("\nwarning: {}", input::printable(warning));
+        print_text(post::wrap(fmt::format("warning: {}", input::printable(warning)), 0, prose_width()));
     }
-    fmt::print("{}\nIt runs with: tiretherm run {}\n", made.warnings.empty() ? "" : "\n", file);
+    fmt::print("\nIt runs with: tiretherm run {}\n", file);
     if (made.log && made.log->use == input::LogUse::run) {
         fmt::print("Compared with what was measured: tiretherm compare {}\n", file);
     }
@@ -238,7 +248,10 @@ void add_new_command(CLI::App& program, int& exit_code) {
     add_out_option(*command, options->file, "The case. Default: the size or the log's name, here", "CASE");
     command->add_option("--size", options->size, "The tire of a log. Default: 225/50 R17, that of the thesis")
         ->option_text("SIZE");
-    command->add_option("--mesh", options->mesh, "section (default), layers or two_node")
+    command
+        ->add_option(
+            "--mesh", options->mesh,
+            "section, layers or two_node. Default: section; of a car's log without readings side by side two_node")
         ->option_text("KIND")
         ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())));
     command

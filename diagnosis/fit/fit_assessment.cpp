@@ -119,6 +119,8 @@ void assess_parameters(const Fit& fit, Identification& into, bool searched) {
     const Eigen::MatrixXd whitened = fit.whitened_slopes();
     const Eigen::Index n = whitened.cols();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> seen(Eigen::MatrixXd(whitened.transpose() * whitened));
+    into.directions.clear();
+    into.fitted.clear();
     for (Eigen::Index k = n - 1; k >= 0; --k) {
         into.directions.push_back(
             {.strength = std::sqrt(std::max(0.0, seen.eigenvalues()[k])), .share = seen.eigenvectors().col(k)});

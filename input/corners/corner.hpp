@@ -35,4 +35,10 @@ void read_corners_of_run(TomlTable& run);
 [[nodiscard]] std::vector<RunTable> at_corners(const std::vector<RunTable>& runs, const std::vector<Corner>& corners,
                                                InputErrors& errors);
 
+/// Sentences of several corners, "FILE: at FL: ...", as one: "FILE: at FL and FR: ...", or "FILE: ..." of all. Those that are
+/// alike stand once.
+/// @param of_all how many corners the case has; 0 and 1: all that it says of one is of this one
+[[nodiscard]] std::vector<std::string> once_for_all_corners(const std::vector<std::string>& sentences,
+                                                            std::size_t of_all);
+
 }  // namespace tiretherm::input

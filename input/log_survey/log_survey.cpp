@@ -140,8 +140,8 @@ std::optional<LogSurvey> survey_log(const std::filesystem::path& path, InputErro
                                   : column.is_input  ? "input"
                                   : column.is_sensor ? "sensor"
                                                      : "time",
-                           .used_as = column.name,
-                           .suggestion = column.suggestion,
+                           .used_as = column.full_name(),
+                           .suggestion = column.full_suggestion(),
                            .reason = column.reason};
         const Known known = known_of(*file, column.column, time, again);
         set_rate(found, known, survey.from, survey.to);

@@ -22,7 +22,7 @@ struct ColumnSurvey {
     std::optional<double> low{};  ///< in `unit`, of a clock s; nothing without a value
     std::optional<double> high{};
     std::string use{};         ///< "time", "input", "sensor", or empty
-    std::string used_as{};     ///< the name that the model has for it; empty: none
+    std::string used_as{};     ///< the name that the model has for it, "surface_temperature of FL"; empty: none
     std::string suggestion{};  ///< a name that it may have
     std::string reason{};      ///< why it is not used
 };

@@ -3,6 +3,7 @@
 
 #include "input/measurements/experiment.hpp"
 
+#include "input/corners/corner.hpp"
 #include "input/measurements/runs.hpp"
 #include "input/toml/document.hpp"
 
@@ -27,7 +28,7 @@ ExperimentReading read_experiment(const std::filesystem::path& file, const std::
         }
     }
     reading.errors = errors.in_order();
-    reading.warnings = unique(errors.warnings());
+    reading.warnings = once_for_all_corners(errors.warnings(), runs.corners.size());
     reading.files = errors.files();
     reading.data_warnings = std::move(runs.data_warnings);
     reading.plies = std::move(runs.plies);

@@ -13,6 +13,7 @@
 
 #include "input/cameras/frames.hpp"
 #include "input/columns/instruments.hpp"
+#include "input/corners/corner.hpp"
 #include "input/effects/user_effects.hpp"
 #include "input/measurements/run_readings.hpp"
 #include "input/model/probes.hpp"
@@ -177,6 +178,9 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
     RunsBeingRead runs;
     SignalChoice signals;
     for (const RunTable& each : tables) {
+        if (!each.corner.empty() && std::ranges::find(into.corners, each.corner) == into.corners.end()) {
+            into.corners.push_back(each.corner);
+        }
         RunBeingRead& reading =
             *runs.emplace_back(new RunBeingRead{.table = each, .document = merged_document(document, each)});
         const RunTable& table = reading.table;
@@ -215,7 +219,12 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
             });
             Recording recording = recording_of(*file, builder, run);
             recording.keep_suspicious = table.keys->keeps_suspicious();
-            std::ranges::move(find_suspicious(recording), std::back_inserter(into.data_warnings));
+            for (std::string& sentence : find_suspicious(recording)) {
+                if (!run.corner.empty() && sentence.starts_with(recording.file)) {
+                    sentence.insert(recording.file.size(), fmt::format(": at {}", run.corner));
+                }
+                into.data_warnings.push_back(std::move(sentence));
+            }
             leave_out_unusable(recording, run);
         }
         read_numbers(builder, reading.document, table, errors, run);
@@ -265,6 +274,7 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
         into.experiment.instruments = measured_instruments(into.experiment.instruments, into.experiment.runs);
     }
     choose_signals(signals, into.experiment.runs, errors);
+    into.data_warnings = once_for_all_corners(into.data_warnings, into.corners.size());
     return into;
 }
 

@@ -17,7 +17,8 @@ namespace tiretherm::input {
 struct Runs {
     solver::Problem problem;  ///< of the first run, or of the case itself
     Experiment experiment;
-    std::vector<std::string> data_warnings;
+    std::vector<std::string> data_warnings;  ///< those of several corners once
+    std::vector<std::string> corners{};      ///< of the case: FL, FR ...; empty: it is of one tire
     SizeLimits limits;
     std::vector<PlySummary> plies{};  ///< materials of cords in rubber that layers are made of
 

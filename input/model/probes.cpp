@@ -4,6 +4,7 @@
 #include "input/model/probes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -284,11 +285,13 @@ Where read_strip(TomlTable& sensor, const mesh::Mesh& mesh) {
 std::vector<solver::Channel> read_strips(TomlTable& sensor, const mesh::Mesh& mesh) {
     const std::optional<int> count = sensor.count("count", 2, most_strips, Need::required);
     const std::optional<Reach> reach = read_reach(sensor, mesh);
+    constexpr std::array<std::string_view, 2> sides{"outboard", "inboard"};
+    const bool inboard_first = sensor.choice("first", sides).value_or(0) == 1;
     std::vector<solver::Channel> strips(static_cast<std::size_t>(count.value_or(0)));
     for (std::size_t i = 0; reach && i < strips.size(); ++i) {
         const double width = (reach->to - reach->from) / static_cast<double>(strips.size());
         const double from = reach->from + static_cast<double>(i) * width;
-        strips[i] = strip(mesh, {.from = from, .to = from + width});
+        strips[inboard_first ? strips.size() - 1 - i : i] = strip(mesh, {.from = from, .to = from + width});
     }
     return strips;
 }

@@ -37,6 +37,14 @@ void write_effects(CaseDraft& draft);
 void write_drive(CaseDraft& draft);
 void write_initial(CaseDraft& draft);
 void write_time(CaseDraft& draft);
+/// [vehicle] where the log says how a car moves: values of a usual car, each of them assumed.
+void write_vehicle(CaseDraft& draft);
+/// [data] with the columns of a car, and a [[corner]] for each tire of which there is something.
+void write_car_columns(CaseDraft& draft, const Log& log);
+/// Behind a #: corners of which nothing is known yet but columns that the user must tell apart.
+void suggest_corners(CaseDraft& draft, const Log& log);
+/// The whole laps of a log, "1-8"; empty: none are known.
+[[nodiscard]] std::string shown_laps(const Log& log);
 /// The list [[sensor]].
 void write_sensors(CaseDraft& draft);
 /// [[run]] or [[drive.file]] with the log's columns, and what a fit may move.

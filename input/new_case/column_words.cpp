@@ -7,6 +7,7 @@
 #include <cctype>
 #include <span>
 
+#include "input/text/column_names.hpp"
 #include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
@@ -15,29 +16,12 @@ namespace {
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-bool is_capital(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
 std::string lower(std::string_view text) {
     std::string result;
     std::ranges::transform(text, std::back_inserter(result), [](char c) { return lower(c); });
     return result;
-}
-
-/// "TyreTemp_FL2 inner" as tyre, temp, fl, inner.
-std::vector<std::string> words_of(std::string_view heading) {
-    std::vector<std::string> words(1);
-    for (std::size_t i = 0; i < heading.size(); ++i) {
-        const bool new_word = i > 0 && is_capital(heading[i]) && !is_capital(heading[i - 1]);
-        if (!is_letter(heading[i]) || new_word) {
-            words.emplace_back();
-        }
-        if (is_letter(heading[i])) {
-            words.back() += lower(heading[i]);
-        }
-    }
-    std::erase(words, "");
-    return words;
 }
 
 /// Words by which loggers call a quantity. A heading is the more likely the quantity, the more of them it has.

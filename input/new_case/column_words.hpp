@@ -17,6 +17,7 @@ struct ColumnMeaning {
     QuantitySpec spec;
     bool is_input = false;
     bool is_sensor = false;
+    bool any_unit = false;  ///< only whether there is something counts
 };
 
 /// A name without capitals, blanks and signs: "Vertical Load" and "vertical_load" are the same.

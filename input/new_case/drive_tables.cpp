@@ -92,7 +92,13 @@ void write_drive(CaseDraft& draft) {
     writer.heading("[drive]", draft.column("time") != nullptr
                                   ? "what the log does not give"
                                   : "how the tire is driven, in any unit: \"62 mph\" will do");
+    const bool of_car = draft.log() != nullptr && draft.log()->is_car;
     for (const NeededInput& input : needed) {
+        if (of_car && input.name == "vertical_load" && draft.column(input.name) == nullptr &&
+            draft.log()->has_motion()) {
+            writer.remark("vertical_load, forces and slips of each tire follow from [vehicle] and the log.");
+            continue;
+        }
         const std::string key = fmt::format("drive.{}", input.name);
         if (const LogColumn* column = draft.column(input.name)) {
             writer.remark(fmt::format("{}: the log's column {}", input.name, column->title()));
@@ -107,7 +113,9 @@ void write_drive(CaseDraft& draft) {
                      fmt::format("{}; {}assumed: {}", input.meaning, lacking, ground));
         draft.assume(key, value, lacking + ground);
     }
-    suggest_inputs(draft);
+    if (!of_car) {
+        suggest_inputs(draft);
+    }
     if (draft.column("time") == nullptr) {
         suggest_schedule(writer);
     }
@@ -121,7 +129,8 @@ void write_initial(CaseDraft& draft) {
     const std::optional<double> gas = first_of(draft, "gas_temperature");
     const std::optional<double> inside = bulk ? bulk : liner ? liner : surface ? surface : gas;
     writer.heading("[initial]");
-    if (!inside) {
+    const bool of_corners = draft.log() != nullptr && !draft.log()->corners().empty();
+    if (!inside || of_corners) {
         const bool logged = draft.column("air_temperature") != nullptr;
         const std::string value = logged ? "\"air_temperature\"" : draft.mesh.setting("initial", "temperature");
         writer.entry("temperature", value,

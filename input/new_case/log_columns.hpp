@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "input/laps/laps.hpp"
 #include "input/new_case/column_words.hpp"
 #include "input/new_case/mesh_template.hpp"
 #include "input/tables/data_file.hpp"
@@ -15,18 +16,24 @@ namespace tiretherm::input {
 /// A column of the log and what the case makes of it.
 struct LogColumn {
     int column = 0;
-    Heading heading;   ///< as the file has it
-    std::string name;  ///< what it is taken for; empty: not used
+    Heading heading;       ///< as the file has it
+    std::string name;      ///< what it is taken for; empty: not used
+    std::string corner{};  ///< FL, FR, RL, RR: of one tire of a car, used or not
     bool is_input = false;
     bool is_sensor = false;
     std::string unit{};            ///< taken in place of the heading's; empty: the heading's
     std::string suggestion{};      ///< a name that it may have, of one that is not used
     std::string suggested_unit{};  ///< a unit that the case must say then; empty: the heading's will do
     std::string reason{};          ///< why it is not used
+    bool is_foreign = false;       ///< not used, as nothing of the model goes by such a name
     bool must_ignore = false;      ///< not used, although the reader would know its name
     std::vector<double> value{};   ///< [n_samples] SI, NaN where missing; of a used column
 
     [[nodiscard]] bool is_used() const { return !name.empty(); }
+    /// "surface_temperature of FL".
+    [[nodiscard]] std::string full_name() const;
+    /// The same of what is suggested; empty without a suggestion.
+    [[nodiscard]] std::string full_suggestion() const;
     /// "speed [km/h]", for comments and messages.
     [[nodiscard]] std::string title() const;
     /// The first value that is not missing; nothing where there is none.
@@ -47,13 +54,20 @@ struct Log {
     std::vector<double> time{};  ///< [n_samples] s
     std::vector<LogColumn> columns{};
     LogUse use = LogUse::nothing;
+    bool is_car = false;     ///< columns were also taken by what loggers of cars call them
+    int infrared_zones = 0;  ///< readings of an array across the tread of each tire, infrared_1 ...; 0: no array
+    Laps laps{};
 
     [[nodiscard]] const LogColumn* find(std::string_view name) const;  ///< that is used under this name; null: none
+    [[nodiscard]] bool has_motion() const;  ///< a column tells the turns or the drive and braking of a car
+    /// Those at which something is measured or given, front before rear and left before right.
+    [[nodiscard]] std::vector<std::string> corners() const;
 };
 
 /// Reads the log's headings and the columns that have standard names; what is wrong with them goes to `errors`, with the
 /// line. A name is recognised without regard to capitals, blanks and underscores. A column of time goes by its unit
-/// where none goes by its name.
+/// where none goes by its name. In the log of a car (it has accelerations, yaw rate or steering, or readings of several tires, and
+/// no load of one tire) columns are also taken by the names that loggers give them.
 /// @param mesh that the case is to have: its sensors are what may have been measured
 /// @returns nothing after an error
 [[nodiscard]] std::optional<Log> read_log(const std::filesystem::path& path, const MeshTemplate& mesh,

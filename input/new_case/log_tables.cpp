@@ -110,7 +110,8 @@ void write_ignored(CaseWriter& writer, const Log& log) {
 }
 
 /// What `tiretherm identify` may move: start, cooling and heating, with how well they are known.
-void write_parameters(CaseWriter& writer) {
+/// @param slips_are_computed from the motion of a car
+void write_parameters(CaseWriter& writer, bool slips_are_computed) {
     writer.blank();
     writer.remark(
         "What `tiretherm identify` fits and `tiretherm diagnose` fits anew beside each cause: cooling by the air, "
@@ -124,6 +125,12 @@ void write_parameters(CaseWriter& writer) {
     writer.entry("effect", "\"strain_energy_loss\"");
     writer.entry("key", "\"tan_delta_a\"", "scales the loss tangent (49), and so the loss, everywhere alike");
     writer.entry("standard_deviation", "0.2e15", "assumed: about 10 %");
+    if (slips_are_computed) {
+        writer.heading("[[parameter]]");
+        writer.entry("effect", "\"sliding_friction\"");
+        writer.entry("key", "\"lambda_y\"", "scales the heat of sliding in turns");
+        writer.entry("standard_deviation", "0.3", "assumed: the slips follow from what is assumed of the car");
+    }
     writer.heading("[[parameter]]");
     writer.entry("initial", "\"temperature\"", "a shift of the whole tire at the start");
     writer.entry("standard_deviation", "\"3 K\"", "assumed");
@@ -132,15 +139,25 @@ void write_parameters(CaseWriter& writer) {
 void write_run(CaseDraft& draft, const Log& log) {
     CaseWriter& writer = draft.writer;
     writer.blank();
+    if (log.is_car) {
+        writer.remark("What the log's columns are: of the car, then of each tire.");
+        write_car_columns(draft, log);
+        writer.blank();
+    }
     writer.remark("The log as a measured run: its inputs win over [drive], what its sensors read is compared.");
     write_unused(writer, log);
     writer.lines({"[[run]]"});
     writer.entry("file", log_path(draft), "from this file's folder");
+    if (const std::string laps = shown_laps(log); !laps.empty()) {
+        writer.suggestion("laps", fmt::format("\"{}\"", laps), "the whole laps of the log, or some of them");
+    }
     writer.suggestion("from", fmt::format("\"{}\"", shown_seconds(log.time.front())), "a part of the log");
     writer.suggestion("to", fmt::format("\"{}\"", shown_seconds(log.time.back())));
     write_ignored(writer, log);
-    write_columns(writer, log, false);
-    write_parameters(writer);
+    if (!log.is_car) {
+        write_columns(writer, log, false);
+    }
+    write_parameters(writer, log.is_car && log.has_motion());
 }
 
 void write_drive_file(CaseDraft& draft, const Log& log) {
@@ -161,6 +178,10 @@ void write_drive_file(CaseDraft& draft, const Log& log) {
 /// How to compare once a column is known to be a sensor's.
 void suggest_run(CaseDraft& draft, const Log& log) {
     CaseWriter& writer = draft.writer;
+    if (log.is_car) {
+        suggest_corners(draft, log);
+        return;
+    }
     writer.blank();
     writer.remark(
         "No column of the log is known to be a sensor of this case, so there is nothing to compare with. Say below "

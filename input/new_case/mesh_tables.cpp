@@ -98,6 +98,25 @@ void write_effects(CaseDraft& draft) {
     }
 }
 
+namespace {
+
+/// The array that looks across the tread of each tire of a car.
+void write_infrared(CaseDraft& draft, int zones) {
+    CaseWriter& writer = draft.writer;
+    const double half = 0.5e3 * draft.request.size.width;
+    writer.heading("[[sensor]]");
+    writer.entry("name", "\"infrared\"", fmt::format("the channels infrared_1 to infrared_{}", zones));
+    writer.entry("kind", "\"strips\"");
+    writer.entry("count", fmt::format("{}", zones));
+    writer.entry("from", fmt::format("\"{:g} mm\"", -half), "assumed: it sees the whole tread, as wide as the tire");
+    writer.entry("to", fmt::format("\"{:g} mm\"", half));
+    writer.entry("first", "\"outboard\"", "assumed; or \"inboard\"");
+    writer.suggestion("standard_deviation", "\"1 K\"", "of one reading, by its data sheet");
+    draft.assume("infrared_1", "outboard", "number 1 of the array; first = \"inboard\" in its [[sensor]] turns it");
+}
+
+}  // namespace
+
 void write_sensors(CaseDraft& draft) {
     draft.writer.blank();
     draft.writer.remark("What is recorded, one channel each. A sensor's standard_deviation is that of one reading.");
@@ -113,6 +132,9 @@ void write_sensors(CaseDraft& draft) {
             draft.writer.suggestion("standard_deviation", example,
                                     fmt::format("of one reading of {}, by its data sheet", column->title()));
         }
+    }
+    if (draft.column("infrared_1") != nullptr) {
+        write_infrared(draft, draft.log()->infrared_zones);
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "input/corners/corner.hpp"
 #include "input/measurements/runs.hpp"
 #include "input/new_case/case_tables.hpp"
 #include "input/text/suggestions.hpp"
@@ -21,6 +22,7 @@ constexpr double passenger_pressure = 220e3;  // Pa above the atmosphere
 constexpr double light_truck_pressure = 450e3;
 constexpr double light_truck_tread = 3e-3;     // m more
 constexpr double light_truck_sidewall = 2e-3;  // m more
+constexpr std::string_view mesh_of_a_car = "two_node";
 
 CaseDraft begin(const NewCaseRequest& request, NewCase& result) {
     const physics::Tire thesis;
@@ -29,9 +31,38 @@ CaseDraft begin(const NewCaseRequest& request, NewCase& result) {
     draft.tread_thickness = thesis.tread_thickness + (heavy ? light_truck_tread : 0.0);
     draft.sidewall_thickness = thesis.sidewall_thickness + (heavy ? light_truck_sidewall : 0.0);
     draft.inflation_pressure = request.inflation_pressure.value_or(heavy ? light_truck_pressure : passenger_pressure);
-    draft.mesh = mesh_template(request.mesh, draft.tread_thickness * 1e3);
-    result.mesh = draft.mesh.what;
     return draft;
+}
+
+void take_mesh(CaseDraft& draft, std::string_view name) {
+    draft.mesh = mesh_template(name, draft.tread_thickness * 1e3);
+    draft.result.mesh = draft.mesh.what;
+    draft.result.mesh_name = name;
+}
+
+/// Whether readings lie side by side across a tread, which a single column of a tire does not tell apart.
+bool has_places_across(const Log& log) {
+    return log.infrared_zones > 0 || std::ranges::any_of(log.columns, [](const LogColumn& column) {
+               return column.is_sensor && column.name.find("shoulder") != std::string::npos;
+           });
+}
+
+/// Mesh and log, which depend on each other: a mesh says what may have been measured. @returns false after an error
+bool read_mesh_and_log(CaseDraft& draft) {
+    const NewCaseRequest& request = draft.request;
+    take_mesh(draft, request.mesh.empty() ? mesh_template_names().front() : std::string_view(request.mesh));
+    if (!request.log) {
+        return true;
+    }
+    InputErrors errors;
+    draft.result.log = read_log(*request.log, draft.mesh, errors);
+    if (request.mesh.empty() && draft.log() != nullptr && draft.log()->is_car && !has_places_across(*draft.log())) {
+        // Four tires over many laps: seconds in place of minutes.
+        take_mesh(draft, mesh_of_a_car);
+        draft.result.log = read_log(*request.log, draft.mesh, errors);
+    }
+    draft.result.errors = errors.in_order();
+    return draft.result.errors.empty();
 }
 
 void write_head(CaseDraft& draft) {
@@ -86,6 +117,18 @@ void list_missing(const CaseDraft& draft) {
             names.push_back(sensor.name);
         }
     }
+    const auto asks_for_unit = [](const LogColumn& column) {
+        return !column.is_used() && !column.suggested_unit.empty() && trim(column.heading.unit.value_or("")).empty();
+    };
+    const auto asked = std::ranges::find_if(log->columns, asks_for_unit);
+    if (log->is_car && asked != log->columns.end()) {
+        missing.push_back({fmt::format("{} columns have no unit, such as {}",
+                                       std::ranges::count_if(log->columns, asks_for_unit), asked->heading.name),
+                           fmt::format("write the units into the head of the log, as in {} [{}], and call `tiretherm "
+                                       "new` again",
+                                       asked->heading.name, asked->suggested_unit)});
+        return;
+    }
     const bool guessed = std::ranges::any_of(log->columns, [&](const LogColumn& column) {
         return !column.is_used() && draft.mesh.find_sensor(column.suggestion) != nullptr;
     });
@@ -98,13 +141,13 @@ void list_missing(const CaseDraft& draft) {
 void check(const NewCaseRequest& request, const std::string& text, NewCase& result) {
     InputErrors errors;
     const TextFile file{.number = errors.add_file(request.target.generic_string(), text), .text = text};
-    std::vector<std::string> suspicious;
+    Runs runs;
     if (const std::optional<TomlValue> document = parse_toml(file, errors)) {
-        suspicious = read_runs(*document, case_name(request.target), {}, ReadMode::measured, errors).data_warnings;
+        runs = read_runs(*document, case_name(request.target), {}, ReadMode::measured, errors);
     }
     result.errors = errors.in_order();
-    result.warnings = unique(errors.warnings());
-    result.warnings.insert(result.warnings.end(), suspicious.begin(), suspicious.end());
+    result.warnings = once_for_all_corners(errors.warnings(), runs.corners.size());
+    result.warnings.insert(result.warnings.end(), runs.data_warnings.begin(), runs.data_warnings.end());
 }
 
 }  // namespace
@@ -112,13 +155,8 @@ void check(const NewCaseRequest& request, const std::string& text, NewCase& resu
 NewCase make_new_case(const NewCaseRequest& request) {
     NewCase result;
     CaseDraft draft = begin(request, result);
-    if (request.log) {
-        InputErrors errors;
-        result.log = read_log(*request.log, draft.mesh, errors);
-        result.errors = errors.in_order();
-        if (!result.errors.empty()) {
-            return result;
-        }
+    if (!read_mesh_and_log(draft)) {
+        return result;
     }
     if (request.size_is_assumed) {
         draft.assume("tire.size", request.size.text,
@@ -129,6 +167,7 @@ NewCase make_new_case(const NewCaseRequest& request) {
     write_mesh(draft);
     write_effects(draft);
     write_drive(draft);
+    write_vehicle(draft);
     write_initial(draft);
     write_time(draft);
     write_sensors(draft);

@@ -17,7 +17,7 @@ struct NewCaseRequest {
     TireSize size;
     bool size_is_assumed = false;                ///< nobody named it
     std::optional<double> inflation_pressure{};  ///< Pa above the atmosphere; none: by the kind of tire
-    std::string mesh = "section";                ///< one of mesh_template_names()
+    std::string mesh{};                          ///< one of mesh_template_names(); empty: by the log
     std::optional<std::filesystem::path> log{};
     std::filesystem::path target;  ///< where the case will be: paths in it are written from its folder
 };
@@ -38,7 +38,8 @@ struct MissingPart {
 /// The case that was made. There is a text exactly when there is no error.
 struct NewCase {
     std::string text;
-    std::string mesh;  ///< in words: "a cross-section"
+    std::string mesh;       ///< in words: "a cross-section"
+    std::string mesh_name;  ///< as the option takes it: "section"
     std::optional<Log> log;
     std::vector<AssumedValue> assumed;
     std::vector<MissingPart> missing;

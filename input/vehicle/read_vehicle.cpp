@@ -63,14 +63,15 @@ void warn_of_limits(const CornerSignals& signals, const VehicleSettings& setting
     const std::string_view name = physics::corner_names[static_cast<std::size_t>(settings.corner)];
     if (corner.exceeds > 0.0) {
         errors.warn(settings.place,
-                    fmt::format("the forces at {} exceed what its tire can give in {} of the time: the slips are then "
+                    fmt::format("at {}: the forces exceed what the tire can give in {} of the time: the slips are then "
                                 "those of the highest force",
                                 name, percent(corner.exceeds)));
     }
     if (corner.lifted > 0.0) {
-        errors.warn(settings.place, fmt::format("the wheel {} is in the air in {} of the time: the other wheels carry "
-                                                "its load",
-                                                name, percent(corner.lifted)));
+        errors.warn(settings.place,
+                    fmt::format("at {}: the wheel is in the air in {} of the time: the other wheels carry "
+                                "its load",
+                                name, percent(corner.lifted)));
     }
     if (signals.rolls_over > 0.0) {
         errors.warn(settings.place, fmt::format("the car would roll over in {} of the time: check the height of its "
@@ -131,14 +132,14 @@ void read_vehicle(TomlTable& root, ProblemBuilder& builder) {
     inputs.replace(series_of(signal_of(&Inputs::speed), &CornerInputs::speed, *motion, corner));
     const std::string_view name = physics::corner_names[static_cast<std::size_t>(settings->corner)];
     if (!names.empty()) {
-        errors.warn(settings->place, fmt::format("{} of the tire {} {} computed from the motion of the car, and its "
-                                                 "speed from that of the car and the yaw rate",
-                                                 listed(names), name, names.size() > 1 ? "are" : "is"));
+        errors.warn(settings->place,
+                    fmt::format("at {}: {} {} computed from the motion of the car, and the speed of the "
+                                "tire from that of the car and the yaw rate",
+                                name, listed(names), names.size() > 1 ? "are" : "is"));
     }
     if (!kept.empty()) {
-        errors.warn(settings->place,
-                    fmt::format("{} of the tire {} {} not computed: the case gives {}", listed(kept), name,
-                                kept.size() > 1 ? "are" : "is", kept.size() > 1 ? "them" : "it"));
+        errors.warn(settings->place, fmt::format("at {}: {} {} not computed: the case gives {}", name, listed(kept),
+                                                 kept.size() > 1 ? "are" : "is", kept.size() > 1 ? "them" : "it"));
     }
     for (const std::string& source : motion->sources) {
         errors.warn(settings->place, source);

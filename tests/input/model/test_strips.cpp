@@ -80,6 +80,26 @@ meaning = "camera"
     EXPECT_EQ(channel_of(problem, "ir_1").meaning, "outer surface, mean from -40 to -20 mm along the meridian");
 }
 
+// The same array mounted the other way round: its number 1 looks at 20 to 40 mm, where T is 303 K.
+TEST(Strips, OfAnArrayThatIsNumberedFromInsideComeTheOtherWayRound) {
+    const solver::Problem problem = read_strips(R"(
+[[sensor]]
+name = "ir"
+kind = "strips"
+count = 4
+from = "-40 mm"
+to = "40 mm"
+first = "inboard"
+)");
+    ASSERT_EQ(problem.channels.size(), 4U);
+    const std::vector<double> T = along(problem);
+    for (const auto& [name, expected] :
+         {std::pair{"ir_1", 303.0}, std::pair{"ir_2", 301.0}, std::pair{"ir_3", 299.0}, std::pair{"ir_4", 297.0}}) {
+        EXPECT_NEAR(channel_of(problem, name).where(T), expected, 5e-3) << name;
+    }
+    EXPECT_EQ(channel_of(problem, "ir_1").meaning, "outer surface, mean from 20 to 40 mm along the meridian");
+}
+
 // Sensors stand behind strips as behind any temperature: at the start everything has 23 degC = 296.15 K, the lagged
 // channel too; the gain of 0.1 about 298.15 K takes 0.2 K, the offset adds 2 K.
 TEST(Strips, AreReadThroughLagOffsetAndGain) {

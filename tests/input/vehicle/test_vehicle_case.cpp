@@ -185,8 +185,8 @@ TEST(VehicleCase, MeasuredLoadGoesBeforeTheComputedOne) {
     const std::string log = log_of_the_truth("speed [m/s],lateral_acceleration [m/s2],vertical_load [N]",
                                              [](const Truth&, double) { return std::string("30,2,3000"); });
     const Reading reading = read(log, "", "");
-    EXPECT_TRUE(warns(reading, "vertical_load of the tire FL is not computed: the case gives it"));
-    EXPECT_TRUE(warns(reading, "slip_angle, slip_ratio, lateral_force and longitudinal_force of the tire FL are"));
+    EXPECT_TRUE(warns(reading, "at FL: vertical_load is not computed: the case gives it"));
+    EXPECT_TRUE(warns(reading, "at FL: slip_angle, slip_ratio, lateral_force and longitudinal_force are"));
     const physics::Inputs in = problem_of(reading).input_signals.at(20.0, solver::JumpSide::after);
     EXPECT_EQ(in.vertical_load, 3000.0);
     // Right: 2588.9556 + 0.6 x 1200 x 2 x 0.5/1.5 = 3068.9556 N; the axle's 1056 N at tan(alpha) = Fy Fz_s/(C sum Fz).
@@ -223,7 +223,7 @@ TEST(VehicleCase, GripThatIsNotThereIsCounted) {
     const Reading slippery = read_case(written.add("case.toml", "include = [\"" + base +
                                                                     "\"]\n[vehicle]\ncorner = \"FR\"\nfriction = 0.8\n"
                                                                     "[[drive.file]]\npath = \"log.csv\"\n"));
-    EXPECT_TRUE(warns(slippery, "the forces at FR exceed what its tire can give in 100 % of the time"));
+    EXPECT_TRUE(warns(slippery, "at FR: the forces exceed what the tire can give in 100 % of the time"));
 }
 
 TEST(VehicleCase, EachRunMayHaveItsCorner) {

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// [vehicle], [data] and the list [[corner]] of a new case whose log is that of a car.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "input/new_case/case_tables.hpp"
+#include "input/text/suggestions.hpp"
+#include "input/toml/toml_text.hpp"
+#include "physics/vehicle/vehicle.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+/// A value of a car that no log gives: of a sports car with one person in it.
+struct CarValue {
+    std::string_view key;
+    std::string_view value;
+    std::string_view meaning;
+    std::string_view ground;
+};
+constexpr std::array car_values{
+    CarValue{"mass", "\"1350 kg\"", "with driver and fuel", "a sports car; a scale tells, and each axle's share too"},
+    CarValue{"wheelbase", "\"2.6 m\"", "", "a sports car; its papers tell"},
+    CarValue{"front_weight_share", "0.5", "of the car at rest", "even; a scale tells"},
+    CarValue{"centre_of_gravity_height", "\"0.48 m\"", "above the road", "a sports car"},
+    CarValue{"front_track", "\"1.55 m\"", "and the rear's, without rear_track", "a sports car; its papers tell"},
+    CarValue{"front_roll_stiffness_share", "0.55", "springs and anti-roll bars",
+             "a little more in front, as most cars have"},
+    CarValue{"drag_area", "\"0.7 m2\"", "drag coefficient times frontal area", "a car of 2 m2 and 0.35"},
+    CarValue{"driven_axle", "\"rear\"", "or front, or all with front_drive_share", "a sports car"},
+    CarValue{"front_brake_share", "0.65", "", "two thirds in front, as most cars have"}};
+
+// Cornering stiffness of a passenger car's tire over its load: 6 to 30 per radian, and the slip stiffness is the larger one
+// (Pacejka, Tire and Vehicle Dynamics, chapter 1).
+constexpr double cornering_over_load = 15.0;  // 1/rad
+constexpr double slip_over_load = 20.0;
+constexpr double static_load = 1350.0 * physics::standard_gravity / 4.0;  // N, of the values above
+constexpr double friction_margin = 1.1;
+constexpr double usual_friction = 1.1;
+constexpr double hardest_share = 0.995;  // of the samples below: single peaks are knocks
+
+/// The acceleration in the plane that the car hardly ever exceeds, over that of gravity; 0: the log has none.
+double hardest_turn(const Log& log) {
+    const LogColumn* lateral = log.find("lateral_acceleration");
+    const LogColumn* along = log.find("longitudinal_acceleration");
+    std::vector<double> size;
+    for (std::size_t i = 0; i < log.time.size(); ++i) {
+        const auto of = [i](const LogColumn* column) {
+            return column != nullptr && std::isfinite(column->value[i]) ? column->value[i] : 0.0;
+        };
+        size.push_back(std::hypot(of(lateral), of(along)) / physics::standard_gravity);
+    }
+    const auto at = size.begin() + static_cast<std::ptrdiff_t>(hardest_share * static_cast<double>(size.size() - 1));
+    std::nth_element(size.begin(), at, size.end());
+    return *at;
+}
+
+void assume_entry(CaseDraft& draft, std::string_view key, const std::string& value, std::string_view meaning,
+                  const std::string& ground) {
+    draft.writer.entry(key, value, fmt::format("{}{}assumed: {}", meaning, meaning.empty() ? "" : "; ", ground));
+    const bool quoted = value.starts_with('"');
+    draft.assume(fmt::format("vehicle.{}", key), quoted ? value.substr(1, value.size() - 2) : value, ground);
+}
+
+void write_tires(CaseDraft& draft, const Log& log) {
+    const auto kilo = [](double over_load) { return std::round(over_load * static_load / 1e3); };
+    const std::string of_load = fmt::format("{:g} times the load at rest", cornering_over_load);
+    for (const std::string_view axle : {"front", "rear"}) {
+        assume_entry(draft, fmt::format("{}_cornering_stiffness", axle),
+                     fmt::format("\"{:g} kN/rad\"", kilo(cornering_over_load)), "of one tire", of_load);
+    }
+    for (const std::string_view axle : {"front", "rear"}) {
+        assume_entry(draft, fmt::format("{}_slip_stiffness", axle), fmt::format("\"{:g} kN\"", kilo(slip_over_load)),
+                     "of one tire", fmt::format("{:g} times the load at rest", slip_over_load));
+    }
+    const double hardest = hardest_turn(log);
+    const bool slow = friction_margin * hardest < usual_friction;
+    assume_entry(
+        draft, "friction", fmt::format("{:.2f}", slow ? usual_friction : friction_margin * hardest), "",
+        slow ? "a dry road" : fmt::format("a tenth above the log's hardest turns and stops, {:.2f} g", hardest));
+    draft.writer.suggestion("property_file", "\"tire.tir\"", "in the place of stiffnesses and friction");
+}
+
+/// Columns of the log under a heading, renamed or with units that the case must say.
+class ColumnsOf {
+public:
+    /// @param table "data" or "corner"  @param corner whose columns; empty: of the car
+    ColumnsOf(CaseWriter& writer, const Log& log, std::string table, std::string corner)
+        : writer_(writer), log_(log), table_(std::move(table)), corner_(std::move(corner)) {}
+
+    void write() {
+        write_names();
+        write_units();
+    }
+
+private:
+    [[nodiscard]] bool is_mine(const LogColumn& column) const { return column.corner == corner_; }
+
+    void open(std::string_view key, bool& is_open) {
+        if (!std::exchange(is_open, true)) {
+            writer_.heading(fmt::format("[{}.{}]", table_, key));
+        }
+    }
+    void write_names() {
+        bool is_open = false;
+        for (const LogColumn& column : log_.columns) {
+            const std::string key = toml_text::key(column.heading.name);
+            if (!is_mine(column)) {
+                continue;
+            }
+            if (column.is_used() && column.heading.name != column.name) {
+                open("columns", is_open);
+                writer_.entry(key, toml_text::in_quotes(column.name), column.title());
+            } else if (!column.is_used() && !column.suggestion.empty()) {
+                open("columns", is_open);
+                writer_.suggestion(key, toml_text::in_quotes(column.suggestion),
+                                   fmt::format("{}: {}", column.title(), column.reason));
+            }
+        }
+    }
+    void write_units() {
+        bool is_open = false;
+        for (const LogColumn& column : log_.columns) {
+            const std::string key = toml_text::key(column.heading.name);
+            if (!is_mine(column)) {
+                continue;
+            }
+            if (column.is_used() && !column.unit.empty()) {
+                open("units", is_open);
+                writer_.entry(key, toml_text::in_quotes(column.unit), "assumed");
+            } else if (!column.is_used() && !column.suggested_unit.empty()) {
+                open("units", is_open);
+                writer_.suggestion(key, toml_text::in_quotes(column.suggested_unit), "or what its unit is");
+            }
+        }
+    }
+
+    CaseWriter& writer_;
+    const Log& log_;
+    std::string table_;
+    std::string corner_;
+};
+
+/// The first readings at a corner, of its inside where there are some: their mean, and what they are.
+struct FirstReading {
+    double kelvin = 0.0;
+    std::string of;
+};
+std::optional<FirstReading> first_reading(const Log& log, std::string_view corner) {
+    for (const std::string_view part : {"bulk_temperature", "surface_temperature", "infrared_", "gas_temperature"}) {
+        double sum = 0.0;
+        std::vector<std::string> names;
+        for (const LogColumn& column : log.columns) {
+            if (column.is_sensor && column.corner == corner && column.name.find(part) != std::string::npos &&
+                column.first_value()) {
+                sum += *column.first_value();
+                names.push_back(column.heading.name);
+            }
+        }
+        if (!names.empty()) {
+            const std::string of =
+                names.size() == 1 ? names.front() : fmt::format("{} to {}", names.front(), names.back());
+            return FirstReading{sum / static_cast<double>(names.size()), of};
+        }
+    }
+    return std::nullopt;
+}
+
+void write_corner(CaseDraft& draft, const Log& log, const std::string& corner) {
+    CaseWriter& writer = draft.writer;
+    writer.heading("[[corner]]");
+    writer.entry("name", toml_text::in_quotes(corner));
+    if (const std::optional<FirstReading> reading = first_reading(log, corner)) {
+        const std::string first = shown_celsius(reading->kelvin);
+        writer.entry("initial", fmt::format("{{ temperature = \"{}\" }}", first),
+                     fmt::format("assumed: the log's first {}, all through the tire", reading->of));
+        draft.assume(fmt::format("{}: initial.temperature", corner), first,
+                     fmt::format("the first {}, all through the tire", reading->of));
+    }
+    if (draft.mesh.name == "section") {
+        writer.suggestion("drive", "{ camber = \"-2 deg\" }", "negative: the top leans inboard");
+    }
+    ColumnsOf(writer, log, "corner", corner).write();
+}
+
+}  // namespace
+
+void write_vehicle(CaseDraft& draft) {
+    const Log* log = draft.log();
+    if (log == nullptr || !log->is_car || !log->has_motion()) {
+        return;
+    }
+    CaseWriter& writer = draft.writer;
+    writer.heading("[vehicle]", "gives each tire its load, forces and slips: replace what is assumed");
+    if (log->corners().empty()) {
+        assume_entry(draft, "corner", "\"FL\"", "FL, FR, RL or RR", "the log does not say whose temperatures it has");
+    }
+    for (const CarValue& value : car_values) {
+        assume_entry(draft, value.key, std::string(value.value), value.meaning, std::string(value.ground));
+    }
+    if (draft.column("lateral_acceleration") == nullptr && draft.column("yaw_rate") == nullptr) {
+        assume_entry(draft, "steering_ratio", "15", "of the steering wheel to the road wheels", "a sports car");
+    }
+    write_tires(draft, *log);
+    writer.suggestion("downforce_area", "\"0.5 m2\"", "-C_L A, with front_downforce_share = 0.45");
+    writer.suggestion("lateral_acceleration_sign", "\"right\"",
+                      "in which turns it is positive; automatic beside yaw_rate");
+}
+
+void write_car_columns(CaseDraft& draft, const Log& log) {
+    ColumnsOf(draft.writer, log, "data", "").write();
+    for (const std::string& corner : log.corners()) {
+        write_corner(draft, log, corner);
+    }
+    suggest_corners(draft, log);
+}
+
+void suggest_corners(CaseDraft& draft, const Log& log) {
+    const std::vector<std::string> known = log.corners();
+    for (const std::string_view corner : physics::corner_names) {
+        if (std::ranges::find(known, corner) != known.end()) {
+            continue;
+        }
+        std::string columns;
+        for (const LogColumn& column : log.columns) {
+            if (column.corner == corner && !column.is_used() && !column.suggestion.empty()) {
+                columns += fmt::format("{}{} = {}", columns.empty() ? "" : ", ", toml_text::key(column.heading.name),
+                                       toml_text::in_quotes(column.suggestion));
+            }
+        }
+        if (!columns.empty()) {
+            draft.writer.blank();
+            draft.writer.remark("Which of these is what the tire reads? Keep it, and take the # away.");
+            draft.writer.remark("[[corner]]");
+            draft.writer.suggestion("name", toml_text::in_quotes(corner));
+            draft.writer.suggestion("columns", fmt::format("{{ {} }}", columns));
+        }
+    }
+}
+
+std::string shown_laps(const Log& log) {
+    const auto is_flying = [](const Lap& lap) { return lap.kind == LapKind::flying; };
+    const auto first = std::ranges::find_if(log.laps.laps, is_flying);
+    if (first == log.laps.laps.end()) {
+        return {};
+    }
+    const auto count = std::ranges::count_if(log.laps.laps, is_flying);
+    const int last = first->number + static_cast<int>(count) - 1;
+    return count == 1 ? fmt::format("{}", first->number) : fmt::format("{}-{}", first->number, last);
+}
+
+}  // namespace tiretherm::input
