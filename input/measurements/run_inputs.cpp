@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "input/laps/file_laps.hpp"
+#include "input/model/probes.hpp"
 #include "input/text/quantity_specs.hpp"
 
 namespace tiretherm::input {
@@ -298,6 +299,31 @@ RunInputs read_run_inputs(const RunTable& run, const RunFile* file, InputErrors&
         input.value = std::move(known.value);
     }
     return into;
+}
+
+std::vector<StartReading> start_readings(const RunFile& file, const TomlValue& document, const InputErrors& errors) {
+    std::vector<StartReading> found;
+    std::vector<ColumnRequest> requests;
+    const TomlValue* initial = document.find("initial");
+    for (const Entry& entry : initial != nullptr ? initial->entries : std::vector<Entry>{}) {
+        for (const UsedColumn& column : file.columns.used) {
+            const bool is_named = entry.value.kind == TomlValue::Kind::text && column.is_sensor &&
+                                  is_channel_of(column.name, entry.value.text);
+            if (is_named && std::ranges::find(found, column.name, &StartReading::sensor) == found.end()) {
+                found.push_back({.sensor = column.name, .reading = {}});
+                requests.push_back({.column = column.column,
+                                    .name = column.name,
+                                    .spec = quantity_specs::temperature,
+                                    .purpose = Purpose::measured});
+            }
+        }
+    }
+    InputErrors again = errors;  // the columns are read once more as those of sensors, and what is wrong is said then
+    const std::vector<std::vector<double>> read = file.file.read(requests, again);
+    for (std::size_t i = 0; i < read.size() && !file.time.empty(); ++i) {
+        found[i].reading = known_samples(file.time, read[i]);
+    }
+    return found;
 }
 
 }  // namespace tiretherm::input

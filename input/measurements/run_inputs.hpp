@@ -47,4 +47,10 @@ constexpr double most_missing_share = 0.1;
 /// where too much is missing that would be an invention, and is an error.
 [[nodiscard]] RunInputs read_run_inputs(const RunTable& run, const RunFile* file, InputErrors& errors);
 
+/// The readings of the sensors from which a run starts: those that [initial] names.
+/// @param document the case with the run's tables over it  @param errors so far, to which nothing is added: what is wrong with
+/// a sensor's column is said where it is read as measured
+[[nodiscard]] std::vector<StartReading> start_readings(const RunFile& file, const TomlValue& document,
+                                                       const InputErrors& errors);
+
 }  // namespace tiretherm::input

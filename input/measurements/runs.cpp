@@ -193,6 +193,9 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
         builder.problem.name = name;
         if (measured) {
             builder.run = read_run_inputs(table, file ? &*file : nullptr, errors);
+            if (file) {
+                builder.run->start_readings = start_readings(*file, reading.document, errors);
+            }
         }
         TomlTable root(reading.document, "the case", errors);
         root.declare_keys({"include", "unset"});

@@ -27,13 +27,15 @@ using Where = std::optional<solver::Channel>;
 /// The mean over a strip round the outer surface of a section: from, to.
 [[nodiscard]] Where read_strip(TomlTable& sensor, const mesh::Mesh& mesh);
 inline constexpr int most_strips = 1000;
-/// Strips side by side, as an array of infrared sensors sees them: count, from, to. The first is the outermost on the
-/// outboard side. They read nothing after an error.
+/// Strips side by side, as an array of infrared sensors sees them: count, from, to, first: the side of the first one, outboard
+/// unless it says inboard. They read nothing after an error.
 [[nodiscard]] std::vector<solver::Channel> read_strips(TomlTable& sensor, const mesh::Mesh& mesh);
 /// A node beside the cells, such as the gas.
 [[nodiscard]] Where read_node(TomlTable& sensor, const mesh::Mesh& mesh);
 
 /// The channels that the [[sensor]] tables of a case make, by name, before they are read: what columns may be called.
 [[nodiscard]] std::vector<std::string> sensor_names(const TomlValue& document);
+/// Whether a channel is that of a sensor or one of its strips: ir_2 of ir.
+[[nodiscard]] bool is_channel_of(std::string_view channel, std::string_view sensor);
 
 }  // namespace tiretherm::input

@@ -38,6 +38,12 @@ struct MeasuredInput {
     std::vector<double> value;  ///< [time]; empty after an error
 };
 
+/// What a sensor reads that [initial] names in the place of a temperature.
+struct StartReading {
+    std::string sensor;             ///< or one of an array's channels
+    solver::SignalHistory reading;  ///< s, K
+};
+
 /// What the file of a measured run gives beside the tables of the case. It wins over them, but not over tables of the
 /// run's own.
 struct RunInputs {
@@ -49,8 +55,9 @@ struct RunInputs {
     std::vector<MeasuredInput> inputs{};
     std::vector<UserColumn> columns{};    ///< that user effects follow; without points after an error
     std::vector<std::string> headings{};  ///< of all columns of the file
-    std::optional<double> first{};        ///< s, first time in the file
-    std::optional<double> last{};         ///< s, last time in the file
+    std::vector<StartReading> start_readings{};
+    std::optional<double> first{};  ///< s, first time in the file
+    std::optional<double> last{};   ///< s, last time in the file
 
     /// Whether the run has a value of its own for the key of a table.
     [[nodiscard]] bool says(std::string_view of_table, std::string_view key) const;

@@ -205,6 +205,15 @@ std::vector<SensorKind> sensor_kinds() {
     return all;
 }
 
+bool is_channel_of(std::string_view channel, std::string_view sensor) {
+    if (!channel.starts_with(sensor)) {
+        return false;
+    }
+    const std::string_view rest = channel.substr(sensor.size());
+    return rest.empty() || (rest.size() > 1 && rest.front() == '_' &&
+                            rest.find_first_not_of("0123456789", 1) == std::string_view::npos);
+}
+
 std::vector<std::string> sensor_names(const TomlValue& document) {
     std::vector<std::string> names;
     const TomlValue* sensors = document.find("sensor");

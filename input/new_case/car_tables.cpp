@@ -145,42 +145,10 @@ private:
     std::string corner_;
 };
 
-/// The first readings at a corner, of its inside where there are some: their mean, and what they are.
-struct FirstReading {
-    double kelvin = 0.0;
-    std::string of;
-};
-std::optional<FirstReading> first_reading(const Log& log, std::string_view corner) {
-    for (const std::string_view part : {"bulk_temperature", "surface_temperature", "infrared_", "gas_temperature"}) {
-        double sum = 0.0;
-        std::vector<std::string> names;
-        for (const LogColumn& column : log.columns) {
-            if (column.is_sensor && column.corner == corner && column.name.find(part) != std::string::npos &&
-                column.first_value()) {
-                sum += *column.first_value();
-                names.push_back(column.heading.name);
-            }
-        }
-        if (!names.empty()) {
-            const std::string of =
-                names.size() == 1 ? names.front() : fmt::format("{} to {}", names.front(), names.back());
-            return FirstReading{sum / static_cast<double>(names.size()), of};
-        }
-    }
-    return std::nullopt;
-}
-
 void write_corner(CaseDraft& draft, const Log& log, const std::string& corner) {
     CaseWriter& writer = draft.writer;
     writer.heading("[[corner]]");
     writer.entry("name", toml_text::in_quotes(corner));
-    if (const std::optional<FirstReading> reading = first_reading(log, corner)) {
-        const std::string first = shown_celsius(reading->kelvin);
-        writer.entry("initial", fmt::format("{{ temperature = \"{}\" }}", first),
-                     fmt::format("assumed: the log's first {}, all through the tire", reading->of));
-        draft.assume(fmt::format("{}: initial.temperature", corner), first,
-                     fmt::format("the first {}, all through the tire", reading->of));
-    }
     if (draft.mesh.name == "section") {
         writer.suggestion("drive", "{ camber = \"-2 deg\" }", "negative: the top leans inboard");
     }
@@ -240,6 +208,28 @@ void suggest_corners(CaseDraft& draft, const Log& log) {
             draft.writer.suggestion("columns", fmt::format("{{ {} }}", columns));
         }
     }
+}
+
+std::string first_sensor_of_all(const Log& log) {
+    constexpr std::array<std::string_view, 7> names{"bulk_temperature",
+                                                    "surface_temperature",
+                                                    "crown_surface_temperature",
+                                                    "inside_shoulder_surface_temperature",
+                                                    "outside_shoulder_surface_temperature",
+                                                    "infrared_1",
+                                                    "gas_temperature"};
+    const std::vector<std::string> corners = log.corners();
+    for (const std::string_view name : names) {
+        const bool everywhere = std::ranges::all_of(corners, [&](const std::string& corner) {
+            return std::ranges::any_of(log.columns, [&](const LogColumn& column) {
+                return column.name == name && column.corner == corner && column.first_value();
+            });
+        });
+        if (everywhere && !corners.empty()) {
+            return name == "infrared_1" ? "infrared" : std::string(name);
+        }
+    }
+    return {};
 }
 
 std::string shown_laps(const Log& log) {

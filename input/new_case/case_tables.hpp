@@ -43,6 +43,8 @@ void write_vehicle(CaseDraft& draft);
 void write_car_columns(CaseDraft& draft, const Log& log);
 /// Behind a #: corners of which nothing is known yet but columns that the user must tell apart.
 void suggest_corners(CaseDraft& draft, const Log& log);
+/// A sensor that every corner of the log has, of the inside before the surface; empty: none.
+[[nodiscard]] std::string first_sensor_of_all(const Log& log);
 /// The whole laps of a log, "1-8"; empty: none are known.
 [[nodiscard]] std::string shown_laps(const Log& log);
 /// The list [[sensor]].

@@ -130,6 +130,12 @@ void write_initial(CaseDraft& draft) {
     const std::optional<double> inside = bulk ? bulk : liner ? liner : surface ? surface : gas;
     writer.heading("[initial]");
     const bool of_corners = draft.log() != nullptr && !draft.log()->corners().empty();
+    if (const std::string sensor = of_corners ? first_sensor_of_all(*draft.log()) : ""; !sensor.empty()) {
+        writer.entry("temperature", fmt::format("\"{}\"", sensor),
+                     "of each tire: what its sensor reads first, all through the tire; assumed: it has stood a while");
+        draft.assume("initial.temperature", sensor, "what each tire's sensor reads first, all through the tire");
+        return;
+    }
     if (!inside || of_corners) {
         const bool logged = draft.column("air_temperature") != nullptr;
         const std::string value = logged ? "\"air_temperature\"" : draft.mesh.setting("initial", "temperature");

@@ -186,6 +186,48 @@ TEST(Corner, IsLeftOutWhereNothingIsMeasured) {
         << said(nothing, written);
 }
 
+// In the first second of the run S_FL reads 30.0 and S_FR 31.0 degC; from 2 s on 30.5 and 31.5 degC.
+TEST(Corner, StartsWhereItsSensorDoes) {
+    const std::string start = "[initial]\ntemperature = \"surface_temperature\"\n";
+    std::string text(bench);
+    const std::size_t at = text.find("[initial]");
+    text.replace(at, text.find("[[sensor]]", at) - at, start);
+    const Written written;
+    written.add("laps.csv", car_log);
+    const ExperimentReading reading = read_experiment(
+        written.add("case.toml", text + corners + "[[run]]\nfile = \"laps.csv\"\nname = \"late\"\nfrom = \"1 s\"\n"));
+    ASSERT_TRUE(reading.experiment) << said(reading, written);
+    const std::vector<MeasuredRun>& runs = reading.experiment->runs;
+    EXPECT_NEAR(runs[0].problem.initial.front(), 303.15, 1e-9);
+    EXPECT_NEAR(runs[1].problem.initial.front(), 304.15, 1e-9);
+    EXPECT_NEAR(runs[3].problem.initial.front(), 303.65, 1e-9);
+    EXPECT_NEAR(runs[4].problem.initial.front(), 304.65, 1e-9);
+}
+
+TEST(Corner, WithoutTheSensorOfItsStartSaysSo) {
+    std::string text(bench);
+    const std::size_t at = text.find("[initial]");
+    text.replace(at, text.find("[[sensor]]", at) - at, "[initial]\ntemperature = \"bulk_temperature\"\n");
+    const Written written;
+    written.add("laps.csv", car_log);
+    const ExperimentReading reading = read_experiment(written.add("case.toml", text + corners));
+    EXPECT_NE(said(reading, written)
+                  .find("temperature is set to what bulk_temperature reads, and the run laps_FR has no such reading"),
+              std::string::npos)
+        << said(reading, written);
+}
+
+TEST(Corner, WhatIsSaidOfAllStandsOnce) {
+    using Sentences = std::vector<std::string>;
+    const Sentences said{"case.toml:4: at FL: the load is computed", "case.toml:4: smoothed",
+                         "case.toml:4: at FR: the load is computed", "case.toml:4: smoothed",
+                         "laps.csv: at FR: S is stuck"};
+    EXPECT_EQ(once_for_all_corners(said, 2),
+              (Sentences{"case.toml:4: the load is computed", "case.toml:4: smoothed", "laps.csv: at FR: S is stuck"}));
+    EXPECT_EQ(once_for_all_corners(said, 4).front(), "case.toml:4: at FL and FR: the load is computed");
+    EXPECT_EQ(once_for_all_corners({said.front()}, 1), Sentences{said.front()});
+}
+
 TEST(Corner, MistakesAreNamed) {
     const Written written;
     const ExperimentReading reading = read(written, R"([[corner]]

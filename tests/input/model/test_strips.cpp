@@ -91,7 +91,7 @@ from = "-40 mm"
 to = "40 mm"
 first = "inboard"
 )");
-    ASSERT_EQ(problem.channels.size(), 4U);
+    ASSERT_EQ(problem.channels.size(), 5U);  // with the one that the case has besides
     const std::vector<double> T = along(problem);
     for (const auto& [name, expected] :
          {std::pair{"ir_1", 303.0}, std::pair{"ir_2", 301.0}, std::pair{"ir_3", 299.0}, std::pair{"ir_4", 297.0}}) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double zero = 273.15;
 
-std::filesystem::path example(const std::string& ending) {
+std::filesystem::path example_sheet(const std::string& ending) {
     return source_folder() / "cases" / "convert" / ("thesis_225_50_R17" + ending);
 }
 
@@ -149,11 +149,11 @@ TEST(SheetValues, LawInKelvinIsTheSameParabola) {
 }
 
 TEST(SheetValues, EachFormatGivesTheSameCase) {
-    const SheetCase csv = convert_sheet(example(""));
+    const SheetCase csv = convert_sheet(example_sheet(""));
     ASSERT_TRUE(csv.errors.empty()) << sheets::report(csv);
     EXPECT_EQ(csv.sheets.size(), 10U);
     for (const std::string ending : {".xls", ".xlsx"}) {
-        const SheetCase made = convert_sheet(example(ending));
+        const SheetCase made = convert_sheet(example_sheet(ending));
         ASSERT_TRUE(made.errors.empty()) << sheets::report(made);
         EXPECT_EQ(made.text, csv.text) << ending;
     }
@@ -177,7 +177,7 @@ TEST(SheetValues, SeparatorsByteOrderMarkAndBracketsDoNotMatter) {
 // neither a step of the solver nor the temperatures by more than 1e-9 K.
 TEST(SheetValues, ExampleRunsAsTheLibrarysTwoNodeTire) {
     const Written written;
-    const std::filesystem::path made = written.add("example.toml", convert_sheet(example(".xlsx")).text);
+    const std::filesystem::path made = written.add("example.toml", convert_sheet(example_sheet(".xlsx")).text);
     const std::filesystem::path same = written.add(
         "same.toml", "include = [\"example.toml\"]\n[initial]\nsurface = \"23 degC\"\nbulk = \"23 degC\"\n");
     const std::vector<double> library = run(source_folder() / "cases" / "two_node" / "4000N_100kmh.toml");

@@ -21,7 +21,7 @@ double processor_seconds(const std::function<void()>& call) {
     return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-std::string said(const ExperimentReading& reading, const Written& written) {
+std::string said_of(const ExperimentReading& reading, const Written& written) {
     return replaced(error_report(reading), written.folder().generic_string() + "/", "");
 }
 
@@ -63,7 +63,7 @@ TEST(WideCsv, FramesOf320By240PixelsAreReadInSeconds) {
                                      "[[camera]]\nname = \"camera\"\npixel_size = \"0.1 mm\"\n" + std::string(one_run));
     EXPECT_LT(processor_seconds([&] {
                   const ExperimentReading reading = read_experiment(file);
-                  ASSERT_TRUE(reading.experiment) << said(reading, written).substr(0, 1000);
+                  ASSERT_TRUE(reading.experiment) << said_of(reading, written).substr(0, 1000);
                   EXPECT_EQ(reading.experiment->runs.front().frames.front().detectors.columns, 320);
               }),
               30.0);
@@ -82,7 +82,7 @@ TEST(WideCsv, ARunAndASheetMayHaveFiftyThousandColumns) {
     const Written written;
     EXPECT_LT(processor_seconds([&] {
                   const ExperimentReading reading = read_log(written, head + "\n0" + row + "\n5" + row + "\n");
-                  ASSERT_TRUE(reading.experiment) << said(reading, written).substr(0, 1000);
+                  ASSERT_TRUE(reading.experiment) << said_of(reading, written).substr(0, 1000);
                   EXPECT_EQ(reading.experiment->runs.front().unused.size(), 50'000U);
               }),
               30.0);
@@ -113,7 +113,7 @@ TEST(WideCsv, ErrorsOfAllFieldsAreCutShort) {
 TEST(GermanCsv, SemicolonsWithDecimalCommasAreRead) {
     const Written written;
     const ExperimentReading reading = read_log(written, german_log());
-    ASSERT_TRUE(reading.experiment) << said(reading, written);
+    ASSERT_TRUE(reading.experiment) << said_of(reading, written);
     const MeasuredRun& run = reading.experiment->runs.front();
     EXPECT_EQ(run.time, (std::vector<double>{0.0, 2.5, 5.0}));
     EXPECT_NEAR(run.problem.input_signals.at(2.5, solver::JumpSide::after).speed, 15.0, 1e-12);
@@ -125,7 +125,7 @@ TEST(GermanCsv, SemicolonsWithDecimalCommasAreRead) {
     // Tabs, as a spreadsheet saves its cells as text; unused columns follow the same rule.
     const ExperimentReading tabs =
         read_log(written, replaced(replaced(german_log(), ";", "\t"), "surface_temp", "IR_"));
-    ASSERT_TRUE(tabs.experiment) << said(tabs, written);
+    ASSERT_TRUE(tabs.experiment) << said_of(tabs, written);
     EXPECT_EQ(tabs.experiment->runs.front().time, run.time);
     ASSERT_EQ(tabs.experiment->runs.front().unused.size(), 1U);
     EXPECT_NEAR(tabs.experiment->runs.front().unused.front().value[0], 25.25, 1e-12);
@@ -134,13 +134,13 @@ TEST(GermanCsv, SemicolonsWithDecimalCommasAreRead) {
 // 4.000 beside 36,0 is four thousand in German and four elsewhere, and 1.234,5 is nothing that is read.
 TEST(GermanCsv, PointsBesideCommasAreRefusedWithBothPlaces) {
     const Written written;
-    const std::string mixed = said(read_log(written, replaced(german_log(), "36,0;4000", "36,0;4.000")), written);
+    const std::string mixed = said_of(read_log(written, replaced(german_log(), "36,0;4000", "36,0;4.000")), written);
     EXPECT_NE(mixed.find("log.csv:2:10: \"4.000\" has a decimal point, \"36,0\" in line 2 a decimal comma\n"),
               std::string::npos)
         << mixed;
     EXPECT_NE(mixed.find("remedy: export the file with one of them, and without marks between thousands\n"),
               std::string::npos);
-    const std::string thousands = said(read_log(written, replaced(german_log(), ";4100;", ";4.100,5;")), written);
+    const std::string thousands = said_of(read_log(written, replaced(german_log(), ";4100;", ";4.100,5;")), written);
     EXPECT_NE(thousands.find("log.csv:3:11: vertical_load is 4.100,5, with a comma in the number"), std::string::npos)
         << thousands;
 }
@@ -148,7 +148,7 @@ TEST(GermanCsv, PointsBesideCommasAreRefusedWithBothPlaces) {
 // Commas that separate leave nothing to the numbers; the remedy names both ways out.
 TEST(GermanCsv, CommasThatAlsoSeparateAreRefused) {
     const Written written;
-    const std::string found = said(read_log(written, "time [s],speed [km/h]\n0,0,36,5\n"), written);
+    const std::string found = said_of(read_log(written, "time [s],speed [km/h]\n0,0,36,5\n"), written);
     EXPECT_NE(found.find("remedy: if the numbers have decimal commas, export the file with semicolons or with decimal "
                          "points\n"),
               std::string::npos)

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A case from the log of a car: a tire at each corner that has readings, [vehicle] with what is assumed, arrays across the tread.
+#include <cmath>
+#include <functional>
+
+#include <fmt/format.h>
+
+#include "input/new_case/made.hpp"
+
+namespace tiretherm::input {
+namespace {
+
+/// A channel of a made-up logger: heading with its unit, and values over time.
+struct Logged {
+    std::string heading;
+    std::function<double(double)> value;
+};
+
+/// Ten seconds at 10 Hz of a car in bends of up to 0.8 g at 108 km/h, positive in left turns.
+std::vector<Logged> motion() {
+    const auto bend = [](double t) { return 0.8 * std::sin(t); };
+    return {{"GPS Speed [km/h]", [](double) { return 108.0; }},
+            {"LatAcc [g]", bend},
+            {"LonAcc [g]", [](double) { return 0.0; }},
+            {"YawRate [deg/s]", [bend](double t) { return bend(t) * 9.80665 / 30.0 * 180.0 / 3.14159265358979; }},
+            {"Ambient Temp [C]", [](double) { return 20.0; }},
+            {"Engine RPM [rpm]", [](double t) { return 5000.0 + 100.0 * t; }}};
+}
+
+Logged warming(const std::string& heading, double from) {
+    return {heading, [from](double t) { return from + 0.37 * t + 0.01 * std::sin(7.0 * t + from); }};
+}
+
+std::string table(const std::vector<Logged>& channels) {
+    std::string text = "Time [s]";
+    for (const Logged& channel : channels) {
+        text += "," + channel.heading;
+    }
+    for (int i = 0; i <= 100; ++i) {
+        text += fmt::format("\n{:.1f}", 0.1 * i);
+        for (const Logged& channel : channels) {
+            text += fmt::format(",{:.6g}", channel.value(0.1 * i));
+        }
+    }
+    return text + "\n";
+}
+
+std::vector<Logged> operator+(std::vector<Logged> some, const std::vector<Logged>& more) {
+    some.insert(some.end(), more.begin(), more.end());
+    return some;
+}
+
+/// Readings of an infrared sensor at each corner; the front left tire starts at 31 degC.
+std::vector<Logged> four_tires() {
+    return {warming("Tire Temp FL [C]", 31.0), warming("Tire Temp FR [C]", 33.0), warming("Tire Temp RL [C]", 35.0),
+            warming("Tire Temp RR [C]", 37.0)};
+}
+
+bool assumes(const NewCase& made, std::string_view key) {
+    return std::ranges::find(made.assumed, key, &AssumedValue::key) != made.assumed.end();
+}
+
+// At rest 1350 kg load each tire with 1350 * 9.80665/4 = 3310 N; in the log's first sample nothing turns the car.
+TEST(NewCaseCar, HasATireAtEachCornerAndAVehicle) {
+    const Written written;
+    written.add("laps.csv", table(motion() + four_tires()));
+    const NewCase made = make(written, "225/50 R17", "", "laps.csv");
+    ASSERT_TRUE(made.errors.empty()) << errors_of(made, written);
+    EXPECT_EQ(made.mesh_name, "two_node");
+    EXPECT_TRUE(made.log->is_car);
+    EXPECT_EQ(column_of(made, "Tire Temp RL").full_name(), "surface_temperature of RL");
+    EXPECT_TRUE(column_of(made, "Engine RPM").is_foreign);
+    for (const char* key :
+         {"vehicle.mass", "vehicle.friction", "vehicle.rear_cornering_stiffness", "initial.temperature"}) {
+        EXPECT_TRUE(assumes(made, key)) << key;
+    }
+    EXPECT_FALSE(assumes(made, "drive.vertical_load"));
+
+    const ExperimentReading reading = read_experiment(written.add("case.toml", made.text));
+    ASSERT_TRUE(reading.experiment.has_value()) << render(reading.errors.front());
+    const std::vector<MeasuredRun>& runs = reading.experiment->runs;
+    ASSERT_EQ(runs.size(), 4U);
+    const std::array<std::string, 4> corners{"FL", "FR", "RL", "RR"};
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        EXPECT_EQ(runs[i].corner, corners.at(i));
+        EXPECT_EQ(runs[i].series.size(), 1U);
+        EXPECT_NEAR(runs[i].problem.input_signals.at(0.0, solver::JumpSide::after).vertical_load, 3310.0, 40.0);
+        // The mean of the first second's readings: 0.5 s of warming above the first, and the wave's share of 0.01 K.
+        const double first = 31.0 + 2.0 * static_cast<double>(i) + 0.37 * 0.5;
+        EXPECT_NEAR(runs[i].problem.initial.front() - 273.15, first, 0.01) << corners.at(i);
+    }
+}
+
+// The peak of 0.8 g, and a tenth more, is below 1.1: a dry road. At 1.2 g it is 1.32.
+TEST(NewCaseCar, FrictionIsAboveWhatTheLogShows) {
+    const Written written;
+    written.add("slow.csv", table(motion() + four_tires()));
+    EXPECT_NE(make(written, "225/50 R17", "", "slow.csv").text.find("\nfriction = 1.10 "), std::string::npos);
+    std::vector<Logged> fast = motion() + four_tires();
+    fast[1].value = [](double t) { return t < 9.0 ? 1.2 : 0.0; };
+    fast[3].value = [](double t) { return t < 9.0 ? 1.2 * 9.80665 / 30.0 * 57.29578 : 0.0; };
+    written.add("fast.csv", table(fast));
+    EXPECT_NE(make(written, "225/50 R17", "", "fast.csv").text.find("\nfriction = 1.32 "), std::string::npos);
+}
+
+TEST(NewCaseCar, ReadingsSideBySideTakeACrossSection) {
+    const Written written;
+    written.add("zones.csv", table(motion() + std::vector<Logged>{warming("Tyre Temp FL Inner [C]", 34.0),
+                                                                  warming("Tyre Temp FL Centre [C]", 32.0),
+                                                                  warming("Tyre Temp FL Outer [C]", 30.0)}));
+    const NewCase made = make(written, "225/50 R17", "", "zones.csv");
+    ASSERT_TRUE(made.errors.empty()) << errors_of(made, written);
+    EXPECT_EQ(made.mesh_name, "section");
+    EXPECT_EQ(column_of(made, "Tyre Temp FL Outer").name, "outside_shoulder_surface_temperature");
+    const NewCase lumped = make(written, "225/50 R17", "two_node", "zones.csv");
+    EXPECT_EQ(column_of(lumped, "Tyre Temp FL Outer").reason,
+              "the mesh two_node has no place for outside_shoulder_surface_temperature, --mesh section has");
+}
+
+// Four readings across 225 mm of tread: the first lies from -112.5 to -56.25 mm.
+TEST(NewCaseCar, NumberedReadingsAreAnArrayAcrossTheTread) {
+    std::vector<Logged> channels = motion();
+    for (const char* corner : {"FL", "RR"}) {
+        for (int i = 1; i <= 4; ++i) {
+            channels.push_back(warming(fmt::format("Tire Temp {} {:02d} [C]", corner, i), 30.0 + 1.7 * i));
+        }
+    }
+    const Written written;
+    written.add("array.csv", table(channels));
+    const NewCase made = make(written, "225/50 R17", "", "array.csv");
+    ASSERT_TRUE(made.errors.empty()) << errors_of(made, written);
+    EXPECT_EQ(made.log->infrared_zones, 4);
+    EXPECT_TRUE(assumes(made, "infrared_1"));
+    const ExperimentReading reading = read_experiment(written.add("case.toml", made.text));
+    ASSERT_TRUE(reading.experiment.has_value()) << render(reading.errors.front());
+    ASSERT_EQ(reading.experiment->runs.size(), 2U);
+    const MeasuredRun& run = reading.experiment->runs[1];
+    EXPECT_EQ(run.corner, "RR");
+    ASSERT_EQ(run.series.size(), 4U);
+    EXPECT_EQ(run.problem.channels[run.series[0].channel].meaning,
+              "outer surface, mean from -112.5 to -56.25 mm along the meridian");
+    // All four in the first second: 30 + 1.7 * 2.5 + 0.37 * 0.5.
+    EXPECT_NEAR(run.problem.initial.front() - 273.15, 34.435, 0.01);
+}
+
+TEST(NewCaseCar, WhatIsUnclearIsAsked) {
+    const Written written;
+    written.add("gap.csv", table(motion() + four_tires() +
+                                 std::vector<Logged>{warming("IR FL 1 [C]", 30.0),
+                                                     warming("IR FL 3 [C]", 32.0),
+                                                     {"Camber FL [deg]", [](double t) { return -2.0 + 0.1 * t; }},
+                                                     {"Brake Pressure", [](double t) { return t; }}}));
+    const NewCase made = make(written, "225/50 R17", "section", "gap.csv");
+    ASSERT_TRUE(made.errors.empty()) << errors_of(made, written);
+    EXPECT_EQ(column_of(made, "IR FL 3").reason, "which place across the tread?");
+    EXPECT_EQ(column_of(made, "Camber FL").full_suggestion(), "camber of FL");
+    EXPECT_EQ(column_of(made, "Brake Pressure").reason, "it has no unit");
+    EXPECT_NE(made.text.find("# \"Camber FL\" = \"camber\""), std::string::npos) << made.text;
+}
+
+TEST(NewCaseCar, WithoutUnitsSaysWhereToWriteThem) {
+    std::vector<Logged> channels = motion() + four_tires();
+    for (Logged& channel : channels) {
+        channel.heading.resize(channel.heading.find(" ["));
+    }
+    const Written written;
+    written.add("bare.csv", table(channels));
+    const NewCase made = make(written, "225/50 R17", "", "bare.csv");
+    ASSERT_TRUE(made.errors.empty()) << errors_of(made, written);
+    ASSERT_EQ(made.missing.size(), 1U);
+    EXPECT_EQ(made.missing[0].what, "9 columns have no unit, such as GPS Speed");
+    EXPECT_EQ(made.missing[0].remedy,
+              "write the units into the head of the log, as in GPS Speed [km/h], and call `tiretherm new` again");
+}
+
+TEST(NewCaseCar, WithoutReadingsOfTiresDrivesOne) {
+    const Written written;
+    written.add("drive.csv", table(motion()));
+    const NewCase made = make(written, "225/50 R17", "", "drive.csv");
+    ASSERT_TRUE(made.errors.empty()) << errors_of(made, written);
+    EXPECT_EQ(made.log->use, LogUse::drive);
+    EXPECT_TRUE(assumes(made, "vehicle.corner"));
+}
+
+TEST(NewCaseCar, LogOfOneTireIsNone) {
+    const Written written;
+    std::vector<Logged> channels = motion();
+    channels.push_back({"vertical_load [N]", [](double) { return 4000.0; }});
+    channels.push_back(warming("surface_temperature [degC]", 30.0));
+    written.add("rig.csv", table(channels));
+    const NewCase made = make(written, "225/50 R17", "", "rig.csv");
+    ASSERT_TRUE(made.errors.empty()) << errors_of(made, written);
+    EXPECT_EQ(made.mesh_name, "section");
+    EXPECT_FALSE(made.log->is_car);
+    EXPECT_EQ(made.text.find("[vehicle]"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tiretherm::input
