@@ -30,8 +30,8 @@ std::string format_of(std::string_view line, char separator) {
 }
 
 /// Times of the marks: one in each field, or all in one field with blanks between them.
-std::vector<double> read_markers(const std::vector<std::string>& fields) {
-    std::vector<double> markers;
+/// @param markers out: s, ascending  @returns what is no time; empty: nothing
+std::string read_markers(const std::vector<std::string>& fields, std::vector<double>& markers) {
     std::string room;
     for (const std::string& field : fields) {
         std::string_view rest = trim(field);
@@ -39,14 +39,14 @@ std::vector<double> read_markers(const std::vector<std::string>& fields) {
             const std::size_t end = std::min(rest.find(' '), rest.size());
             const auto number = leading_number(with_point(rest.substr(0, end), room));
             if (!number || !number->rest.empty() || !std::isfinite(number->value)) {
-                break;
+                return std::string(rest.substr(0, end));
             }
             markers.push_back(number->value);
             rest = trim(rest.substr(end));
         }
     }
     std::ranges::sort(markers);
-    return markers;
+    return {};
 }
 
 /// Whether a line of units is one of values: the first field, the time, is a number.
@@ -87,7 +87,10 @@ std::optional<CsvLayout> find_key_value_layout(std::string_view text) {
         if (!ended) {
             const std::vector<std::string> values = read_detail(*line, separator, layout.description);
             if (line->find("Beacon Markers") < 3) {
-                layout.description.markers = read_markers(values);
+                if (const std::string wrong = read_markers(values, layout.description.markers); !wrong.empty()) {
+                    return refuse(number, fmt::format("the beacon marker \"{}\" is no time", wrong),
+                                  "write it in seconds, as 145.982, or remove it");
+                }
                 std::erase_if(layout.description.details,
                               [](const LogDetail& detail) { return detail.name == "Beacon Markers"; });
             }

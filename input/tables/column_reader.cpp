@@ -83,6 +83,10 @@ ErrorText ColumnReader::error_text(std::string_view field, const std::optional<N
                 "marks between thousands"};
     }
     const std::string empty_it = may_miss ? "leave the field empty where nothing was measured" : "";
+    if (clock && (!number || !number->rest.empty())) {
+        return {fmt::format("{} is \"{}\", which is no time", name, field),
+                "write seconds, or clocks of the day such as 11:49:03.250 (in VBOX files 114903.25)"};
+    }
     if (!number || !number->rest.empty()) {
         return {fmt::format("{} is \"{}\"; a number is wanted", name, field), empty_it};
     }
