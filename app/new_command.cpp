@@ -240,9 +240,7 @@ void add_new_command(CLI::App& program, int& exit_code) {
     CLI::App* command = program.add_subcommand("new", "Write a commented case from a tire's size or a measured log");
     const auto options = std::make_shared<NewOptions>();
     const auto names = input::mesh_template_names();
-    command
-        ->add_option("SIZE|LOG", options->subject,
-                     "Size of a tire, \"225/50 R17\"; or a data logger's CSV or HDF5 file")
+    command->add_option("SIZE|LOG", options->subject, "Size of a tire, \"225/50 R17\"; or a data logger's file")
         ->required()
         ->option_text(" ");
     add_out_option(*command, options->file, "The case. Default: the size or the log's name, here", "CASE");
@@ -268,6 +266,10 @@ void add_new_command(CLI::App& program, int& exit_code) {
         "sensors; of others the case has suggestions, to be confirmed by taking a # away. Inputs that the log lacks "
         "get\n"
         "constants. Paths in the case are relative: move case and log together.\n\n"
+        "Of a car's log (AiM, MoTeC, RaceChrono, VBOX: GPS Speed, LatAcc, Tire Temp FL ...) the case has a tire at "
+        "each\n"
+        "corner with readings and [vehicle], which gives them load, forces and slips; the car's values are assumed.\n"
+        "docs/loggers.md lists the names.\n\n"
         "Exit code: 0 the case was written, 1 an error in the call or the log, 130 interrupted.\n\n"
         "Examples:\n"
         "  tiretherm new \"225/50 R17\" --out out/mine.toml\n"

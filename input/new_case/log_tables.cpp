@@ -126,10 +126,12 @@ void write_parameters(CaseWriter& writer, bool slips_are_computed) {
     writer.entry("key", "\"tan_delta_a\"", "scales the loss tangent (49), and so the loss, everywhere alike");
     writer.entry("standard_deviation", "0.2e15", "assumed: about 10 %");
     if (slips_are_computed) {
-        writer.heading("[[parameter]]");
-        writer.entry("effect", "\"sliding_friction\"");
-        writer.entry("key", "\"lambda_y\"", "scales the heat of sliding in turns");
-        writer.entry("standard_deviation", "0.3", "assumed: the slips follow from what is assumed of the car");
+        for (const auto& [key, meaning] : {std::pair{"\"lambda_y\"", "in turns"}, std::pair{"\"lambda_x\"", "along"}}) {
+            writer.heading("[[parameter]]");
+            writer.entry("effect", "\"sliding_friction\"");
+            writer.entry("key", key, fmt::format("scales the heat of sliding {}", meaning));
+            writer.entry("standard_deviation", "0.3", "assumed: the slips follow from what is assumed of the car");
+        }
     }
     writer.heading("[[parameter]]");
     writer.entry("initial", "\"temperature\"", "a shift of the whole tire at the start");

@@ -83,7 +83,7 @@ TEST(New, ResultsOfARunAreALog) {
 }
 
 // From the logger's file to a fit by two commands. In the first lap white noise predicts what was left out better than slow
-// noise, so that the parameters are assessed twice: each is listed once, the film, the loss, the friction and four starts.
+// noise, so that the parameters are assessed twice: each is listed once, the film, the loss, two of friction and four starts.
 TEST(New, LogOfACarIsComparedAndFitted) {
     const sample::Scratch scratch;
     std::filesystem::copy_file(TIRETHERM_SOURCE_DIR "/cases/car/session.csv", scratch / "session.csv");
@@ -104,7 +104,7 @@ TEST(New, LogOfACarIsComparedAndFitted) {
     const Call fitted = call("identify session.toml --json --no-report", scratch.path());
     ASSERT_EQ(fitted.exit_code, 0) << fitted.err;
     const Json json = Json::parse(fitted.out);
-    EXPECT_EQ(json["parameters"].size(), 7U);
+    EXPECT_EQ(json["parameters"].size(), 8U);
     EXPECT_NE(json["findings"][0].get<std::string>().find("takes the noise as white"), std::string::npos);
 }
 
