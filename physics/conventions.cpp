@@ -53,6 +53,8 @@ constexpr std::array table{
                "Absolute. Heat flows into the tire where the road is warmer than its surface."},
     Convention{&Inputs::wet, "0: dry, 1: wet; between them a share of the film of water."},
     Convention{&Inputs::laser_power, "Positive: into the surface, before the share that is absorbed."},
+    Convention{&Inputs::brake_temperature,
+               "Absolute. Heat flows into the tire where the brake is hotter than the rim."},
     Convention{&Inputs::wheel_angle, "Grows while the tire rolls forwards, by the speed over the rolling radius."},
 };
 

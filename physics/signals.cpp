@@ -13,7 +13,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-constexpr std::array<Signal, 14> table{{
+constexpr std::array<Signal, 15> table{{
     {"speed", "m s-1", &Inputs::speed, -150.0, 150.0, "speed of the road under the tire"},
     {"vertical_load", "N", &Inputs::vertical_load, 0.0, 2e5, "vertical load on the tire"},
     {"slip_angle", "radian", &Inputs::slip_angle, -0.45 * pi, 0.45 * pi, "slip angle; either sign convention"},
@@ -28,6 +28,7 @@ constexpr std::array<Signal, 14> table{{
     {"road_temperature", "K", &Inputs::road_temperature, 200.0, 400.0, "temperature of the road or drum"},
     {"wet", "1", &Inputs::wet, 0.0, 1.0, "1 on a wet road, 0 on a dry one"},
     {"laser_power", "W", &Inputs::laser_power, 0.0, 1e4, "power of the laser on the tread"},
+    {"brake_temperature", "K", &Inputs::brake_temperature, 200.0, 1500.0, "temperature of the brake disc"},
     {"wheel_angle", "radian", &Inputs::wheel_angle, -1e8, 1e8,
      "angle that the wheel has turned since the start; without it, it follows from speed and load"},
 }};

@@ -25,6 +25,7 @@ struct Inputs {
     double road_temperature = 0.0;    ///< K
     double wet = 0.0;                 ///< 0 or 1
     double laser_power = 0.0;         ///< W
+    double brake_temperature = 0.0;   ///< K, of the disc
     double wheel_angle = 0.0;         ///< rad turned since the run's start
 
     friend bool operator==(const Inputs&, const Inputs&) = default;

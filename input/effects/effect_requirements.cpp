@@ -210,7 +210,12 @@ void warn_of_unread_signals(TomlTable& root, const ProblemBuilder& builder) {
         const bool by_heat = std::ranges::any_of(builder.problem.effects,
                                                  [&](const ActiveEffect& a) { return heats_by(a, signal.name); });
         const bool by_own = std::ranges::count(builder.followed, signal.name) > 0;
-        if (!builder.problem.input_signals.gives(signal) || by_heat || by_own) {
+        // What [vehicle] computes nobody gave in vain.
+        const auto given = builder.given.find(signal.name);
+        const bool by_vehicle = given != builder.given.end() && root.has("vehicle") &&
+                                given->second.file == root.place("vehicle").file &&
+                                given->second.line == root.place("vehicle").line;
+        if (!builder.problem.input_signals.gives(signal) || by_heat || by_own || by_vehicle) {
             continue;
         }
         const std::vector<std::string> readers = sensors_that_read(builder, signal.name);

@@ -87,6 +87,8 @@ constexpr std::array of_corner{
          not_tread},
     Rule{"surface_temperature", "ir infrared irtemp tiretemp tyretemp ttire ttyre", "", not_tread},
     Rule{"inflation_pressure", "tire tyre tpms wheel", pressure, not_inflation},
+    Rule{"brake_temperature", "brake brakes brk disc disk rotor", temperature, "caliper pad fluid tire tyre"},
+    Rule{"brake_temperature", "braketemp disctemp", "", "caliper pad fluid"},
     Rule{"vertical_load", "fz wheelload tireload tyreload", "", "aero"},
     Rule{"vertical_load", "wheel tire tyre vertical", "load", "aero"},
     Rule{"camber", "camber", "", "gain", which_sign},

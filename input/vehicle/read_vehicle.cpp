@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include "input/text/suggestions.hpp"
+#include "input/vehicle/at_times.hpp"
 #include "input/vehicle/corner_signals.hpp"
 
 namespace tiretherm::input {
@@ -49,6 +51,23 @@ solver::Series series_of(const physics::Signal& signal, double CornerInputs::*me
     solver::Series series{.signal = &signal, .time = motion.time, .value = {}, .logged = true};
     for (const CornerInputs& inputs : corner.inputs) {
         series.value.push_back(std::clamp(inputs.*member, signal.low, signal.high));
+    }
+    return series;
+}
+
+/// Of the disc at this wheel, from its share of the braking force. @param air K, a history
+solver::Series brake_of(const physics::Signal& signal, const VehicleSettings& settings, const MotionHistory& motion,
+                        const CornerHistory& corner, const solver::SignalHistory& air) {
+    std::vector<double> power;
+    for (std::size_t i = 0; i < motion.time.size(); ++i) {
+        const CornerInputs& inputs = corner.inputs[i];
+        const bool brakes = !motion.motion[i].brakes_released;
+        power.push_back(brakes ? std::max(0.0, -inputs.longitudinal_force) * std::abs(inputs.speed) : 0.0);
+    }
+    solver::Series series{.signal = &signal, .time = motion.time, .value = {}, .logged = true};
+    for (const double kelvin :
+         physics::brake_temperature(settings.brake, motion.time, power, at_times(air, motion.time))) {
+        series.value.push_back(std::clamp(kelvin, signal.low, signal.high));
     }
     return series;
 }
@@ -130,6 +149,11 @@ void read_vehicle(TomlTable& root, ProblemBuilder& builder) {
         return;
     }
     inputs.replace(series_of(signal_of(&Inputs::speed), &CornerInputs::speed, *motion, corner));
+    const physics::Signal& disc = signal_of(&Inputs::brake_temperature);
+    const solver::SignalHistory air = history_of(inputs, signal_of(&Inputs::air_temperature));
+    if (!air.time.empty() && builder.given.try_emplace(std::string(disc.name), settings->place).second) {
+        inputs.add(brake_of(disc, *settings, *motion, corner, air));
+    }
     const std::string_view name = physics::corner_names[static_cast<std::size_t>(settings->corner)];
     if (!names.empty()) {
         errors.warn(settings->place,

@@ -38,6 +38,9 @@ constexpr QuantitySpec air_density{
 constexpr QuantitySpec steering_ratio{
     .unit = "1", .low = 0.0, .high = 100.0, .above = true, .usual_low = 1.0, .usual_high = 30.0};
 constexpr QuantitySpec toe{.unit = "radian", .low = -0.1, .high = 0.1, .usual_low = -0.01, .usual_high = 0.01};
+constexpr QuantitySpec brake_capacity{
+    .unit = "J K-1", .low = 0.0, .high = 1e6, .above = true, .usual_low = 500.0, .usual_high = 3e4};
+constexpr QuantitySpec brake_cooling{.unit = "W K-1", .low = 0.0, .high = 1e4, .usual_low = 1.0, .usual_high = 300.0};
 constexpr QuantitySpec smoothing{.unit = "s", .low = 0.0, .high = 10.0, .usual_low = 0.0, .usual_high = 1.0};
 
 /// A quantity that must be there, with an example of a car's size where it is not.
@@ -166,6 +169,9 @@ std::optional<VehicleSettings> read_vehicle_settings(TomlTable& root, const Prob
     read_shares(table, settings.vehicle);
     read_vehicle_tires(table, builder, settings);
     settings.steering_ratio = table.quantity("steering_ratio", steering_ratio).value_or(0.0);
+    settings.brake.heat_capacity =
+        table.quantity("brake_heat_capacity", brake_capacity).value_or(settings.brake.heat_capacity);
+    settings.brake.cooling = table.quantity("brake_cooling", brake_cooling).value_or(settings.brake.cooling);
     settings.smoothing = table.quantity("smoothing", smoothing).value_or(settings.smoothing);
     read_signs(table, settings);
     return table.errors().count() == before ? std::optional(settings) : std::nullopt;

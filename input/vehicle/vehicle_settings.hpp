@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "input/model/problem_builder.hpp"
+#include "physics/vehicle/brake.hpp"
 #include "physics/vehicle/vehicle.hpp"
 
 /// From the log of a car to the inputs of each of its tires.
@@ -16,6 +17,7 @@ enum class TurnSign : std::uint8_t { left, right, automatic };
 struct VehicleSettings {
     physics::Vehicle vehicle{};
     physics::Corner corner = physics::Corner::front_left;
+    physics::Brake brake{};       ///< of each wheel
     double steering_ratio = 0.0;  ///< steering wheel over road wheels; 0: not given
     double smoothing = 0.2;       ///< s
     TurnSign lateral_acceleration = TurnSign::automatic;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Input correction: road temperature that drifts from the log, T_road = logged + rate t. The thesis holds it constant
-// (chapter V).
+// Input correction: road temperature that is off or drifts from the log, T_road = logged + offset + rate t. The thesis holds it
+// constant (chapter V).
 
 #include <array>
 
@@ -10,16 +10,18 @@ namespace tiretherm::physics::effects {
 
 namespace {
 
-enum : std::size_t { rate };
+enum : std::size_t { rate, offset };
 
 constexpr std::array parameters{
     ParameterSpec{"rate", "K h-1", 0.0, -1000.0, 1000.0, "how fast the true temperature leaves the logged one", true,
                   0.0},
+    // Without a value at which it is absent: a fit may free it where a case says so, and it is no cause by itself.
+    ParameterSpec{"offset", "K", 0.0, -100.0, 100.0, "how much hotter the road is than given, at the start", true},
 };
 constexpr std::array<std::string_view, 1> reads{"road_temperature"};
 
 void transform(const ActiveEffect& active, Inputs& inputs) {
-    inputs.road_temperature += active[rate] * inputs.time / 3600.0;
+    inputs.road_temperature += active[offset] + active[rate] * inputs.time / 3600.0;
 }
 
 }  // namespace
@@ -28,12 +30,15 @@ extern const Effect road_temperature_drift;
 const Effect road_temperature_drift{
     .id = "road_temperature_drift",
     .kind = Kind::input,
-    .equation = "T_road = logged + rate t, t since the run's start",
+    .equation = "T_road = logged + offset + rate t, t since the run's start",
     .source = "definition; the thesis holds the track at one temperature (hypotheses of chapter V)",
     .valid = "drifts that are straight in time over the run",
     .meaning =
-        "A track or drum that warms or cools beside the log: the sun, or the tire's own heat on a drum. Without a "
-        "rate it does nothing.",
+        "A track or drum that is hotter than given, or that warms or cools beside the log: the sun, or the tire's own "
+        "heat "
+        "on a drum. Where nobody measured the road, give it the air's temperature and free the offset. Without a rate "
+        "and "
+        "an offset it does nothing.",
     .parameters = parameters,
     .reads = reads,
     .model = InputCorrection{.transform = transform},

@@ -55,6 +55,8 @@ TEST(CarColumns, AreFoundByTheNamesThatLoggersGive) {
              std::pair{"TPMS Temp FR", "gas_temperature of FR"},
              std::pair{"TPMS Press RL", "inflation_pressure of RL"},
              std::pair{"TYRE_PRESS_RR", "inflation_pressure of RR"},
+             std::pair{"Brake Temp FL", "brake_temperature of FL"},
+             std::pair{"Brake Disc Temp RR", "brake_temperature of RR"},
              std::pair{"Wheel Load FL", "vertical_load of FL"},
          }) {
         EXPECT_EQ(meant_by(heading), expected) << heading;
@@ -62,14 +64,12 @@ TEST(CarColumns, AreFoundByTheNamesThatLoggersGive) {
 }
 
 TEST(CarColumns, WhatOnlySoundsAlikeIsLeftAlone) {
-    for (const char* heading : {"Wheel Speed FL", "Engine Speed",       "Speed Std Dev",
-                                "Slip Speed",     "GPS Speed Accuracy", "Yaw Acceleration",
-                                "G Force Vert",   "Steering Torque",    "Steering Wheel Speed",
-                                "Brake Temp FL",  "Brake Bias",         "Brake Disc Temp RR",
-                                "Air Temp Inlet", "Intake Air Temp",    "Tyre Target Temp FL",
-                                "Rim Temp FL",    "Damper Pos FL",      "Throttle",
-                                "Engine RPM",     "Fuel Pressure",      "Tire Temp",
-                                "Oil Temp",       "Latitude",           "Longitude"}) {
+    for (const char* heading :
+         {"Wheel Speed FL",   "Engine Speed",   "Speed Std Dev",   "Slip Speed",           "GPS Speed Accuracy",
+          "Yaw Acceleration", "G Force Vert",   "Steering Torque", "Steering Wheel Speed", "Brake Caliper Temp FL",
+          "Brake Bias",       "Air Temp Inlet", "Intake Air Temp", "Tyre Target Temp FL",  "Rim Temp FL",
+          "Damper Pos FL",    "Throttle",       "Engine RPM",      "Fuel Pressure",        "Tire Temp",
+          "Oil Temp",         "Latitude",       "Longitude"}) {
         EXPECT_EQ(meant_by(heading), "") << heading;
     }
 }

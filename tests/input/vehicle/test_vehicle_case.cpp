@@ -251,4 +251,27 @@ TEST(VehicleCase, EachRunMayHaveItsCorner) {
                 Truth(20.0).load(false, false), 1e-3);
 }
 
+// Written once more, in steps of 5 ms: 5000 J/K, 40 W/K, and the front left wheel's 32.5 % of m a_x wherever the car slows down. The
+// program smooths the signals over 0.2 s, which blunts the power by less than 1 %.
+TEST(VehicleCase, BrakeWarmsUpByThePowerOfBraking) {
+    const solver::Problem problem = problem_of(read(plain_log(), "corner = \"FL\"\ndrag_area = \"0 m2\""));
+    const auto inputs = [&](double t) { return problem.input_signals.at(t, solver::JumpSide::after); };
+    const double air = inputs(0.0).air_temperature;
+    double T = air;
+    double hottest = air;
+    for (int i = 0; i < 12000; ++i) {
+        const Truth truth(0.005 * i);
+        const double power = std::max(0.0, -0.325 * 1200.0 * truth.ax) * (truth.V - 0.75 * truth.r);
+        T += 0.005 * (power - 40.0 * (T - air)) / 5000.0;
+        hottest = std::max(hottest, T);
+        if (i % 1000 == 0) {
+            EXPECT_NEAR(inputs(0.005 * (i + 1)).brake_temperature, T, 0.02 * (hottest - air) + 0.05) << 0.005 * i;
+        }
+    }
+    EXPECT_GT(hottest - air, 10.0);
+    const solver::Problem stated =
+        problem_of(read(plain_log(), "corner = \"FL\"\nbrake_heat_capacity = \"10 kJ/K\"\nbrake_cooling = \"0 W/K\""));
+    EXPECT_LT(stated.input_signals.at(30.0, solver::JumpSide::after).brake_temperature, hottest);
+}
+
 }  // namespace tiretherm::input

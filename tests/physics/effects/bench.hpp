@@ -139,7 +139,8 @@ inline Inputs rolling() {
             .air_temperature = 296.15,
             .road_temperature = 296.15,
             .wet = 1.0,
-            .laser_power = 1.0};
+            .laser_power = 1.0,
+            .brake_temperature = 573.15};
 }
 
 /// An effect to switch on, with the numbers and choices that are not standard.

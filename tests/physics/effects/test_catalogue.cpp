@@ -17,6 +17,7 @@ TEST(Catalogue, HoldsTheseEffectsAndNoOther) {
                                                 "inner_gas",
                                                 "rim_conduction",
                                                 "camber_asymmetry",
+                                                "brake_heat",
                                                 "cornering_loss",
                                                 "inflation_pressure_rise",
                                                 "groove_convection",

@@ -78,6 +78,34 @@ TEST(RimConduction, TakesItsHeatThroughTheBeads) {
     EXPECT_EQ(whole.system().capacity(T.size() - 1, 300.0), 7200.0);
 }
 
+// A disc of 300 C at 1 W/K. Two nodes: into the bulk of 55 C, 245 W. Where there is a rim, of 30 C, into it: 270 W, beside the 25 W
+// of the bead and 10 (30 - 23) W to the air. A section takes it through its beads, of 43 C: 257 W.
+TEST(BrakeHeat, GoesToTheRimOrThroughTheBeads) {
+    Whole bulk(two_nodes(), {{"brake_heat"}});
+    bulk.ask(rolling());
+    EXPECT_NEAR(bulk.flow(1), 245.0, 1e-9);
+    EXPECT_EQ(bulk.flow(0), 0.0);
+    EXPECT_NEAR(bulk.watts("brake_heat"), 245.0, 1e-9);
+
+    for (const std::vector<Part>& parts : {std::vector<Part>{{"rim_conduction"}, {"brake_heat"}},
+                                           std::vector<Part>{{"brake_heat"}, {"rim_conduction"}}}) {
+        Whole rim(two_nodes(), parts);
+        rim.ask(rolling(), std::vector<double>{308.15, 328.15, 303.15});
+        EXPECT_NEAR(rim.flow(rim.node("rim")), 270.0 + 25.0 - 70.0, 1e-9);
+        EXPECT_NEAR(rim.flow(1), -25.0, 1e-9);
+    }
+
+    const Bench bench = section();
+    Whole beads(bench, {{"brake_heat"}});
+    beads.ask(rolling(), std::vector<double>(bench.T.size(), 316.15));
+    double taken = 0.0;
+    for (const mesh::PatchFace& face :
+         bench.mesh.patches[static_cast<std::size_t>(bench.mesh.find_patch("beads"))].faces) {
+        taken += beads.flow(face.node);
+    }
+    EXPECT_NEAR(taken, 257.0, 1e-9);
+}
+
 TEST(CorneringLoss, HeatsTheBulkWithTheSquareOfTheForce) {
     // 2.5e-6 1/N * (2000 N)^2 * 27.778 m/s = 277.78 W, none at the surface.
     Whole whole(two_nodes(), {{"cornering_loss", {{"coefficient", 2.5e-6}}}});

@@ -17,6 +17,14 @@ TEST(RoadTemperatureDrift, WarmsTheRoadByItsRate) {
     EXPECT_EQ(whole.system().transformed(in).air_temperature, in.air_temperature);
 }
 
+TEST(RoadTemperatureDrift, HasAnOffsetThatAFitMayFree) {
+    // 8 K more than logged, and 3 K of drift after half an hour. Of the surface's 12 K above the logged road 1 K is left.
+    Whole whole(two_nodes(), {{"road_contact"}, {"road_temperature_drift", {{"rate", 6.0}, {"offset", 8.0}}}});
+    Inputs in = rolling();
+    in.time = 1800.0;
+    EXPECT_NEAR(whole.ask(in).watts("road_contact"), -4.666 * 1.0, 1e-9);
+}
+
 TEST(AirTemperatureDrift, WarmsTheAirByItsRate) {
     // -6 K/h for half an hour: -3 K. A sidewall of 12 W/K at the bulk's 55 C in air logged at 23 C.
     Whole whole(two_nodes(),
