@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "input/corners/corner.hpp"
 #include "input/effects/user_effects.hpp"
 #include "input/measurements/runs.hpp"
 #include "input/model/problem_builder.hpp"
@@ -89,6 +90,7 @@ namespace {
 Reading read_case(const fs::path& file, const std::string* text, const std::string& run) {
     InputErrors errors;
     std::optional<solver::Problem> problem;
+    std::size_t corners = 0;
     Reading reading;
     if (const std::optional<TomlValue> document = read_document(file, errors, text)) {
         const Runs runs = read_runs(*document, case_name(file), {}, ReadMode::measured, errors);
@@ -102,11 +104,12 @@ Reading read_case(const fs::path& file, const std::string* text, const std::stri
                        fmt::format("the case has no run \"{}\"", run), suggest(run, reading.runs, "runs"));
         }
         problem = runs.problem_of(run);
+        corners = runs.corners.size();
         reading.limits = runs.limits;
         reading.plies = runs.plies;
     }
     reading.errors = errors.in_order();
-    reading.warnings = unique(errors.warnings());
+    reading.warnings = once_for_all_corners(errors.warnings(), corners);
     reading.files = errors.files();
     if (reading.errors.empty()) {
         take_away_cameras(*problem);

@@ -110,8 +110,8 @@ void write_ignored(CaseWriter& writer, const Log& log) {
 }
 
 /// What `tiretherm identify` may move: start, cooling and heating, with how well they are known.
-/// @param slips_are_computed from the motion of a car
-void write_parameters(CaseWriter& writer, bool slips_are_computed) {
+/// @param is_car whose slips follow from its motion  @param road_is_assumed to have the air's temperature
+void write_parameters(CaseWriter& writer, bool is_car, bool road_is_assumed) {
     writer.blank();
     writer.remark(
         "What `tiretherm identify` fits and `tiretherm diagnose` fits anew beside each cause: cooling by the air, "
@@ -125,13 +125,20 @@ void write_parameters(CaseWriter& writer, bool slips_are_computed) {
     writer.entry("effect", "\"strain_energy_loss\"");
     writer.entry("key", "\"tan_delta_a\"", "scales the loss tangent (49), and so the loss, everywhere alike");
     writer.entry("standard_deviation", "0.2e15", "assumed: about 10 %");
-    if (slips_are_computed) {
+    if (is_car) {
         for (const auto& [key, meaning] : {std::pair{"\"lambda_y\"", "in turns"}, std::pair{"\"lambda_x\"", "along"}}) {
             writer.heading("[[parameter]]");
             writer.entry("effect", "\"sliding_friction\"");
             writer.entry("key", key, fmt::format("scales the heat of sliding {}", meaning));
             writer.entry("standard_deviation", "0.3", "assumed: the slips follow from what is assumed of the car");
         }
+    }
+    if (is_car && road_is_assumed) {
+        writer.heading("[effects.road_temperature_drift]", "does nothing but for its offset, which a fit may move");
+        writer.heading("[[parameter]]");
+        writer.entry("effect", "\"road_temperature_drift\"");
+        writer.entry("key", "\"offset\"", "how much hotter the road is than [drive] says");
+        writer.entry("standard_deviation", "\"10 K\"", "assumed: a road in the sun");
     }
     writer.heading("[[parameter]]");
     writer.entry("initial", "\"temperature\"", "a shift of the whole tire at the start");
@@ -159,7 +166,7 @@ void write_run(CaseDraft& draft, const Log& log) {
     if (!log.is_car) {
         write_columns(writer, log, false);
     }
-    write_parameters(writer, log.is_car && log.has_motion());
+    write_parameters(writer, log.is_car && log.has_motion(), draft.column("road_temperature") == nullptr);
 }
 
 void write_drive_file(CaseDraft& draft, const Log& log) {

@@ -82,8 +82,8 @@ TEST(New, ResultsOfARunAreALog) {
     EXPECT_EQ(compared.exit_code, 0) << compared.err;
 }
 
-// From the logger's file to a fit by two commands. In the first lap white noise predicts what was left out better than slow
-// noise, so that the parameters are assessed twice: each is listed once, the film, the loss, two of friction and four starts.
+// From the logger's file to a fit by two commands. In the second lap white noise predicts what was left out better than slow
+// noise, so that the parameters are assessed twice: each is listed once, the film, the loss, two of friction, the road and four starts.
 TEST(New, LogOfACarIsComparedAndFitted) {
     const sample::Scratch scratch;
     std::filesystem::copy_file(TIRETHERM_SOURCE_DIR "/cases/car/session.csv", scratch / "session.csv");
@@ -96,7 +96,7 @@ TEST(New, LogOfACarIsComparedAndFitted) {
     std::string text = post::read_text(scratch / "session.toml");
     const std::size_t laps = text.find("# laps = \"1-7\"");
     ASSERT_NE(laps, std::string::npos) << text;
-    text.replace(laps, std::string_view("# laps = \"1-7\"").size(), "laps = \"1\"");
+    text.replace(laps, std::string_view("# laps = \"1-7\"").size(), "laps = \"2\"");
     post::replace_file(scratch / "session.toml", text);
     const Call compared = call("compare session.toml --no-report", scratch.path());
     EXPECT_EQ(compared.exit_code, 0) << compared.err;
@@ -104,7 +104,7 @@ TEST(New, LogOfACarIsComparedAndFitted) {
     const Call fitted = call("identify session.toml --json --no-report", scratch.path());
     ASSERT_EQ(fitted.exit_code, 0) << fitted.err;
     const Json json = Json::parse(fitted.out);
-    EXPECT_EQ(json["parameters"].size(), 8U);
+    EXPECT_EQ(json["parameters"].size(), 9U);
     EXPECT_NE(json["findings"][0].get<std::string>().find("takes the noise as white"), std::string::npos);
 }
 
