@@ -19,6 +19,7 @@
 #include "input/log_survey/log_survey.hpp"
 #include "input/measurements/experiment.hpp"
 #include "input/model/reader.hpp"
+#include "input/new_case/new_case.hpp"
 #include "input/spreadsheet/sheet_case.hpp"
 #include "input/studies/study.hpp"
 #include "input/tables/field_file.hpp"
@@ -100,6 +101,18 @@ bool take_log_survey(std::string_view bytes) {
         promise(survey->laps.laps[i].start == survey->laps.laps[i - 1].end, "a gap between two laps");
     }
     return survey.has_value();
+}
+
+/// A logger's file of which `tiretherm new` makes a case.
+bool take_new_case(std::string_view bytes) {
+    const fs::path log = scratch_file("log.csv", bytes);
+    const input::NewCaseRequest request{.size = std::get<input::TireSize>(input::read_tire_size("225/50 R17")),
+                                        .log = log,
+                                        .target = log.parent_path() / "case.toml"};
+    const input::NewCase made = input::make_new_case(request);
+    check_outcome(made.errors.empty(), made.errors, made.warnings);
+    promise(made.errors.empty() != made.text.empty(), "a case beside errors, or neither");
+    return made.errors.empty();
 }
 
 /// The place of a case that names the file.
@@ -269,6 +282,7 @@ constexpr std::array all{
     Target{"run_hdf5", take_run_hdf5},
     Target{"run_ld", take_run_ld},
     Target{"log_survey", take_log_survey},
+    Target{"new_case", take_new_case},
     Target{"frames_csv", take_frames_csv},
     Target{"frames_hdf5", take_frames_hdf5},
     Target{"field_csv", take_field_csv},
