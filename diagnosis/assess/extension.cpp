@@ -172,8 +172,7 @@ double linear_gain(const ScoreTestData& score_data, const FittedHypothesis& befo
         for (const Fold& fold : folds_of(observations)) {
             std::vector<bool> own(hypothesis.model.parameters.size(), false);
             for (std::size_t j = 0; j < own.size(); ++j) {
-                own[j] =
-                    fold.run >= 0 && hypothesis.model.parameters[j].belongs_only_to(static_cast<std::size_t>(fold.run));
+                own[j] = fold.alone_has(hypothesis.model.parameters[j]);
             }
             out.left(fold.test) = left_of(model, solve(model, fold.rest), fold.test, own);
         }

@@ -102,7 +102,7 @@ void measure_gain(DiagnosisState& found, Diagnosis& into) {
             both = predict_both(score_data, *best);
         }
         found.of_folds = both.after.values;
-        into.gain.within_run = observations.times.size() == 1;
+        into.gain.within_run = observations.n_recordings() == 1;
         if (both.before.ok && both.after.ok) {
             const std::vector<double> floor = noise_floor(observations, into.extended);
             const PredictionGain plain =

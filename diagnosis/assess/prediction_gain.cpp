@@ -21,7 +21,7 @@ struct Sums {
     double count = 0.0;
 };
 
-/// [n_blocks][n_noises]; blocks of all runs, one after another.
+/// [n_blocks][n_noises]; blocks of all recordings, one after another.
 using BlockSums = std::vector<std::vector<Sums>>;
 
 BlockSums sums_of(const HeldOutErrors& before, const HeldOutErrors& after, const Observations& observations,
@@ -34,9 +34,10 @@ BlockSums sums_of(const HeldOutErrors& before, const HeldOutErrors& after, const
             continue;
         }
         const Observations::Row& what = observations.rows[row];
-        const std::vector<double>& times = observations.times[what.run];
-        const auto within = static_cast<std::size_t>((times[what.time] - times.front()) / length);
-        const std::size_t block = std::min(first_block[what.run] + within, first_block[what.run + 1] - 1);
+        const std::size_t recording = observations.recordings[what.run];
+        const double since = observations.times[what.run][what.time] - observations.span_of(recording).first;
+        const auto within = static_cast<std::size_t>(since / length);
+        const std::size_t block = std::min(first_block[recording] + within, first_block[recording + 1] - 1);
         Sums& sums = blocks[block][static_cast<std::size_t>(noise_of[row])];
         sums.before += before.left[i] * before.left[i];
         sums.after += after.left[i] * after.left[i];
@@ -81,10 +82,10 @@ PredictionGain compare_predictions(const HeldOutErrors& before, const HeldOutErr
     constexpr int fewest_blocks = 12;
     const double length = length_of_blocks(observations, noise, fewest_blocks);
     std::vector<std::size_t> first_block{0};
-    for (const std::vector<double>& times : observations.times) {
-        const double run = times.empty() ? 0.0 : times.back() - times.front();
+    for (std::size_t recording = 0; recording < observations.n_recordings(); ++recording) {
+        const auto [from, to] = observations.span_of(recording);
         first_block.push_back(first_block.back() +
-                              std::max<std::size_t>(1, static_cast<std::size_t>(std::round(run / length))));
+                              std::max<std::size_t>(1, static_cast<std::size_t>(std::round((to - from) / length))));
     }
     const BlockSums blocks = sums_of(before, after, observations, noise, first_block, length);
     const std::vector<Sums> all = total(blocks, blocks.size(), [](std::size_t b) { return b; });
@@ -124,14 +125,17 @@ PredictionGain compare_predictions(const HeldOutErrors& before, const HeldOutErr
 
     constexpr double by_chance = 0.02;
     gain.in_every_fold = true;
-    const bool single = observations.times.size() == 1;
-    constexpr std::size_t quarters = 4;
-    const std::size_t n_folds = single ? quarters : observations.times.size();
-    for (std::size_t f = 0; f < n_folds; ++f) {
-        const std::size_t from = single ? f * blocks.size() / quarters : first_block[f];
-        const std::size_t to = single ? (f + 1) * blocks.size() / quarters : first_block[f + 1];
-        const std::vector<Sums> fold = total(blocks, to - from, [&](std::size_t b) { return from + b; });
-        gain.in_every_fold = gain.in_every_fold && removed_share(fold) > -by_chance;
+    const std::vector<int> noise_of = noise_of_rows(observations);
+    for (const Fold& fold : folds_of(observations)) {
+        std::vector<Sums> channels(noise.size());
+        for (const Eigen::Index i : fold.test) {
+            if (std::isfinite(before.left[i]) && std::isfinite(after.left[i])) {
+                Sums& sums = channels[static_cast<std::size_t>(noise_of[static_cast<std::size_t>(i)])];
+                sums.before += before.left[i] * before.left[i];
+                sums.after += after.left[i] * after.left[i];
+            }
+        }
+        gain.in_every_fold = gain.in_every_fold && removed_share(channels) > -by_chance;
     }
     return gain;
 }

@@ -42,8 +42,9 @@ double length_of_blocks(const Observations& observations, const std::vector<Nois
     constexpr double forgotten = 3.0;
     constexpr double most = 60.0;
     double total = 0.0;
-    for (const std::vector<double>& times : observations.times) {
-        total += times.empty() ? 0.0 : times.back() - times.front();
+    for (std::size_t recording = 0; recording < observations.n_recordings(); ++recording) {
+        const auto [from, to] = observations.span_of(recording);
+        total += to - from;
     }
     double slowest = 0.0;
     for (const Noise& one : noise) {
@@ -67,14 +68,15 @@ BlockDeviations block_deviations(const Refit& fit, const Observations& observati
     std::map<std::pair<std::size_t, long>, Eigen::VectorXd> scores;
     for (std::size_t row = 0; row < observations.rows.size(); ++row) {
         const Observations::Row& what = observations.rows[row];
-        const std::vector<double>& times = observations.times[what.run];
-        const double length = times.back() - times.front();
+        const std::size_t recording = observations.recordings[what.run];
+        const auto [from, to] = observations.span_of(recording);
+        const double length = to - from;
         const long blocks = std::max(1L, std::lround(length / seconds));
-        const double share = length > 0.0 ? (times[what.time] - times.front()) / length : 0.0;
+        const double share = length > 0.0 ? (observations.times[what.run][what.time] - from) / length : 0.0;
         const long block = std::min(blocks - 1, static_cast<long>(share * static_cast<double>(blocks)));
         const auto i = static_cast<Eigen::Index>(row);
         const Eigen::VectorXd slope = fit.slopes.row(i).transpose()(free);
-        auto [at, is_new] = scores.try_emplace({what.run, block}, Eigen::VectorXd::Zero(slope.size()));
+        auto [at, is_new] = scores.try_emplace({recording, block}, Eigen::VectorXd::Zero(slope.size()));
         at->second += slope * fit.residual[i];
     }
     found.blocks = static_cast<int>(scores.size());

@@ -22,7 +22,7 @@ struct BlockDeviations {
 /// The covariance A^-1 (sum over blocks of g g') A^-1 with A = S'S + Pi and g = S'r of one block (White, Econometrica 48
 /// (1980) 817; of blocks: Liang and Zeger, Biometrika 73 (1986) 13), times n / (n - 1). What the model gets wrong differs
 /// from block to block and shows in it, which it does not in A^-1.
-/// @param seconds length of a block; a run is divided into whole blocks
+/// @param seconds length of a block; a recording is divided into whole blocks, each of which has all tires of a car
 [[nodiscard]] BlockDeviations block_deviations(const Refit& fit, const Observations& observations, double seconds);
 
 /// Length of a block: slow errors are forgotten within it, but there are so many of them at least, and 60 at most.

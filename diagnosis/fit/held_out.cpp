@@ -17,16 +17,16 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// Steps of Gauss and Newton; the first starts at the linear estimate.
 constexpr int few_iterations = 4;
 
-/// The model with the numbers of one run free and all others as they are.
+/// The model with the numbers of the runs that are left out free and all others as they are.
 input::Experiment own_numbers_free(const input::Experiment& model, const Simulator& simulator,
-                                   const Eigen::VectorXd& values, int run) {
+                                   const Eigen::VectorXd& values, const Fold& fold) {
     input::Experiment own = model;
     own.parameters.clear();
     for (std::size_t r = 0; r < own.runs.size(); ++r) {
         own.runs[r].problem = simulator.problem(r, values);
     }
     for (std::size_t j = 0; j < model.parameters.size(); ++j) {
-        if (run >= 0 && model.parameters[j].belongs_only_to(static_cast<std::size_t>(run))) {
+        if (fold.alone_has(model.parameters[j])) {
             own.parameters.push_back(model.parameters[j]);
             // A shift of temperatures counts from where the problem stands now; its prior and bounds move along.
             solver::FreeParameter& number = own.parameters.back();
@@ -54,6 +54,22 @@ Eigen::VectorXd linear_start(const LinearisedModel& linear, const Refit& full, c
     return start;
 }
 
+/// Where a single recording is divided: into quarters, by the ends of laps next to them where there are as many laps.
+std::vector<double> cuts_of(const Observations& observations) {
+    constexpr std::size_t quarters = 4;
+    const auto [from, to] = observations.span_of(0);
+    const std::vector<double>& laps = observations.lap_ends;
+    std::vector<double> cuts{from};
+    for (std::size_t f = 1; f < quarters; ++f) {
+        const double quarter = from + (to - from) * static_cast<double>(f) / quarters;
+        const auto nearest = std::ranges::min_element(laps, {}, [&](double end) { return std::abs(end - quarter); });
+        const bool by_lap = laps.size() >= quarters && *nearest > cuts.back() && *nearest < to;
+        cuts.push_back(by_lap ? *nearest : quarter);
+    }
+    cuts.push_back(to);
+    return cuts;
+}
+
 }  // namespace
 
 std::vector<int> noise_of_rows(const Observations& observations) {
@@ -79,24 +95,22 @@ double HeldOutErrors::mean_square(const Observations& observations, std::size_t 
 }
 
 std::vector<Fold> folds_of(const Observations& observations) {
-    constexpr std::size_t quarters = 4;
     constexpr double gap = 0.05;
     const std::vector<int> noise_of = noise_of_rows(observations);
-    const std::size_t n_runs = observations.times.size();
-    std::vector<Fold> folds(n_runs > 1 ? n_runs : quarters);
+    const std::size_t n_recordings = observations.n_recordings();
+    const bool is_single = n_recordings == 1;
+    const std::vector<double> cuts = is_single ? cuts_of(observations) : std::vector<double>{};
+    std::vector<Fold> folds(is_single ? cuts.size() - 1 : n_recordings);
+    const double apart = is_single ? gap * (cuts.back() - cuts.front()) : 0.0;
     for (std::size_t row = 0; row < observations.rows.size(); ++row) {
         const Observations::Row& what = observations.rows[row];
-        const std::vector<double>& times = observations.times[what.run];
-        const double length = times.back() - times.front();
-        const double share = length > 0.0 ? (times[what.time] - times.front()) / length : 0.0;
+        const double time = observations.times[what.run][what.time];
         for (std::size_t f = 0; f < folds.size(); ++f) {
-            bool is_test = what.run == f;
+            bool is_test = observations.recordings[what.run] == f;
             bool is_rest = !is_test;
-            if (n_runs == 1) {
-                const double from = static_cast<double>(f) / quarters;
-                const double to = static_cast<double>(f + 1) / quarters;
-                is_test = share >= from && (share < to || f + 1 == quarters);
-                is_rest = share < from - gap || share > to + gap;
+            if (is_single) {
+                is_test = time >= cuts[f] && (time < cuts[f + 1] || f + 1 == folds.size());
+                is_rest = time < cuts[f] - apart || time > cuts[f + 1] + apart;
             }
             if (is_test && noise_of[row] >= 0) {
                 folds[f].test.push_back(static_cast<Eigen::Index>(row));
@@ -105,8 +119,8 @@ std::vector<Fold> folds_of(const Observations& observations) {
             }
         }
     }
-    for (std::size_t f = 0; n_runs > 1 && f < folds.size(); ++f) {
-        folds[f].run = static_cast<int>(f);
+    for (std::size_t run = 0; !is_single && run < observations.recordings.size(); ++run) {
+        folds[observations.recordings[run]].runs.push_back(run);
     }
     std::erase_if(folds, [](const Fold& fold) { return fold.test.empty() || fold.rest.empty(); });
     return folds;
@@ -135,10 +149,10 @@ HeldOutErrors held_out(const input::Experiment& model, const Observations& obser
             found.simulations += fit.simulator().simulations();
             found.values.push_back(values);
         }
-        // The run that is left out, or the whole run, of which a block is.
+        // The runs that are left out, or the whole of those of which a part is.
         const Observations test = subset(observations, fold.test);
         const Simulator numbers(model, test);
-        const input::Experiment own = own_numbers_free(model, numbers, values, fold.run);
+        const input::Experiment own = own_numbers_free(model, numbers, values, fold);
         Fit fit(own, test);
         fit.simulator().take_steps(steps);
         fit.take_covariance(subset(covariance, fold.test));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cross-validation of a fitted model by refits: every run, or every block of time of a single run, is left out in turn
-// and predicted from the rest.
+// Cross-validation of a fitted model by refits: every recording, or every part of a single one, is left out in turn and predicted
+// from the rest. The tires of a car are of one recording: they share what is wrong with it.
 #pragma once
 
 #include <vector>
@@ -14,11 +14,18 @@ namespace tiretherm::diagnosis {
 struct Fold {
     RowIndices test;
     RowIndices rest;
-    int run = -1;  ///< whose start is fitted to the test itself; -1: to the rest
+    std::vector<std::size_t> runs{};  ///< whose start is fitted to the test itself; none: to the rest
+
+    /// Whether the rest says nothing of a parameter.
+    [[nodiscard]] bool alone_has(const solver::FreeParameter& parameter) const {
+        return !parameter.runs.empty() && std::ranges::all_of(parameter.runs, [&](std::size_t run) {
+            return std::ranges::find(runs, run) != runs.end();
+        });
+    }
 };
 
-/// Each run once; of a single run each of its quarters, with a gap of a twentieth of the run between it and the rest. Quoted
-/// numbers are always in the rest. A fold with nothing to test or to fit is left out.
+/// Each recording once. Of a single one each of its quarters, by whole laps where there are four, with a gap of a twentieth of
+/// the recording between it and the rest. Quoted numbers are always in the rest. A fold with nothing to test or to fit is left out.
 [[nodiscard]] std::vector<Fold> folds_of(const Observations& observations);
 
 /// What a model gets wrong of data that took no part in its fit.

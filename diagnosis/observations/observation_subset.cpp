@@ -10,6 +10,8 @@ namespace tiretherm::diagnosis {
 Observations subset(const Observations& observations, const RowIndices& rows) {
     Observations some;
     some.times = observations.times;
+    some.recordings = observations.recordings;
+    some.lap_ends = observations.lap_ends;
     some.channels = observations.channels;
     some.names = observations.names;
     some.stated = observations.stated;

@@ -84,12 +84,30 @@ void add_images(const input::Experiment& experiment, std::size_t run, std::size_
 
 }  // namespace
 
+std::pair<double, double> Observations::span_of(std::size_t recording) const {
+    std::pair<double, double> span{0.0, 0.0};
+    bool is_first = true;
+    for (std::size_t run = 0; run < times.size(); ++run) {
+        if (recordings[run] == recording && !times[run].empty()) {
+            span.first = is_first ? times[run].front() : std::min(span.first, times[run].front());
+            span.second = is_first ? times[run].back() : std::max(span.second, times[run].back());
+            is_first = false;
+        }
+    }
+    return span;
+}
+
 Observations observe(const input::Experiment& experiment) {
     Observations all;
     std::vector<double> values;
     for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
         const input::MeasuredRun& run = experiment.runs[r];
         all.times.push_back(times_of(run));
+        const auto same = std::ranges::find_if(experiment.runs, [&](const input::MeasuredRun& other) {
+            return !run.corner.empty() && other.recording == run.recording;
+        });
+        const auto first = static_cast<std::size_t>(same - experiment.runs.begin());
+        all.recordings.push_back(first < r ? all.recordings[first] : all.n_recordings());
         for (const input::MeasuredSeries& series : run.series) {
             if (series.frozen) {
                 continue;
@@ -127,6 +145,9 @@ Observations observe(const input::Experiment& experiment) {
         all.blocks.push_back(numbers_block(first, std::move(deviations)));
     }
     all.measured = Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+    for (const input::Lap& lap : all.n_recordings() == 1 ? experiment.runs.front().laps : std::vector<input::Lap>{}) {
+        all.lap_ends.push_back(lap.end);
+    }
     return all;
 }
 

@@ -3,9 +3,11 @@
 // steps.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -31,10 +33,18 @@ struct Observations {
     std::vector<Row> rows;
     Eigen::VectorXd measured;                ///< [n_rows] SI
     std::vector<std::vector<double>> times;  ///< [n_runs] s, ascending: when the run is asked
-    std::vector<std::size_t> channels;       ///< [n_noises] indices into Problem::channels: Block::channel counts these
-    std::vector<std::string> names;          ///< [n_noises] the sensor's, or of a camera with its band
-    std::vector<double> stated;              ///< [n_noises] standard deviation as the data sheet says, or 0
+    std::vector<std::size_t> recordings;  ///< [n_runs] which each belongs to, from 0 on: the corners of a car share one
+    std::vector<double> lap_ends{};       ///< s, ascending, of a single recording whose laps are known
+    std::vector<std::size_t> channels;    ///< [n_noises] indices into Problem::channels: Block::channel counts these
+    std::vector<std::string> names;       ///< [n_noises] the sensor's, or of a camera with its band
+    std::vector<double> stated;           ///< [n_noises] standard deviation as the data sheet says, or 0
     std::vector<ImageRows> images;
+
+    [[nodiscard]] std::size_t n_recordings() const {
+        return recordings.empty() ? 0 : *std::ranges::max_element(recordings) + 1;
+    }
+    /// First and last time of a recording. @returns s
+    [[nodiscard]] std::pair<double, double> span_of(std::size_t recording) const;
 };
 /// What was measured, row by row. Sensors that never change though they should are left out.
 [[nodiscard]] Observations observe(const input::Experiment& experiment);

@@ -55,8 +55,6 @@ struct FreeParameter {
     [[nodiscard]] bool belongs_to(std::size_t run) const {
         return runs.empty() || std::ranges::find(runs, run) != runs.end();
     }
-    /// Whether no other run than this one follows it: without this run nothing is known of it.
-    [[nodiscard]] bool belongs_only_to(std::size_t run) const { return runs.size() == 1 && runs.front() == run; }
 };
 
 /// The law k(T) or c(T) of which the parameter is a value; null for other parameters and where there is no link.

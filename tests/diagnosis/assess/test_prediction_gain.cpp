@@ -23,6 +23,7 @@ Observations two_channels(std::size_t runs) {
             time.push_back(i);
         }
         all.times.push_back(time);
+        all.recordings.push_back(r);
         for (std::size_t c = 0; c < 2; ++c) {
             all.blocks.push_back(series_block(static_cast<int>(c), static_cast<Eigen::Index>(all.rows.size()), time,
                                               std::vector<double>(time.size(), 0.0)));

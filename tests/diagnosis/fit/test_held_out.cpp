@@ -3,6 +3,7 @@
 
 #include "diagnosis/fit/held_out.hpp"
 
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -60,6 +61,69 @@ TEST(HeldOut, QuartersOfASingleRunKeepADistance) {
     }
 }
 
+/// Two recordings of a car's two front tires, or one of them: the practice bench's runs under the names of corners.
+input::Experiment car_of(std::size_t recordings) {
+    const input::Experiment bench = practice_bench();
+    input::Experiment car = bench;
+    car.runs.clear();
+    for (std::size_t r = 0; r < recordings; ++r) {
+        for (const char* corner : {"FL", "FR"}) {
+            car.runs.push_back(bench.runs[r]);
+            car.runs.back().recording = bench.runs[r].name;
+            car.runs.back().corner = corner;
+            car.runs.back().name = bench.runs[r].name + "_" + corner;
+        }
+    }
+    return car;
+}
+
+TEST(HeldOut, TheTiresOfACarAreLeftOutTogether) {
+    const Observations observations = observe(car_of(2));
+    EXPECT_EQ(observations.recordings, (std::vector<std::size_t>{0, 0, 1, 1}));
+    const std::vector<Fold> folds = folds_of(observations);
+    ASSERT_EQ(folds.size(), 2U);
+    EXPECT_EQ(folds[1].runs, (std::vector<std::size_t>{2, 3}));
+    for (const Eigen::Index row : folds[1].test) {
+        EXPECT_GE(observations.rows[static_cast<std::size_t>(row)].run, 2U);
+    }
+    EXPECT_TRUE(folds[1].alone_has({.name = "", .unit = "", .layers = {}, .knots = {}, .nodes = {}, .runs = {2, 3}}));
+    EXPECT_FALSE(folds[1].alone_has({.name = "", .unit = "", .layers = {}, .knots = {}, .nodes = {}, .runs = {0, 2}}));
+    EXPECT_FALSE(folds[1].alone_has({.name = "", .unit = "", .layers = {}, .knots = {}, .nodes = {}, .runs = {}}));
+}
+
+// A run of 2400 s with laps that end at 500, 1000, 1500, 2000 and 2400 s: cut at 500, 1000 and 2000 s, the ends next to 600, 1200
+// and 1800 s, for both tires at once. Without laps at the quarters.
+TEST(HeldOut, ASingleSessionIsCutAtLaps) {
+    input::Experiment car = car_of(1);
+    const auto first_of_rest = [](const Observations& observations, const Fold& fold) {
+        double last = 0.0;
+        for (const Eigen::Index row : fold.test) {
+            const Observations::Row& what = observations.rows[static_cast<std::size_t>(row)];
+            last = std::max(last, observations.times[what.run][what.time]);
+        }
+        return last;
+    };
+    const Observations plain = observe(car);
+    EXPECT_NEAR(first_of_rest(plain, folds_of(plain).at(0)), 600.0, 10.0);
+    double start = 0.0;
+    for (const double end : {500.0, 1000.0, 1500.0, 2000.0, 2400.0}) {
+        for (input::MeasuredRun& run : car.runs) {
+            run.laps.push_back({.start = start, .end = end});
+        }
+        start = end;
+    }
+    const Observations observations = observe(car);
+    const std::vector<Fold> folds = folds_of(observations);
+    ASSERT_EQ(folds.size(), 4U);
+    const std::array<double, 3> cuts{500.0, 1000.0, 2000.0};
+    for (std::size_t f = 0; f < cuts.size(); ++f) {
+        EXPECT_NEAR(first_of_rest(observations, folds[f]), cuts.at(f), 10.0);
+        EXPECT_TRUE(folds[f].runs.empty());
+        EXPECT_LT(observations.rows[static_cast<std::size_t>(folds[f].test.front())].run, 1U);
+        EXPECT_EQ(observations.rows[static_cast<std::size_t>(folds[f].test.back())].run, 1U);
+    }
+}
+
 TEST(HeldOut, ASubsetIsSimulatedAsTheWhole) {
     const Fitted3 made;
     const Fold fold = folds_of(made.observations).at(1);
@@ -108,6 +172,7 @@ TEST(BlockDeviations, SeeErrorsThatBlocksShare) {
     for (int draw = 0; draw < draws; ++draw) {
         Observations observations;
         observations.times.resize(1);
+        observations.recordings = {0};
         Refit fit;
         fit.values = Eigen::VectorXd::Zero(1);
         fit.scale = Eigen::VectorXd::Ones(1);
