@@ -16,6 +16,7 @@ constexpr double standing_speed = 0.1;                       // m/s
 constexpr double slip_angle = 0.3 * std::numbers::pi / 180;  // rad
 constexpr double slip_ratio = 0.005;
 constexpr double slowing_down = 0.01 * 9.81;  // m/s2
+constexpr double force_of_load = 0.15;
 /// s before and after, over which the fall of speed is taken: a logger's noise of 0.1 m/s gives 0.035 m/s2.
 constexpr double reach = 2.0;
 
@@ -31,6 +32,14 @@ std::string_view name_of(Phase phase) {
             return "slowing";
         case Phase::free_rolling:
             return "free rolling";
+        case Phase::cornering:
+            return "cornering";
+        case Phase::braking:
+            return "braking";
+        case Phase::driving:
+            return "driving";
+        case Phase::straight:
+            return "straight";
     }
     return "";
 }
@@ -45,14 +54,36 @@ std::string_view meaning_of(Phase phase) {
             return "straight, speed falling faster than 0.01 g";
         case Phase::free_rolling:
             return "straight, speed steady or rising";
+        case Phase::cornering:
+            return "forces from 15 % of the load on, mostly lateral";
+        case Phase::braking:
+            return "forces from 15 % of the load on, mostly of braking";
+        case Phase::driving:
+            return "forces from 15 % of the load on, mostly of driving";
+        case Phase::straight:
+            return "forces below 15 % of the load";
     }
     return "";
 }
 
-Phase phase_at(const solver::Problem& problem, double time) {
+bool has_forces(const input::MeasuredRun& run) {
+    const solver::InputSignals& signals = run.problem.input_signals;
+    return !run.corner.empty() && signals.gives(*physics::find_signal("vertical_load")) &&
+           signals.gives(*physics::find_signal("lateral_force"));
+}
+
+Phase phase_at(const solver::Problem& problem, double time, bool of_car) {
     const physics::Inputs now = problem.input_signals.at(time, solver::JumpSide::after);
     if (std::abs(now.speed) < standing_speed) {
         return Phase::standing;
+    }
+    if (of_car) {
+        const double along = std::abs(now.longitudinal_force);
+        const double across = std::abs(now.lateral_force);
+        if (std::hypot(along, across) < force_of_load * now.vertical_load) {
+            return Phase::straight;
+        }
+        return across > along ? Phase::cornering : now.longitudinal_force < 0.0 ? Phase::braking : Phase::driving;
     }
     if (std::abs(now.slip_angle) >= slip_angle || std::abs(now.slip_ratio) >= slip_ratio) {
         return Phase::slipping;

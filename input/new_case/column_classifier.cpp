@@ -201,6 +201,9 @@ private:
                                (infrared_zones_ == 0 || infrared_zones_ == count) &&
                                std::ranges::all_of(by_number, [](const auto& one) { return one.second.size() == 1; });
             infrared_zones_ = whole ? count : infrared_zones_;
+            if (by_number.size() == 1 && by_number.begin()->second.size() == 1) {
+                continue;  // a number in the name of the only sensor
+            }
             for (auto& [number, columns] : by_number) {
                 for (CarCandidate* candidate : columns) {
                     if (whole) {

@@ -36,7 +36,7 @@ ComparedSeries series_of(const DiagnosisRecord& record, const Block& block, cons
         series.measured.push_back(record.observations.measured[row]);
         series.simulated.push_back(simulated[row]);
         series.surroundings.push_back(0.0);
-        series.phase.push_back(phase_at(run.problem, block.time[i]));
+        series.phase.push_back(phase_at(run.problem, block.time[i], diagnosis::has_forces(run)));
         const SampleContext moment{.run = run,
                                    .sample = block.sample[i],
                                    .inputs = inputs,

@@ -56,6 +56,35 @@ TEST(Phase, SlipComesBeforeSlowing) {
     EXPECT_EQ(phase_at(problem, 50.0), Phase::slipping);
 }
 
+// 4000 N of load: 15 % are 600 N. 500 N across and 331 N along make 599.6 N.
+TEST(Phase, OfACarGoesByTheForces) {
+    const auto phase = [](double along, double across) {
+        solver::Problem problem;
+        problem.settings.end = 100.0;
+        for (const auto& [name, value] :
+             {std::pair{"speed", 40.0}, std::pair{"vertical_load", 4000.0}, std::pair{"longitudinal_force", along},
+              std::pair{"lateral_force", across}, std::pair{"slip_angle", 0.05}}) {
+            problem.input_signals.add(*find_signal(name), value);
+        }
+        return phase_at(problem, 50.0, true);
+    };
+    EXPECT_EQ(phase(331.0, -500.0), Phase::straight);
+    EXPECT_EQ(phase(333.0, -500.0), Phase::cornering);
+    EXPECT_EQ(phase(-700.0, 500.0), Phase::braking);
+    EXPECT_EQ(phase(700.0, 500.0), Phase::driving);
+}
+
+TEST(Phase, GoesByTheForcesOnlyAtACornerThatHasThem) {
+    input::MeasuredRun run;
+    run.corner = "FL";
+    run.problem.input_signals.add(*find_signal("vertical_load"), 4000.0);
+    EXPECT_FALSE(has_forces(run));
+    run.problem.input_signals.add(*find_signal("lateral_force"), 0.0);
+    EXPECT_TRUE(has_forces(run));
+    run.corner.clear();
+    EXPECT_FALSE(has_forces(run));
+}
+
 /// The phase at 50 s of a run of 100 s that has been rolling straight at this speed, or slows down at this rate.
 Phase phase_of(double speed, double slip_degrees, double slip_ratio, double deceleration = 0.0) {
     solver::Problem problem;
@@ -102,7 +131,8 @@ TEST(Phase, NamesAreThoseOfTheFiles) {
     for (const Phase phase : phases) {
         names.push_back(name_of(phase));
     }
-    EXPECT_EQ(names, (std::vector<std::string_view>{"standing", "slipping", "slowing", "free rolling"}));
+    EXPECT_EQ(names, (std::vector<std::string_view>{"standing", "slipping", "slowing", "free rolling", "cornering",
+                                                    "braking", "driving", "straight"}));
 }
 
 }  // namespace

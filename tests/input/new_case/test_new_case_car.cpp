@@ -143,6 +143,16 @@ TEST(NewCaseCar, NumberedReadingsAreAnArrayAcrossTheTread) {
     EXPECT_NEAR(run.problem.initial.front() - 273.15, 34.435, 0.01);
 }
 
+TEST(NewCaseCar, ANumberInTheNameOfTheOnlySensorIsNoArray) {
+    const Written written;
+    written.add("one.csv",
+                table(motion() + std::vector<Logged>{warming("IR 2 FL [C]", 30.0), warming("IR 3 FR [C]", 32.0)}));
+    const NewCase made = make(written, "225/50 R17", "", "one.csv");
+    EXPECT_EQ(made.log->infrared_zones, 0);
+    EXPECT_EQ(column_of(made, "IR 2 FL").full_name(), "surface_temperature of FL");
+    EXPECT_EQ(column_of(made, "IR 3 FR").full_name(), "surface_temperature of FR");
+}
+
 TEST(NewCaseCar, WhatIsUnclearIsAsked) {
     const Written written;
     written.add("gap.csv", table(motion() + four_tires() +
