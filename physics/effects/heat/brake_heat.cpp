@@ -52,7 +52,7 @@ const Effect brake_heat{
         "that "
         "of the disc as logged, or as [vehicle] computes it from the power of braking. Part of what looks like a film "
         "of "
-        "air that is too good on the front axle.",
+        "air that is too weak on the front axle.",
     .parameters = parameters,
     .reads = reads,
     .patches = patches,
