@@ -205,13 +205,13 @@ TEST(UserEffect, TwoOfThemAreToldApart) {
     Problem problem = two_node_tire();
     UserEffect user_effect = heat("bulk", {{0.0}, {1.0}}, 100.0);
     const std::size_t first = add_user_effect(problem, user_effect);
-    user_effect.name = "brake_heat";
+    user_effect.name = "pad_heat";
     user_effect.amount = 30.0;
     const std::size_t second = add_user_effect(problem, user_effect);
     EXPECT_EQ(find_user_effect(problem, "throttle_heat"), first);
-    EXPECT_EQ(find_user_effect(problem, "brake_heat"), second);
+    EXPECT_EQ(find_user_effect(problem, "pad_heat"), second);
     EXPECT_EQ(find_user_effect(problem, "own_source"), problem.effects.size());
-    EXPECT_EQ(problem.effects[second].title(), "brake_heat");
+    EXPECT_EQ(problem.effects[second].title(), "pad_heat");
     const Report report = run_closed(problem);
     EXPECT_NEAR(report.joules[first], 100.0 * 600.0, 1e-6);
     EXPECT_NEAR(report.joules[second], 30.0 * 600.0, 1e-6);
