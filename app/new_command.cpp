@@ -247,9 +247,9 @@ void add_new_command(CLI::App& program, int& exit_code) {
     command->add_option("--size", options->size, "The tire of a log. Default: 225/50 R17, that of the thesis")
         ->option_text("SIZE");
     command
-        ->add_option(
-            "--mesh", options->mesh,
-            "section, layers or two_node. Default: section; of a car's log without readings side by side two_node")
+        ->add_option("--mesh", options->mesh,
+                     "section, layers or two_node. Default: section; two_node for a car's log with one reading across "
+                     "each tread")
         ->option_text("KIND")
         ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())));
     command

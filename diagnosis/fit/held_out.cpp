@@ -54,7 +54,7 @@ Eigen::VectorXd linear_start(const LinearisedModel& linear, const Refit& full, c
     return start;
 }
 
-/// Where a single recording is divided: into quarters, by the ends of laps next to them where there are as many laps.
+/// Where a single recording is divided: into quarters, each moved to the end of a lap that lies within half a quarter of it.
 std::vector<double> cuts_of(const Observations& observations) {
     constexpr std::size_t quarters = 4;
     const auto [from, to] = observations.span_of(0);
@@ -63,7 +63,7 @@ std::vector<double> cuts_of(const Observations& observations) {
     for (std::size_t f = 1; f < quarters; ++f) {
         const double quarter = from + (to - from) * static_cast<double>(f) / quarters;
         const auto nearest = std::ranges::min_element(laps, {}, [&](double end) { return std::abs(end - quarter); });
-        const bool by_lap = laps.size() >= quarters && *nearest > cuts.back() && *nearest < to;
+        const bool by_lap = nearest != laps.end() && std::abs(*nearest - quarter) < 0.5 * (to - from) / quarters;
         cuts.push_back(by_lap ? *nearest : quarter);
     }
     cuts.push_back(to);

@@ -24,7 +24,7 @@ struct Fold {
     }
 };
 
-/// Each recording once. Of a single one each of its quarters, by whole laps where there are four, with a gap of a twentieth of
+/// Each recording once. Of a single one each of its quarters, cut at the nearest ends of laps, with a gap of a twentieth of
 /// the recording between it and the rest. Quoted numbers are always in the rest. A fold with nothing to test or to fit is left out.
 [[nodiscard]] std::vector<Fold> folds_of(const Observations& observations);
 

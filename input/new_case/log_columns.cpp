@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -129,15 +130,26 @@ bool Log::has_motion() const {
     return std::ranges::any_of(columns, [](const LogColumn& column) { return is_motion(column.name); });
 }
 
-std::vector<std::string> Log::corners() const {
+namespace {
+
+template <typename Belongs>
+std::vector<std::string> corners_with(const std::vector<LogColumn>& columns, Belongs belongs) {
     std::vector<std::string> found;
     for (const std::string_view corner : physics::corner_names) {
         if (std::ranges::any_of(columns,
-                                [&](const LogColumn& column) { return column.is_used() && column.corner == corner; })) {
+                                [&](const LogColumn& column) { return column.corner == corner && belongs(column); })) {
             found.emplace_back(corner);
         }
     }
     return found;
+}
+
+}  // namespace
+
+std::vector<std::string> Log::corners() const { return corners_with(columns, std::mem_fn(&LogColumn::is_used)); }
+
+std::vector<std::string> Log::corners_measured() const {
+    return corners_with(columns, std::mem_fn(&LogColumn::is_sensor));
 }
 
 std::optional<Log> read_log(const std::filesystem::path& path, const MeshTemplate& mesh, InputErrors& errors) {

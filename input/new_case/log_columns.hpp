@@ -62,6 +62,8 @@ struct Log {
     [[nodiscard]] bool has_motion() const;  ///< a column tells the turns or the drive and braking of a car
     /// Those at which something is measured or given, front before rear and left before right.
     [[nodiscard]] std::vector<std::string> corners() const;
+    /// Those of them at which a sensor reads.
+    [[nodiscard]] std::vector<std::string> corners_measured() const;
 };
 
 /// Reads the log's headings and the columns that have standard names; what is wrong with them goes to `errors`, with the

@@ -43,7 +43,8 @@ void take_mesh(CaseDraft& draft, std::string_view name) {
 /// Whether readings lie side by side across a tread, which a single column of a tire does not tell apart.
 bool has_places_across(const Log& log) {
     return log.infrared_zones > 0 || std::ranges::any_of(log.columns, [](const LogColumn& column) {
-               return column.is_sensor && column.name.find("shoulder") != std::string::npos;
+               return column.is_sensor && column.name.ends_with("_surface_temperature") &&
+                      column.name != "surface_temperature";
            });
 }
 
@@ -57,9 +58,13 @@ bool read_mesh_and_log(CaseDraft& draft) {
     InputErrors errors;
     draft.result.log = read_log(*request.log, draft.mesh, errors);
     if (request.mesh.empty() && draft.log() != nullptr && draft.log()->is_car && !has_places_across(*draft.log())) {
-        // Four tires over many laps: seconds in place of minutes.
-        take_mesh(draft, mesh_of_a_car);
-        draft.result.log = read_log(*request.log, draft.mesh, errors);
+        // Four tires over many laps: seconds in place of minutes. Not where a tire would lose its only reading.
+        std::optional<Log> lumped = read_log(*request.log, mesh_template(mesh_of_a_car, 0.0), errors);
+        if (lumped && lumped->use == draft.log()->use &&
+            lumped->corners_measured() == draft.log()->corners_measured()) {
+            take_mesh(draft, mesh_of_a_car);
+            draft.result.log = std::move(lumped);
+        }
     }
     draft.result.errors = errors.in_order();
     return draft.result.errors.empty();

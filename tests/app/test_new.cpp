@@ -106,6 +106,10 @@ TEST(New, LogOfACarIsComparedAndFitted) {
     const Json json = Json::parse(fitted.out);
     EXPECT_EQ(json["parameters"].size(), 9U);
     EXPECT_NE(json["findings"][0].get<std::string>().find("takes the noise as white"), std::string::npos);
+    // What cases/car/README.md says of it: the assumed slips are far too large, and the page points at the friction.
+    EXPECT_EQ(json["parameters"][2]["name"], "sliding_friction.lambda_y");
+    EXPECT_LT(json["parameters"][2]["value"], 0.4);
+    EXPECT_NE(fitted.out.find("sliding_friction.lambda_y: the fitted"), std::string::npos);
 }
 
 TEST(New, CaseThatIsThereIsLeftAloneWithoutForce) {

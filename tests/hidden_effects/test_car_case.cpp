@@ -95,4 +95,17 @@ TEST(CarCase, FilmIsFoundWhereTheHeatOfSlidingIsFree) {
     }
 }
 
+// The page of the case quotes it, to two digits: exact slips make a fit that is sure of the wrong film.
+TEST(CarCase, FilmIsWrongWhereTheSlipsAreTakenForExact) {
+    input::Experiment car = shipped_car();
+    std::erase_if(car.parameters,
+                  [](const solver::FreeParameter& one) { return one.name.starts_with("sliding_friction"); });
+    const diagnosis::Identification fit = diagnosis::identify(car, diagnosis::observe(car));
+    ASSERT_TRUE(fit.status.ok()) << fit.status.message;
+    ASSERT_EQ(car.parameters.front().name, "air_convection.lambda_h");
+    EXPECT_NEAR(fit.fitted.front().value, 1.04, 0.005);
+    EXPECT_NEAR(fit.fitted.front().low, 1.01, 0.005);
+    EXPECT_NEAR(fit.fitted.front().high, 1.06, 0.005);
+}
+
 }  // namespace hidden_effects

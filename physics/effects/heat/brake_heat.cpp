@@ -43,16 +43,13 @@ const Effect brake_heat{
     .equation = "q = conductance (T_brake - T_rim); without a rim T of the beads, of the inside or of the bulk",
     .source =
         "conduction through bell and hub, this file; that brakes heat rim and tire: rim and brake paths of Meccanica "
-        "2021 "
-        "(abstract only)",
+        "2021 (abstract only)",
     .valid = "a disc and a rim of one temperature each; its one number is an order of magnitude, to be fitted",
     .meaning =
         "Heat of the brake that reaches the tire through hub and rim: into the rim of rim_conduction where that is on, "
         "otherwise through the beads, on a mesh without them into the inside, on two nodes into the bulk. T_brake is "
-        "that "
-        "of the disc as logged, or as [vehicle] computes it from the power of braking. Part of what looks like a film "
-        "of "
-        "air that is too weak on the front axle.",
+        "that of the disc as logged, or as [vehicle] computes it from the power of braking. Part of what looks like a "
+        "film of air that is too weak on the front axle.",
     .parameters = parameters,
     .reads = reads,
     .patches = patches,

@@ -35,10 +35,8 @@ const Effect road_temperature_drift{
     .valid = "drifts that are straight in time over the run",
     .meaning =
         "A track or drum that is hotter than given, or that warms or cools beside the log: the sun, or the tire's own "
-        "heat "
-        "on a drum. Where nobody measured the road, give it the air's temperature and free the offset. Without a rate "
-        "and "
-        "an offset it does nothing.",
+        "heat on a drum. Where nobody measured the road, give it the air's temperature and free the offset. Without a "
+        "rate and an offset it does nothing.",
     .parameters = parameters,
     .reads = reads,
     .model = InputCorrection{.transform = transform},

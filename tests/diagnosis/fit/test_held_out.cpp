@@ -77,6 +77,16 @@ input::Experiment car_of(std::size_t recordings) {
     return car;
 }
 
+/// When the last sample of a fold's test was taken. s
+double last_of_test(const Observations& observations, const Fold& fold) {
+    double last = 0.0;
+    for (const Eigen::Index row : fold.test) {
+        const Observations::Row& what = observations.rows[static_cast<std::size_t>(row)];
+        last = std::max(last, observations.times[what.run][what.time]);
+    }
+    return last;
+}
+
 TEST(HeldOut, TheTiresOfACarAreLeftOutTogether) {
     const Observations observations = observe(car_of(2));
     EXPECT_EQ(observations.recordings, (std::vector<std::size_t>{0, 0, 1, 1}));
@@ -95,16 +105,8 @@ TEST(HeldOut, TheTiresOfACarAreLeftOutTogether) {
 // and 1800 s, for both tires at once. Without laps at the quarters.
 TEST(HeldOut, ASingleSessionIsCutAtLaps) {
     input::Experiment car = car_of(1);
-    const auto first_of_rest = [](const Observations& observations, const Fold& fold) {
-        double last = 0.0;
-        for (const Eigen::Index row : fold.test) {
-            const Observations::Row& what = observations.rows[static_cast<std::size_t>(row)];
-            last = std::max(last, observations.times[what.run][what.time]);
-        }
-        return last;
-    };
     const Observations plain = observe(car);
-    EXPECT_NEAR(first_of_rest(plain, folds_of(plain).at(0)), 600.0, 10.0);
+    EXPECT_NEAR(last_of_test(plain, folds_of(plain).at(0)), 600.0, 10.0);
     double start = 0.0;
     for (const double end : {500.0, 1000.0, 1500.0, 2000.0, 2400.0}) {
         for (input::MeasuredRun& run : car.runs) {
@@ -117,11 +119,34 @@ TEST(HeldOut, ASingleSessionIsCutAtLaps) {
     ASSERT_EQ(folds.size(), 4U);
     const std::array<double, 3> cuts{500.0, 1000.0, 2000.0};
     for (std::size_t f = 0; f < cuts.size(); ++f) {
-        EXPECT_NEAR(first_of_rest(observations, folds[f]), cuts.at(f), 10.0);
+        EXPECT_NEAR(last_of_test(observations, folds[f]), cuts.at(f), 10.0);
         EXPECT_TRUE(folds[f].runs.empty());
         EXPECT_LT(observations.rows[static_cast<std::size_t>(folds[f].test.front())].run, 1U);
         EXPECT_EQ(observations.rows[static_cast<std::size_t>(folds[f].test.back())].run, 1U);
     }
+}
+
+// All laps end after 60 % of 2400 s. None is within 300 s of the first quarter, 600 s, which stays; 1440 s takes the place of the
+// second. No sample is tested twice.
+TEST(HeldOut, LapsThatLieFarFromAQuarterDoNotMoveIt) {
+    input::Experiment car = car_of(1);
+    double start = 0.0;
+    for (const double end : {1440.0, 1680.0, 1920.0, 2160.0}) {
+        for (input::MeasuredRun& run : car.runs) {
+            run.laps.push_back({.start = start, .end = end});
+        }
+        start = end;
+    }
+    const Observations observations = observe(car);
+    std::size_t tested = 0;
+    for (const Fold& fold : folds_of(observations)) {
+        tested += fold.test.size();
+    }
+    EXPECT_EQ(tested, observations.rows.size());
+    const std::vector<Fold> folds = folds_of(observations);
+    ASSERT_EQ(folds.size(), 4U);
+    EXPECT_NEAR(last_of_test(observations, folds[0]), 600.0, 10.0);
+    EXPECT_NEAR(last_of_test(observations, folds[1]), 1440.0, 10.0);
 }
 
 TEST(HeldOut, ASubsetIsSimulatedAsTheWhole) {

@@ -84,7 +84,7 @@ TEST(NewCaseCar, HasATireAtEachCornerAndAVehicle) {
     for (std::size_t i = 0; i < runs.size(); ++i) {
         EXPECT_EQ(runs[i].corner, corners.at(i));
         EXPECT_EQ(runs[i].series.size(), 1U);
-        EXPECT_NEAR(runs[i].problem.input_signals.at(0.0, solver::JumpSide::after).vertical_load, 3310.0, 40.0);
+        EXPECT_NEAR(runs[i].problem.input_signals.at(0.0, solver::JumpSide::after).vertical_load, 3310.0, 5.0);
         // The mean of the first second's readings: 0.5 s of warming above the first, and the wave's share of 0.01 K.
         const double first = 31.0 + 2.0 * static_cast<double>(i) + 0.37 * 0.5;
         EXPECT_NEAR(runs[i].problem.initial.front() - 273.15, first, 0.01) << corners.at(i);
@@ -115,6 +115,19 @@ TEST(NewCaseCar, ReadingsSideBySideTakeACrossSection) {
     const NewCase lumped = make(written, "225/50 R17", "two_node", "zones.csv");
     EXPECT_EQ(column_of(lumped, "Tyre Temp FL Outer").reason,
               "the mesh two_node has no place for outside_shoulder_surface_temperature, --mesh section has");
+}
+
+TEST(NewCaseCar, NoTireLosesItsOnlyReadingToTheMesh) {
+    const Written written;
+    written.add("tpms.csv", table(motion() + std::vector<Logged>{warming("TPMS Temp FL [C]", 34.0),
+                                                                 warming("TPMS Temp RR [C]", 36.0)}));
+    const NewCase gas = make(written, "225/50 R17", "", "tpms.csv");
+    EXPECT_EQ(gas.mesh_name, "section");
+    EXPECT_EQ(gas.log->use, LogUse::run);
+    written.add("crown.csv", table(motion() + std::vector<Logged>{warming("Tyre Temp FL Centre [C]", 34.0)}));
+    EXPECT_EQ(make(written, "225/50 R17", "", "crown.csv").mesh_name, "section");
+    written.add("both.csv", table(motion() + four_tires() + std::vector<Logged>{warming("TPMS Temp FL [C]", 34.0)}));
+    EXPECT_EQ(make(written, "225/50 R17", "", "both.csv").mesh_name, "two_node");
 }
 
 // Four readings across 225 mm of tread: the first lies from -112.5 to -56.25 mm.

@@ -265,7 +265,7 @@ TEST(VehicleCase, BrakeWarmsUpByThePowerOfBraking) {
         T += 0.005 * (power - 40.0 * (T - air)) / 5000.0;
         hottest = std::max(hottest, T);
         if (i % 1000 == 0) {
-            EXPECT_NEAR(inputs(0.005 * (i + 1)).brake_temperature, T, 0.02 * (hottest - air) + 0.05) << 0.005 * i;
+            EXPECT_NEAR(inputs(0.005 * (i + 1)).brake_temperature, T, 0.01 * (hottest - air) + 0.02) << 0.005 * i;
         }
     }
     EXPECT_GT(hottest - air, 10.0);
