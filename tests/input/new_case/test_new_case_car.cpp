@@ -126,6 +126,11 @@ TEST(NewCaseCar, NoTireLosesItsOnlyReadingToTheMesh) {
     EXPECT_EQ(gas.log->use, LogUse::run);
     written.add("crown.csv", table(motion() + std::vector<Logged>{warming("Tyre Temp FL Centre [C]", 34.0)}));
     EXPECT_EQ(make(written, "225/50 R17", "", "crown.csv").mesh_name, "section");
+    written.add("mixed.csv", table(motion() + std::vector<Logged>{warming("Tire Temp FL [C]", 34.0),
+                                                                  warming("TPMS Temp RR [C]", 36.0)}));
+    EXPECT_EQ(make(written, "225/50 R17", "", "mixed.csv").mesh_name, "section");
+    written.add("gas.csv", table(motion() + std::vector<Logged>{warming("gas_temperature [C]", 36.0)}));
+    EXPECT_EQ(make(written, "225/50 R17", "", "gas.csv").mesh_name, "section");
     written.add("both.csv", table(motion() + four_tires() + std::vector<Logged>{warming("TPMS Temp FL [C]", 34.0)}));
     EXPECT_EQ(make(written, "225/50 R17", "", "both.csv").mesh_name, "two_node");
 }
