@@ -30,6 +30,7 @@ struct IdentifyOptions : MeasuredCall {
     double correlation_time = 10.0;  ///< s, of a plan's noise
     bool profile = false;
     bool plan = false;
+    std::string leave_out;  ///< "lap" or "run"
 };
 
 /// Of a plan's noise, what is new in every sample.
@@ -91,6 +92,34 @@ int plan(const IdentifyOptions& options, input::ExperimentReading& reading) {
     return Exit::done;
 }
 
+/// The laps or runs that are left out in turn. @returns nothing after an error
+std::optional<std::vector<diagnosis::NamedFold>> what_to_leave_out(const IdentifyOptions& options,
+                                                                   const input::Experiment& experiment,
+                                                                   const diagnosis::Observations& observations) {
+    using diagnosis::LeaveOut;
+    const LeaveOut what = options.leave_out.empty()    ? LeaveOut::nothing
+                          : options.leave_out == "lap" ? LeaveOut::lap
+                                                       : LeaveOut::run;
+    std::vector<diagnosis::NamedFold> folds = diagnosis::named_folds(experiment, observations, what);
+    const std::string& file = options.case_file;
+    if (what != LeaveOut::nothing && !observations.images.empty()) {
+        report_error(fmt::format("{}: a camera's frames cannot be left out", file), "leave out --leave-out",
+                     options.json);
+        return std::nullopt;
+    }
+    if (what == LeaveOut::lap && folds.size() < 2) {
+        report_error(fmt::format("{}: no laps are known that could be left out", file),
+                     "see which laps a log has: tiretherm check LOG; or leave out runs: --leave-out run", options.json);
+        return std::nullopt;
+    }
+    if (what == LeaveOut::run && folds.empty()) {
+        report_error(fmt::format("{}: the only run cannot be left out", file),
+                     "give several [[run]], or leave out laps: --leave-out lap", options.json);
+        return std::nullopt;
+    }
+    return folds;
+}
+
 int identify(const IdentifyOptions& options) {
     if (!(options.correlation_time >= 0.0)) {
         report_error(fmt::format("the correlation time is {} s", options.correlation_time), "give 0 s or more",
@@ -99,6 +128,10 @@ int identify(const IdentifyOptions& options) {
     }
     if (options.plan && options.profile) {
         report_error("a plan is of first order and has no profiles", "leave out --profile", options.json);
+        return Exit::input_error;
+    }
+    if (options.plan && !options.leave_out.empty()) {
+        report_error("a plan has no data that could be left out", "leave out --leave-out", options.json);
         return Exit::input_error;
     }
     solver::install_stop_handlers();
@@ -126,10 +159,16 @@ int identify(const IdentifyOptions& options) {
         finer = input::read_experiment(options.case_file, options.data_files(), input::ReadMode::measured, {.finer = 2})
                     .experiment;
     }
+    const std::optional<std::vector<diagnosis::NamedFold>> folds = what_to_leave_out(options, experiment, observations);
+    if (!folds) {
+        return Exit::input_error;
+    }
     SimulationCount count;
-    const diagnosis::Identification result = diagnosis::identify(
-        experiment, observations,
-        {.profile = options.profile, .finer = finer ? &*finer : nullptr, .progress = count.shown()});
+    const diagnosis::Identification result = diagnosis::identify(experiment, observations,
+                                                                 {.profile = options.profile,
+                                                                  .finer = finer ? &*finer : nullptr,
+                                                                  .leave_out = *folds,
+                                                                  .progress = count.shown()});
     count.wipe();
     if (!result.status.ok()) {
         return report_failure(options, result.status, *folder, *journal, "nothing was fitted");
@@ -173,6 +212,11 @@ void add_identify_command(CLI::App& program, int& exit_code) {
                       "Intervals by profile likelihood, which need not be symmetric: some ten fits for each parameter");
     command->add_flag("--plan", options->plan,
                       "Before anything is measured: the intervals that these runs and sensors would give");
+    command
+        ->add_option("--leave-out", options->leave_out,
+                     "Each lap, or each run, is predicted by a fit without it as well: some three fits for each")
+        ->option_text("lap|run")
+        ->check(CLI::IsMember({"lap", "run"}));
     command
         ->add_option("--correlation-time", options->correlation_time, "Of the noise that a plan assumes. Default: 10")
         ->option_text("SECONDS");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +13,7 @@
 #include "physics/effect.hpp"
 #include "physics/tire_laws/cornering_stiffness.hpp"
 #include "physics/tire_laws/magic_formula.hpp"
+#include "solver/input_model.hpp"
 #include "solver/input_signals.hpp"
 #include "solver/linear/factor.hpp"
 #include "solver/quantity.hpp"
@@ -86,7 +88,9 @@ struct Problem {
     Handling handling;
     std::vector<physics::ActiveEffect> effects;
     InputSignals input_signals;
-    std::vector<double> initial;  ///< [n_nodes] K
+    std::shared_ptr<const InputModel> input_model{};  ///< by which some inputs follow `input_numbers`; null: none do
+    std::vector<double> input_numbers{};              ///< SI
+    std::vector<double> initial;                      ///< [n_nodes] K
     Settings settings;
     std::vector<Channel> channels;        ///< of sensors, then of cameras
     std::vector<CameraChannels> cameras;  ///< whose channels are the last ones

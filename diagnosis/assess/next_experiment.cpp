@@ -145,6 +145,7 @@ input::Experiment planned_run_of(const input::Experiment& experiment, const Mano
         length += minute * hold.minutes;
     }
     run.problem.input_signals = std::move(input_signals);
+    run.problem.input_model = nullptr;  // loads and slips are those of the manoeuvre
     run.problem.settings.start = 0.0;
     run.problem.settings.end = length;
     run.time.clear();

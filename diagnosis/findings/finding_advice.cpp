@@ -97,6 +97,11 @@ std::string advice(const input::Experiment& experiment, const FreeParameter& par
         return "the run began earlier than the log, or the sensors were not at the tire's temperature: start the log "
                "before the tire rolls, or state the start by the first readings";
     }
+    if (parameter.kind == FreeParameter::Kind::input) {
+        return "it may stand in for another number of [vehicle], or for heat that has nothing to do with the car: "
+               "weigh or "
+               "measure it, log wheel loads or slips, or run diagnose";
+    }
     if (parameter.kind == FreeParameter::Kind::effect) {
         const physics::ActiveEffect& active = problem.effects[parameter.effect];
         std::string known = advice_on_effect(experiment, active.effect->id,

@@ -95,6 +95,8 @@ const physics::PlausibleRange* plausible_range_of(const solver::Problem& problem
         case FreeParameter::Kind::link_conductivity:
             range = physics::plausible_range_of_law("link_conductivity");
             break;
+        case FreeParameter::Kind::input:
+            break;
         case FreeParameter::Kind::initial:
             range = physics::plausible_range(*physics::find_effect("initial_temperature"), 0);
             break;

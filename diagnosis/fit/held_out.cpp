@@ -128,9 +128,14 @@ std::vector<Fold> folds_of(const Observations& observations) {
 
 HeldOutErrors held_out(const input::Experiment& model, const Observations& observations, const Covariance& covariance,
                        const std::vector<std::vector<double>>& steps, const Refit& full, bool fitted) {
+    return held_out(model, observations, covariance, steps, full, folds_of(observations), fitted);
+}
+
+HeldOutErrors held_out(const input::Experiment& model, const Observations& observations, const Covariance& covariance,
+                       const std::vector<std::vector<double>>& steps, const Refit& full, const std::vector<Fold>& folds,
+                       bool fitted) {
     HeldOutErrors found{.left = Eigen::VectorXd::Constant(observations.measured.size(), none)};
     const LinearisedModel linear = linearise(full, observations);
-    const std::vector<Fold> folds = folds_of(observations);
     found.ok = !folds.empty();
     for (const Fold& fold : folds) {
         Eigen::VectorXd values = full.values;

@@ -49,5 +49,9 @@ struct HeldOutErrors {
 [[nodiscard]] HeldOutErrors held_out(const input::Experiment& model, const Observations& observations,
                                      const Covariance& covariance, const std::vector<std::vector<double>>& steps,
                                      const Refit& full, bool fitted = true);
+/// The same of some folds.
+[[nodiscard]] HeldOutErrors held_out(const input::Experiment& model, const Observations& observations,
+                                     const Covariance& covariance, const std::vector<std::vector<double>>& steps,
+                                     const Refit& full, const std::vector<Fold>& folds, bool fitted = true);
 
 }  // namespace tiretherm::diagnosis

@@ -142,18 +142,19 @@ double log_error(const HeldOutErrors& out, const Observations& observations) {
 
 /// Where correlated noise is in doubt, the case is fitted with white noise of the same information as well, and the fit that
 /// predicts data that were left out better is kept: slow noise may have swallowed what the model gets wrong.
-void keep_better_noise(Fit& fit, Identification& into) {
+/// @returns the noise of the fit that is kept
+Covariance keep_better_noise(Fit& fit, Identification& into) {
     constexpr double better_by = 0.02;  // of the rms
     const Observations& observations = fit.observations();
     const bool in_doubt = std::ranges::any_of(into.channels, &ChannelFit::is_in_doubt);
     if (!in_doubt || fit.experiment().noise != "automatic" || !observations.images.empty()) {
-        return;
+        return fit.covariance();
     }
     Fit flat(fit.experiment(), observations);
     flat.simulator().take_steps(fit.simulator().steps());
     flat.take_covariance(white_equivalent(fit.covariance(), observations.blocks));
     if (!flat.move_to(fit.values())) {
-        return;
+        return fit.covariance();
     }
     const Refit slow = refit(fit, 0);
     const Refit even = refit(flat);
@@ -163,7 +164,7 @@ void keep_better_noise(Fit& fit, Identification& into) {
     into.simulations += flat.simulator().simulations() + of_slow.simulations + of_even.simulations;
     const double gain = 0.5 * (log_error(of_slow, observations) - log_error(of_even, observations));
     if (!of_even.ok || !(gain > better_by) || !flat.move_to(even.values)) {
-        return;
+        return fit.covariance();
     }
     into.values = flat.values();
     into.after = flat.now().simulated;
@@ -173,6 +174,7 @@ void keep_better_noise(Fit& fit, Identification& into) {
         into.channels[c].rmse_after = std::sqrt(fitted.mean_square(observations, c));
     }
     into.white_noise_gain = gain;
+    return flat.covariance();
 }
 
 /// @param stage out: what is being done
@@ -196,12 +198,22 @@ void identify(const input::Experiment& experiment, const Observations& observati
     } else {
         assess(fit, result);
         stage = "comparison of correlated with white noise on data that are left out";
-        keep_better_noise(fit, result);
+        Covariance kept = keep_better_noise(fit, result);
+        if (!choice.leave_out.empty()) {
+            stage = "fits that leave something out";
+            Fit everything(experiment, observations);
+            everything.simulator().take_steps(fit.simulator().steps());
+            everything.take_covariance(std::move(kept));
+            if (everything.move_to(result.values)) {
+                result.left_out = leave_out_in_turn(everything, choice.leave_out, result.simulations);
+            }
+        }
     }
     if (choice.profile && result.white_noise_gain == 0.0) {
         stage = "search of the intervals by profile likelihood";
+        const long before = fit.simulator().simulations();
         profile_intervals(fit.least_squares(), result);
-        result.simulations = fit.simulator().simulations();
+        result.simulations += fit.simulator().simulations() - before;
     }
     result.findings = findings_of(experiment, result);
     if (result.white_noise_gain > 0.0) {
@@ -215,6 +227,7 @@ void identify(const input::Experiment& experiment, const Observations& observati
                 100.0 * (1.0 - std::exp(-result.white_noise_gain))));
     }
     widen_doubtful(experiment.parameters, result);
+    doubt_input_numbers(experiment.parameters, result);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include "diagnosis/fit/left_out.hpp"
 #include "diagnosis/noise/noise_estimate.hpp"
 #include "diagnosis/observations/observations.hpp"
 #include "input/measurements/experiment.hpp"
@@ -85,11 +86,12 @@ struct Identification {
     std::vector<std::string> findings;               ///< what the fitted parameters say of the model, a sentence each
     /// Relative fall of the rms on data that were left out, where white noise predicts better and its fit was kept; otherwise 0.
     double white_noise_gain = 0.0;
-    double widened = 1.0;    ///< factor on all intervals, where the noise of a channel is in doubt
-    Eigen::VectorXd before;  ///< [n_rows] SI, simulated with the case's values
-    Eigen::VectorXd after;   ///< [n_rows] SI
-    double misfit = 0.0;     ///< sum of the squared whitened residuals
-    double freedom = 0.0;    ///< rows less what the numbers take of them
+    double widened = 1.0;           ///< factor on all intervals, where the noise of a channel is in doubt
+    Eigen::VectorXd before;         ///< [n_rows] SI, simulated with the case's values
+    Eigen::VectorXd after;          ///< [n_rows] SI
+    double misfit = 0.0;            ///< sum of the squared whitened residuals
+    double freedom = 0.0;           ///< rows less what the numbers take of them
+    std::vector<LeftOut> left_out;  ///< laps or recordings, each predicted from the rest; where it was asked for
     bool converged = false;
     int iterations = 0;
     long simulations = 0;
@@ -102,6 +104,7 @@ struct IdentificationOptions {
     /// discretisation error of the grid, so that where there are images it is corrected and what may be left of it
     /// widens the intervals.
     const input::Experiment* finer = nullptr;
+    std::vector<NamedFold> leave_out{};                ///< each is predicted by a fit without it
     std::function<void(long simulations)> progress{};  ///< called after each prediction
 };
 

@@ -4,6 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -53,6 +58,25 @@ void widen_doubtful(const std::vector<solver::FreeParameter>& parameters, Identi
         one.high_is_open = one.high_is_open || high > parameter.high;
         one.low = std::max(parameter.low, low);
         one.high = std::min(parameter.high, high);
+    }
+}
+
+void doubt_input_numbers(const std::vector<solver::FreeParameter>& parameters, Identification& into) {
+    std::vector<std::string> names;
+    for (std::size_t j = 0; j < into.fitted.size(); ++j) {
+        Fitted& one = into.fitted[j];
+        if (parameters[j].kind == solver::FreeParameter::Kind::input &&
+            one.identifiability == Identifiability::determined) {
+            one.identifiability = Identifiability::doubtful;
+            names.push_back(parameters[j].name);
+        }
+    }
+    if (!names.empty()) {
+        into.findings.push_back(
+            fmt::format("{}: temperatures tell a number of the car only as well as its model knows the slips of the "
+                        "tires. The interval "
+                        "does not hold the errors of that model; it has missed the mass of a car that was known",
+                        input::listed(names)));
     }
 }
 

@@ -111,7 +111,7 @@ LapChoice choose_laps(const std::string& text, const Laps& laps) {
     const std::optional<std::vector<Range>> ranges = read_ranges(text);
     if (!ranges) {
         return {.error = fmt::format("laps is \"{}\"; numbers of laps are wanted", text),
-                .remedy = "write laps = \"2\", \"3-9\" or \"2,3\""};
+                .remedy = "write laps = \"2\", \"3-9\" or \"2, 4-6\""};
     }
     if (laps.laps.empty()) {
         return {.error = "no laps are known of the file: it has no marks between laps and no column that counts them",
@@ -131,16 +131,19 @@ LapChoice choose_laps(const std::string& text, const Laps& laps) {
             chosen[i] = chosen[i] || (laps.laps[i].number >= range.first && laps.laps[i].number <= range.last);
         }
     }
-    const auto first = std::ranges::find(chosen, true);
-    const auto behind = std::find(first, chosen.end(), false);
-    if (std::find(behind, chosen.end(), true) != chosen.end()) {
-        return {
-            .error = fmt::format("the laps \"{}\" do not follow one another: a run is one stretch of time", text),
-            .remedy = "write a [[run]] with the same file for each stretch, such as laps = \"2\" and laps = \"4-6\""};
+    const auto first = static_cast<std::size_t>(std::ranges::find(chosen, true) - chosen.begin());
+    std::size_t last = chosen.size() - 1;
+    while (!chosen[last]) {
+        --last;
     }
-    const Lap& last = laps.laps[static_cast<std::size_t>(behind - chosen.begin()) - 1];
-    return {.window =
-                LapWindow{.from = laps.laps[static_cast<std::size_t>(first - chosen.begin())].start, .to = last.end}};
+    LapChoice choice{.window = LapWindow{.from = laps.laps[first].start, .to = laps.laps[last].end},
+                     .first_ends = laps.laps[first].end};
+    for (std::size_t i = first; i < last; ++i) {
+        if (!chosen[i]) {
+            choice.left_out.push_back({.from = laps.laps[i].start, .to = laps.laps[i].end});
+        }
+    }
+    return choice;
 }
 
 std::string lap_time(double seconds) {

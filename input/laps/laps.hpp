@@ -46,10 +46,13 @@ struct LapWindow {
     double from = 0.0;  ///< s
     double to = 0.0;    ///< s
 };
-/// What `laps = "3-9"` says: laps that follow one another, as "2", "3-9" or "2,3,4".
+/// What `laps = "3-9"` says, as "2", "3-9" or "2, 4-6": from the first of them to the last, and the laps between them that are left
+/// out.
 /// @returns the window, or what is wrong with the choice, with the laps that there are
 struct LapChoice {
     std::optional<LapWindow> window{};
+    double first_ends = 0.0;            ///< s, the first lap that was chosen
+    std::vector<LapWindow> left_out{};  ///< within the window, ascending
     std::optional<std::string> error{};
     std::string remedy{};
 };

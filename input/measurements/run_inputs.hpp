@@ -14,10 +14,16 @@ namespace tiretherm::input {
 struct RunFile {
     DataFile file;
     RunColumns columns;
-    std::vector<double> time{};  ///< s, ascending, all samples; empty after an error
-    std::size_t first = 0;       ///< sample within `from` and `to` of the run
-    std::size_t last = 0;        ///< one past the last of them
-    Laps laps{};                 ///< of the whole file
+    std::vector<double> time{};         ///< s, ascending, all samples; empty after an error
+    std::size_t first = 0;              ///< sample within `from` and `to` of the run
+    std::size_t last = 0;               ///< one past the last of them
+    Laps laps{};                        ///< of the whole file
+    std::vector<LapWindow> left_out{};  ///< whose readings do not count
+    LapWindow before{};                 ///< s, the lap that is driven before the run
+    int repeats = 0;                    ///< how many times
+
+    /// By how much the run starts before its first sample. @returns s
+    [[nodiscard]] double lead() const { return repeats * (before.to - before.from); }
 };
 
 /// Opens the run's file and finds its samples; nothing after an error.

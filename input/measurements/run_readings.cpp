@@ -29,7 +29,10 @@ public:
     Samples(const RunFile& file, const solver::Settings& settings) {
         for (std::size_t i = file.first; i < file.last; ++i) {
             const double t = file.time[i];
-            if (t >= settings.start && t <= settings.end && (i == file.first || t != file.time[i - 1])) {
+            const bool is_left_out =
+                std::ranges::any_of(file.left_out, [&](const LapWindow& lap) { return t >= lap.from && t < lap.to; });
+            if (t >= settings.start && t <= settings.end && (i == file.first || t != file.time[i - 1]) &&
+                !is_left_out) {
                 rows_.push_back(i);
             }
         }

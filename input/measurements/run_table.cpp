@@ -18,6 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int most_repeats = 20;
+
 /// start_line = [[51.2077, -1.6089], [51.2078, -1.6086]], in degrees.
 void read_start_line(TomlTable& table, RunTable& run) {
     const TomlValue* value = table.content().find("start_line");
@@ -60,6 +62,11 @@ void read_window(TomlTable& table, RunTable& run) {
             }
         }
     }
+    run.repeat_first_lap = table.count("repeat_first_lap", 0, most_repeats).value_or(0);
+    if (run.repeat_first_lap > 0 && !run.laps) {
+        table.add_error("repeat_first_lap", "repeat_first_lap says to drive the first lap before, but not which it is",
+                        "say which laps the run is: laps = \"1-8\"");
+    }
     read_start_line(table, run);
 }
 
@@ -100,7 +107,7 @@ RunTable read_run(TomlTable& table) {
     RunTable run{.table = &table.content(), .place = table.place(), .name = {}};
     const std::optional<std::string> file = table.text("file");
     table.declare_keys({"name", "drive", "initial", "time", "measured", "vehicle", "columns", "units", "unit_names",
-                        "ignore", "hold", "keep_suspicious", "from", "to", "laps", "start_line"});
+                        "ignore", "hold", "keep_suspicious", "from", "to", "laps", "repeat_first_lap", "start_line"});
     read_corners_of_run(table);
     if (file) {
         run.place = table.place("file");
@@ -108,7 +115,7 @@ RunTable read_run(TomlTable& table) {
         run.file = (beside / *file).lexically_normal();
     } else {
         for (const std::string_view key : {"columns", "units", "unit_names", "ignore", "hold", "keep_suspicious",
-                                           "from", "to", "laps", "start_line"}) {
+                                           "from", "to", "laps", "repeat_first_lap", "start_line"}) {
             if (table.has(key)) {
                 table.add_error(key, fmt::format("{} speaks of a file, and the run has none", key),
                                 "add file = \"....csv\"");

@@ -87,6 +87,7 @@ struct RunTable {
     std::optional<double> from{};           ///< s
     std::optional<double> to{};             ///< s
     std::optional<LocatedString> laps{};    ///< in the place of from and to
+    int repeat_first_lap = 0;               ///< so many times the first of the laps goes before
     std::optional<StartLine> start_line{};  ///< where laps begin
     std::vector<FramesOfRun> frames{};
 };

@@ -15,6 +15,7 @@
 #include "input/columns/instruments.hpp"
 #include "input/corners/corner.hpp"
 #include "input/effects/user_effects.hpp"
+#include "input/measurements/pyrometer.hpp"
 #include "input/measurements/run_readings.hpp"
 #include "input/model/probes.hpp"
 #include "input/parameters/hot_spots.hpp"
@@ -191,6 +192,7 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
             table.keys->allow_unknown_keys();
         }
         builder.problem.name = name;
+        add_pyrometer_readings(reading.document, table, file ? &*file : nullptr, tables, errors);
         if (measured) {
             builder.run = read_run_inputs(table, file ? &*file : nullptr, errors);
             if (file) {
@@ -200,8 +202,8 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
         TomlTable root(reading.document, "the case", errors);
         root.declare_keys({"include", "unset"});
         read_tables(root, builder);
-        root.declare_keys(
-            {"run", "data", "parameter", "identify", "diagnose", "instrument", "critical", "uncertain", "corner"});
+        root.declare_keys({"run", "data", "parameter", "identify", "diagnose", "instrument", "critical", "uncertain",
+                           "corner", "pyrometer"});
         run.name = table.name;
         run.recording = table.recording;
         run.corner = table.corner;

@@ -40,7 +40,7 @@ std::optional<double> first_air(const ProblemBuilder& builder) {
 /// The sensors' mean at the start of the run, in its first second. @param sensor its name, or that of an array
 std::optional<double> first_reading(const ProblemBuilder& builder, std::string_view sensor) {
     constexpr double span = 1.0;  // s
-    const double start = builder.problem.settings.start;
+    const double start = builder.problem.settings.start + (builder.run ? builder.run->lead : 0.0);
     double sum = 0.0;
     int count = 0;
     for (const StartReading& one : builder.run ? builder.run->start_readings : std::vector<StartReading>{}) {

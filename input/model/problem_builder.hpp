@@ -56,7 +56,8 @@ struct RunInputs {
     std::vector<UserColumn> columns{};    ///< that user effects follow; without points after an error
     std::vector<std::string> headings{};  ///< of all columns of the file
     std::vector<StartReading> start_readings{};
-    std::optional<double> first{};  ///< s, first time in the file
+    std::optional<double> first{};  ///< s, first time in the file, less `lead`
+    double lead = 0.0;              ///< s, for which laps are driven before
     std::optional<double> last{};   ///< s, last time in the file
 
     /// Whether the run has a value of its own for the key of a table.

@@ -123,6 +123,16 @@ TomlValue initial_value(const solver::Problem& problem) {
     return table;
 }
 
+/// The numbers of the car that were fitted.
+void lay_vehicle_over(TomlValue& over, const FittedCase& fitted) {
+    for (const solver::FreeParameter& number : fitted.parameters) {
+        if (number.kind == Kind::input) {
+            lay_over(over, ParameterPath::of(*fitted.fitted, number),
+                     quantity_value(fitted.fitted->input_numbers[number.parameter], number.unit));
+        }
+    }
+}
+
 /// A value of the case as a value in braces or brackets, whether or not it had a heading of its own.
 TomlValue in_one_line(TomlValue value) {
     value.in_braces = true;
@@ -249,6 +259,7 @@ std::string fitted_case(const FittedCase& fitted, const fs::path& folder) {
     }
     lay_effects_over(over, *fitted.before, *fitted.fitted, fitted.parameters, fitted.user_effects);
     lay_laws_over(over, fitted, original);
+    lay_vehicle_over(over, fitted);
     lay_corners_over(over, fitted);
     lay_runs_over(over, fitted, original, folder);
     return heading(fitted) + toml_text::document(over);

@@ -9,6 +9,7 @@
 
 #include "input/effects/user_effects.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/vehicle/vehicle_numbers.hpp"
 #include "physics/signals.hpp"
 #include "physics/user_effect_place.hpp"
 
@@ -162,6 +163,8 @@ ParameterPath ParameterPath::of(const solver::Problem& problem, const solver::Fr
             return path_of({"mesh", "link_conductivity"});
         case Kind::initial:
             return path_of({"initial", initial_word(problem.mesh, number.nodes)});
+        case Kind::input:
+            return path_of({"vehicle", std::string(vehicle_numbers()[number.parameter].key)});
     }
     return {};
 }

@@ -131,6 +131,9 @@ bool same(const FreeParameter& a, const FreeParameter& b) {
     if (a.kind != b.kind || !share_a_run) {
         return false;
     }
+    if (a.kind == FreeParameter::Kind::input) {
+        return a.parameter == b.parameter;
+    }
     return a.kind == FreeParameter::Kind::effect
                ? address(a) == address(b)
                : a.kind == FreeParameter::Kind::link_conductivity || meet(a.layers, b.layers) || meet(a.nodes, b.nodes);

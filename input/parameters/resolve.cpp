@@ -78,6 +78,9 @@ std::optional<FreeParameters> resolve(const ParameterPath& path, const CaseAsRea
     if (first == "camera") {
         return resolve_camera(path, in);
     }
+    if (first == "vehicle") {
+        return resolve_vehicle(path, in);
+    }
     if (first == "initial") {
         return resolve_initial(path, in);
     }
@@ -88,7 +91,7 @@ std::optional<FreeParameters> resolve(const ParameterPath& path, const CaseAsRea
         return resolve_material(path, in, knots);
     }
     in.errors.add(path.keys.front().place, fmt::format("{} is not a number that a fit can free", path.text()),
-                  "name a number of [effects], [[source]], [[exchange]], [[camera]] or [initial], "
+                  "name a number of [effects], [[source]], [[exchange]], [[camera]], [vehicle] or [initial], "
                   "material.NAME.conductivity, material.NAME.heat_capacity or mesh.link_conductivity");
     return std::nullopt;
 }

@@ -49,6 +49,7 @@ struct CaseAsRead {
                                                              const Knots& knots);
 [[nodiscard]] std::optional<FreeParameters> resolve_link(const ParameterPath& path, const CaseAsRead& in,
                                                          const Knots& knots);
+[[nodiscard]] std::optional<FreeParameters> resolve_vehicle(const ParameterPath& path, const CaseAsRead& in);
 [[nodiscard]] std::optional<FreeParameters> resolve_initial(const ParameterPath& path, const CaseAsRead& in);
 
 }  // namespace tiretherm::input

@@ -244,6 +244,11 @@ link = "conductivity"
 at = "70 degC"
 [[corner]]
 name = "FL"
+[[pyrometer]]
+run = "warm-up"
+sensors = ["bulk_temperature"]
+uncertainty = "2 K"
+FL = ["42 degC", "43 degC", "41 degC"]
 [[run]]
 name = "warm-up"
 file = "run.csv"

@@ -16,10 +16,11 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr double slowest = 1.0;         ///< m/s, below which no yaw rate is taken from a_y / V
-constexpr double sure = 0.5;            ///< correlation from which two signals are known to be the same
-constexpr double slope_of_speed = 1.0;  ///< s, over which the acceleration is taken from the speed
-constexpr double released = 0.02;       ///< of the highest brake pressure
+constexpr double slowest = 1.0;             ///< m/s, below which no yaw rate is taken from a_y / V
+constexpr double sure = 0.5;                ///< correlation from which two signals are known to be the same
+constexpr double slope_of_speed = 1.0;      ///< s, over which the acceleration is taken from the speed
+constexpr double least_of_wheelbase = 0.1;  ///< is L + K V^2 of a car whose turn the steering tells
+constexpr double released = 0.02;           ///< of the highest brake pressure
 
 using Values = std::vector<double>;
 
@@ -28,6 +29,7 @@ struct Reader {
     const VehicleSettings& settings;
     const VehicleLog& log;
     InputErrors& errors;
+    bool again = false;  ///< the log has been found sound, with other numbers of the car
     MotionHistory out{};
     Values speed{};
     Values yaw{};
@@ -75,15 +77,17 @@ bool Reader::read_yaw_rate() {
     if (!log.lateral_acceleration.time.empty() || log.steering_wheel_angle.time.empty()) {
         return true;  // from the lateral acceleration
     }
-    if (settings.steering_ratio <= 0.0) {
+    const double ratio = settings.numbers[VehicleNumber::steering_ratio];
+    if (std::isnan(ratio)) {
         errors.add(settings.place, "the turns follow from steering_wheel_angle, but the steering ratio is not given",
                    "add steering_ratio = 15, the steering wheel's angle over that of the road wheels");
         return false;
     }
-    const double gradient = settings.vehicle.understeer_gradient();
-    const double wheelbase = settings.vehicle.wheelbase();
+    const physics::Vehicle vehicle = vehicle_of(settings.numbers, settings.kind);
+    const double gradient = vehicle.understeer_gradient();
+    const double wheelbase = vehicle.wheelbase();
     const double fastest = std::ranges::max(speed);
-    if (wheelbase + gradient * fastest * fastest <= 0.1 * wheelbase) {
+    if (!again && wheelbase + gradient * fastest * fastest <= least_of_wheelbase * wheelbase) {
         errors.add(settings.place,
                    fmt::format("the car oversteers and is near its critical speed of {:.4g} km/h, where the steering "
                                "does not tell the turn",
@@ -94,7 +98,8 @@ bool Reader::read_yaw_rate() {
     const Values steer = smooth(log.steering_wheel_angle, settings.steering, "steering_wheel_angle", 1.0, "rad");
     yaw.resize(speed.size());
     for (std::size_t i = 0; i < speed.size(); ++i) {
-        yaw[i] = speed[i] * steer[i] / settings.steering_ratio / (wheelbase + gradient * speed[i] * speed[i]);
+        const double length = wheelbase + gradient * speed[i] * speed[i];
+        yaw[i] = speed[i] * steer[i] / ratio / std::max(length, least_of_wheelbase * wheelbase);
     }
     say(
         fmt::format("yaw rate and lateral acceleration follow from steering_wheel_angle, positive to the {}, by the "
@@ -179,15 +184,14 @@ bool Reader::read_longitudinal() {
     return true;
 }
 
-}  // namespace
-
-std::optional<MotionHistory> motion_of(const VehicleSettings& settings, const VehicleLog& log, InputErrors& errors) {
+std::optional<MotionHistory> read_motion(const VehicleSettings& settings, const VehicleLog& log, InputErrors& errors,
+                                         bool again) {
     if (log.speed.time.empty()) {
         errors.add(settings.place, "the speed of the car is not given",
                    "give the run's file a column speed, or rename one: columns = { V = \"speed\" }");
         return std::nullopt;
     }
-    Reader reader{.settings = settings, .log = log, .errors = errors};
+    Reader reader{.settings = settings, .log = log, .errors = errors, .again = again};
     reader.out.time = clock_of(log);
     if (reader.out.time.size() < 2) {
         // A constant speed and nothing else that is logged.
@@ -221,6 +225,17 @@ std::optional<MotionHistory> motion_of(const VehicleSettings& settings, const Ve
                                      .brakes_released = !brake.empty() && brake[i] <= pressed});
     }
     return std::move(reader.out);
+}
+
+}  // namespace
+
+std::optional<MotionHistory> motion_of(const VehicleSettings& settings, const VehicleLog& log, InputErrors& errors) {
+    return read_motion(settings, log, errors, false);
+}
+
+MotionHistory motion_again(const VehicleSettings& settings, const VehicleLog& log) {
+    InputErrors none;  // of a log that is sound
+    return read_motion(settings, log, none, true).value();
 }
 
 }  // namespace tiretherm::input

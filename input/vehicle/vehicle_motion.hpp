@@ -22,5 +22,8 @@ struct MotionHistory {
 /// known from the steering alone, and signs that contradict each other.
 [[nodiscard]] std::optional<MotionHistory> motion_of(const VehicleSettings& settings, const VehicleLog& log,
                                                      InputErrors& errors);
+/// The same for a car with other numbers, of a log from which a motion has been taken. Beyond the critical speed of a car that
+/// oversteers, the turn that the steering tells no longer grows.
+[[nodiscard]] MotionHistory motion_again(const VehicleSettings& settings, const VehicleLog& log);
 
 }  // namespace tiretherm::input

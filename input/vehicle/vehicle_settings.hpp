@@ -5,8 +5,7 @@
 #include <optional>
 
 #include "input/model/problem_builder.hpp"
-#include "physics/vehicle/brake.hpp"
-#include "physics/vehicle/vehicle.hpp"
+#include "input/vehicle/vehicle_numbers.hpp"
 
 /// From the log of a car to the inputs of each of its tires.
 namespace tiretherm::input {
@@ -15,16 +14,17 @@ namespace tiretherm::input {
 enum class TurnSign : std::uint8_t { left, right, automatic };
 
 struct VehicleSettings {
-    physics::Vehicle vehicle{};
+    VehicleNumbers numbers{};
+    VehicleKind kind{};
     physics::Corner corner = physics::Corner::front_left;
-    physics::Brake brake{};       ///< of each wheel
-    double steering_ratio = 0.0;  ///< steering wheel over road wheels; 0: not given
-    double smoothing = 0.2;       ///< s
+    double smoothing = 0.2;  ///< s
     TurnSign lateral_acceleration = TurnSign::automatic;
     TurnSign yaw_rate = TurnSign::left;
     TurnSign steering = TurnSign::left;
-    bool has_slip_ratio = true;  ///< the tires have a longitudinal law
     SourceLocation place{};
+
+    /// Whether the tires have a longitudinal law.
+    [[nodiscard]] bool has_slip_ratio() const { return !kind.law || (kind.law->pCx1 != 0.0 && kind.law->pDx1 != 0.0); }
 };
 
 /// Reads [vehicle]. @returns nothing after an error, all of which are reported, or without the table

@@ -15,32 +15,16 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr QuantitySpec cornering{
-    .unit = "N radian-1", .low = 0.0, .high = 1e7, .above = true, .usual_low = 5e3, .usual_high = 1e6};
-constexpr QuantitySpec slip{.unit = "N", .low = 0.0, .high = 1e7, .above = true, .usual_low = 5e3, .usual_high = 1e6};
-constexpr QuantitySpec friction_spec{
-    .unit = "1", .low = 0.0, .high = 10.0, .above = true, .usual_low = 0.2, .usual_high = 2.5};
-constexpr QuantitySpec scale{.unit = "1", .low = 0.0, .high = 10.0, .above = true, .usual_low = 0.5, .usual_high = 1.5};
-
 constexpr std::array<std::string_view, 4> stiffness_keys{"front_cornering_stiffness", "rear_cornering_stiffness",
                                                          "front_slip_stiffness", "rear_slip_stiffness"};
 
-/// Factors on the friction and the stiffness of a property file.
-struct Scales {
-    double friction = 1.0;
-    double stiffness = 1.0;
-};
+void take(TomlTable& table, VehicleNumber number, VehicleSettings& settings, Need need = Need::optional) {
+    const VehicleNumberSpec& its = spec_of(number);
+    settings.numbers[number] = table.quantity(its.key, its.spec, need).value_or(its.absent);
+}
 
-void use(const physics::MagicFormula& law, const Scales& scales, const TomlTable& table, VehicleSettings& settings) {
-    physics::MagicFormula scaled = law;
-    scaled.lambda.mux *= scales.friction;
-    scaled.lambda.muy *= scales.friction;
-    scaled.lambda.Kx *= scales.stiffness;
-    scaled.lambda.Ky *= scales.stiffness;
-    settings.has_slip_ratio = scaled.pCx1 != 0.0 && scaled.pDx1 != 0.0;
-    for (physics::Axle& axle : settings.vehicle.axles) {
-        axle.tire.magic_formula = scaled;
-    }
+void use(const physics::MagicFormula& law, const TomlTable& table, VehicleSettings& settings) {
+    settings.kind.law = law;
     if (table.has("friction")) {
         table.add_error("friction", "friction belongs to stiffnesses, and the tires are those of a property file",
                         "write friction_scale = 0.9, a factor on that of the file");
@@ -56,15 +40,12 @@ void read_stiffnesses(TomlTable& table, VehicleSettings& settings) {
                         "kN/rad\" and the other three");
         return;
     }
-    auto& axles = settings.vehicle.axles;
-    axles[0].tire.cornering_stiffness = table.quantity(stiffness_keys[0], cornering, Need::required).value_or(1.0);
-    axles[1].tire.cornering_stiffness = table.quantity(stiffness_keys[1], cornering, Need::required).value_or(1.0);
-    axles[0].tire.slip_stiffness = table.quantity(stiffness_keys[2], slip, Need::required).value_or(1.0);
-    axles[1].tire.slip_stiffness = table.quantity(stiffness_keys[3], slip, Need::required).value_or(1.0);
-    const std::optional<double> friction = table.quantity("friction", friction_spec);
-    for (physics::Axle& axle : axles) {
-        axle.tire.friction = friction.value_or(axle.tire.friction);
+    using enum VehicleNumber;
+    for (const VehicleNumber number :
+         {front_cornering_stiffness, rear_cornering_stiffness, front_slip_stiffness, rear_slip_stiffness}) {
+        take(table, number, settings, Need::required);
     }
+    take(table, friction, settings);
     for (const std::string_view key : {"friction_scale", "stiffness_scale"}) {
         if (table.has(key)) {
             table.add_error(key, fmt::format("{} is a factor on a property file, and the tires are stiffnesses", key),
@@ -85,8 +66,8 @@ void read_vehicle_tires(TomlTable& table, const ProblemBuilder& builder, Vehicle
             stiffnesses.emplace_back(key);
         }
     }
-    const Scales scales{.friction = table.quantity("friction_scale", scale).value_or(1.0),
-                        .stiffness = table.quantity("stiffness_scale", scale).value_or(1.0)};
+    take(table, VehicleNumber::friction_scale, settings);
+    take(table, VehicleNumber::stiffness_scale, settings);
     const std::optional<std::string> path = table.text("property_file");
     if (path && !stiffnesses.empty()) {
         table.add_error("property_file",
@@ -98,10 +79,10 @@ void read_vehicle_tires(TomlTable& table, const ProblemBuilder& builder, Vehicle
         const SourceLocation mentioned = table.place("property_file");
         const std::filesystem::path beside = std::filesystem::path(table.errors().file(mentioned.file)).parent_path();
         if (const auto file = read_tir_file((beside / *path).lexically_normal(), mentioned, table.errors())) {
-            use(file->law, scales, table, settings);
+            use(file->law, table, settings);
         }
     } else if (stiffnesses.empty() && builder.problem.handling.magic_formula) {
-        use(*builder.problem.handling.magic_formula, scales, table, settings);
+        use(*builder.problem.handling.magic_formula, table, settings);
     } else if (stiffnesses.empty() && table.has("property_file")) {
         return;  // no text, which has been reported
     } else {

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "post/comparison/comparison_sentences.hpp"
+#include "post/comparison/corner_sections.hpp"
+#include "post/comparison/figure_fields.hpp"
 #include "post/page/measured_chart.hpp"
 #include "post/report/number_text.hpp"
 
@@ -16,26 +18,6 @@ namespace tiretherm::post {
 using namespace diagnosis;  // whose results are rendered here
 
 namespace {
-
-/// A difference in the unit of its channel.
-Cell cell(const ComparedChannel& channel, double difference) {
-    return {channel.unit.difference(difference), shown(channel, difference)};
-}
-
-DataTable::Row figures(const ComparedChannel& channel, const Figures& f, bool with_scatter) {
-    const Cell scatter = cell(channel, f.scatter);
-    return {{"samples", "samples", count(f.samples)},
-            {"bias", "bias", {channel.unit.difference(f.bias), shown_signed(channel, f.bias)}},
-            {"+-", "bias_deviation", cell(channel, f.bias_deviation)},
-            {"rms", "rmse", cell(channel, f.rmse)},
-            with_scatter ? Field("scatter", "scatter", scatter) : data_only("scatter", scatter.value),
-            data_only("independent_samples", f.independent)};
-}
-
-DataTable::Row joined(DataTable::Row row, const DataTable::Row& rest) {
-    row.insert(row.end(), rest.begin(), rest.end());
-    return row;
-}
 
 DataTable phases(const ComparedChannel& channel) {
     DataTable table;
@@ -185,98 +167,6 @@ Section by_signal(const ComparedChannel& channel) {
     return section;
 }
 
-/// Each channel by corner, and what the corners have in common. Empty where the case has no corners.
-Section by_corner(const Comparison& comparison, Value::List& data) {
-    Section section("Corners");
-    DataTable table;
-    for (const ComparedChannel& channel : comparison.channels) {
-        for (const CornerFigures& corner : channel.corners) {
-            const bool is_first = &corner == &channel.corners.front();
-            DataTable::Row row{
-                {"channel", "channel", {channel.name, is_first ? channel.name : "", false}},
-                {"unit", "unit", {difference_unit(channel), is_first ? difference_unit(channel) : "", false}},
-                {"corner", "corner", corner.corner}};
-            row = joined(std::move(row), figures(channel, corner.figures, true));
-            for (const Phase phase : diagnosis::phases) {
-                const auto one = std::ranges::find(corner.phases, phase, &PhaseFigures::phase);
-                if (std::ranges::find(channel.phases, phase, &PhaseFigures::phase) != channel.phases.end()) {
-                    const double bias = one == corner.phases.end() ? std::nan("") : one->figures.bias;
-                    row.push_back(
-                        {fmt::format("bias {}", name_of(phase)),
-                         fmt::format("bias_{}", name_of(phase)),
-                         {channel.unit.difference(bias), std::isnan(bias) ? "-" : shown_signed(channel, bias)}});
-                }
-            }
-            table.add(std::move(row));
-        }
-    }
-    if (table.empty()) {
-        return section;
-    }
-    section.add(std::move(table));
-    for (const ComparedChannel& channel : comparison.channels) {
-        for (const CommonBias& common : channel.common) {
-            const std::string sentence = corner_sentence(channel, common);
-            data.push_back({{"channel", channel.name},
-                            {"phase", name_of(common.phase)},
-                            {"corners", common.corners},
-                            {"group", text_or_null(common.group)},
-                            {"least_bias", channel.unit.difference(common.least)},
-                            {"most_bias", channel.unit.difference(common.most)},
-                            {"sentence", sentence}});
-            section.item(sentence);
-        }
-    }
-    return section;
-}
-
-/// Each channel lap by lap: a row for each lap, a column for each run. Empty where no run has several laps.
-Section by_lap(const Comparison& comparison, Value::List& data) {
-    Section section("Laps");
-    DataTable table;
-    for (const ComparedChannel& channel : comparison.channels) {
-        std::vector<std::pair<int, std::string>> numbers;  // and what they are called
-        for (const LapFigures& one : channel.laps) {
-            const std::pair lap{one.lap.number, one.lap.kind == input::LapKind::out  ? std::string("out")
-                                                : one.lap.kind == input::LapKind::in ? std::string("in")
-                                                                                     : std::to_string(one.lap.number)};
-            if (std::ranges::find(numbers, lap) == numbers.end()) {
-                numbers.push_back(lap);
-            }
-            data.push_back({{"channel", channel.name},
-                            {"run", comparison.runs[one.run]},
-                            {"lap", lap.second},
-                            {"seconds", one.lap.end - one.lap.start},
-                            {"bias", channel.unit.difference(one.figures.bias)},
-                            {"rmse", channel.unit.difference(one.figures.rmse)}});
-        }
-        if (numbers.size() < 2) {
-            continue;
-        }
-        std::ranges::sort(numbers);
-        for (const auto& [number, name] : numbers) {
-            const bool is_first = number == numbers.front().first;
-            DataTable::Row row{page_only("channel", is_first ? channel.name : ""),
-                               page_only("unit", is_first ? difference_unit(channel) : ""),
-                               page_only("lap", right(name))};
-            for (const RunFigures& run : channel.runs) {
-                const auto own = std::ranges::find_if(channel.laps, [&, wanted = number](const LapFigures& one) {
-                    return one.run == run.run && one.lap.number == wanted;
-                });
-                row.push_back(page_only(
-                    "bias " + comparison.runs[run.run],
-                    own == channel.laps.end() ? right("-") : right(shown_signed(channel, own->figures.bias))));
-            }
-            table.add_to_page(std::move(row));
-        }
-    }
-    if (!table.empty()) {
-        section.add(std::move(table));
-        section.say("bias: mean of simulated - measured in the lap.");
-    }
-    return section;
-}
-
 DataTable single_numbers(const Comparison& comparison) {
     DataTable table;
     for (const ComparedNumber& n : comparison.numbers) {
@@ -370,12 +260,7 @@ Report comparison_report(const Comparison& comparison, const std::vector<std::fi
     if (!comparison.channels.empty()) {
         report.add(per_run(comparison, std::move(of_channels)));
         report.add(interpretation(comparison));
-        Value::List common;
-        report.add(by_corner(comparison, common));
-        report.data.set("common_to_corners", std::move(common));
-        Value::List laps;
-        report.add(by_lap(comparison, laps));
-        report.data.set("laps", std::move(laps));
+        add_corners_and_laps(report, comparison.channels, comparison.runs);
         std::vector<RunInputs> inputs;
         for (std::size_t r = 0; r < comparison.inputs.size(); ++r) {
             inputs.push_back({.run = comparison.runs[r], .inputs = &comparison.inputs[r], .laps = comparison.laps[r]});

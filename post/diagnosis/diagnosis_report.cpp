@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "diagnosis/detect/confounded_effects.hpp"
+#include "post/comparison/corner_sections.hpp"
 #include "post/diagnosis/diagnosis_charts.hpp"
 #include "post/diagnosis/diagnosis_report.hpp"
 #include "post/diagnosis/diagnosis_sentences.hpp"
@@ -207,7 +208,7 @@ Section next_section(const Diagnosis& result) {
     return section;
 }
 
-std::string unit_of(const solver::Channel& channel) {
+std::string shown_name_of_unit(const solver::Channel& channel) {
     return channel.quantity == solver::Quantity::temperature ? "K" : solver::shown_unit(channel.quantity).name;
 }
 
@@ -218,7 +219,7 @@ DataTable channels(const DiagnosisRecord& record) {
         const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
         const auto show = [&](double si) { return shown("{:.3g}", unit.difference(si)); };
         table.add({{"channel", "name", channel.name},
-                   {"unit", "unit", unit_of(channel)},
+                   {"unit", "unit", shown_name_of_unit(channel)},
                    {"rms before", "rmse_before", show(gain.rmse_before)},
                    {"after", "rmse_after", show(gain.rmse_after)},
                    {"held out before", "heldout_before", show(gain.heldout_before)},
@@ -312,7 +313,7 @@ DataTable model_error(const DiagnosisRecord& record) {
         const solver::Channel& channel = record.experiment.runs.front().problem.channels[error.channel];
         const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
         table.add({{"channel", "channel", channel.name},
-                   page_only("unit", unit_of(channel)),
+                   page_only("unit", shown_name_of_unit(channel)),
                    {"beyond the noise, rms", "size", shown("{:.2g}", unit.difference(error.size))},
                    {"forgets itself in s", "time_scale", shown("{:.2g}", error.time_scale)}});
     }
@@ -354,7 +355,7 @@ DataTable noise(const DiagnosisRecord& record) {
         const auto show = [&](double si) { return shown("{:.3g}", unit.difference(si)); };
         const std::string time = noise.white_share < 1.0 ? fmt::format("{:.3g} s", noise.correlation_time) : "white";
         table.add({{"channel", "channel", channel.name},
-                   page_only("unit", unit_of(channel)),
+                   page_only("unit", shown_name_of_unit(channel)),
                    {"sigma", "sigma", show(noise.sigma)},
                    page_only("data sheet", channel.standard_deviation ? show(*channel.standard_deviation) : right("-")),
                    page_only("correlation time", right(time)),
@@ -425,6 +426,9 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
     }
     report.add(next_section(result));
     report.add(residual_breakdown(record));
+    const bool is_extended = models.size() > 1;
+    add_observed_corners(report, record.experiment, record.observations, is_extended ? result.extended : result.base,
+                         is_extended ? " with the extended model" : " after the fit");
     report.add(missing_heat_section(record));
     report.add(causes_section(result));
     report.add(Section("Upper limits (95 %)", std::move(of_limits)));

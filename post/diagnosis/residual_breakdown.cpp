@@ -3,11 +3,10 @@
 #include "post/diagnosis/residual_breakdown.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include <fmt/format.h>
 
-#include "diagnosis/compare/comparison_regressors.hpp"
+#include "diagnosis/compare/observed_comparison.hpp"
 #include "post/comparison/comparison_sentences.hpp"
 #include "post/report/number_text.hpp"
 
@@ -19,35 +18,6 @@ namespace {
 
 /// Signals reported for each channel.
 constexpr std::size_t most_signals = 3;
-
-/// One channel of one run.
-ComparedSeries series_of(const DiagnosisRecord& record, const Block& block, const Eigen::VectorXd& simulated,
-                         const std::vector<Regressor>& regressors) {
-    const Observations::Row& first = record.observations.rows[static_cast<std::size_t>(block.first)];
-    const input::MeasuredRun& run = record.experiment.runs[first.run];
-    const bool is_temperature = run.problem.channels[first.channel].quantity == solver::Quantity::temperature;
-    ComparedSeries series;
-    series.run = first.run;
-    series.regressor.resize(regressors.size());
-    for (std::size_t i = 0; i < block.time.size(); ++i) {
-        const Eigen::Index row = block.first + static_cast<Eigen::Index>(i);
-        const physics::Inputs inputs = run.problem.input_signals.at(block.time[i], solver::JumpSide::after);
-        series.time.push_back(block.time[i]);
-        series.measured.push_back(record.observations.measured[row]);
-        series.simulated.push_back(simulated[row]);
-        series.surroundings.push_back(0.0);
-        series.phase.push_back(phase_at(run.problem, block.time[i], diagnosis::has_forces(run)));
-        const SampleContext moment{.run = run,
-                                   .sample = block.sample[i],
-                                   .inputs = inputs,
-                                   .simulated = simulated[row],
-                                   .is_temperature = is_temperature};
-        for (std::size_t r = 0; r < regressors.size(); ++r) {
-            series.regressor[r].push_back(regressors[r].value(moment));
-        }
-    }
-    return series;
-}
 
 /// Mean, its deviation and rms, all to the digits that the channel's rms with the base model deserves.
 void add_figures(DataTable::Row& row, const char* heading, const ComparedChannel& channel, const Figures& f) {
@@ -132,41 +102,14 @@ DataTable single_numbers(const DiagnosisRecord& record) {
 
 }  // namespace
 
-std::vector<ComparedChannel> compare_with_measured(const DiagnosisRecord& record, const Eigen::VectorXd& simulated) {
-    const std::vector<Regressor> regressors = regressors_of(record.experiment);
-    std::vector<std::pair<std::string, std::string>> names;
-    for (const Regressor& regressor : regressors) {
-        names.emplace_back(regressor.name, regressor.unit);
-    }
-    std::map<std::size_t, ComparedChannel> channels;  // in the case's order
-    for (const Block& block : record.observations.blocks) {
-        if (block.channel < 0 || block.time.empty()) {
-            continue;
-        }
-        const Observations::Row& first = record.observations.rows[static_cast<std::size_t>(block.first)];
-        const solver::Channel& channel = record.experiment.runs[first.run].problem.channels[first.channel];
-        ComparedChannel& compared = channels[first.channel];
-        compared.name = channel.name;
-        compared.unit = solver::shown_unit(channel.quantity);
-        compared.sensor = channel.standard_deviation.value_or(0.0);
-        compared.sensor_is_stated = channel.standard_deviation.has_value();
-        compared.series.push_back(series_of(record, block, simulated, regressors));
-    }
-    std::vector<ComparedChannel> result;
-    for (auto& [index, channel] : channels) {
-        evaluate(channel, names);
-        result.push_back(std::move(channel));
-    }
-    return result;
-}
-
 Section residual_breakdown(const DiagnosisRecord& record) {
     Section section("Where it shows");
-    const std::vector<ComparedChannel> base = compare_with_measured(record, record.result.base);
+    const std::vector<ComparedChannel> base =
+        compare_observed(record.experiment, record.observations, record.result.base);
     if (!base.empty()) {
         std::vector<ComparedChannel> extended;
         if (record.result.extended != record.result.base) {
-            extended = compare_with_measured(record, record.result.extended);
+            extended = compare_observed(record.experiment, record.observations, record.result.extended);
         }
         section.add(phases(base, extended));
         if (DataTable closest = signals(base, extended); !closest.empty()) {

@@ -2,6 +2,7 @@
 // How channels and single measured numbers fit, as tables, and the cautions about their noise.
 #include "post/identification/fit_section.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -76,6 +77,65 @@ Section fit_section(const IdentificationRecord& record, DataTable of_channels, D
         section.gap();
         section.add(std::move(of_numbers));
         section.say("u: standard uncertainty of the measured value");
+    }
+    return section;
+}
+
+namespace {
+
+/// "air_convection.lambda_h -0.8 sd": the parameter that moves most, in its standard deviations. Starts of what is left out are not
+/// fitted to the rest.
+std::string largest_move(const IdentificationRecord& record, const LeftOut& one, double& moved) {
+    std::string name;
+    moved = 0.0;
+    for (std::size_t j = 0; j < record.result.fitted.size(); ++j) {
+        const Fitted& fitted = record.result.fitted[j];
+        const double by = (one.values[static_cast<Eigen::Index>(j)] - fitted.value) / fitted.standard_deviation;
+        if (std::isfinite(by) && std::abs(by) > std::abs(moved)) {
+            moved = by;
+            name = record.experiment.parameters[j].name;
+        }
+    }
+    return name;
+}
+
+}  // namespace
+
+DataTable left_out_table(const IdentificationRecord& record) {
+    DataTable table;
+    for (const LeftOut& one : record.result.left_out) {
+        double moved = 0.0;
+        const std::string name = largest_move(record, one, moved);
+        for (const LeftOutChannel& part : one.channels) {
+            const bool is_first = &part == &one.channels.front();
+            const solver::Channel& channel =
+                record.experiment.runs.front().problem.channels[record.observations.channels[part.noise]];
+            const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
+            const auto show = [&](double si) { return shown("{:.3g}", unit.difference(si)); };
+            table.add(
+                {{"left out", "left_out", {one.name, is_first ? one.name : "", false}},
+                 {"channel", "channel", record.observations.names[part.noise]},
+                 {"unit", "unit", channel.quantity == solver::Quantity::temperature ? "K" : unit.name},
+                 {"samples", "samples", count(part.samples)},
+                 {"rms fitted", "rmse_fitted", show(part.rms_fitted)},
+                 {"rms predicted", "rmse_predicted", show(part.rms_predicted)},
+                 page_only("moves most", is_first && !name.empty() ? fmt::format("{} {:+.1f} sd", name, moved) : ""),
+                 data_only("values", std::vector<double>(one.values.begin(), one.values.end()))});
+        }
+    }
+    return table;
+}
+
+Section left_out_section(DataTable table) {
+    Section section("Left out in turn");
+    if (!table.empty()) {
+        section.add(std::move(table));
+        section.say(
+            "Each is predicted by a fit without it. Predicted as well as fitted, it holds nothing that the rest does "
+            "not; "
+            "where the prediction is much worse, or a parameter moves by more than 2 standard deviations (sd), the "
+            "model "
+            "is wrong there or elsewhere.");
     }
     return section;
 }

@@ -13,4 +13,8 @@ namespace tiretherm::post {
 /// Both with the cautions about the noise.
 [[nodiscard]] Section fit_section(const IdentificationRecord& record, DataTable of_channels, DataTable of_numbers);
 
+/// What was left out in turn, a row for each channel of it: how well a fit without it predicts it, and which parameter moves most.
+[[nodiscard]] DataTable left_out_table(const IdentificationRecord& record);
+[[nodiscard]] Section left_out_section(DataTable table);
+
 }  // namespace tiretherm::post

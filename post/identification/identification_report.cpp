@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "diagnosis/fit/fit.hpp"
+#include "post/comparison/corner_sections.hpp"
 #include "post/identification/fit_section.hpp"
 #include "post/identification/identifiability_charts.hpp"
 #include "post/identification/identification_report.hpp"
@@ -271,6 +272,10 @@ Report identification_report(const IdentificationRecord& record, const std::vect
     report.add(correlations(record));
     if (!record.planned) {
         report.add(fit_section(record, std::move(of_channels), std::move(of_numbers)));
+        DataTable of_left_out = left_out_table(record);
+        report.data.set("left_out", of_left_out.data());
+        report.add(left_out_section(std::move(of_left_out)));
+        add_observed_corners(report, record.experiment, record.observations, result.after, " after the fit");
         report.add(measured_section(observed_series(record.experiment, record.observations,
                                                     {{"case", &result.before}, {"fitted", &result.after}}),
                                     inputs_of_runs(record.experiment)));

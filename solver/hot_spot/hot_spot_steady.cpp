@@ -13,6 +13,7 @@ std::vector<std::vector<SpotAndSurface>> steady_spots(const Problem& problem, st
     std::vector<std::vector<SpotAndSurface>> found(criticals.size(), std::vector<SpotAndSurface>(steps.size()));
     Problem steady = problem;
     steady.settings.steady = true;
+    steady.input_model = nullptr;
     for (std::size_t s = 0; s < steps.size(); ++s) {
         if (steps[s].ramp) {
             continue;

@@ -79,6 +79,15 @@ void move_parameter(physics::ActiveEffect& active, const FreeParameter& paramete
         {.scope = parameter.scope, .index = parameter.place, .parameter = parameter.parameter, .value = to});
 }
 
+void move_input_number(Problem& problem, std::size_t number, double to) {
+    double& value = problem.input_numbers[number];
+    if (value != to && problem.input_model) {
+        value = to;
+        problem.input_model->apply(problem.input_numbers, problem.input_signals);
+    }
+    value = to;
+}
+
 }  // namespace
 
 const physics::Curve* law_of(const Problem& problem, const FreeParameter& parameter) {
@@ -92,6 +101,7 @@ const physics::Curve* law_of(const Problem& problem, const FreeParameter& parame
             return problem.link_laws.empty() ? nullptr : &problem.link_laws.front();
         case Kind::effect:
         case Kind::initial:
+        case Kind::input:
             return nullptr;
     }
     return nullptr;
@@ -100,6 +110,9 @@ const physics::Curve* law_of(const Problem& problem, const FreeParameter& parame
 double value_of(const Problem& problem, const FreeParameter& parameter) {
     if (const physics::Curve* law = law_of(problem, parameter)) {
         return law->value(parameter.knots[parameter.knot]);
+    }
+    if (parameter.kind == FreeParameter::Kind::input) {
+        return problem.input_numbers[parameter.parameter];
     }
     if (parameter.kind != FreeParameter::Kind::effect) {
         return 0.0;
@@ -113,6 +126,9 @@ void move(Problem& problem, const FreeParameter& parameter, double from, double 
     using Kind = FreeParameter::Kind;
     if (parameter.kind == Kind::effect) {
         move_parameter(problem.effects[parameter.effect], parameter, to);
+    }
+    if (parameter.kind == Kind::input) {
+        move_input_number(problem, parameter.parameter, to);
     }
     for (const int node : parameter.nodes) {
         problem.initial[at(node)] += to - from;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A parameter that fits and sensitivities may move: a parameter of an effect, the value of k(T) or c(T) at a
-// temperature, or an initial temperature.
+// temperature, an initial temperature, or a number by which inputs are computed.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,8 @@ struct FreeParameter {
         conductivity,       ///< a law k(T) of layers, by its value at a temperature
         heat_capacity,      ///< a law c(T) of layers, by its value at a temperature
         link_conductivity,  ///< the law k(T) of the links between lumps, by its value at a temperature
-        initial             ///< the initial temperature of some nodes, as a shift of what the case says
+        initial,            ///< the initial temperature of some nodes, as a shift of what the case says
+        input               ///< a number of the model that computes inputs
     };
 
     std::string name;  ///< "air_convection.lambda_h", "tread.conductivity at 90 degC", "initial"
@@ -32,8 +33,8 @@ struct FreeParameter {
         std::size_t parameter = 0;
         double factor = 1.0;  ///< its value over the parameter's
     };
-    std::size_t effect = 0;  ///< index into Problem::effects
-    std::size_t parameter = 0;
+    std::size_t effect = 0;     ///< index into Problem::effects
+    std::size_t parameter = 0;  ///< of the effect, or index into Problem::input_numbers
     std::vector<Companion> companions{};
     bool everywhere = true;  ///< otherwise at `scope`, `place`
     physics::Scope scope = physics::Scope::patch;

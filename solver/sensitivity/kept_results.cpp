@@ -205,6 +205,10 @@ void add(Digest& digest, const Problem& problem) {
         add(digest, active);
     }
     add(digest, problem.input_signals);
+    digest.add(problem.input_numbers);
+    if (problem.input_model) {
+        problem.input_model->add_to(digest);
+    }
     digest.add(problem.initial);
     add(digest, problem.settings);
     digest.add(problem.channels.size());

@@ -87,7 +87,10 @@ ParameterPerturbation::ParameterPerturbation(const Problem& base, const FreePara
     moves_enthalpy_ = !same_capacity(plus_->system, minus_->system);
     const physics::InputCorrection* moves_inputs =
         parameter.kind == Kind::effect ? base.effects[parameter.effect].effect->input_correction() : nullptr;
+    const bool is_input_number = parameter.kind == Kind::input && base.input_model != nullptr;
     is_delay_ = moves_inputs != nullptr && moves_inputs->delay != nullptr;
+    follows_own_inputs_ = is_input_number;
+    moves_coefficients_ = is_input_number;
     const auto depends_on_inputs = [](const physics::Effect& effect) {
         const physics::InputCorrection* correction = effect.input_correction();
         const physics::PropertyModifier* modifier = effect.property_modifier();
@@ -159,10 +162,12 @@ void ParameterPerturbation::flow(int stage, std::span<const double> T, std::span
                 const double up = plus_->shift > 0.0 ? (ours[i] - between[i]) / plus_->shift : 0.0;
                 const double down = minus_->shift < 0.0 ? (between[i] - theirs[i]) / -minus_->shift : up;
                 const double round_off = 1e-12 * std::abs(between[i]) / width_;
-                // A log bends at each of its samples: what follows a delay has another slope to either side there.
-                has_slope_jump_ = has_slope_jump_ ||
-                                  (!is_delay_ && std::abs(up - down) >
-                                                     slope_jump * std::max(std::abs(up), std::abs(down)) + round_off);
+                // A log bends at each of its samples: what follows a delay has another slope to either side there. So has
+                // one sample of thousands at which a wheel lifts, whatever a number of the car is.
+                has_slope_jump_ =
+                    has_slope_jump_ ||
+                    (!is_delay_ && !follows_own_inputs_ &&
+                     std::abs(up - down) > slope_jump * std::max(std::abs(up), std::abs(down)) + round_off);
             }
         }
     }
@@ -205,13 +210,14 @@ void ParameterPerturbation::begin_sensor_outputs(double t, std::span<const doubl
             side->T[0][n] = T[n] + side->shift * S[n];
         }
         std::ranges::copy(watts, side->watts[0].begin());
+        const physics::Inputs its = follows_own_inputs_ ? side->problem.input_signals.at(t, JumpSide::after) : inputs;
         if (follows_watts_) {
             std::vector<double> coefficients(side->system.n_coefficients());
-            side->system.evaluate_coefficients(inputs, coefficients);
+            side->system.evaluate_coefficients(its, coefficients);
             side->system.evaluate(side->T[0], coefficients);
             side->watts[0] = side->system.terms().watts;
         }
-        side->sensor_outputs.begin(t, side->T[0], side->watts[0], inputs);
+        side->sensor_outputs.begin(t, side->T[0], side->watts[0], its);
     }
 }
 
@@ -219,8 +225,12 @@ void ParameterPerturbation::take_step(std::span<const Stage> stages, std::span<c
                                       std::span<const std::span<const double>> coefficients,
                                       std::span<const physics::Inputs> inputs) {
     std::vector<Stage> seen(stages.begin(), stages.end());
+    std::vector<physics::Inputs> its(inputs.begin(), inputs.end());
     for (Side* side : {plus_.get(), minus_.get()}) {
         for (std::size_t i = 0; i < stages.size(); ++i) {
+            if (follows_own_inputs_) {
+                its[i] = side->problem.input_signals.at(stages[i].time, i == 0 ? JumpSide::after : JumpSide::before);
+            }
             for (std::size_t n = 0; n < side->T[i].size(); ++n) {
                 side->T[i][n] = stages[i].temperature[n] + side->shift * S[i][n];
             }
@@ -232,13 +242,15 @@ void ParameterPerturbation::take_step(std::span<const Stage> stages, std::span<c
                 seen[i].watts = side->watts[i];
             }
         }
-        side->sensor_outputs.take_step(seen, inputs);
+        side->sensor_outputs.take_step(seen, its);
     }
 }
 
 void ParameterPerturbation::read(double t, const physics::Inputs& logged, std::span<double> out) {
-    plus_->sensor_outputs.at(t, logged, plus_->read);
-    minus_->sensor_outputs.at(t, logged, minus_->read);
+    for (Side* side : {plus_.get(), minus_.get()}) {
+        const physics::Inputs its = follows_own_inputs_ ? side->problem.input_signals.at(t, JumpSide::before) : logged;
+        side->sensor_outputs.at(t, its, side->read);
+    }
     for (std::size_t c = 0; c < out.size(); ++c) {
         out[c] = (plus_->read[c] - minus_->read[c]) / width_;
     }

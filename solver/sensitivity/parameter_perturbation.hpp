@@ -80,6 +80,7 @@ private:
     bool moves_enthalpy_ = false;
     bool is_straight_ = false;
     bool is_delay_ = false;
+    bool follows_own_inputs_ = false;  ///< the inputs follow the parameter
     bool moves_coefficients_ = false;
     bool follows_watts_ = false;              ///< a channel reads the heat of effects
     std::vector<std::size_t> moved_effects_;  ///< heat effects whose parameters or places differ

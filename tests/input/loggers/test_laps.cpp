@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Laps by marks, counters and positions; which stretch a choice of laps means, and runs that are cut by it.
 
+#include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "input/laps/laps.hpp"
@@ -76,8 +78,14 @@ TEST(Laps, AreChosenByTheirNumbers) {
         EXPECT_EQ(two.window->from, 30.0);
         EXPECT_EQ(two.window->to, 150.5);
     }
-    EXPECT_EQ(*choose_laps("0,2", four_laps()).error,
-              "the laps \"0,2\" do not follow one another: a run is one stretch of time");
+    const LapChoice apart = choose_laps("0, 2-3", four_laps());
+    ASSERT_TRUE(apart.window.has_value());
+    EXPECT_EQ(apart.window->from, 0.0);
+    EXPECT_EQ(apart.window->to, 200.0);
+    EXPECT_EQ(apart.first_ends, 30.0);
+    ASSERT_EQ(apart.left_out.size(), 1U);
+    EXPECT_EQ(apart.left_out[0].from, 30.0);
+    EXPECT_EQ(apart.left_out[0].to, 90.0);
     EXPECT_EQ(choose_laps("7", four_laps()).remedy,
               "the laps are 0 (out, 0:30.000), 1 (1:00.000), 2 (1:00.500), 3 (in, 0:49.500)");
     for (const char* text : {"", "-", "3-1", "1-", "a", "1;2", "99999999999"}) {
@@ -123,6 +131,60 @@ TEST(RunOfLaps, AreSeveralOfOneFile) {
     ASSERT_TRUE(reading.experiment.has_value()) << error_report(reading);
     EXPECT_EQ(reading.experiment->runs[0].name, "session_lap_0");
     EXPECT_EQ(reading.experiment->runs[1].name, "session_laps_1-2");
+}
+
+// Lap 1, from 15.708 to 47.124 s, drives the tire, but its readings do not count.
+TEST(RunOfLaps, LeavesOutTheReadingsBetweenThem) {
+    const ExperimentReading reading = read_aim("[[run]]\nfile = \"session.csv\"\nlaps = \"0, 2\"\n");
+    ASSERT_TRUE(reading.experiment.has_value()) << error_report(reading);
+    const MeasuredRun& run = reading.experiment->runs.front();
+    const ExperimentReading of_all = read_aim("[[run]]\nfile = \"session.csv\"\nlaps = \"0-2\"\n");
+    ASSERT_TRUE(of_all.experiment.has_value()) << error_report(of_all);
+    const MeasuredRun& whole = of_all.experiment->runs.front();
+    EXPECT_EQ(run.name, "session_laps_0_2");
+    EXPECT_TRUE(std::ranges::none_of(run.time, [](double t) { return t > 15.7080 && t < 47.1238; }));
+    const auto kept = std::ranges::count_if(whole.time, [](double t) { return t < 15.7080 || t > 47.1238; });
+    EXPECT_EQ(std::ssize(run.time), kept);
+    for (const double t : {3.0, 20.0, 40.0, 60.0}) {
+        EXPECT_EQ(run.problem.input_signals.at(t, solver::JumpSide::after),
+                  whole.problem.input_signals.at(t, solver::JumpSide::after));
+    }
+}
+
+// Two laps of 20 s at 10 Hz whose speed and load never repeat; with repeat_first_lap = 2 the run is that of a log in which the first
+// one was written three times. The tire starts 40 s earlier, at what its sensor reads when the first lap that counts begins.
+TEST(RunOfLaps, DrivesTheFirstLapBefore) {
+    const auto log = [](int before) {
+        std::string text = "time [s],lap,speed [km/h],vertical_load [N],surface_temperature [degC]\n";
+        for (int i = -200 * before; i < 400; ++i) {
+            const int of_lap = i >= 0 ? i : (i + 200 * before) % 200;
+            text += fmt::format("{:.1f},{},{:.3f},{:.2f},{:.3f}\n", 0.1 * i, i < 200 ? 1 : 2, 100.0 + 0.05 * of_lap,
+                                4000.0 + of_lap, 40.0 + 0.01 * i);
+        }
+        return text;
+    };
+    const Written written;
+    written.add("short.csv", log(0));
+    written.add("long.csv", log(2));
+    const std::string base =
+        std::string(bench) + "[drive]\nair_temperature = \"25 degC\"\nroad_temperature = \"30 degC\"\n";
+    const std::string start = "initial = { temperature = \"surface_temperature\" }\n";
+    const ExperimentReading led = read_experiment(written.add(
+        "led.toml", base + "[[run]]\nfile = \"short.csv\"\nlaps = \"1-2\"\nrepeat_first_lap = 2\n" + start));
+    const ExperimentReading whole = read_experiment(written.add("whole.toml", base + "[[run]]\nfile = \"long.csv\"\n"));
+    ASSERT_TRUE(led.experiment.has_value()) << error_report(led);
+    ASSERT_TRUE(whole.experiment.has_value()) << error_report(whole);
+    const MeasuredRun& run = led.experiment->runs.front();
+    EXPECT_EQ(run.time.front(), 0.0);  // nothing was measured before
+    EXPECT_NEAR(run.problem.settings.start, -40.0, 1e-9);
+    EXPECT_NEAR(run.problem.initial.front(), 273.15 + 40.05, 1e-9);  // mean of 40.00 to 40.10 degC in the first second
+    for (double t = -39.95; t < 39.8; t += 0.37) {
+        const physics::Inputs ours = run.problem.input_signals.at(t, solver::JumpSide::after);
+        const physics::Inputs theirs =
+            whole.experiment->runs.front().problem.input_signals.at(t, solver::JumpSide::after);
+        EXPECT_NEAR(ours.speed, theirs.speed, 1e-6) << t;
+        EXPECT_NEAR(ours.vertical_load, theirs.vertical_load, 1e-6) << t;
+    }
 }
 
 }  // namespace tiretherm::input

@@ -274,4 +274,87 @@ TEST(VehicleCase, BrakeWarmsUpByThePowerOfBraking) {
     EXPECT_LT(stated.input_signals.at(30.0, solver::JumpSide::after).brake_temperature, hottest);
 }
 
+// A fit moves a number of the car; what the tire then gets is what a case with that number would give it.
+TEST(VehicleCase, MovedNumberIsThatOfACaseWithIt) {
+    // Both tires are there: the file takes the place of the stiffnesses.
+    const std::string tir = (source_folder() / "tests/input/data/made_up.tir").string();
+    struct Move {
+        std::string_view key;
+        double value;
+        std::string text;
+        bool of_file = false;
+    };
+    const std::vector<Move> moves{{"mass", 1400.0, "\"1400 kg\""},
+                                  {"wheelbase", 2.7, "\"2.7 m\""},
+                                  {"front_track", 1.6, "\"1.6 m\""},
+                                  {"rear_track", 1.7, "\"1.7 m\""},
+                                  {"centre_of_gravity_height", 0.6, "\"60 cm\""},
+                                  {"front_weight_share", 0.5, "0.5"},
+                                  {"yaw_inertia", 2000.0, "\"2000 kg m2\""},
+                                  {"front_roll_centre_height", 0.1, "\"10 cm\""},
+                                  {"rear_roll_centre_height", 0.1, "\"10 cm\""},
+                                  {"front_roll_stiffness_share", 0.5, "0.5"},
+                                  {"front_toe_in", 0.002, "\"0.002 rad\""},
+                                  {"rear_toe_in", 0.002, "\"0.002 rad\""},
+                                  {"drag_area", 0.8, "\"0.8 m2\""},
+                                  {"front_brake_share", 0.7, "0.7"},
+                                  {"front_cornering_stiffness", 110e3, "\"110 kN/rad\""},
+                                  {"rear_cornering_stiffness", 110e3, "\"110 kN/rad\""},
+                                  {"front_slip_stiffness", 110e3, "\"110 kN\""},
+                                  {"rear_slip_stiffness", 110e3, "\"110 kN\""},
+                                  {"friction", 1.3, "1.3"},
+                                  {"friction_scale", 1.2, "1.2", true},
+                                  {"stiffness_scale", 1.2, "1.2", true},
+                                  {"brake_heat_capacity", 8000.0, "\"8 kJ/K\""},
+                                  {"brake_cooling", 70.0, "\"70 W/K\""}};
+    for (const physics::Corner corner : {physics::Corner::front_left, physics::Corner::rear_right}) {
+        const std::string at =
+            fmt::format("corner = \"{}\"\n", physics::corner_names[static_cast<std::size_t>(corner)]);
+        for (const Move& move : moves) {
+            const std::string base = at + (move.of_file ? file : "friction = 1.1\n");
+            const std::string others = move.key == "friction" ? at : base;
+            const solver::Problem other =
+                problem_of(read(plain_log(), others + fmt::format("{} = {}\n", move.key, move.text)));
+            solver::Problem moved = problem_of(read(plain_log(), base));
+            const auto spec = std::ranges::find(vehicle_numbers(), move.key, &VehicleNumberSpec::key);
+            ASSERT_NE(spec, vehicle_numbers().end()) << move.key;
+            const solver::FreeParameter number{.name = std::string(move.key),
+                                               .unit = {},
+                                               .kind = solver::FreeParameter::Kind::input,
+                                               .parameter = static_cast<std::size_t>(spec - vehicle_numbers().begin()),
+                                               .layers = {},
+                                               .knots = {},
+                                               .nodes = {},
+                                               .runs = {}};
+            const solver::Problem before = moved;
+            solver::move(moved, number, solver::value_of(moved, number), move.value);
+            double change = 0.0;
+            for (std::size_t i = 0; i < n_samples; ++i) {
+                const double t = step * static_cast<double>(i);
+                const physics::Inputs ours = moved.input_signals.at(t, solver::JumpSide::after);
+                const physics::Inputs theirs = other.input_signals.at(t, solver::JumpSide::after);
+                const physics::Inputs old = before.input_signals.at(t, solver::JumpSide::after);
+                ASSERT_NEAR(ours.vertical_load, theirs.vertical_load, 1e-8) << move.key;
+                ASSERT_NEAR(ours.slip_angle, theirs.slip_angle, 1e-9) << move.key;
+                ASSERT_NEAR(ours.slip_ratio, theirs.slip_ratio, 1e-9) << move.key;
+                ASSERT_NEAR(ours.lateral_force, theirs.lateral_force, 1e-8) << move.key;
+                ASSERT_NEAR(ours.longitudinal_force, theirs.longitudinal_force, 1e-8) << move.key;
+                ASSERT_NEAR(ours.speed, theirs.speed, 1e-9) << move.key;
+                ASSERT_NEAR(ours.brake_temperature, theirs.brake_temperature, 1e-8) << move.key;
+                change = std::max(
+                    {change, std::abs(ours.vertical_load - old.vertical_load),
+                     1e4 * std::abs(ours.slip_angle - old.slip_angle), 1e4 * std::abs(ours.slip_ratio - old.slip_ratio),
+                     std::abs(ours.lateral_force - old.lateral_force), 1e2 * std::abs(ours.speed - old.speed),
+                     std::abs(ours.brake_temperature - old.brake_temperature)});
+            }
+            const bool is_of_front = move.key.starts_with("front_") &&
+                                     move.key.find("stiffness") != std::string::npos &&
+                                     move.key.find("roll") == std::string::npos;
+            const bool is_of_rear = move.key.starts_with("rear_");
+            const bool counts_here = corner == physics::Corner::front_left ? !is_of_rear : !is_of_front;
+            EXPECT_TRUE(change > 0.1 || !counts_here) << move.key << " changes nothing";
+        }
+    }
+}
+
 }  // namespace tiretherm::input

@@ -72,6 +72,38 @@ std::vector<LoggedChannel> logged_channels(const Session& session, std::uint64_t
     return all;
 }
 
+std::vector<LoggedChannel> logged_by_measuring_wheels(const Session& session, std::uint64_t seed) {
+    std::vector<LoggedChannel> all = logged_channels(session, seed);
+    Random random(seed + 1);
+    for (std::size_t w = 0; w < n_wheels; ++w) {
+        const WheelCourse& wheel = session.wheels[w];
+        const double towards_middle = w % 2 == 0 ? -1.0 : 1.0;  // the road pushes a left wheel to the right
+        const auto add = [&](const std::string& name, const std::string& unit, int digits, double noise, double scale,
+                             const std::vector<double>& values, double zero = 0.0) {
+            LoggedChannel channel{.name = name + " " + wheel_names[w], .unit = unit, .digits = digits, .value = {}};
+            for (const double value : values) {
+                channel.value.push_back(scale * value - zero + noise * random.normal());
+            }
+            all.push_back(std::move(channel));
+        };
+        add("Wheel Load", "N", 0, 15.0, 1.0, wheel.load);
+        add("Slip Angle", "deg", 3, 0.02, towards_middle / degree, wheel.slip_angle);
+        add("Slip Ratio", "%", 3, 0.03, 100.0, wheel.slip_ratio);
+        add("Lateral Force", "N", 0, 15.0, towards_middle, wheel.lateral);
+        add("Longitudinal Force", "N", 0, 15.0, 1.0, wheel.longitudinal);
+        add("Brake Temp", "C", 0, 3.0, 1.0, wheel.disc, celsius);
+    }
+    return all;
+}
+
+HiddenInCar hidden_in_wheel_log() { return {.lambda_h = 0.95, .brake_watts = 0.0, .brake_conductance = 1.5}; }
+
+std::string shipped_wheel_log() {
+    constexpr double rate = 5.0;
+    const Session session = drive_session(made_up_circuit(), Car{}, 5, 1.0 / rate, hidden_in_wheel_log());
+    return aim_export(session, logged_by_measuring_wheels(session, 611), rate);
+}
+
 std::string aim_export(const Session& session, const std::vector<LoggedChannel>& channels, double rate) {
     std::vector<std::string> beacons{"Beacon Markers"};
     std::vector<std::string> segments{"Segment Times"};

@@ -25,6 +25,15 @@ struct LoggedChannel {
 /// An export of RaceStudio 3: lines of description, names, units, values, all quoted. @param rate 1/s
 [[nodiscard]] std::string aim_export(const Session& session, const std::vector<LoggedChannel>& channels, double rate);
 
+/// The same with what measuring wheels and sensors on the brakes give: load, slips, forces in the axes of the tire, temperature of
+/// each disc.
+[[nodiscard]] std::vector<LoggedChannel> logged_by_measuring_wheels(const Session& session, std::uint64_t seed);
+
+/// The log of cases/car/wheels.toml: five laps, five samples a second, brakes that warm the tires by 1.5 W/K.
+[[nodiscard]] std::string shipped_wheel_log();
+/// What is hidden in it.
+[[nodiscard]] HiddenInCar hidden_in_wheel_log();
+
 /// The log that comes with cases/car: eight laps, ten samples a second.
 [[nodiscard]] std::string shipped_car_log();
 

@@ -138,6 +138,23 @@ void carry(const Car& car, Session& session, double interval) {
     }
 }
 
+/// Temperature of a brake disc: 3.2 kJ/K, warmed by its wheel's braking force, cooled by 30 W/K. Heun's method.
+std::vector<double> disc_of(const Session& session, const WheelCourse& wheel, double interval) {
+    constexpr double capacity = 3200.0;
+    constexpr double cooling = 30.0;
+    const auto rate = [&](double T, std::size_t i) {
+        const double power = std::max(0.0, -wheel.longitudinal[i]) * session.speed[i];
+        return (power - cooling * (T - session.air)) / capacity;
+    };
+    std::vector<double> disc{session.air};
+    for (std::size_t i = 0; i + 1 < session.time.size(); ++i) {
+        const double first = rate(disc.back(), i);
+        const double second = rate(disc.back() + interval * first, i + 1);
+        disc.push_back(disc.back() + 0.5 * interval * (first + second));
+    }
+    return disc;
+}
+
 /// Both lumps of each tire, by the equations of the bench. Its friction knows a lateral force and a slip angle alone: those of
 /// the same power stand in their place.
 void heat(const HiddenInCar& hidden, Session& session) {
@@ -164,7 +181,22 @@ void heat(const HiddenInCar& hidden, Session& session) {
                           .surface_start = session.air + warm[w],
                           .bulk_start = session.air + 2.0 * warm[w],
                           .causes = {{.id = "unknown_bulk", .parameters = {{"watts", hidden.brake_watts}}}}};
+        wheel.disc = disc_of(session, wheel, session.time[1] - session.time[0]);
         BenchTrace trace = drive_bench(bench, programme, 1e-7);
+        if (hidden.brake_conductance > 0.0) {
+            // What the disc gives depends on what it warms, by a few per cent: four rounds leave 1e-6 of it.
+            constexpr double unit = 1000.0;  // W
+            Bench braked = bench;
+            braked.causes = {{.id = "unknown_bulk", .parameters = {{"watts", unit}}}};
+            for (int round = 0; round < 4; ++round) {
+                for (std::size_t i = 0; i < session.time.size(); ++i) {
+                    const double watts = hidden.brake_conductance * (wheel.disc[i] - trace.bulk[i]) +
+                                         (w < rear_left ? hidden.brake_watts * session.brake[i] / brake_pressure : 0.0);
+                    programme.throttle[i] = watts / unit;
+                }
+                trace = drive_bench(braked, programme, 1e-7);
+            }
+        }
         wheel.surface = std::move(trace.surface);
         wheel.bulk = std::move(trace.bulk);
     }

@@ -45,6 +45,7 @@ struct WheelCourse {
     std::vector<double> slip_ratio;
     std::vector<double> surface;  ///< K
     std::vector<double> bulk;     ///< K
+    std::vector<double> disc;     ///< K, of the brake
 };
 
 /// A session on the circuit. [n_times] each
@@ -69,6 +70,7 @@ struct HiddenInCar {
     double lambda_h = 0.86;      ///< the film to the air is weaker on all four
     double brake_watts = 260.0;  ///< into the bulk of a front tire at full brake pressure, through the rim
     double lambda_sel = 1.0;
+    double brake_conductance = 0.0;  ///< W/K, from the disc of each brake into the bulk of its tire
 };
 
 /// Laps at the limit that the grip, the engine and the brakes leave, from a standing start in the pits to the last passage of

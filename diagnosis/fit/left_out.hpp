@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A fit without each lap, or each recording, in turn: how well the rest predicts it, and how far the parameters move.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "diagnosis/fit/held_out.hpp"
+
+namespace tiretherm::diagnosis {
+
+/// What a fit leaves out in turn.
+enum class LeaveOut : std::uint8_t { nothing, lap, run };
+
+/// A channel of what was left out.
+struct LeftOutChannel {
+    std::size_t noise = 0;  ///< index into Observations::channels
+    long samples = 0;
+    double rms_fitted = 0.0;     ///< SI, by the fit to everything
+    double rms_predicted = 0.0;  ///< SI, by the fit to the rest
+};
+
+/// A lap or a recording that took no part in a fit.
+struct LeftOut {
+    std::string name;  ///< "lap 3", "session, lap 3" of several recordings, or the recording
+    std::vector<LeftOutChannel> channels;
+    Eigen::VectorXd values;  ///< [n_parameters] of the fit to the rest
+};
+
+/// What may be left out. Between a lap and the rest of its recording lies a twentieth of it that is in neither.
+struct NamedFold {
+    std::string name;
+    Fold fold;
+};
+/// @returns one for each lap of each recording whose laps are known, or for each of several recordings; empty where there is nothing
+/// to leave out
+[[nodiscard]] std::vector<NamedFold> named_folds(const input::Experiment& experiment, const Observations& observations,
+                                                 LeaveOut what);
+
+/// Fits the rest of each and predicts it. @param fit at the values of the fit to everything, with its noise taken
+/// @param simulations out: added  @returns those of which the rest could be fitted
+[[nodiscard]] std::vector<LeftOut> leave_out_in_turn(Fit& fit, const std::vector<NamedFold>& folds, long& simulations);
+
+}  // namespace tiretherm::diagnosis

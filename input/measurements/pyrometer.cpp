@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads [[pyrometer]] and writes what it says of one run and corner as [[measured]].
+
+#include "input/measurements/pyrometer.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "input/text/quantity_specs.hpp"
+#include "input/text/suggestions.hpp"
+#include "input/toml/toml_text.hpp"
+#include "physics/vehicle/vehicle.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+/// When the readings were taken. @returns s, or nothing: at the run's end, or after an error
+std::optional<double> time_of_stop(TomlTable& table, const RunFile* file) {
+    const std::optional<double> time = table.quantity("time", quantity_specs::moment);
+    const std::optional<int> lap = table.count("lap", 0, 1000000);
+    const double after = table.quantity("after", quantity_specs::interval).value_or(0.0);
+    if (time && lap) {
+        table.add_error("lap", "both time and lap say when the stop was", "keep one of them");
+        return std::nullopt;
+    }
+    if (table.has("after") && !table.has("lap")) {
+        table.add_error("after", "after counts from the end of a lap, and no lap is given",
+                        "add lap = 8, or write time");
+        return std::nullopt;
+    }
+    if (!lap || file == nullptr) {
+        return time;
+    }
+    const std::vector<Lap>& laps = file->laps.laps;
+    const auto found = std::ranges::find(laps, *lap, &Lap::number);
+    if (found == laps.end()) {
+        table.add_error("lap", fmt::format("there is no lap {}", *lap),
+                        laps.empty() ? "no laps are known of the file: write time = \"742 s\""
+                                     : fmt::format("the laps are {}", list_laps(laps)));
+        return std::nullopt;
+    }
+    return found->end + after;
+}
+
+/// Values for as many sensors, K. Empty after an error. @param key of the corner, or "readings"
+std::vector<double> readings_of(TomlTable& table, std::string_view key, std::size_t n_sensors) {
+    const std::size_t before = table.errors().count();
+    std::vector<double> kelvin;
+    for (const LocatedString& text : table.texts(key)) {
+        const ParsedQuantity parsed = quantity(text.text, quantity_specs::temperature, key);
+        if (parsed.error) {
+            table.errors().add(text.place, *parsed.error);
+        }
+        kelvin.push_back(parsed.value);
+    }
+    if (table.errors().count() > before) {
+        return {};
+    }
+    if (n_sensors == 1 && kelvin.size() > 1) {
+        double sum = 0.0;
+        for (const double one : kelvin) {
+            sum += one;
+        }
+        return {sum / static_cast<double>(kelvin.size())};
+    }
+    if (kelvin.size() != n_sensors) {
+        table.add_error(key, fmt::format("{} has {} readings, and sensors names {}", key, kelvin.size(), n_sensors),
+                        "give one for each sensor, in their order; several of a single sensor are averaged");
+        return {};
+    }
+    return kelvin;
+}
+
+/// Whether a stop belongs to the run. An unknown name is an error.
+bool is_of_run(TomlTable& table, const RunTable& run, const std::vector<RunTable>& runs) {
+    std::vector<std::string> names;
+    for (const RunTable& one : runs) {
+        const std::string& name = one.corner.empty() ? one.name : one.recording;
+        if (std::ranges::find(names, name) == names.end()) {
+            names.push_back(name);
+        }
+    }
+    const std::optional<std::string> name = table.text("run");
+    if (!name && names.size() > 1) {
+        table.add_error("run", "it is not said after which run the readings were taken",
+                        fmt::format("add run = \"{}\"; the runs are {}", names.front(), listed(names)));
+        return false;
+    }
+    if (name && std::ranges::find(names, *name) == names.end()) {
+        table.add_error("run", fmt::format("there is no run \"{}\"", *name), suggest(*name, names, "runs"));
+        return false;
+    }
+    return !name || *name == (run.corner.empty() ? run.name : run.recording);
+}
+
+TomlValue at_place(TomlValue value, const SourceLocation& place) {
+    value.place = place;
+    for (Entry& entry : value.entries) {
+        entry.place = place;
+        entry.value.place = place;
+    }
+    return value;
+}
+
+TomlValue& measured_list(TomlValue& document) {
+    const auto found = std::ranges::find(document.entries, "measured", &Entry::key);
+    if (found != document.entries.end()) {
+        return found->value;
+    }
+    document.entries.push_back({.key = "measured", .place = document.place, .value = toml_text::list_value({})});
+    document.entries.back().value.place = document.place;
+    return document.entries.back().value;
+}
+
+}  // namespace
+
+void add_pyrometer_readings(TomlValue& document, const RunTable& run, const RunFile* file,
+                            const std::vector<RunTable>& runs, InputErrors& errors) {
+    if (document.find("pyrometer") == nullptr) {
+        return;
+    }
+    std::vector<TomlValue> measured;
+    const TomlValue as_read = document;
+    TomlTable root(as_read, "the case", errors);
+    root.allow_unknown_keys();
+    root.each("pyrometer", [&](TomlTable& table) {
+        table.declare_keys({"FL", "FR", "RL", "RR", "readings"});
+        const bool is_of = is_of_run(table, run, runs);
+        const std::vector<LocatedString> sensors = table.texts("sensors", Need::required);
+        const std::optional<double> time = time_of_stop(table, file);
+        const auto uncertainty = table.quantity(
+            "uncertainty", {.unit = "K", .scale = Scale::difference, .low = 0.0, .above = true}, Need::required);
+        const std::string source = table.text("source").value_or("pyrometer");
+        const std::string_view key = run.corner.empty() ? std::string_view("readings") : std::string_view(run.corner);
+        const std::string_view other = run.corner.empty() ? "FL" : "readings";
+        if (table.has(other)) {
+            table.add_error(other,
+                            run.corner.empty() ? "FL is a corner, and the case has no [[corner]]"
+                                               : "readings are those of a single tire, and the case has corners",
+                            run.corner.empty() ? "write readings = [...], or add [[corner]]"
+                                               : "write FL = [...], FR = [...] and so on");
+            return;
+        }
+        if (!is_of || sensors.empty() || !table.has(key)) {
+            return;
+        }
+        const std::vector<double> values = readings_of(table, key, sensors.size());
+        for (std::size_t i = 0; i < values.size() && uncertainty; ++i) {
+            TomlValue one = toml_text::table_value({{"channel", toml_text::text_value(sensors[i].text)},
+                                                    {"value", toml_text::quantity_value(values[i], "K")},
+                                                    {"uncertainty", toml_text::quantity_value(*uncertainty, "K")},
+                                                    {"source", toml_text::text_value(source)}});
+            if (time) {
+                toml_text::add(one, "time", toml_text::quantity_value(*time, "s"));
+            }
+            one = at_place(std::move(one), table.place(key));
+            one.entries.front().value.place = sensors[i].place;
+            measured.push_back(std::move(one));
+        }
+    });
+    TomlValue& list = measured_list(document);
+    std::ranges::move(measured, std::back_inserter(list.items));
+}
+
+}  // namespace tiretherm::input

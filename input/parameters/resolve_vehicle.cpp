@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Paths of the numbers of [vehicle]: "vehicle.mass".
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "input/parameters/resolve.hpp"
+#include "input/text/suggestions.hpp"
+#include "input/vehicle/vehicle_numbers.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+/// Above zero a number needs room: a car of no mass has no load.
+constexpr double least_share = 0.01;
+
+/// The name of a run, or "FL", that gives the number a value of its own; empty where none does.
+std::string owner_of(const TomlValue& document, const std::string& key) {
+    const TomlValue* runs = document.find("run");
+    for (std::size_t i = 0; runs != nullptr && i < runs->items.size(); ++i) {
+        const TomlValue& run = runs->items[i];
+        const TomlValue* own = run.kind == TomlValue::Kind::table ? run.find("vehicle") : nullptr;
+        if (own != nullptr && own->find(key) != nullptr) {
+            const TomlValue* name = run.find("name");
+            return name != nullptr ? name->text : fmt::format("{}", i + 1);
+        }
+    }
+    return {};
+}
+
+/// Signals that a formula of the case takes as they are: it would not see the car change.
+void refuse_followers(const CaseAsRead& in, const LocatedString& key) {
+    for (const std::string_view list : {"source", "exchange"}) {
+        const TomlValue* effects = in.document.find(list);
+        for (std::size_t i = 0; effects != nullptr && i < effects->items.size(); ++i) {
+            const TomlValue* follows = effects->items[i].find("follows");
+            const TomlValue* name = effects->items[i].find("name");
+            for (const std::string_view signal : {"vertical_load", "slip_angle", "slip_ratio", "lateral_force",
+                                                  "longitudinal_force", "brake_temperature"}) {
+                if (follows != nullptr && follows->text.find(signal) != std::string::npos) {
+                    in.errors.add(key.place,
+                                  fmt::format("[[{}]] {} follows {}, which follows {}; in a fit it would not", list,
+                                              name != nullptr ? name->text : "", signal, key.text),
+                                  "let the source follow what is measured, or remove this [[parameter]]");
+                    return;
+                }
+            }
+        }
+    }
+}
+
+}  // namespace
+
+std::optional<FreeParameters> resolve_vehicle(const ParameterPath& path, const CaseAsRead& in) {
+    const LocatedString& key = path.keys.back();
+    if (in.document.find("vehicle") == nullptr) {
+        in.errors.add(path.keys.front().place, "the case has no [vehicle]", "remove this [[parameter]]");
+        return std::nullopt;
+    }
+    std::vector<std::string> known;
+    for (const VehicleNumberSpec& number : vehicle_numbers()) {
+        known.emplace_back(number.key);
+    }
+    const auto found = std::ranges::find(known, key.text);
+    if (path.keys.size() > 2 || found == known.end()) {
+        in.errors.add(key.place, fmt::format("[vehicle] has no number \"{}\" to fit", key.text),
+                      suggest(key.text, known, "numbers"));
+        return std::nullopt;
+    }
+    const auto index = static_cast<std::size_t>(found - known.begin());
+    if (in.builder.problem.input_numbers.empty()) {
+        return std::nullopt;  // the log or the table is wrong, which has been reported
+    }
+    const VehicleNumberSpec& its = vehicle_numbers()[index];
+    const double value = in.builder.problem.input_numbers[index];
+    if (std::isnan(value)) {
+        in.errors.add(key.place, fmt::format("[vehicle] does not give {}", key.text),
+                      fmt::format("add {} to it: there the search begins", key.text));
+        return std::nullopt;
+    }
+    if (const std::string owner = owner_of(in.document, key.text); !owner.empty()) {
+        in.errors.add(key.place, fmt::format("run {} has a {} of its own", owner, key.text),
+                      "a fit moves the one of [vehicle]: remove it from the run");
+        return std::nullopt;
+    }
+    refuse_followers(in, key);
+    solver::FreeParameter number;
+    number.name = fmt::format("vehicle.{}", key.text);
+    number.unit = its.spec.unit;
+    number.kind = solver::FreeParameter::Kind::input;
+    number.parameter = index;
+    number.low = its.spec.above ? std::max(its.spec.low, least_share * value) : its.spec.low;
+    number.high = its.spec.high;
+    return FreeParameters{.numbers = {std::move(number)}, .spec = its.spec};
+}
+
+}  // namespace tiretherm::input

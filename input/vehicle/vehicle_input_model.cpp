@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Computes a tire's inputs anew for other numbers of the car.
+
+#include "input/vehicle/vehicle_input_model.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "input/vehicle/at_times.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+using physics::CornerInputs;
+
+/// An input of the case as a history: a log's or a schedule's points, or one point of a constant.
+solver::SignalHistory history_of(const solver::InputSignals& signals, const physics::Signal& signal) {
+    for (const solver::Series& series : signals.series()) {
+        if (series.signal == &signal) {
+            return {.time = series.time, .value = series.value};
+        }
+    }
+    return signals.gives(signal) ? solver::SignalHistory{.time = {0.0}, .value = {signals.constants().*signal.member}}
+                                 : solver::SignalHistory{};
+}
+
+solver::Series series_of(const physics::Signal& signal, double CornerInputs::*member, const MotionHistory& motion,
+                         const CornerHistory& corner) {
+    solver::Series series{.signal = &signal, .time = motion.time, .value = {}, .logged = true};
+    for (const CornerInputs& inputs : corner.inputs) {
+        series.value.push_back(std::clamp(inputs.*member, signal.low, signal.high));
+    }
+    return series;
+}
+
+/// Of the disc at this wheel, from its share of the braking force. @param air K, a history
+solver::Series disc_of(const physics::Brake& brake, const MotionHistory& motion, const CornerHistory& corner,
+                       const solver::SignalHistory& air) {
+    const physics::Signal& signal = *physics::find_signal("brake_temperature");
+    std::vector<double> power;
+    for (std::size_t i = 0; i < motion.time.size(); ++i) {
+        const CornerInputs& inputs = corner.inputs[i];
+        const bool brakes = !motion.motion[i].brakes_released;
+        power.push_back(brakes ? std::max(0.0, -inputs.longitudinal_force) * std::abs(inputs.speed) : 0.0);
+    }
+    solver::Series series{.signal = &signal, .time = motion.time, .value = {}, .logged = true};
+    for (const double kelvin : physics::brake_temperature(brake, motion.time, power, at_times(air, motion.time))) {
+        series.value.push_back(std::clamp(kelvin, signal.low, signal.high));
+    }
+    return series;
+}
+
+void add(solver::Digest& digest, const solver::SignalHistory& history) {
+    digest.add(history.time);
+    digest.add(history.value);
+}
+
+}  // namespace
+
+std::span<const ComputedInput> computed_inputs() {
+    static const std::array<ComputedInput, 5> all{{
+        {physics::find_signal("vertical_load"), &CornerInputs::vertical_load},
+        {physics::find_signal("slip_angle"), &CornerInputs::slip_angle},
+        {physics::find_signal("slip_ratio"), &CornerInputs::slip_ratio},
+        {physics::find_signal("lateral_force"), &CornerInputs::lateral_force},
+        {physics::find_signal("longitudinal_force"), &CornerInputs::longitudinal_force},
+    }};
+    return all;
+}
+
+VehicleInputModel::VehicleInputModel(VehicleSettings settings, VehicleLog log, const solver::InputSignals& inputs,
+                                     std::vector<ComputedInput> computed, bool has_disc)
+    : settings_(std::move(settings)),
+      log_(std::move(log)),
+      air_(history_of(inputs, *physics::find_signal("air_temperature"))),
+      computed_(std::move(computed)),
+      has_disc_(has_disc) {
+    measured_.camber = history_of(inputs, *physics::find_signal("camber"));
+    measured_.vertical_load[static_cast<std::size_t>(settings_.corner)] =
+        history_of(inputs, *physics::find_signal("vertical_load"));
+}
+
+CornerSignals VehicleInputModel::corners(const VehicleNumbers& numbers, const MotionHistory& motion) const {
+    return corner_signals(vehicle_of(numbers, settings_.kind), motion, measured_);
+}
+
+void VehicleInputModel::put(const VehicleNumbers& numbers, const MotionHistory& motion, const CornerSignals& signals,
+                            solver::InputSignals& into) const {
+    const CornerHistory& corner = signals.corners[static_cast<std::size_t>(settings_.corner)];
+    for (const ComputedInput& one : computed_) {
+        into.replace(series_of(*one.signal, one.member, motion, corner));
+    }
+    into.replace(series_of(*physics::find_signal("speed"), &CornerInputs::speed, motion, corner));
+    if (has_disc_) {
+        into.replace(disc_of(brake_of(numbers), motion, corner, air_));
+    }
+}
+
+void VehicleInputModel::apply(std::span<const double> numbers, solver::InputSignals& into) const {
+    VehicleSettings moved = settings_;
+    moved.numbers = VehicleNumbers(numbers);
+    const MotionHistory motion = motion_again(moved, log_);
+    put(moved.numbers, motion, corners(moved.numbers, motion), into);
+}
+
+void VehicleInputModel::add_to(solver::Digest& digest) const {
+    for (const solver::SignalHistory* history :
+         {&log_.speed, &log_.longitudinal_acceleration, &log_.lateral_acceleration, &log_.yaw_rate,
+          &log_.steering_wheel_angle, &log_.brake_pressure, &measured_.camber, &air_,
+          &measured_.vertical_load[static_cast<std::size_t>(settings_.corner)]}) {
+        add(digest, *history);
+    }
+    digest.add(settings_.corner);
+    digest.add(settings_.kind.driven);
+    digest.add(settings_.smoothing);
+    for (const TurnSign sign : {settings_.lateral_acceleration, settings_.yaw_rate, settings_.steering}) {
+        digest.add(sign);
+    }
+    for (const ComputedInput& one : computed_) {
+        digest.add(one.signal->name);
+    }
+    digest.add(has_disc_);
+}
+
+}  // namespace tiretherm::input
