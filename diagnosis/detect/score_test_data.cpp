@@ -38,33 +38,53 @@ input::Experiment frozen(const ScoreTestData& score_data, const Simulator& simul
     return still;
 }
 
-/// Signatures of the candidates: slopes of all in one run, differences one by one. A candidate whose model fails has
-/// none.
-void take_signatures(const input::Experiment& still, const Eigen::VectorXd& simulated, ScoreTestData& score_data) {
+/// Whether a candidate brings a node of its own, such as the rim. Others act on that node where it is there, as heat of the brakes
+/// does: beside each other they would not be the causes that they are alone.
+bool brings_a_node(const Candidate& candidate) {
+    const physics::HeatEffect* heat = candidate.effect->heat_effect();
+    return heat != nullptr && heat->extend != nullptr;
+}
+
+/// Slopes of some candidates, all in one run, into their columns. @param chosen indices
+void take_slopes(const input::Experiment& still, const std::vector<std::size_t>& chosen, ScoreTestData& score_data) {
     std::vector<Candidate> linear;
     std::vector<double> absent;
-    for (const Candidate& candidate : score_data.candidates) {
-        if (candidate.by_slope()) {
-            linear.push_back(candidate);
-            absent.push_back(candidate.absent);
-        }
+    for (const std::size_t k : chosen) {
+        linear.push_back(score_data.candidates[k]);
+        absent.push_back(score_data.candidates[k].absent);
     }
-    score_data.signatures.setZero(simulated.size(), static_cast<Eigen::Index>(score_data.candidates.size()));
     const input::Experiment wide = with(still, linear, absent);
     Simulator all(wide, *score_data.observations);
     all.take_steps(score_data.steps);
     const ModelPrediction& slopes = all.at(all.start());
     score_data.count(all.simulations());
-    Eigen::Index taken = 0;
+    for (std::size_t i = 0; i < chosen.size() && slopes.status.ok(); ++i) {
+        score_data.signatures.col(static_cast<Eigen::Index>(chosen[i])) =
+            slopes.slope.col(static_cast<Eigen::Index>(i));
+    }
+}
+
+/// Signatures of the candidates: slopes together, differences one by one. A candidate whose model fails has none.
+void take_signatures(const input::Experiment& still, const Eigen::VectorXd& simulated, ScoreTestData& score_data) {
+    std::vector<std::size_t> on_the_mesh;
+    std::vector<std::size_t> with_nodes;
+    for (std::size_t k = 0; k < score_data.candidates.size(); ++k) {
+        if (const Candidate& candidate = score_data.candidates[k]; candidate.by_slope()) {
+            (brings_a_node(candidate) ? with_nodes : on_the_mesh).push_back(k);
+        }
+    }
+    score_data.signatures.setZero(simulated.size(), static_cast<Eigen::Index>(score_data.candidates.size()));
+    for (const std::vector<std::size_t>* chosen : {&on_the_mesh, &with_nodes}) {
+        if (!chosen->empty()) {
+            take_slopes(still, *chosen, score_data);
+        }
+    }
     std::size_t simulated_alone = 0;
     const auto by_slope = static_cast<std::size_t>(std::ranges::count_if(score_data.candidates, &Candidate::by_slope));
     for (std::size_t k = 0; k < score_data.candidates.size(); ++k) {
         const Candidate& candidate = score_data.candidates[k];
         auto column = score_data.signatures.col(static_cast<Eigen::Index>(k));
         if (candidate.by_slope()) {
-            if (slopes.status.ok()) {
-                column = slopes.slope.col(taken++);
-            }
             continue;
         }
         score_data.say({.doing = "signature",

@@ -67,7 +67,7 @@ std::vector<double> readings_of(TomlTable& table, std::string_view key, std::siz
         return {sum / static_cast<double>(kelvin.size())};
     }
     if (kelvin.size() != n_sensors) {
-        table.add_error(key, fmt::format("{} has {} readings, and sensors names {}", key, kelvin.size(), n_sensors),
+        table.add_error(key, fmt::format("{} has {} values for {} sensors", key, kelvin.size(), n_sensors),
                         "give one for each sensor, in their order; several of a single sensor are averaged");
         return {};
     }

@@ -2,10 +2,13 @@
 // The made-up car of cases/car: what [vehicle] makes of its log beside the loads and the heat of sliding that the car had.
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
 #include <gtest/gtest.h>
 
-#include "car/car_truth.hpp"
+#include "car/car_log_truth.hpp"
+#include "diagnosis/assess/diagnosis.hpp"
 #include "diagnosis/fit/identification.hpp"
 #include "input/measurements/experiment.hpp"
 #include "support/written.hpp"
@@ -114,7 +117,8 @@ TEST(CarCase, FilmIsWrongWhereTheSlipsAreTakenForExact) {
 TEST(CarCase, MassFromTemperaturesIsDoubted) {
     const input::Written written;
     const std::string shipped = (input::source_folder() / "cases/car").string();
-    std::string text = input::content_of(shipped + "/session.toml");
+    std::ifstream in(shipped + "/session.toml");
+    std::string text(std::istreambuf_iterator<char>(in), {});
     const auto put = [&](const std::string& old, const std::string& now) {
         ASSERT_NE(text.find(old), std::string::npos) << old;
         text.replace(text.find(old), old.size(), now);
@@ -135,6 +139,58 @@ TEST(CarCase, MassFromTemperaturesIsDoubted) {
     EXPECT_TRUE(std::ranges::any_of(fit.findings, [](const std::string& finding) {
         return finding.starts_with("vehicle.mass: temperatures tell");
     }));
+}
+
+// Measuring wheels leave nothing of the car to assume. The brakes warm the tires by 3 W/K from disc to bulk: a fit that knows of them
+// finds that, and the film's 0.95.
+TEST(CarWithMeasuringWheels, HeatOfTheBrakesIsFound) {
+    const input::Written written;
+    const std::string shipped = (input::source_folder() / "cases/car/wheels.toml").string();
+    const std::string parameters = R"(
+[effects.brake_heat]
+conductance = "0 W/K"
+[[parameter]]
+effect = "brake_heat"
+key = "conductance"
+standard_deviation = "3 W/K"
+[[parameter]]
+effect = "air_convection"
+key = "lambda_h"
+standard_deviation = 0.2
+[[parameter]]
+effect = "strain_energy_loss"
+key = "tan_delta_a"
+standard_deviation = 0.214e15
+[[parameter]]
+initial = ["surface", "bulk"]
+standard_deviation = "5 K"
+)";
+    const input::ExperimentReading reading =
+        input::read_experiment(written.add("brakes.toml", "include = [\"" + shipped + "\"]\n" + parameters));
+    ASSERT_TRUE(reading.experiment.has_value());
+    const diagnosis::Identification fit =
+        diagnosis::identify(*reading.experiment, diagnosis::observe(*reading.experiment));
+    ASSERT_TRUE(fit.status.ok()) << fit.status.message;
+    const HiddenInCar truth = hidden_in_wheel_log();
+    EXPECT_LT(fit.fitted[0].low, truth.brake_conductance);
+    EXPECT_GT(fit.fitted[0].high, truth.brake_conductance);
+    EXPECT_LT(fit.fitted[0].standard_deviation, 0.2);  // 7 % of it: the data see the brakes
+    EXPECT_LT(fit.fitted[1].low, truth.lambda_h);
+    EXPECT_GT(fit.fitted[1].high, truth.lambda_h);
+}
+
+// Without them the diagnosis names them, and no other.
+TEST(CarWithMeasuringWheels, HeatOfTheBrakesIsNamed) {
+    const input::ExperimentReading reading = input::read_experiment(input::source_folder() / "cases/car/wheels.toml");
+    ASSERT_TRUE(reading.experiment.has_value());
+    const diagnosis::Diagnosis found =
+        diagnosis::diagnose(*reading.experiment, diagnosis::observe(*reading.experiment), {.plan_next = false});
+    ASSERT_TRUE(found.status.ok()) << found.status.message;
+    EXPECT_EQ(found.verdict, diagnosis::Verdict::named);
+    ASSERT_EQ(found.hypotheses.size(), 1U);
+    ASSERT_EQ(found.hypotheses.front().size(), 1U);
+    EXPECT_EQ(found.causes.at(found.hypotheses.front().front()).id, "brake_heat");
+    EXPECT_GT(found.gain.removed, 0.3);
 }
 
 }  // namespace hidden_effects

@@ -58,6 +58,35 @@ void expect_as_shipped(const ShippedLog& log) {
     EXPECT_FALSE(std::getline(shipped, shipped_row)) << "more rows than are made";
 }
 
+/// A cell of the export may differ by one of its last digit; its lines of description, names and units may not.
+void expect_export(const std::string& file, const std::string& text, std::size_t least_rows) {
+    std::istringstream shipped(text_of(file));
+    std::istringstream made(text);
+    std::string a;
+    std::string b;
+    std::size_t row = 0;
+    for (; std::getline(made, b); ++row) {
+        ASSERT_TRUE(std::getline(shipped, a)) << "row " << row;
+        if (a == b) {
+            continue;
+        }
+        std::istringstream cells_a(a);
+        std::istringstream cells_b(b);
+        std::string cell_a;
+        std::string cell_b;
+        while (std::getline(cells_a, cell_a, ',') && std::getline(cells_b, cell_b, ',')) {
+            const std::size_t point = cell_b.find('.');
+            const std::size_t digits = point == std::string::npos ? 0 : cell_b.size() - point - 2;
+            ASSERT_NEAR(std::stod(cell_a.substr(1)), std::stod(cell_b.substr(1)),
+                        1.01 * std::pow(10.0, -static_cast<double>(digits)))
+                << a << "\n"
+                << b;
+        }
+    }
+    EXPECT_GT(row, least_rows);
+    EXPECT_FALSE(std::getline(shipped, a)) << "more rows than are made";
+}
+
 }  // namespace
 
 TEST(ShippedData, BenchLogsAreWhatIsMade) {
@@ -87,32 +116,9 @@ TEST(ShippedData, LogsOfSectionAndLayersAreWhatIsMade) {
     }
 }
 
-// A cell of the export may differ by one of its last digit; its lines of description, names and units may not.
-TEST(ShippedData, LogOfTheCarIsWhatIsMade) {
-    std::istringstream shipped(text_of("car/session.csv"));
-    std::istringstream made(shipped_car_log());
-    std::string a;
-    std::string b;
-    std::size_t row = 0;
-    for (; std::getline(made, b); ++row) {
-        ASSERT_TRUE(std::getline(shipped, a)) << "row " << row;
-        if (a == b) {
-            continue;
-        }
-        std::istringstream cells_a(a);
-        std::istringstream cells_b(b);
-        std::string cell_a;
-        std::string cell_b;
-        while (std::getline(cells_a, cell_a, ',') && std::getline(cells_b, cell_b, ',')) {
-            const auto digits = cell_b.size() - std::min(cell_b.find('.'), cell_b.size() - 1) - 2;
-            ASSERT_NEAR(std::stod(cell_a.substr(1)), std::stod(cell_b.substr(1)),
-                        1.01 * std::pow(10.0, -static_cast<double>(digits)))
-                << a << "\n"
-                << b;
-        }
-    }
-    EXPECT_GT(row, 4000U);
-    EXPECT_FALSE(std::getline(shipped, a)) << "more rows than are made";
+TEST(ShippedData, LogsOfTheCarAreWhatIsMade) {
+    expect_export("car/session.csv", shipped_car_log(), 4000);
+    expect_export("car/wheels.csv", shipped_wheel_log(), 1300);
 }
 
 TEST(ShippedData, ARowHasItsDigitsAndNoMinusBeforeAZero) {

@@ -256,4 +256,31 @@ each = "corner"
     EXPECT_NE(said(without, written).find("the case has no [[corner]]"), std::string::npos) << said(without, written);
 }
 
+// Three readings of each tire at a stop 4 s into the log: the section's three sensors take one each; the bulk of two lumps takes the
+// mean, (40 + 41 + 45)/3 = 42 degC. The rear left tire was not measured.
+TEST(Pyrometer, GivesNumbersToItsRunAndCorner) {
+    const Written written;
+    const std::string stop =
+        "[[pyrometer]]\nuncertainty = \"2 K\"\ntime = \"4 s\"\nFL = [\"40 degC\", \"41 degC\", \"45 "
+        "degC\"]\nFR = \"38 degC\"\nsensors = ";
+    const ExperimentReading reading = read(written, corners + stop + "[\"bulk_temperature\"]\n");
+    ASSERT_TRUE(reading.experiment) << said(reading, written);
+    const std::vector<MeasuredRun>& runs = reading.experiment->runs;
+    ASSERT_EQ(runs[0].numbers.size(), 1U);
+    EXPECT_NEAR(runs[0].numbers[0].value, 273.15 + 42.0, 1e-9);
+    EXPECT_EQ(runs[0].numbers[0].time, 4.0);
+    EXPECT_EQ(runs[0].numbers[0].standard_deviation, 2.0);
+    EXPECT_EQ(runs[0].numbers[0].source, "pyrometer");
+    EXPECT_EQ(runs[0].problem.channels[runs[0].numbers[0].channel].name, "bulk_temperature");
+    ASSERT_EQ(runs[1].numbers.size(), 1U);
+    EXPECT_NEAR(runs[1].numbers[0].value, 273.15 + 38.0, 1e-9);
+    EXPECT_TRUE(runs[2].numbers.empty());
+    const ExperimentReading two = read(
+        written, corners + replaced(stop, ", \"45 degC\"", "") + "[\"surface_temperature\", \"bulk_temperature\"]\n");
+    EXPECT_TRUE(said(two, written)
+                    .starts_with("case.toml:45:6: FR has 1 values for 2 sensors\n    FR = \"38 degC\"\n         "
+                                 "^~~~~~~~~\n    remedy: give one for each "
+                                 "sensor, in their order; several of a single sensor are averaged\n"));
+}
+
 }  // namespace tiretherm::input

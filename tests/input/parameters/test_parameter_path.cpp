@@ -279,7 +279,7 @@ TEST(ParameterPath, SaysWhichOfItsKeysIsWrong) {
              {"camera.top.x", 15, "there is no camera \"top\"", "add [[camera]] with this name"},
              {"initial.thread", 16, "initial cannot be \"thread\"", "did you mean `tread`?"},
              {"drive.speed", 8, "drive.speed is not a number that a fit can free",
-              "name a number of [effects], [[source]], [[exchange]], [[camera]] or [initial], "
+              "name a number of [effects], [[source]], [[exchange]], [[camera]], [vehicle] or [initial], "
               "material.NAME.conductivity, material.NAME.heat_capacity or mesh.link_conductivity"},
              {"drive..speed", 7, "\"drive..speed\" is not a path: a key is missing at a dot",
               "write such as \"drive.speed\""},

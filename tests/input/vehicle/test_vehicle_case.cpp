@@ -79,13 +79,13 @@ const std::string columns =
     "columns = { V = \"speed\", AccY = \"lateral_acceleration\", AccX = \"longitudinal_acceleration\" }\n";
 
 /// @param vehicle more keys of [vehicle]  @param keys of the log
-Reading read(const std::string& log, const std::string& vehicle, const std::string& keys = columns) {
+Reading read(const std::string& log, const std::string& vehicle, const std::string& keys = columns,
+             const std::string& unset = "\"vehicle.friction\"") {
     const Written written;
     written.add("log.csv", log);
     const std::string base = (source_folder() / "tests/bad_cases/good/car.toml").string();
-    return read_case(written.add("case.toml", "include = [\"" + base +
-                                                  "\"]\nunset = [\"vehicle.friction\"]\n[vehicle]\n" + vehicle +
-                                                  "\n[[drive.file]]\npath = \"log.csv\"\n" + keys));
+    return read_case(written.add("case.toml", "include = [\"" + base + "\"]\nunset = [" + unset + "]\n[vehicle]\n" +
+                                                  vehicle + "\n[[drive.file]]\npath = \"log.csv\"\n" + keys));
 }
 
 solver::Problem problem_of(Reading reading) {
@@ -276,46 +276,54 @@ TEST(VehicleCase, BrakeWarmsUpByThePowerOfBraking) {
 
 // A fit moves a number of the car; what the tire then gets is what a case with that number would give it.
 TEST(VehicleCase, MovedNumberIsThatOfACaseWithIt) {
-    // Both tires are there: the file takes the place of the stiffnesses.
     const std::string tir = (source_folder() / "tests/input/data/made_up.tir").string();
     struct Move {
         std::string_view key;
+        std::string before;
         double value;
         std::string text;
         bool of_file = false;
     };
-    const std::vector<Move> moves{{"mass", 1400.0, "\"1400 kg\""},
-                                  {"wheelbase", 2.7, "\"2.7 m\""},
-                                  {"front_track", 1.6, "\"1.6 m\""},
-                                  {"rear_track", 1.7, "\"1.7 m\""},
-                                  {"centre_of_gravity_height", 0.6, "\"60 cm\""},
-                                  {"front_weight_share", 0.5, "0.5"},
-                                  {"yaw_inertia", 2000.0, "\"2000 kg m2\""},
-                                  {"front_roll_centre_height", 0.1, "\"10 cm\""},
-                                  {"rear_roll_centre_height", 0.1, "\"10 cm\""},
-                                  {"front_roll_stiffness_share", 0.5, "0.5"},
-                                  {"front_toe_in", 0.002, "\"0.002 rad\""},
-                                  {"rear_toe_in", 0.002, "\"0.002 rad\""},
-                                  {"drag_area", 0.8, "\"0.8 m2\""},
-                                  {"front_brake_share", 0.7, "0.7"},
-                                  {"front_cornering_stiffness", 110e3, "\"110 kN/rad\""},
-                                  {"rear_cornering_stiffness", 110e3, "\"110 kN/rad\""},
-                                  {"front_slip_stiffness", 110e3, "\"110 kN\""},
-                                  {"rear_slip_stiffness", 110e3, "\"110 kN\""},
-                                  {"friction", 1.3, "1.3"},
-                                  {"friction_scale", 1.2, "1.2", true},
-                                  {"stiffness_scale", 1.2, "1.2", true},
-                                  {"brake_heat_capacity", 8000.0, "\"8 kJ/K\""},
-                                  {"brake_cooling", 70.0, "\"70 W/K\""}};
+    const std::vector<Move> moves{{"mass", "\"1200 kg\"", 1400.0, "\"1400 kg\""},
+                                  {"wheelbase", "\"2.5 m\"", 2.7, "\"2.7 m\""},
+                                  {"front_track", "\"1.5 m\"", 1.6, "\"1.6 m\""},
+                                  {"rear_track", "\"1.5 m\"", 1.7, "\"1.7 m\""},
+                                  {"centre_of_gravity_height", "\"0.5 m\"", 0.6, "\"60 cm\""},
+                                  {"front_weight_share", "0.44", 0.5, "0.5"},
+                                  {"yaw_inertia", "\"1848 kg m2\"", 2000.0, "\"2000 kg m2\""},
+                                  {"front_roll_centre_height", "\"0 m\"", 0.1, "\"10 cm\""},
+                                  {"rear_roll_centre_height", "\"0 m\"", 0.1, "\"10 cm\""},
+                                  {"front_roll_stiffness_share", "0.6", 0.5, "0.5"},
+                                  {"front_toe_in", "\"0 rad\"", 0.002, "\"0.002 rad\""},
+                                  {"rear_toe_in", "\"0 rad\"", 0.002, "\"0.002 rad\""},
+                                  {"drag_area", "\"0 m2\"", 0.8, "\"0.8 m2\""},
+                                  {"front_brake_share", "0.65", 0.7, "0.7"},
+                                  {"front_cornering_stiffness", "\"90 kN/rad\"", 110e3, "\"110 kN/rad\""},
+                                  {"rear_cornering_stiffness", "\"100 kN/rad\"", 110e3, "\"110 kN/rad\""},
+                                  {"front_slip_stiffness", "\"90 kN\"", 110e3, "\"110 kN\""},
+                                  {"rear_slip_stiffness", "\"100 kN\"", 110e3, "\"110 kN\""},
+                                  {"friction", "1.1", 1.3, "1.3"},
+                                  {"friction_scale", "1", 1.2, "1.2", true},
+                                  {"stiffness_scale", "1", 1.2, "1.2", true},
+                                  {"brake_heat_capacity", "\"5 kJ/K\"", 8000.0, "\"8 kJ/K\""},
+                                  {"brake_cooling", "\"40 W/K\"", 70.0, "\"70 W/K\""}};
     for (const physics::Corner corner : {physics::Corner::front_left, physics::Corner::rear_right}) {
         const std::string at =
             fmt::format("corner = \"{}\"\n", physics::corner_names[static_cast<std::size_t>(corner)]);
         for (const Move& move : moves) {
-            const std::string base = at + (move.of_file ? file : "friction = 1.1\n");
-            const std::string others = move.key == "friction" ? at : base;
-            const solver::Problem other =
-                problem_of(read(plain_log(), others + fmt::format("{} = {}\n", move.key, move.text)));
-            solver::Problem moved = problem_of(read(plain_log(), base));
+            const std::string unset =
+                std::string("\"vehicle.friction\"") + (move.of_file ? R"(, "vehicle.front_cornering_stiffness",
+"vehicle.rear_cornering_stiffness", "vehicle.front_slip_stiffness", "vehicle.rear_slip_stiffness")"
+                                                                    : "");
+            const std::string tires = move.of_file             ? "property_file = \"" + tir + "\"\n"
+                                      : move.key == "friction" ? ""
+                                                               : "friction = 1.1\n";
+            const auto car_with = [&](const std::string& text) {
+                return problem_of(
+                    read(plain_log(), at + tires + fmt::format("{} = {}\n", move.key, text), columns, unset));
+            };
+            const solver::Problem other = car_with(move.text);
+            solver::Problem moved = car_with(move.before);
             const auto spec = std::ranges::find(vehicle_numbers(), move.key, &VehicleNumberSpec::key);
             ASSERT_NE(spec, vehicle_numbers().end()) << move.key;
             const solver::FreeParameter number{.name = std::string(move.key),
@@ -347,9 +355,8 @@ TEST(VehicleCase, MovedNumberIsThatOfACaseWithIt) {
                      std::abs(ours.lateral_force - old.lateral_force), 1e2 * std::abs(ours.speed - old.speed),
                      std::abs(ours.brake_temperature - old.brake_temperature)});
             }
-            const bool is_of_front = move.key.starts_with("front_") &&
-                                     move.key.find("stiffness") != std::string::npos &&
-                                     move.key.find("roll") == std::string::npos;
+            const bool is_of_front = move.key == "front_toe_in" || move.key == "front_cornering_stiffness" ||
+                                     move.key == "front_slip_stiffness";
             const bool is_of_rear = move.key.starts_with("rear_");
             const bool counts_here = corner == physics::Corner::front_left ? !is_of_rear : !is_of_front;
             EXPECT_TRUE(change > 0.1 || !counts_here) << move.key << " changes nothing";

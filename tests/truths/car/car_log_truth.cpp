@@ -96,11 +96,11 @@ std::vector<LoggedChannel> logged_by_measuring_wheels(const Session& session, st
     return all;
 }
 
-HiddenInCar hidden_in_wheel_log() { return {.lambda_h = 0.95, .brake_watts = 0.0, .brake_conductance = 1.5}; }
+HiddenInCar hidden_in_wheel_log() { return {.lambda_h = 0.95, .brake_watts = 0.0, .brake_conductance = 3.0}; }
 
 std::string shipped_wheel_log() {
-    constexpr double rate = 5.0;
-    const Session session = drive_session(made_up_circuit(), Car{}, 5, 1.0 / rate, hidden_in_wheel_log());
+    constexpr double rate = 2.0;
+    const Session session = drive_session(made_up_circuit(), Car{}, 12, 1.0 / rate, hidden_in_wheel_log());
     return aim_export(session, logged_by_measuring_wheels(session, 611), rate);
 }
 

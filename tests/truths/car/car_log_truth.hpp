@@ -29,7 +29,7 @@ struct LoggedChannel {
 /// each disc.
 [[nodiscard]] std::vector<LoggedChannel> logged_by_measuring_wheels(const Session& session, std::uint64_t seed);
 
-/// The log of cases/car/wheels.toml: five laps, five samples a second, brakes that warm the tires by 1.5 W/K.
+/// The log of cases/car/wheels.toml: twelve laps, two samples a second, brakes that warm the tires.
 [[nodiscard]] std::string shipped_wheel_log();
 /// What is hidden in it.
 [[nodiscard]] HiddenInCar hidden_in_wheel_log();
