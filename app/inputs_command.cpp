@@ -3,6 +3,7 @@
 // Markdown it makes docs/inputs.md.
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "app/commands.hpp"
 #include "app/messages.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/vehicle/vehicle_log.hpp"
 #include "physics/conventions.hpp"
 #include "physics/effect.hpp"
 #include "post/report/table.hpp"
@@ -109,6 +111,35 @@ constexpr std::string_view page_head =
     "count by their\nmagnitude. Only sensors that read the Magic Formula do. For a tire on the left turn the signs of "
     "`slip_angle` and of the forces read\nacross: it is then the tire on the right in a mirror.\n";
 
+std::string range_text(const input::VehicleSignal& signal) {
+    return signal.unit.empty() ? "any unit" : fmt::format("{:g} to {:g} {}", signal.low, signal.high, signal.unit);
+}
+
+constexpr std::string_view of_a_car =
+    "Columns of a log in a case with [vehicle], which makes load, slips and forces of each tire out of them and of "
+    "speed";
+
+void print_of_a_car(const input::VehicleSignal& signal) {
+    fmt::print("{} ({})\n{}", signal.name, range_text(signal),
+               post::wrap(capital(signal.meaning) + ". In a case with [vehicle].", 4, prose_width()));
+}
+
+Json as_json(const input::VehicleSignal& signal) {
+    return {{"name", signal.name},
+            {"unit", signal.unit},
+            {"low", signal.low},
+            {"high", signal.high},
+            {"meaning", signal.meaning}};
+}
+
+void print_markdown_of_a_car() {
+    fmt::print("\n## Signals of a car\n\n{} ([page](vehicle.md)).\n\n| column | range | meaning |\n|---|---|---|\n",
+               of_a_car);
+    for (const input::VehicleSignal& signal : input::vehicle_signals()) {
+        fmt::print("| `{}` | {} | {} |\n", signal.name, range_text(signal), signal.meaning);
+    }
+}
+
 void print_markdown() {
     fmt::print("{}", page_head);
     const auto names = [](const std::vector<std::string>& all) {
@@ -121,6 +152,7 @@ void print_markdown() {
         fmt::print("| needed by the effects | used where given | sensors |\n|---|---|---|\n| {} | {} | {} |\n",
                    names(readers.needed_by), names(readers.used_by), names(readers.sensors));
     }
+    print_markdown_of_a_car();
 }
 
 struct InputsOptions {
@@ -131,17 +163,27 @@ struct InputsOptions {
 
 int show(const InputsOptions& options) {
     const physics::Signal* one = options.name.empty() ? nullptr : physics::find_signal(options.name);
-    if (!options.name.empty() && one == nullptr) {
+    const std::span<const input::VehicleSignal> car = input::vehicle_signals();
+    const auto of_car = std::ranges::find(car, options.name, &input::VehicleSignal::name);
+    if (!options.name.empty() && one == nullptr && of_car == car.end()) {
         std::vector<std::string> known;
         for (const physics::Signal& signal : physics::signals()) {
             known.emplace_back(signal.name);
         }
+        std::ranges::transform(car, std::back_inserter(known),
+                               [](const input::VehicleSignal& signal) { return std::string(signal.name); });
         report_error(fmt::format("there is no input \"{}\"", options.name),
                      input::suggest(options.name, known, "inputs"), options.json);
         return Exit::input_error;
     }
     if (options.markdown) {
         print_markdown();
+    } else if (of_car != car.end()) {
+        if (options.json) {
+            fmt::print("{}\n", as_json(*of_car).dump(2));
+        } else {
+            print_of_a_car(*of_car);
+        }
     } else if (options.json && one != nullptr) {
         fmt::print("{}\n", as_json(*one).dump(2));
     } else if (options.json) {
@@ -149,12 +191,19 @@ int show(const InputsOptions& options) {
         for (const physics::Signal& signal : physics::signals()) {
             all["inputs"].push_back(as_json(signal));
         }
+        for (const input::VehicleSignal& signal : car) {
+            all["of_a_car"].push_back(as_json(signal));
+        }
         fmt::print("{}\n", all.dump(2));
     } else if (one != nullptr) {
         print_one(*one);
     } else {
         for (const physics::Signal& signal : physics::signals()) {
             print_one(signal);
+        }
+        fmt::print("\n{}", post::wrap(std::string(of_a_car) + ":", 0, prose_width()));
+        for (const input::VehicleSignal& signal : car) {
+            print_of_a_car(signal);
         }
         fmt::print(
             "\nAxes: x forwards, y to the left, z up, of a tire on the right-hand side of the vehicle; drawn in "

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "physics/vehicle/vehicle.hpp"
 #include "post/comparison/comparison_sentences.hpp"
 #include "post/comparison/figure_fields.hpp"
 
@@ -62,10 +63,25 @@ Section corner_section(const std::vector<ComparedChannel>& channels, const std::
     return section;
 }
 
+/// What the runs are called in a heading: by their corners alone where all are of one recording.
+std::vector<std::string> short_names(const std::vector<std::string>& runs) {
+    const std::string recording = runs.empty() ? "" : runs.front().substr(0, runs.front().rfind('_') + 1);
+    std::vector<std::string> corners;
+    for (const std::string& run : runs) {
+        const std::string corner = run.starts_with(recording) ? run.substr(recording.size()) : std::string();
+        if (std::ranges::find(physics::corner_names, corner) == physics::corner_names.end()) {
+            return runs;
+        }
+        corners.push_back(corner);
+    }
+    return corners;
+}
+
 Section lap_section(const std::vector<ComparedChannel>& channels, const std::vector<std::string>& runs,
                     const std::string& heading, Value::List& data) {
     Section section(heading);
     DataTable table;
+    const std::vector<std::string> called = short_names(runs);
     for (const ComparedChannel& channel : channels) {
         std::vector<std::pair<int, std::string>> numbers;  // and what they are called
         for (const LapFigures& one : channel.laps) {
@@ -96,7 +112,7 @@ Section lap_section(const std::vector<ComparedChannel>& channels, const std::vec
                     return one.run == run.run && one.lap.number == wanted;
                 });
                 row.push_back(page_only(
-                    "bias " + runs[run.run],
+                    "bias " + called[run.run],
                     own == channel.laps.end() ? right("-") : right(shown_signed(channel, own->figures.bias))));
             }
             table.add_to_page(std::move(row));

@@ -83,13 +83,15 @@ Section fit_section(const IdentificationRecord& record, DataTable of_channels, D
 
 namespace {
 
-/// "air_convection.lambda_h -0.8 sd": the parameter that moves most, in its standard deviations. Starts of what is left out are not
-/// fitted to the rest.
+/// The parameter that moves most, by how many of its standard deviations. Starts do not count: without the first lap nobody knows them.
 std::string largest_move(const IdentificationRecord& record, const LeftOut& one, double& moved) {
     std::string name;
     moved = 0.0;
     for (std::size_t j = 0; j < record.result.fitted.size(); ++j) {
         const Fitted& fitted = record.result.fitted[j];
+        if (record.experiment.parameters[j].kind == solver::FreeParameter::Kind::initial) {
+            continue;
+        }
         const double by = (one.values[static_cast<Eigen::Index>(j)] - fitted.value) / fitted.standard_deviation;
         if (std::isfinite(by) && std::abs(by) > std::abs(moved)) {
             moved = by;
@@ -133,9 +135,10 @@ Section left_out_section(DataTable table) {
         section.say(
             "Each is predicted by a fit without it. Predicted as well as fitted, it holds nothing that the rest does "
             "not; "
-            "where the prediction is much worse, or a parameter moves by more than 2 standard deviations (sd), the "
-            "model "
-            "is wrong there or elsewhere.");
+            "where the prediction is much worse, or a parameter moves by more than 2 of its standard deviations (sd), "
+            "the "
+            "model is wrong there or elsewhere. Without the first lap nobody knows how warm the tire was at the "
+            "start.");
     }
     return section;
 }

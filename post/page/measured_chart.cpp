@@ -70,6 +70,30 @@ std::pair<std::vector<double>, std::vector<double>> means(const std::vector<doub
     return found;
 }
 
+/// A curve that ends where nothing was measured for long, as between laps that count, and goes on behind.
+void add_in_pieces(LineChart& chart, const std::string& name, const std::string& group, CurveRole role,
+                   std::span<const double> x, std::span<const double> y) {
+    constexpr double usual_steps = 20.0;
+    constexpr double least_share = 0.02;  // of the whole, below which a gap is not seen
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < x.size(); ++i) {
+        steps.push_back(x[i] - x[i - 1]);
+    }
+    double longest = 1e300;
+    if (!steps.empty()) {
+        const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+        std::nth_element(steps.begin(), middle, steps.end());
+        longest = std::max(usual_steps * *middle, least_share * (x.back() - x.front()));
+    }
+    std::size_t first = 0;
+    for (std::size_t i = 1; i <= x.size(); ++i) {
+        if (i == x.size() || x[i] - x[i - 1] > longest) {
+            chart.add_curve(name, group, role, x.subspan(first, i - first), y.subspan(first, i - first));
+            first = i;
+        }
+    }
+}
+
 void add_panels(LineChart& chart, const std::vector<const MeasuredSeries*>& series, double seconds) {
     const std::string_view unit = series.front()->unit.name;
     const bool is_temperature = unit == "degC";
@@ -81,8 +105,8 @@ void add_panels(LineChart& chart, const std::vector<const MeasuredSeries*>& seri
         chart.add_curve(one->channel + ", measured", one->channel, CurveRole::points, t,
                         converted(one->measured, value));
         for (std::size_t m = 0; m < one->models.size(); ++m) {
-            chart.add_curve(curve_name(*one, one->models[m]), one->channel, role_of(*one, m), t,
-                            converted(one->models[m].simulated, value));
+            add_in_pieces(chart, curve_name(*one, one->models[m]), one->channel, role_of(*one, m), t,
+                          converted(one->models[m].simulated, value));
         }
     }
     chart.add_panel("simulated - measured", difference_unit_name(unit), true);
@@ -96,10 +120,10 @@ void add_panels(LineChart& chart, const std::vector<const MeasuredSeries*>& seri
             const std::string name = curve_name(*one, one->models[m]);
             if (one->noise > 0.0 && t.size() > least_for_means) {
                 const auto [middle, mean] = means(t, difference);
-                chart.add_curve(name, one->channel, CurveRole::faint, t, difference);
-                chart.add_curve(name, one->channel, role_of(*one, m), middle, mean);
+                add_in_pieces(chart, name, one->channel, CurveRole::faint, t, difference);
+                add_in_pieces(chart, name, one->channel, role_of(*one, m), middle, mean);
             } else {
-                chart.add_curve(name, one->channel, role_of(*one, m), t, difference);
+                add_in_pieces(chart, name, one->channel, role_of(*one, m), t, difference);
             }
         }
         if (one->noise > 0.0) {
