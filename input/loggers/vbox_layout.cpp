@@ -3,7 +3,9 @@
 // [laptiming] lines across the track as two points (longitude and latitude in minutes, west positive), [column names],
 // [data] separated by blanks.   Racelogic, "VBO file structure", developers.racelogic.co.uk
 
+#include <algorithm>
 #include <array>
+#include <functional>
 #include <map>
 
 #include <fmt/format.h>
@@ -159,8 +161,15 @@ std::optional<CsvLayout> find_vbox_layout(std::string_view text) {
         layout.units.push_back(standard_unit(std::string(columns[i]), titled ? titles[i].text : std::string_view()));
     }
     // One line for each column that is not standard, an empty one for a column without unit. Some write one for every column.
-    const std::vector<Csv::Line>& units = sections["channel units"].lines;
-    const bool for_all = filled("channel units").size() >= columns.size();
+    std::vector<Csv::Line> units = sections["channel units"].lines;
+    const std::size_t n_units = filled("channel units").size();
+    const bool for_all = n_units >= columns.size();
+    const auto own = static_cast<std::size_t>(std::ranges::count_if(columns, std::not_fn(is_standard)));
+    if (n_units > own && !for_all) {  // whose they are nobody knows
+        layout.description.details.push_back(
+            {"Channel units", fmt::format("not taken: {} for {} columns that are not standard", n_units, own)});
+        units.clear();
+    }
     std::size_t next = 0;
     for (std::size_t i = 0; i < columns.size() && next < units.size(); ++i) {
         const bool standard = is_standard(columns[i]);

@@ -112,6 +112,33 @@ TEST(New, LogOfACarIsComparedAndFitted) {
     EXPECT_NE(fitted.out.find("sliding_friction.lambda_y: the fitted"), std::string::npos);
 }
 
+// cases/car/loggers has the same three laps as four loggers write them, each rounded to the same digits: the same tires come of all, to
+// 0.05 K (VBOX has clocks of 10 ms, RaceChrono counts laps from one sample to the next), and each knows its three laps.
+TEST(New, EveryLoggerOfTheCarGivesTheSameTires) {
+    const std::filesystem::path loggers = TIRETHERM_SOURCE_DIR "/cases/car/loggers";
+    std::vector<Json> results;
+    for (const char* name : {"motec.csv", "motec.ld", "racechrono.csv", "vbox.vbo"}) {
+        const sample::Scratch scratch;
+        std::filesystem::copy_file(loggers / name, scratch / name);
+        std::filesystem::copy_file(loggers / "motec.ldx", scratch / "motec.ldx");
+        const Call made = call(std::string("new ") + name + " --out case.toml", scratch.path());
+        ASSERT_EQ(made.exit_code, 0) << name << made.err << made.out;
+        const Call compared = call("compare case.toml --json --no-report", scratch.path());
+        ASSERT_EQ(compared.exit_code, 0) << name << compared.err;
+        results.push_back(Json::parse(compared.out));
+    }
+    for (const Json& result : results) {
+        const Json& runs = result["channels"][0]["runs"];
+        ASSERT_EQ(runs.size(), 4U);
+        for (std::size_t corner = 0; corner < 4; ++corner) {
+            EXPECT_EQ(runs[corner]["samples"], 852);
+            EXPECT_NEAR(runs[corner]["bias"], results[0]["channels"][0]["runs"][corner]["bias"], 0.05) << runs[corner];
+            EXPECT_NEAR(runs[corner]["rmse"], results[0]["channels"][0]["runs"][corner]["rmse"], 0.05) << runs[corner];
+        }
+        EXPECT_EQ(result["laps"].size(), 16U);  // out, 1, 2 and in, at each corner
+    }
+}
+
 TEST(New, CaseThatIsThereIsLeftAloneWithoutForce) {
     const sample::Scratch scratch;
     post::replace_file(scratch / "mine.toml", "mine\n");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The logs that the cases come with are what their generators write: make_bench_logs, make_laser_logs,
 // make_laser_bench_logs, make_section_logs, make_car_logs.
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -8,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "car/car_log_truth.hpp"
+#include "car/car_layouts_truth.hpp"
 #include "laser/laser_logs_truth.hpp"
 #include "section/section_logs_truth.hpp"
 #include "two_node/shipped_truth.hpp"
@@ -119,6 +120,18 @@ TEST(ShippedData, LogsOfSectionAndLayersAreWhatIsMade) {
 TEST(ShippedData, LogsOfTheCarAreWhatIsMade) {
     expect_export("car/session.csv", shipped_car_log(), 4000);
     expect_export("car/wheels.csv", shipped_wheel_log(), 1300);
+    for (const LoggerFile& file : shipped_logger_files()) {
+        if (file.name == "motec.csv") {
+            expect_export("car/loggers/motec.csv", file.content, 800);
+        } else if (file.name == "motec.ldx" ||
+                   file.name == "motec.ld") {  // bytes: rounded values, but for the last digit of some
+            EXPECT_EQ(text_of("car/loggers/" + file.name).size(), file.content.size()) << file.name;
+        } else {
+            const std::string shipped = text_of("car/loggers/" + file.name);
+            EXPECT_EQ(std::ranges::count(shipped, '\n'), std::ranges::count(file.content, '\n')) << file.name;
+            EXPECT_EQ(shipped.substr(0, 400), file.content.substr(0, 400)) << file.name;
+        }
+    }
 }
 
 TEST(ShippedData, ARowHasItsDigitsAndNoMinusBeforeAZero) {

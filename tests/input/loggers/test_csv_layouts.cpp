@@ -131,6 +131,23 @@ TEST(VboxVbo, PassesMidnightAndCrossesItsStartLine) {
     }
 }
 
+// Three units for two columns that are not standard: whose they are nobody knows, so none is taken, and the survey says so.
+TEST(VboxVbo, UnitsThatFitNoColumnAreNotTaken) {
+    std::string text = made_up::vbox_vbo(Session(20, 0.05), 36000.0);
+    const std::string two = "[channel units]\r\nN\r\nC\r\n";
+    ASSERT_NE(text.find(two), std::string::npos);
+    text.replace(text.find(two), two.size(), "[channel units]\r\nbar\r\nN\r\nC\r\n");
+    ReadBack file("session.vbo", text);
+    ASSERT_TRUE(file.is_open()) << file.messages();
+    for (const ColumnHead& head : file.file().heads()) {
+        const bool is_own = head.heading.name == "vertical_load" || head.heading.name == "surface_temperature";
+        EXPECT_EQ(head.heading.unit.value_or("").empty(), is_own) << head.heading.name;
+    }
+    const auto& details = file.file().description().details;
+    EXPECT_TRUE(std::ranges::any_of(
+        details, [](const auto& one) { return one.value == "not taken: 3 for 2 columns that are not standard"; }));
+}
+
 // Comments above and between the lines; a clock of the day that passes midnight counts from the first line on.
 TEST(PlainCsv, HasCommentsAndClocks) {
     ReadBack file("log.csv",
