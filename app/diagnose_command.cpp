@@ -143,7 +143,8 @@ int diagnose(const DiagnoseOptions& call, const TableOptions& of_table) {
     if (!result.status.ok()) {
         return report_failure(call, result.status, *folder, *journal, "nothing was diagnosed");
     }
-    post::DiagnosisRecord record{.experiment = experiment,
+    const input::Experiment shown = diagnosis::with_fitted_inputs(experiment, result.values);
+    post::DiagnosisRecord record{.experiment = shown,
                                  .observations = observations,
                                  .result = result,
                                  .case_file = call.case_file,

@@ -108,7 +108,7 @@ std::optional<std::vector<diagnosis::NamedFold>> what_to_leave_out(const Identif
         return std::nullopt;
     }
     if (what == LeaveOut::lap && folds.size() < 2) {
-        report_error(fmt::format("{}: no laps are known that could be left out", file),
+        report_error(fmt::format("{}: fewer than two laps are known that could be left out", file),
                      "see which laps a log has: tiretherm check LOG; or leave out runs: --leave-out run", options.json);
         return std::nullopt;
     }
@@ -144,6 +144,11 @@ int identify(const IdentifyOptions& options) {
         return plan(options, *reading);
     }
     const input::Experiment& experiment = *reading->experiment;
+    const diagnosis::Observations observations = diagnosis::observe(experiment);
+    const std::optional<std::vector<diagnosis::NamedFold>> folds = what_to_leave_out(options, experiment, observations);
+    if (!folds) {
+        return Exit::input_error;
+    }
     now_doing("fitting " + options.case_file);
     const auto folder = open_output(folder_of(options, "out/" + experiment.runs.front().problem.name), reading->files,
                                     post::identification_names(), "nothing was fitted", options.json);
@@ -152,16 +157,11 @@ int identify(const IdentifyOptions& options) {
     }
     const auto journal = open_journal(options, *folder, "identify", reading->files);
     const solver::UseOfKeptResults kept(*journal);
-    const diagnosis::Observations observations = diagnosis::observe(experiment);
     // Thousands of pixels see the discretisation error of the grid, which a finer one shows.
     std::optional<input::Experiment> finer;
     if (!observations.images.empty()) {
         finer = input::read_experiment(options.case_file, options.data_files(), input::ReadMode::measured, {.finer = 2})
                     .experiment;
-    }
-    const std::optional<std::vector<diagnosis::NamedFold>> folds = what_to_leave_out(options, experiment, observations);
-    if (!folds) {
-        return Exit::input_error;
     }
     SimulationCount count;
     const diagnosis::Identification result = diagnosis::identify(experiment, observations,
@@ -173,7 +173,8 @@ int identify(const IdentifyOptions& options) {
     if (!result.status.ok()) {
         return report_failure(options, result.status, *folder, *journal, "nothing was fitted");
     }
-    post::IdentificationRecord record{.experiment = experiment,
+    const input::Experiment shown = diagnosis::with_fitted_inputs(experiment, result.values);
+    post::IdentificationRecord record{.experiment = shown,
                                       .observations = observations,
                                       .result = result,
                                       .case_file = options.case_file,

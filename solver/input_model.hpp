@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "solver/digest.hpp"
 #include "solver/input_signals.hpp"
@@ -21,6 +22,8 @@ public:
 
     /// Puts the inputs that it computes in the place of those that are there. @param numbers SI, as many as it has
     virtual void apply(std::span<const double> numbers, InputSignals& into) const = 0;
+    /// The inputs that it computes.
+    [[nodiscard]] virtual std::vector<const physics::Signal*> signals() const = 0;
     /// What its inputs follow besides the numbers.
     virtual void add_to(Digest& digest) const = 0;
 };

@@ -30,6 +30,11 @@ std::vector<PhaseFigures> phases_of(const std::vector<const ComparedSeries*>& al
         for (const ComparedSeries* one : all) {
             const ComparedSeries& series = *one;
             const std::vector<double> difference = series.difference();
+            const double longest = longest_interval(series.time);
+            const auto interval = [&](std::size_t to) {  // from the sample before; a gap counts as nothing
+                const double length = to > 0 && to < series.time.size() ? series.time[to] - series.time[to - 1] : 0.0;
+                return length > longest ? 0.0 : length;
+            };
             for (std::size_t i = 0; i < series.time.size(); ++i) {
                 if (series.phase[i] != phase) {
                     continue;
@@ -39,9 +44,7 @@ std::vector<PhaseFigures> phases_of(const std::vector<const ComparedSeries*>& al
                 }
                 pieces.back().push_back(difference[i]);
                 // A sample stands for half the interval on either side.
-                const double before = series.time[i > 0 ? i - 1 : i];
-                const double after = series.time[std::min(i + 1, series.time.size() - 1)];
-                time += 0.5 * (after - before);
+                time += 0.5 * (interval(i) + interval(i + 1));
             }
         }
         whole += time;

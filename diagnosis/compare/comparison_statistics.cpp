@@ -254,4 +254,19 @@ Association association(const Pieces& regressor, const Pieces& differences) {
     return result;
 }
 
+double longest_interval(std::span<const double> time) {
+    constexpr double usual = 20.0;
+    constexpr double least_share = 0.02;
+    std::vector<double> intervals;
+    for (std::size_t i = 1; i < time.size(); ++i) {
+        intervals.push_back(time[i] - time[i - 1]);
+    }
+    if (intervals.empty()) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
+    std::nth_element(intervals.begin(), middle, intervals.end());
+    return std::max(usual * *middle, least_share * (time.back() - time.front()));
+}
+
 }  // namespace tiretherm::diagnosis

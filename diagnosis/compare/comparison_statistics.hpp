@@ -73,4 +73,8 @@ struct Association {
 /// @returns nothing (correlation 0) where either does not vary
 [[nodiscard]] Association association(const Pieces& regressor, const Pieces& differences);
 
+/// The longest interval between samples that is one of the logger's: twenty usual ones, or a fiftieth of the whole. Beyond, nothing
+/// was measured, as in laps that do not count. @param time ascending  @returns in its unit; infinite of a single sample
+[[nodiscard]] double longest_interval(std::span<const double> time);
+
 }  // namespace tiretherm::diagnosis

@@ -216,6 +216,13 @@ void identify(const input::Experiment& experiment, const Observations& observati
         result.simulations += fit.simulator().simulations() - before;
     }
     result.findings = findings_of(experiment, result);
+    for (const NamedFold& one : choice.leave_out) {
+        const auto left = std::ranges::find(result.left_out, one.name, &LeftOut::name);
+        if (left == result.left_out.end() || left->channels.empty()) {
+            result.findings.push_back(
+                fmt::format("{} could not be left out: the model fails with a fit to the rest", one.name));
+        }
+    }
     if (result.white_noise_gain > 0.0) {
         result.findings.insert(
             result.findings.begin(),

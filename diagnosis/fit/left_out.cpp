@@ -28,7 +28,7 @@ Fold fold_of_lap(const Observations& observations, std::size_t recording, const 
         const bool is_same = observations.recordings[what.run] == recording;
         if (noise_of[row] >= 0 && is_same && time >= lap.start && time < lap.end) {
             fold.test.push_back(static_cast<Eigen::Index>(row));
-        } else if (noise_of[row] < 0 || !is_same || time < lap.start - apart || time > lap.end + apart) {
+        } else if (!is_same || time < lap.start - apart || time > lap.end + apart) {  // quoted numbers too
             fold.rest.push_back(static_cast<Eigen::Index>(row));
         }
     }
@@ -83,6 +83,10 @@ std::vector<NamedFold> named_folds(const input::Experiment& experiment, const Ob
     } else if (what == LeaveOut::run && observations.n_recordings() > 1) {
         for (Fold& fold : folds_of(observations)) {
             const std::size_t run = fold.runs.front();
+            std::erase_if(fold.rest, [&](Eigen::Index row) {  // what was quoted of it
+                const std::size_t its = observations.rows[static_cast<std::size_t>(row)].run;
+                return std::ranges::find(fold.runs, its) != fold.runs.end();
+            });
             folds.push_back({.name = recording_of(experiment.runs[run]), .fold = std::move(fold)});
         }
     }
@@ -100,6 +104,7 @@ std::vector<LeftOut> leave_out_in_turn(Fit& fit, const std::vector<NamedFold>& f
             held_out(fit.experiment(), observations, fit.covariance(), fit.simulator().steps(), full, {one.fold});
         simulations += errors.simulations;
         if (!errors.ok) {
+            found.push_back({.name = one.name, .channels = {}, .values = {}});
             continue;
         }
         LeftOut left{.name = one.name, .channels = {}, .values = errors.values.front()};

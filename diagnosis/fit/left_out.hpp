@@ -28,7 +28,7 @@ struct LeftOut {
     Eigen::VectorXd values;  ///< [n_parameters] of the fit to the rest
 };
 
-/// What may be left out. Between a lap and the rest of its recording lies a twentieth of it that is in neither.
+/// What may be left out, the numbers quoted of it included. Between a lap and the rest of its recording lies a twentieth of it that is in neither.
 struct NamedFold {
     std::string name;
     Fold fold;
@@ -39,7 +39,7 @@ struct NamedFold {
                                                  LeaveOut what);
 
 /// Fits the rest of each and predicts it. @param fit at the values of the fit to everything, with its noise taken
-/// @param simulations out: added  @returns those of which the rest could be fitted
+/// @param simulations out: added  @returns all; without channels where the rest could not be fitted
 [[nodiscard]] std::vector<LeftOut> leave_out_in_turn(Fit& fit, const std::vector<NamedFold>& folds, long& simulations);
 
 }  // namespace tiretherm::diagnosis

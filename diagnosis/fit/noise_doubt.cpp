@@ -65,10 +65,13 @@ void doubt_input_numbers(const std::vector<solver::FreeParameter>& parameters, I
     std::vector<std::string> names;
     for (std::size_t j = 0; j < into.fitted.size(); ++j) {
         Fitted& one = into.fitted[j];
-        if (parameters[j].kind == solver::FreeParameter::Kind::input &&
-            one.identifiability == Identifiability::determined) {
-            one.identifiability = Identifiability::doubtful;
+        const bool is_moved = one.identifiability == Identifiability::determined ||
+                              one.identifiability == Identifiability::doubtful ||
+                              one.identifiability == Identifiability::with_prior;
+        if (parameters[j].kind == solver::FreeParameter::Kind::input && is_moved) {
             names.push_back(parameters[j].name);
+            one.identifiability =
+                one.identifiability == Identifiability::determined ? Identifiability::doubtful : one.identifiability;
         }
     }
     if (!names.empty()) {

@@ -20,7 +20,7 @@ namespace tiretherm::diagnosis {
 /// @param parameters [n_parameters]  @param into with its channels and intervals; out: `widened`, intervals and words
 void widen_doubtful(const std::vector<solver::FreeParameter>& parameters, Identification& into);
 
-/// A number of the model that computes inputs is never determined, but doubtful, and a finding says why: the heat of sliding follows
+/// A number of the model that computes inputs is never determined, but doubtful, and where the data move it a finding says why: the heat of sliding follows
 /// slips that this model makes from forces, and their error moves the number. On cases/car, whose mass is known, it is found three
 /// standard deviations off.
 void doubt_input_numbers(const std::vector<solver::FreeParameter>& parameters, Identification& into);

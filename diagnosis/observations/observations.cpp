@@ -324,4 +324,18 @@ ModelPrediction Simulator::predict(const Eigen::VectorXd& values) {
     return predicted;
 }
 
+input::Experiment with_fitted_inputs(input::Experiment experiment, const Eigen::VectorXd& values) {
+    for (input::MeasuredRun& run : experiment.runs) {
+        solver::Problem moved = run.problem;
+        for (std::size_t j = 0; j < experiment.parameters.size(); ++j) {
+            if (const solver::FreeParameter& number = experiment.parameters[j];
+                number.kind == solver::FreeParameter::Kind::input) {
+                solver::move(moved, number, solver::value_of(moved, number), values[static_cast<Eigen::Index>(j)]);
+            }
+        }
+        run.problem.input_signals = std::move(moved.input_signals);
+    }
+    return experiment;
+}
+
 }  // namespace tiretherm::diagnosis

@@ -104,4 +104,8 @@ private:
     std::function<void(long)> progress_;
 };
 
+/// The same experiment with the inputs that its fitted numbers make; all else is as it was. For pages, which show what was put in.
+/// @param values [n_parameters]
+[[nodiscard]] input::Experiment with_fitted_inputs(input::Experiment experiment, const Eigen::VectorXd& values);
+
 }  // namespace tiretherm::diagnosis

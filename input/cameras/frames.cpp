@@ -144,8 +144,13 @@ void read_one(const Camera& camera, const FramesOfRun& named, const ProblemBuild
     const std::optional<Window> window = window_of(camera, *file, errors);
     std::vector<std::size_t> frames;
     const solver::Settings& settings = builder.problem.settings;
+    const double from = settings.start + (builder.run ? builder.run->lead : 0.0);
+    const auto is_left_out = [&](double t) {
+        return builder.run && std::ranges::any_of(builder.run->left_out,
+                                                  [t](const LapWindow& lap) { return t >= lap.from && t < lap.to; });
+    };
     for (std::size_t i = 0; i < file->time.size(); ++i) {
-        if (file->time[i] >= settings.start && file->time[i] <= settings.end) {
+        if (file->time[i] >= from && file->time[i] <= settings.end && !is_left_out(file->time[i])) {
             frames.push_back(i);
         }
     }

@@ -91,6 +91,7 @@ UserColumn column_of(const MeasuredRun& run, const std::string& name, std::strin
             column.signal.value.push_back(si.to_si(value[i]));
         }
     }
+    column.signal = run.repeated.before(std::move(column.signal));
     return column;
 }
 

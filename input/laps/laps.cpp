@@ -137,7 +137,8 @@ LapChoice choose_laps(const std::string& text, const Laps& laps) {
         --last;
     }
     LapChoice choice{.window = LapWindow{.from = laps.laps[first].start, .to = laps.laps[last].end},
-                     .first_ends = laps.laps[first].end};
+                     .first_ends = laps.laps[first].end,
+                     .starts_from_the_pits = laps.laps[first].kind == LapKind::out};
     for (std::size_t i = first; i < last; ++i) {
         if (!chosen[i]) {
             choice.left_out.push_back({.from = laps.laps[i].start, .to = laps.laps[i].end});

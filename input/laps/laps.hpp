@@ -52,6 +52,7 @@ struct LapWindow {
 struct LapChoice {
     std::optional<LapWindow> window{};
     double first_ends = 0.0;            ///< s, the first lap that was chosen
+    bool starts_from_the_pits = false;  ///< the first is the out-lap
     std::vector<LapWindow> left_out{};  ///< within the window, ascending
     std::optional<std::string> error{};
     std::string remedy{};

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "input/laps/laps.hpp"
+#include "input/laps/repeated_lap.hpp"
 #include "input/materials/ply_summary.hpp"
 #include "input/parameters/mesh_change.hpp"
 #include "input/text/input_error.hpp"
@@ -94,6 +95,7 @@ struct MeasuredRun {
     std::vector<UnusedSignal> unused;
     std::vector<MeasuredFrames> frames;
     std::vector<Lap> laps{};  ///< of the file, those that lie in the run
+    RepeatedLap repeated{};   ///< that goes before it
 };
 
 /// A case with its measured runs and the numbers of it that may be fitted.

@@ -17,8 +17,8 @@ namespace tiretherm::input {
 
 namespace {
 
-/// When the readings were taken. @returns s, or nothing: at the run's end, or after an error
-std::optional<double> time_of_stop(TomlTable& table, const RunFile* file) {
+/// When the readings were taken. @returns s, or nothing: at the run's end, after an error, or of another run
+std::optional<double> time_of_stop(TomlTable& table, const RunFile* file, bool is_of_run) {
     const std::optional<double> time = table.quantity("time", quantity_specs::moment);
     const std::optional<int> lap = table.count("lap", 0, 1000000);
     const double after = table.quantity("after", quantity_specs::interval).value_or(0.0);
@@ -31,18 +31,34 @@ std::optional<double> time_of_stop(TomlTable& table, const RunFile* file) {
                         "add lap = 8, or write time");
         return std::nullopt;
     }
-    if (!lap || file == nullptr) {
+    if (!lap || !is_of_run) {
         return time;
     }
-    const std::vector<Lap>& laps = file->laps.laps;
+    const std::vector<Lap> laps = file != nullptr ? file->laps.laps : std::vector<Lap>{};
     const auto found = std::ranges::find(laps, *lap, &Lap::number);
     if (found == laps.end()) {
         table.add_error("lap", fmt::format("there is no lap {}", *lap),
-                        laps.empty() ? "no laps are known of the file: write time = \"742 s\""
+                        laps.empty() ? "no laps are known of the run: write time = \"742 s\""
                                      : fmt::format("the laps are {}", list_laps(laps)));
         return std::nullopt;
     }
-    return found->end + after;
+    if (file->time.empty()) {
+        return std::nullopt;  // which has been reported
+    }
+    // The mark at the end of the last lap lies between its last sample and the next.
+    const double first = file->time[file->first];
+    const double last = file->time[file->last - 1];
+    const double next = file->last < file->time.size() ? file->time[file->last] : last;
+    const double end = found->end > last && found->end <= next ? last : found->end;
+    if (end < first || end + after > last) {
+        table.add_error(
+            end + after > last && end <= last ? "after" : "lap",
+            fmt::format("{:.6g} s after the end of lap {} it is {:.6g} s, and the run goes from {:.6g} s to {:.6g} s",
+                        after, *lap, end + after, first, last),
+            "choose a moment within the run: the tire cools while the car stands, and the log has to go on as long");
+        return std::nullopt;
+    }
+    return end + after;
 }
 
 /// Values for as many sensors, K. Empty after an error. @param key of the corner, or "readings"
@@ -67,8 +83,11 @@ std::vector<double> readings_of(TomlTable& table, std::string_view key, std::siz
         return {sum / static_cast<double>(kelvin.size())};
     }
     if (kelvin.size() != n_sensors) {
-        table.add_error(key, fmt::format("{} has {} values for {} sensors", key, kelvin.size(), n_sensors),
-                        "give one for each sensor, in their order; several of a single sensor are averaged");
+        table.add_error(
+            key,
+            fmt::format("{} has {} {} for {} {}", key, kelvin.size(), kelvin.size() == 1 ? "value" : "values",
+                        n_sensors, n_sensors == 1 ? "sensor" : "sensors"),
+            "give one for each sensor, in their order; several of a single sensor are averaged");
         return {};
     }
     return kelvin;
@@ -84,6 +103,12 @@ bool is_of_run(TomlTable& table, const RunTable& run, const std::vector<RunTable
         }
     }
     const std::optional<std::string> name = table.text("run");
+    const bool by_data = run.table == nullptr && run.file;  // --data takes the place of the runs
+    if (by_data && (name ? std::ranges::find(names, *name) == names.end() : names.size() > 1)) {
+        table.errors().warn(table.place(),
+                            "the run of this [[pyrometer]] is not among those of --data: it is left out");
+        return false;
+    }
     if (!name && names.size() > 1) {
         table.add_error("run", "it is not said after which run the readings were taken",
                         fmt::format("add run = \"{}\"; the runs are {}", names.front(), listed(names)));
@@ -94,6 +119,42 @@ bool is_of_run(TomlTable& table, const RunTable& run, const std::vector<RunTable
         return false;
     }
     return !name || *name == (run.corner.empty() ? run.name : run.recording);
+}
+
+/// Whether the readings are those of tires that the case has. @returns false after an error
+bool check_readings(TomlTable& table, const RunTable& run, const std::vector<RunTable>& runs,
+                    const std::vector<LocatedString>& sensors) {
+    const std::size_t before = table.errors().count();
+    if (table.has("sensors") && sensors.empty()) {
+        table.add_error("sensors", "sensors names none", "write sensors = [\"bulk_temperature\"]");
+    }
+    for (std::size_t i = 0; i < sensors.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            if (sensors[i].text == sensors[k].text) {
+                table.errors().add(sensors[i].place, fmt::format("{} stands twice", sensors[i].text),
+                                   "name each sensor once; several readings of a single sensor are averaged");
+            }
+        }
+    }
+    bool any = table.has("readings");
+    if (any && !run.corner.empty()) {
+        table.add_error("readings", "readings are those of a single tire, and the case has corners",
+                        "write FL = [...], FR = [...] and so on");
+    }
+    for (const std::string_view corner : physics::corner_names) {
+        any = any || table.has(corner);
+        if (table.has(corner) && std::ranges::find(runs, corner, &RunTable::corner) == runs.end()) {
+            table.add_error(corner, fmt::format("the case has no [[corner]] called \"{}\"", corner),
+                            run.corner.empty()
+                                ? "write readings = [...], or add [[corner]]"
+                                : fmt::format("add [[corner]] with name = \"{}\", or remove this", corner));
+        }
+    }
+    if (!any) {
+        table.errors().add(table.place(), "[[pyrometer]] has no reading",
+                           run.corner.empty() ? "add readings = [\"80 degC\"]" : "add FL = [\"80 degC\"]");
+    }
+    return table.errors().count() == before;
 }
 
 TomlValue at_place(TomlValue value, const SourceLocation& place) {
@@ -130,21 +191,12 @@ void add_pyrometer_readings(TomlValue& document, const RunTable& run, const RunF
         table.declare_keys({"FL", "FR", "RL", "RR", "readings"});
         const bool is_of = is_of_run(table, run, runs);
         const std::vector<LocatedString> sensors = table.texts("sensors", Need::required);
-        const std::optional<double> time = time_of_stop(table, file);
+        const std::optional<double> time = time_of_stop(table, file, is_of);
         const auto uncertainty = table.quantity(
             "uncertainty", {.unit = "K", .scale = Scale::difference, .low = 0.0, .above = true}, Need::required);
         const std::string source = table.text("source").value_or("pyrometer");
         const std::string_view key = run.corner.empty() ? std::string_view("readings") : std::string_view(run.corner);
-        const std::string_view other = run.corner.empty() ? "FL" : "readings";
-        if (table.has(other)) {
-            table.add_error(other,
-                            run.corner.empty() ? "FL is a corner, and the case has no [[corner]]"
-                                               : "readings are those of a single tire, and the case has corners",
-                            run.corner.empty() ? "write readings = [...], or add [[corner]]"
-                                               : "write FL = [...], FR = [...] and so on");
-            return;
-        }
-        if (!is_of || sensors.empty() || !table.has(key)) {
+        if (!check_readings(table, run, runs, sensors) || !is_of || !table.has(key)) {
             return;
         }
         const std::vector<double> values = readings_of(table, key, sensors.size());

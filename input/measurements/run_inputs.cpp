@@ -113,8 +113,13 @@ bool find_samples(const RunTable& run, RunFile& file, InputErrors& errors) {
         from = choice.window->from;
         to = choice.window->to;
         file.left_out = std::move(choice.left_out);
-        file.before = {.from = *from, .to = choice.first_ends};
-        file.repeats = run.repeat_first_lap;
+        if (run.repeat_first_lap > 0 && choice.starts_from_the_pits) {
+            errors.warn(run.laps->place,
+                        "the lap that is driven before is the first of the file: if the car comes from the pits, speed "
+                        "and forces "
+                        "jump between its repetitions; let laps begin with the next");
+        }
+        file.repeated = {.from = *from, .to = choice.first_ends, .times = run.repeat_first_lap};
     }
     const auto first = from ? std::lower_bound(time.begin(), time.end(), *from) : time.begin();
     const auto last = to ? std::upper_bound(time.begin(), time.end(), *to) : time.end();
@@ -214,26 +219,6 @@ std::optional<RunFile> open_run_file(const RunTable& run, const std::vector<std:
 
 namespace {
 
-/// A signal with the lap that is driven before, as often as it is.
-solver::SignalHistory with_lead(solver::SignalHistory known, const RunFile& file) {
-    if (file.repeats == 0) {
-        return known;
-    }
-    const auto begin = std::ranges::lower_bound(known.time, file.before.from) - known.time.begin();
-    const auto end = std::ranges::lower_bound(known.time, file.before.to) - known.time.begin();
-    solver::SignalHistory led;
-    for (int k = file.repeats; k > 0; --k) {
-        const double earlier = k * (file.before.to - file.before.from);
-        for (auto i = begin; i < end; ++i) {
-            led.time.push_back(known.time[static_cast<std::size_t>(i)] - earlier);
-            led.value.push_back(known.value[static_cast<std::size_t>(i)]);
-        }
-    }
-    led.time.insert(led.time.end(), known.time.begin(), known.time.end());
-    led.value.insert(led.value.end(), known.value.begin(), known.value.end());
-    return led;
-}
-
 /// The columns that user effects follow, in base units whatever their unit is.
 void read_followed(const RunFile& file, ColumnKeys& keys, RunInputs& into, InputErrors& errors) {
     const std::vector<FollowedColumn>& followed = file.columns.followed;
@@ -260,7 +245,7 @@ void read_followed(const RunFile& file, ColumnKeys& keys, RunInputs& into, Input
         const std::vector<double> value(read[i].begin() + first, read[i].begin() + last);
         const SourceLocation& place = file.file.heads()[static_cast<std::size_t>(followed[i].column)].place;
         if (judge_gaps(followed[i].name, time, value, place, "let the effect follow another signal", errors)) {
-            const solver::SignalHistory known = with_lead(known_samples(time, value), file);
+            const solver::SignalHistory known = file.repeated.before(known_samples(time, value));
             into.columns[i].signal = keys.holds(followed[i].name) ? held(known) : known;
         }
     }
@@ -305,7 +290,8 @@ RunInputs read_run_inputs(const RunTable& run, const RunFile* file, InputErrors&
     const auto first = static_cast<std::ptrdiff_t>(file->first);
     const auto last = static_cast<std::ptrdiff_t>(file->last);
     const std::vector<double> time(file->time.begin() + first, file->time.begin() + last);
-    into.lead = file->lead();
+    into.lead = file->repeated.lead();
+    into.left_out = file->left_out;
     into.first = time.front() - into.lead;
     into.last = time.back();
     for (std::size_t i = 0; i < read.size(); ++i) {
@@ -315,7 +301,7 @@ RunInputs read_run_inputs(const RunTable& run, const RunFile* file, InputErrors&
         if (!judge_gaps(requests[i].name, time, value, input.place, elsewhere, errors)) {
             continue;
         }
-        solver::SignalHistory known = with_lead(known_samples(time, value), *file);
+        solver::SignalHistory known = file->repeated.before(known_samples(time, value));
         if (run.keys->holds(requests[i].name)) {
             known = held(known);
         }

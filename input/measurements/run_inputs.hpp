@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "input/laps/laps.hpp"
+#include "input/laps/repeated_lap.hpp"
 #include "input/measurements/run_columns.hpp"
 #include "input/model/problem_builder.hpp"
 
@@ -19,11 +20,7 @@ struct RunFile {
     std::size_t last = 0;               ///< one past the last of them
     Laps laps{};                        ///< of the whole file
     std::vector<LapWindow> left_out{};  ///< whose readings do not count
-    LapWindow before{};                 ///< s, the lap that is driven before the run
-    int repeats = 0;                    ///< how many times
-
-    /// By how much the run starts before its first sample. @returns s
-    [[nodiscard]] double lead() const { return repeats * (before.to - before.from); }
+    RepeatedLap repeated{};
 };
 
 /// Opens the run's file and finds its samples; nothing after an error.

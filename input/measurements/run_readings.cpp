@@ -29,10 +29,7 @@ public:
     Samples(const RunFile& file, const solver::Settings& settings) {
         for (std::size_t i = file.first; i < file.last; ++i) {
             const double t = file.time[i];
-            const bool is_left_out =
-                std::ranges::any_of(file.left_out, [&](const LapWindow& lap) { return t >= lap.from && t < lap.to; });
-            if (t >= settings.start && t <= settings.end && (i == file.first || t != file.time[i - 1]) &&
-                !is_left_out) {
+            if (t >= settings.start && t <= settings.end && (i == file.first || t != file.time[i - 1])) {
                 rows_.push_back(i);
             }
         }
@@ -79,6 +76,12 @@ void read_series(const RunFile& file, const ProblemBuilder& builder, InputErrors
     run.time = samples.of(file.time);
     for (std::size_t i = 0; i < read.size(); ++i) {
         MeasuredSeries series{.channel = channels[i], .value = samples.of(read[i])};
+        for (std::size_t k = 0; k < run.time.size(); ++k) {
+            const auto holds = [&](const LapWindow& lap) { return run.time[k] >= lap.from && run.time[k] < lap.to; };
+            if (std::ranges::any_of(file.left_out, holds)) {
+                series.value[k] = std::nan("");
+            }
+        }
         if (std::all_of(series.value.begin(), series.value.end(), [](double v) { return std::isnan(v); })) {
             const ColumnHead& head = file.file.heads()[static_cast<std::size_t>(requests[i].column)];
             errors.add(head.place, fmt::format("{} has no value in the run", requests[i].name),

@@ -219,8 +219,10 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
                 }
             }
             read_unused(*file, builder.problem.settings, errors, run);
+            run.repeated = file->repeated;
+            const double from = builder.problem.settings.start + run.repeated.lead();
             std::ranges::copy_if(file->laps.laps, std::back_inserter(run.laps), [&](const Lap& lap) {
-                return lap.start < builder.problem.settings.end && lap.end > builder.problem.settings.start;
+                return lap.start < builder.problem.settings.end && lap.end > from;
             });
             Recording recording = recording_of(*file, builder, run);
             recording.keep_suspicious = table.keys->keeps_suspicious();

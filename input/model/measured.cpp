@@ -70,6 +70,7 @@ void read_value(TomlTable& table, solver::Quantity reads, solver::Measured& meas
 
 void read_measured(TomlTable& root, ProblemBuilder& builder) {
     const solver::Settings& settings = builder.problem.settings;
+    const double start = settings.start + (builder.run ? builder.run->lead : 0.0);  // before, nothing was measured
     const std::vector<std::string> channels = names_of(builder.problem.channels);
     root.each("measured", [&](TomlTable& table) {
         solver::Measured measured;
@@ -85,8 +86,8 @@ void read_measured(TomlTable& root, ProblemBuilder& builder) {
         }
         measured.source = table.text("source").value_or("");
         measured.time = table.quantity("time", quantity_specs::moment).value_or(settings.end);
-        if (table.has("time") && (measured.time < settings.start || measured.time > settings.end)) {
-            table.add_error("time", fmt::format("the run goes from {:.6g} s to {:.6g} s", settings.start, settings.end),
+        if (table.has("time") && (measured.time < start || measured.time > settings.end)) {
+            table.add_error("time", fmt::format("the run goes from {:.6g} s to {:.6g} s", start, settings.end),
                             "choose a time within the run");
         }
         if (channel != channels.end() || !table.has("channel")) {

@@ -12,6 +12,7 @@
 
 #include "input/cameras/camera.hpp"
 #include "input/effects/user_signals.hpp"
+#include "input/laps/laps.hpp"
 #include "input/materials/cord_rubber.hpp"
 #include "input/model/size_limits.hpp"
 #include "input/toml/toml_table.hpp"
@@ -56,9 +57,10 @@ struct RunInputs {
     std::vector<UserColumn> columns{};    ///< that user effects follow; without points after an error
     std::vector<std::string> headings{};  ///< of all columns of the file
     std::vector<StartReading> start_readings{};
-    std::optional<double> first{};  ///< s, first time in the file, less `lead`
-    double lead = 0.0;              ///< s, for which laps are driven before
-    std::optional<double> last{};   ///< s, last time in the file
+    std::optional<double> first{};      ///< s, first time in the file, less `lead`
+    double lead = 0.0;                  ///< s, for which laps are driven before
+    std::vector<LapWindow> left_out{};  ///< whose readings do not count
+    std::optional<double> last{};       ///< s, last time in the file
 
     /// Whether the run has a value of its own for the key of a table.
     [[nodiscard]] bool says(std::string_view of_table, std::string_view key) const;

@@ -64,6 +64,9 @@ void read_time_settings(TomlTable& root, ProblemBuilder& builder) {
         into.start = own_start ? into.start : *builder.run->first;
         into.end = own_end ? into.end : *builder.run->last;
     }
+    if (own_start && builder.run->lead > 0.0) {
+        time.add_error("start", "start and repeat_first_lap both say where the run begins", "keep one of them");
+    }
     builder.problem.input_signals.start_at(into.start);
     into.fixed_step = time.quantity("step", quantity_specs::duration);
     into.tolerance = time.quantity("tolerance", quantity_specs::tolerance).value_or(into.tolerance);

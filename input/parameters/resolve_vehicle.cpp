@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Paths of the numbers of [vehicle]: "vehicle.mass".
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -13,7 +15,7 @@ namespace tiretherm::input {
 
 namespace {
 
-/// Above zero a number needs room: a car of no mass has no load.
+/// Above zero a number needs room: a car of no mass has no load, and its centre of gravity lies between the axles.
 constexpr double least_share = 0.01;
 
 /// The name of a run, or "FL", that gives the number a value of its own; empty where none does.
@@ -30,20 +32,44 @@ std::string owner_of(const TomlValue& document, const std::string& key) {
     return {};
 }
 
-/// Signals that a formula of the case takes as they are: it would not see the car change.
+/// The names in a formula.
+std::set<std::string> names_in(std::string_view formula) {
+    std::set<std::string> names;
+    std::string name;
+    for (const char c : std::string(formula) + " ") {
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
+            name += c;
+        } else {
+            names.insert(name);
+            name.clear();
+        }
+    }
+    return names;
+}
+
+/// Formulas of the case take the inputs as they are: they would not see the car change.
 void refuse_followers(const CaseAsRead& in, const LocatedString& key) {
+    std::vector<std::string_view> computed;
+    for (const physics::Signal* signal : in.builder.problem.input_model->signals()) {
+        // The tire's speed is the car's, but for the half of a track in a turn.
+        if (signal->name != "speed" || key.text.ends_with("track")) {
+            computed.push_back(signal->name);
+        }
+    }
     for (const std::string_view list : {"source", "exchange"}) {
         const TomlValue* effects = in.document.find(list);
         for (std::size_t i = 0; effects != nullptr && i < effects->items.size(); ++i) {
-            const TomlValue* follows = effects->items[i].find("follows");
             const TomlValue* name = effects->items[i].find("name");
-            for (const std::string_view signal : {"vertical_load", "slip_angle", "slip_ratio", "lateral_force",
-                                                  "longitudinal_force", "brake_temperature"}) {
-                if (follows != nullptr && follows->text.find(signal) != std::string::npos) {
+            for (const std::string_view formula : {"follows", "temperature"}) {
+                const TomlValue* text = effects->items[i].find(formula);
+                const std::set<std::string> names = names_in(text != nullptr ? text->text : "");
+                const auto signal = std::ranges::find_if(
+                    computed, [&](std::string_view one) { return names.contains(std::string(one)); });
+                if (signal != computed.end()) {
                     in.errors.add(key.place,
                                   fmt::format("[[{}]] {} follows {}, which follows {}; in a fit it would not", list,
-                                              name != nullptr ? name->text : "", signal, key.text),
-                                  "let the source follow what is measured, or remove this [[parameter]]");
+                                              name != nullptr ? name->text : "", *signal, key.text),
+                                  "let it follow what is measured, or remove this [[parameter]]");
                     return;
                 }
             }
@@ -75,7 +101,7 @@ std::optional<FreeParameters> resolve_vehicle(const ParameterPath& path, const C
     }
     const VehicleNumberSpec& its = vehicle_numbers()[index];
     const double value = in.builder.problem.input_numbers[index];
-    if (std::isnan(value)) {
+    if (std::isnan(value) || path.find(in.document) == nullptr) {
         in.errors.add(key.place, fmt::format("[vehicle] does not give {}", key.text),
                       fmt::format("add {} to it: there the search begins", key.text));
         return std::nullopt;
@@ -93,6 +119,15 @@ std::optional<FreeParameters> resolve_vehicle(const ParameterPath& path, const C
     number.parameter = index;
     number.low = its.spec.above ? std::max(its.spec.low, least_share * value) : its.spec.low;
     number.high = its.spec.high;
+    if (index == static_cast<std::size_t>(VehicleNumber::front_weight_share)) {
+        number.low = least_share;
+        number.high = 1.0 - least_share;
+    }
+    if (index == static_cast<std::size_t>(VehicleNumber::centre_of_gravity_behind_front_axle)) {
+        const VehicleNumbers all(in.builder.problem.input_numbers);
+        number.low = least_share * all[VehicleNumber::wheelbase];
+        number.high = (1.0 - least_share) * all[VehicleNumber::wheelbase];
+    }
     return FreeParameters{.numbers = {std::move(number)}, .spec = its.spec};
 }
 

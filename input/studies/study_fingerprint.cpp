@@ -81,7 +81,7 @@ void Fingerprints::spell(const TomlValue& node, const InputErrors& errors, std::
 }
 
 std::string Fingerprints::of(const TomlValue& document, const InputErrors& errors) {
-    constexpr std::array<std::string_view, 3> words{"title", "sources", "measured"};
+    constexpr std::array<std::string_view, 4> words{"title", "sources", "measured", "pyrometer"};
     std::string text;
     for (const Entry& entry : document.entries) {
         if (std::find(words.begin(), words.end(), entry.key) == words.end()) {

@@ -125,7 +125,8 @@ InputTrace find_in_case(const InputDefinition& input, const TomlValue& document)
 
 void change_case(const InputDefinition& input, std::size_t end, TomlValue& document, InputErrors& errors) {
     // Numbers that stand beside a run belong to the unchanged test: their times may be beyond the end of this one.
-    std::erase_if(document.entries, [](const Entry& entry) { return entry.key == "measured"; });
+    std::erase_if(document.entries,
+                  [](const Entry& entry) { return entry.key == "measured" || entry.key == "pyrometer"; });
     const Measure& value = input.ends[end];
     if (input.action == InputAction::keys) {
         for (const LocatedString& key : input.keys) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "input/vehicle/at_times.hpp"
 
@@ -105,6 +106,15 @@ void VehicleInputModel::apply(std::span<const double> numbers, solver::InputSign
     put(moved.numbers, motion, corners(moved.numbers, motion), into);
 }
 
+std::vector<const physics::Signal*> VehicleInputModel::signals() const {
+    std::vector<const physics::Signal*> all{physics::find_signal("speed")};
+    std::ranges::transform(computed_, std::back_inserter(all), &ComputedInput::signal);
+    if (has_disc_) {
+        all.push_back(physics::find_signal("brake_temperature"));
+    }
+    return all;
+}
+
 void VehicleInputModel::add_to(solver::Digest& digest) const {
     for (const solver::SignalHistory* history :
          {&log_.speed, &log_.longitudinal_acceleration, &log_.lateral_acceleration, &log_.yaw_rate,
@@ -114,6 +124,12 @@ void VehicleInputModel::add_to(solver::Digest& digest) const {
     }
     digest.add(settings_.corner);
     digest.add(settings_.kind.driven);
+    digest.add(settings_.kind.law.has_value());
+    for (const double coefficient : settings_.kind.law ? std::array{settings_.kind.law->pKy1, settings_.kind.law->pDy1,
+                                                                    settings_.kind.law->pKx1, settings_.kind.law->pDx1}
+                                                       : std::array<double, 4>{}) {
+        digest.add(coefficient);
+    }
     digest.add(settings_.smoothing);
     for (const TurnSign sign : {settings_.lateral_acceleration, settings_.yaw_rate, settings_.steering}) {
         digest.add(sign);

@@ -27,6 +27,7 @@ public:
                       std::vector<ComputedInput> computed, bool has_disc);
 
     void apply(std::span<const double> numbers, solver::InputSignals& into) const override;
+    [[nodiscard]] std::vector<const physics::Signal*> signals() const override;
     void add_to(solver::Digest& digest) const override;
 
     /// All four tires of a car with these numbers. @param motion of its log

@@ -106,6 +106,9 @@ std::string largest_move(const IdentificationRecord& record, const LeftOut& one,
 DataTable left_out_table(const IdentificationRecord& record) {
     DataTable table;
     for (const LeftOut& one : record.result.left_out) {
+        if (one.channels.empty()) {
+            continue;  // a finding says so
+        }
         double moved = 0.0;
         const std::string name = largest_move(record, one, moved);
         for (const LeftOutChannel& part : one.channels) {

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "diagnosis/compare/comparison_statistics.hpp"
 #include "post/page/charts.hpp"
 #include "post/page/input_panels.hpp"
 
@@ -73,18 +74,7 @@ std::pair<std::vector<double>, std::vector<double>> means(const std::vector<doub
 /// A curve that ends where nothing was measured for long, as between laps that count, and goes on behind.
 void add_in_pieces(LineChart& chart, const std::string& name, const std::string& group, CurveRole role,
                    std::span<const double> x, std::span<const double> y) {
-    constexpr double usual_steps = 20.0;
-    constexpr double least_share = 0.02;  // of the whole, below which a gap is not seen
-    std::vector<double> steps;
-    for (std::size_t i = 1; i < x.size(); ++i) {
-        steps.push_back(x[i] - x[i - 1]);
-    }
-    double longest = 1e300;
-    if (!steps.empty()) {
-        const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-        std::nth_element(steps.begin(), middle, steps.end());
-        longest = std::max(usual_steps * *middle, least_share * (x.back() - x.front()));
-    }
+    const double longest = diagnosis::longest_interval(x);
     std::size_t first = 0;
     for (std::size_t i = 1; i <= x.size(); ++i) {
         if (i == x.size() || x[i] - x[i - 1] > longest) {

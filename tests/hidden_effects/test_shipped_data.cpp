@@ -71,6 +71,7 @@ void expect_export(const std::string& file, const std::string& text, std::size_t
         if (a == b) {
             continue;
         }
+        ASSERT_EQ(std::ranges::count(a, ','), std::ranges::count(b, ',')) << "row " << row;
         std::istringstream cells_a(a);
         std::istringstream cells_b(b);
         std::string cell_a;

@@ -256,8 +256,8 @@ each = "corner"
     EXPECT_NE(said(without, written).find("the case has no [[corner]]"), std::string::npos) << said(without, written);
 }
 
-// Three readings of each tire at a stop 4 s into the log: the section's three sensors take one each; the bulk of two lumps takes the
-// mean, (40 + 41 + 45)/3 = 42 degC. The rear left tire was not measured.
+// Three readings of the front left tire at a stop 4 s into the log: two lumps have one sensor for them, which takes the mean,
+// (40 + 41 + 45)/3 = 42 degC; two sensors take one each. The rear left tire was not measured.
 TEST(Pyrometer, GivesNumbersToItsRunAndCorner) {
     const Written written;
     const std::string stop =
@@ -278,7 +278,7 @@ TEST(Pyrometer, GivesNumbersToItsRunAndCorner) {
     const ExperimentReading two = read(
         written, corners + replaced(stop, ", \"45 degC\"", "") + "[\"surface_temperature\", \"bulk_temperature\"]\n");
     EXPECT_TRUE(said(two, written)
-                    .starts_with("case.toml:45:6: FR has 1 values for 2 sensors\n    FR = \"38 degC\"\n         "
+                    .starts_with("case.toml:45:6: FR has 1 value for 2 sensors\n    FR = \"38 degC\"\n         "
                                  "^~~~~~~~~\n    remedy: give one for each "
                                  "sensor, in their order; several of a single sensor are averaged\n"));
 }

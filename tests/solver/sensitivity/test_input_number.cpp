@@ -28,6 +28,9 @@ public:
         into.replace(std::move(load));
         into.replace(std::move(speed));
     }
+    [[nodiscard]] std::vector<const physics::Signal*> signals() const override {
+        return {physics::find_signal("vertical_load"), physics::find_signal("speed")};
+    }
     void add_to(Digest& digest) const override { digest.add("swing"); }
 };
 
