@@ -499,6 +499,7 @@ front_roll_stiffness_share = 0.55
 driven_axle = "front"
 front_brake_share = 0.65
 property_file = "made_up.tir"
+rear_property_file = "made_up.tir"
 friction_scale = 0.9
 stiffness_scale = 0.9
 )";

@@ -124,11 +124,12 @@ void VehicleInputModel::add_to(solver::Digest& digest) const {
     }
     digest.add(settings_.corner);
     digest.add(settings_.kind.driven);
-    digest.add(settings_.kind.law.has_value());
-    for (const double coefficient : settings_.kind.law ? std::array{settings_.kind.law->pKy1, settings_.kind.law->pDy1,
-                                                                    settings_.kind.law->pKx1, settings_.kind.law->pDx1}
-                                                       : std::array<double, 4>{}) {
-        digest.add(coefficient);
+    for (const std::optional<physics::MagicFormula>& law : settings_.kind.laws) {
+        digest.add(law.has_value());
+        for (const double coefficient :
+             law ? std::array{law->pKy1, law->pDy1, law->pKx1, law->pDx1} : std::array<double, 4>{}) {
+            digest.add(coefficient);
+        }
     }
     digest.add(settings_.smoothing);
     for (const TurnSign sign : {settings_.lateral_acceleration, settings_.yaw_rate, settings_.steering}) {

@@ -106,14 +106,15 @@ void share_forces(const VehicleNumbers& numbers, const VehicleKind& kind, physic
 void give_tires(const VehicleNumbers& numbers, const VehicleKind& kind, physics::Vehicle& vehicle) {
     using enum VehicleNumber;
     auto& [front, rear] = vehicle.axles;
-    if (kind.law) {
-        physics::MagicFormula scaled = *kind.law;
-        scaled.lambda.mux *= numbers[friction_scale];
-        scaled.lambda.muy *= numbers[friction_scale];
-        scaled.lambda.Kx *= numbers[stiffness_scale];
-        scaled.lambda.Ky *= numbers[stiffness_scale];
-        front.tire.magic_formula = scaled;
-        rear.tire.magic_formula = scaled;
+    if (kind.laws[0]) {
+        for (std::size_t axle = 0; axle < kind.laws.size(); ++axle) {
+            physics::MagicFormula scaled = kind.laws[axle].value();
+            scaled.lambda.mux *= numbers[friction_scale];
+            scaled.lambda.muy *= numbers[friction_scale];
+            scaled.lambda.Kx *= numbers[stiffness_scale];
+            scaled.lambda.Ky *= numbers[stiffness_scale];
+            vehicle.axles[axle].tire.magic_formula = scaled;
+        }
         return;
     }
     front.tire.cornering_stiffness = numbers.or_else(front_cornering_stiffness, 1.0);

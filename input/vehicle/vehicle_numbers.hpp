@@ -82,7 +82,8 @@ enum class DrivenAxle : std::uint8_t { front, rear, all };
 /// What describes a car besides its numbers.
 struct VehicleKind {
     DrivenAxle driven = DrivenAxle::rear;
-    std::optional<physics::MagicFormula> law{};  ///< of a property file; without one the stiffnesses count
+    /// Of property files, front and rear; without them the stiffnesses count.
+    std::array<std::optional<physics::MagicFormula>, 2> laws{};
 };
 
 /// The car of these numbers. Where they are not given, the rear track is the front one, the yaw inertia m a b (Gillespie 1992,

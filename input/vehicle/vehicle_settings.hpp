@@ -2,6 +2,7 @@
 // The table [vehicle]: a car, which wheel the case's tire is, and how the signals of its log are to be taken.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "input/model/problem_builder.hpp"
@@ -23,8 +24,12 @@ struct VehicleSettings {
     TurnSign steering = TurnSign::left;
     SourceLocation place{};
 
-    /// Whether the tires have a longitudinal law.
-    [[nodiscard]] bool has_slip_ratio() const { return !kind.law || (kind.law->pCx1 != 0.0 && kind.law->pDx1 != 0.0); }
+    /// Whether the tires of all axles have a longitudinal law.
+    [[nodiscard]] bool has_slip_ratio() const {
+        return std::ranges::all_of(kind.laws, [](const std::optional<physics::MagicFormula>& law) {
+            return !law || (law->pCx1 != 0.0 && law->pDx1 != 0.0);
+        });
+    }
 };
 
 /// Reads [vehicle]. @returns nothing after an error, all of which are reported, or without the table

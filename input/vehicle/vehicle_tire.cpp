@@ -23,8 +23,22 @@ void take(TomlTable& table, VehicleNumber number, VehicleSettings& settings, Nee
     settings.numbers[number] = table.quantity(its.key, its.spec, need).value_or(its.absent);
 }
 
-void use(const physics::MagicFormula& law, const TomlTable& table, VehicleSettings& settings) {
-    settings.kind.law = law;
+/// The law of a property file that a key names; nothing without the key, or after an error.
+std::optional<physics::MagicFormula> law_of(TomlTable& table, std::string_view key) {
+    const std::optional<std::string> path = table.text(key);
+    if (!path) {
+        return std::nullopt;
+    }
+    const SourceLocation mentioned = table.place(key);
+    const std::filesystem::path beside = std::filesystem::path(table.errors().file(mentioned.file)).parent_path();
+    const auto file = read_tir_file((beside / *path).lexically_normal(), mentioned, table.errors());
+    return file ? std::optional(file->law) : std::nullopt;
+}
+
+/// @param rear of the rear tires, where they are others
+void use(const physics::MagicFormula& law, const std::optional<physics::MagicFormula>& rear, const TomlTable& table,
+         VehicleSettings& settings) {
+    settings.kind.laws = {law, rear ? *rear : law};
     if (table.has("friction")) {
         table.add_error("friction", "friction belongs to stiffnesses, and the tires are those of a property file",
                         "write friction_scale = 0.9, a factor on that of the file");
@@ -57,7 +71,7 @@ void read_stiffnesses(TomlTable& table, VehicleSettings& settings) {
 }  // namespace
 
 void read_vehicle_tires(TomlTable& table, const ProblemBuilder& builder, VehicleSettings& settings) {
-    table.declare_keys({"property_file", "front_cornering_stiffness", "rear_cornering_stiffness",
+    table.declare_keys({"property_file", "rear_property_file", "front_cornering_stiffness", "rear_cornering_stiffness",
                         "front_slip_stiffness", "rear_slip_stiffness", "friction", "friction_scale",
                         "stiffness_scale"});
     std::vector<std::string> stiffnesses;
@@ -68,25 +82,27 @@ void read_vehicle_tires(TomlTable& table, const ProblemBuilder& builder, Vehicle
     }
     take(table, VehicleNumber::friction_scale, settings);
     take(table, VehicleNumber::stiffness_scale, settings);
-    const std::optional<std::string> path = table.text("property_file");
-    if (path && !stiffnesses.empty()) {
+    const bool has_file = table.text("property_file").has_value();
+    const std::optional<physics::MagicFormula> law = law_of(table, "property_file");
+    const std::optional<physics::MagicFormula> rear = law_of(table, "rear_property_file");
+    if (has_file && !stiffnesses.empty()) {
         table.add_error("property_file",
                         fmt::format("both property_file and {} are given: which is the tire?", listed(stiffnesses)),
                         "keep the property file, or the stiffnesses of both axles");
         return;
     }
-    if (path) {
-        const SourceLocation mentioned = table.place("property_file");
-        const std::filesystem::path beside = std::filesystem::path(table.errors().file(mentioned.file)).parent_path();
-        if (const auto file = read_tir_file((beside / *path).lexically_normal(), mentioned, table.errors())) {
-            use(file->law, table, settings);
-        }
+    if (law) {
+        use(*law, rear, table, settings);
     } else if (stiffnesses.empty() && builder.problem.handling.magic_formula) {
-        use(*builder.problem.handling.magic_formula, table, settings);
+        use(*builder.problem.handling.magic_formula, rear, table, settings);
     } else if (stiffnesses.empty() && table.has("property_file")) {
         return;  // no text, which has been reported
     } else {
         read_stiffnesses(table, settings);
+        if (table.has("rear_property_file")) {
+            table.add_error("rear_property_file", "the rear tires have a property file and the front ones stiffnesses",
+                            "add property_file = \"....tir\" for the front tires");
+        }
     }
 }
 

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <random>
 
 #include <fmt/format.h>
@@ -272,6 +274,34 @@ TEST(VehicleCase, BrakeWarmsUpByThePowerOfBraking) {
     const solver::Problem stated =
         problem_of(read(plain_log(), "corner = \"FL\"\nbrake_heat_capacity = \"10 kJ/K\"\nbrake_cooling = \"0 W/K\""));
     EXPECT_LT(stated.input_signals.at(30.0, solver::JumpSide::after).brake_temperature, hottest);
+}
+
+// The rear tires are twice as stiff as the front ones: for the forces of the turn, far below the grip, they need half of the slip angle,
+// within 5 % for the curvature. The front tires do not know of it.
+TEST(VehicleCase, RearTiresMayHaveAFileOfTheirOwn) {
+    const std::string tir = (source_folder() / "tests/input/data/made_up.tir").string();
+    std::ifstream in(tir);
+    std::string text(std::istreambuf_iterator<char>(in), {});
+    const std::size_t key = text.find("PKY1");
+    ASSERT_NE(key, std::string::npos);
+    const std::size_t number = text.find_first_of("-0123456789", text.find('=', key));
+    const std::size_t end = text.find_first_not_of("-+.eE0123456789", number);
+    text.replace(number, end - number, fmt::format("{}", 2.0 * std::stod(text.substr(number, end - number))));
+    const Written written;
+    const std::string stiff = written.add("stiff.tir", text);
+    const std::string unset =
+        R"("vehicle.friction", "vehicle.front_cornering_stiffness", "vehicle.rear_cornering_stiffness",
+"vehicle.front_slip_stiffness", "vehicle.rear_slip_stiffness")";
+    const auto slip_angle = [&](const std::string& corner, const std::string& rear) {
+        const solver::Problem problem = problem_of(
+            read(plain_log(), "corner = \"" + corner + "\"\nproperty_file = \"" + tir + "\"\n" + rear, columns, unset));
+        return problem.input_signals.at(5.0, solver::JumpSide::after).slip_angle;
+    };
+    const std::string other = "rear_property_file = \"" + stiff + "\"\n";
+    EXPECT_EQ(slip_angle("FR", other), slip_angle("FR", ""));
+    const double alike = slip_angle("RR", "");
+    EXPECT_GT(std::abs(alike), 1e-3);
+    EXPECT_NEAR(slip_angle("RR", other) / alike, 0.5, 0.025);
 }
 
 // A fit moves a number of the car; what the tire then gets is what a case with that number would give it.
