@@ -77,7 +77,8 @@ void place_axles(const VehicleNumbers& numbers, physics::Vehicle& vehicle) {
     const double length = numbers.or_else(wheelbase, 2.0);
     const double behind =
         numbers.or_else(centre_of_gravity_behind_front_axle, (1.0 - numbers.or_else(front_weight_share, 0.5)) * length);
-    auto& [front, rear] = vehicle.axles;
+    physics::Axle& front = vehicle.axles[0];
+    physics::Axle& rear = vehicle.axles[1];
     front.distance = std::clamp(behind, nearest_axle * length, (1.0 - nearest_axle) * length);
     rear.distance = length - front.distance;
     front.track = numbers.or_else(front_track, 1.5);
@@ -90,7 +91,8 @@ void place_axles(const VehicleNumbers& numbers, physics::Vehicle& vehicle) {
 
 void share_forces(const VehicleNumbers& numbers, const VehicleKind& kind, physics::Vehicle& vehicle) {
     using enum VehicleNumber;
-    auto& [front, rear] = vehicle.axles;
+    physics::Axle& front = vehicle.axles[0];
+    physics::Axle& rear = vehicle.axles[1];
     const auto share_out = [&](double physics::Axle::*member, double of_front, double whole = 1.0) {
         front.*member = of_front * whole;
         rear.*member = (1.0 - of_front) * whole;
@@ -105,7 +107,8 @@ void share_forces(const VehicleNumbers& numbers, const VehicleKind& kind, physic
 
 void give_tires(const VehicleNumbers& numbers, const VehicleKind& kind, physics::Vehicle& vehicle) {
     using enum VehicleNumber;
-    auto& [front, rear] = vehicle.axles;
+    physics::Axle& front = vehicle.axles[0];
+    physics::Axle& rear = vehicle.axles[1];
     if (kind.laws[0]) {
         for (std::size_t axle = 0; axle < kind.laws.size(); ++axle) {
             physics::MagicFormula scaled = kind.laws[axle].value();
