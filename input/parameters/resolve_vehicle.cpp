@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Paths of the numbers of [vehicle]: "vehicle.mass".
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <set>
 
 #include <fmt/format.h>
 
+#include "input/effects/user_effects.hpp"
 #include "input/parameters/resolve.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/vehicle/vehicle_numbers.hpp"
@@ -18,7 +17,7 @@ namespace {
 /// Above zero a number needs room: a car of no mass has no load, and its centre of gravity lies between the axles.
 constexpr double least_share = 0.01;
 
-/// The name of a run, or "FL", that gives the number a value of its own; empty where none does.
+/// The name of a run that gives the number a value of its own, or its place in the list; empty where none does.
 std::string owner_of(const TomlValue& document, const std::string& key) {
     const TomlValue* runs = document.find("run");
     for (std::size_t i = 0; runs != nullptr && i < runs->items.size(); ++i) {
@@ -32,47 +31,19 @@ std::string owner_of(const TomlValue& document, const std::string& key) {
     return {};
 }
 
-/// The names in a formula.
-std::set<std::string> names_in(std::string_view formula) {
-    std::set<std::string> names;
-    std::string name;
-    for (const char c : std::string(formula) + " ") {
-        if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
-            name += c;
-        } else {
-            names.insert(name);
-            name.clear();
-        }
-    }
-    return names;
-}
-
 /// Formulas of the case take the inputs as they are: they would not see the car change.
 void refuse_followers(const CaseAsRead& in, const LocatedString& key) {
-    std::vector<std::string_view> computed;
+    const std::vector<std::string> followed = followed_names(in.document);
     for (const physics::Signal* signal : in.builder.problem.input_model->signals()) {
         // The tire's speed is the car's, but for the half of a track in a turn.
-        if (signal->name != "speed" || key.text.ends_with("track")) {
-            computed.push_back(signal->name);
-        }
-    }
-    for (const std::string_view list : {"source", "exchange"}) {
-        const TomlValue* effects = in.document.find(list);
-        for (std::size_t i = 0; effects != nullptr && i < effects->items.size(); ++i) {
-            const TomlValue* name = effects->items[i].find("name");
-            for (const std::string_view formula : {"follows", "temperature"}) {
-                const TomlValue* text = effects->items[i].find(formula);
-                const std::set<std::string> names = names_in(text != nullptr ? text->text : "");
-                const auto signal = std::ranges::find_if(
-                    computed, [&](std::string_view one) { return names.contains(std::string(one)); });
-                if (signal != computed.end()) {
-                    in.errors.add(key.place,
-                                  fmt::format("[[{}]] {} follows {}, which follows {}; in a fit it would not", list,
-                                              name != nullptr ? name->text : "", *signal, key.text),
-                                  "let it follow what is measured, or remove this [[parameter]]");
-                    return;
-                }
-            }
+        const bool follows_it = signal->name != "speed" || key.text.ends_with("track");
+        if (follows_it && std::ranges::find(followed, signal->name) != followed.end()) {
+            in.errors.add(
+                key.place,
+                fmt::format("a [[source]] or an [[exchange]] follows {}, which follows {}; in a fit it would not",
+                            signal->name, key.text),
+                "let it follow what is measured, or remove this [[parameter]]");
+            return;
         }
     }
 }
