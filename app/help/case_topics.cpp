@@ -46,7 +46,7 @@ std::string meaning_of(diagnosis::Identifiability word) {
         case Identifiability::determined:
             return "its interval comes from the data";
         case Identifiability::doubtful:
-            return "the same, but an error of the model may pass for noise";
+            return "the same, but the model may lack something that has moved it";
         case Identifiability::with_prior:
             return "its interval comes from the data and from what was known before";
         case Identifiability::prior_only:

@@ -75,7 +75,7 @@ Diagnosis cannot_tell(Diagnosis result, const input::Experiment& experiment, con
 }
 
 /// What the parameters of the base fit say, where nothing is added to the model.
-std::vector<std::string> findings_of(const input::Experiment& experiment, const Refit& base) {
+std::vector<ParameterFinding> findings_of(const input::Experiment& experiment, const Refit& base) {
     const Eigen::VectorXd deviations = base.deviations();
     std::vector<FittedParameter> fitted;
     std::vector<double> before;
@@ -113,8 +113,8 @@ void find_causes(DiagnosisState& state, const DiagnosisOptions& choice, Diagnosi
     report(state, result);
     result.base = base.simulated;
     result.values = base.values;
-    for (const std::string& finding : findings_of(experiment, base)) {
-        result.remarks.push_back("without any cause, " + finding);
+    for (const ParameterFinding& finding : findings_of(experiment, base)) {
+        result.remarks.push_back("without any cause, " + finding.sentence);
     }
     stage = "search of missing heat";
     estimate_missing_heat(state, result);

@@ -104,14 +104,14 @@ const physics::PlausibleRange* plausible_range_of(const solver::Problem& problem
     return range != nullptr && physics::is_plausible(*range, before) ? range : nullptr;
 }
 
-std::vector<std::string> parameter_findings(const input::Experiment& experiment,
-                                            const std::vector<FittedParameter>& fitted,
-                                            const std::vector<double>& before) {
+std::vector<ParameterFinding> parameter_findings(const input::Experiment& experiment,
+                                                 const std::vector<FittedParameter>& fitted,
+                                                 const std::vector<double>& before) {
     const solver::Problem& problem = experiment.runs.front().problem;
     const auto n_with_prior = std::ranges::count_if(
         experiment.parameters, [](const FreeParameter& one) { return std::isfinite(one.standard_deviation); });
     const double limit = least_conflict(static_cast<std::size_t>(n_with_prior));
-    std::vector<std::string> sentences;
+    std::vector<ParameterFinding> found;
     for (std::size_t j = 0; j < fitted.size(); ++j) {
         const FreeParameter& parameter = experiment.parameters[j];
         const bool is_known = std::isfinite(fitted[j].standard_deviation);
@@ -123,12 +123,12 @@ std::vector<std::string> parameter_findings(const input::Experiment& experiment,
         if (!parts.empty()) {
             const bool is_above =
                 fitted[j].value > (std::isfinite(parameter.standard_deviation) ? parameter.prior : before[j]);
-            sentences.push_back(fmt::format("{}: the fitted {} {}: {}", parameter.name,
+            found.push_back({j, fmt::format("{}: the fitted {} {}: {}", parameter.name,
                                             with_unit(parameter, fitted[j].value), fmt::join(parts, " and "),
-                                            advice(experiment, parameter, is_above, range)));
+                                            advice(experiment, parameter, is_above, range))});
         }
     }
-    return sentences;
+    return found;
 }
 
 }  // namespace tiretherm::diagnosis

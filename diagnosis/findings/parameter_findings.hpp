@@ -35,11 +35,17 @@ struct FittedParameter {
 [[nodiscard]] const physics::PlausibleRange* plausible_range_of(const solver::Problem& problem,
                                                                 const solver::FreeParameter& parameter, double before);
 
-/// A sentence for each parameter that is not as expected: what is the matter, what it means and what to do. A value beyond
-/// its plausible range counts when it is so by more than its standard deviation.
+/// A parameter that is not as expected.
+struct ParameterFinding {
+    std::size_t parameter = 0;  ///< index into Experiment::parameters
+    std::string sentence;       ///< what is the matter, what it means and what to do
+};
+
+/// One for each parameter that is not as expected. A value beyond its plausible range counts when it is so by more than its
+/// standard deviation.
 /// @param fitted [n_parameters]  @param before [n_parameters] values of the case
-[[nodiscard]] std::vector<std::string> parameter_findings(const input::Experiment& experiment,
-                                                          const std::vector<FittedParameter>& fitted,
-                                                          const std::vector<double>& before);
+[[nodiscard]] std::vector<ParameterFinding> parameter_findings(const input::Experiment& experiment,
+                                                               const std::vector<FittedParameter>& fitted,
+                                                               const std::vector<double>& before);
 
 }  // namespace tiretherm::diagnosis

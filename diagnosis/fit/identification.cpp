@@ -15,7 +15,7 @@
 #include "diagnosis/fit/fit.hpp"
 #include "diagnosis/fit/fit_assessment.hpp"
 #include "diagnosis/fit/held_out.hpp"
-#include "diagnosis/fit/noise_doubt.hpp"
+#include "diagnosis/fit/doubt.hpp"
 #include "diagnosis/fit/profile.hpp"
 #include "diagnosis/fit/refinement.hpp"
 #include "diagnosis/noise/white_equivalent.hpp"
@@ -119,7 +119,7 @@ bool settle_corrected(Fit& rough, const input::Experiment& finer, Identification
 }
 
 /// What the fitted parameters say, with the standard deviations that the noise makes: before intervals are widened.
-std::vector<std::string> findings_of(const input::Experiment& experiment, const Identification& result) {
+std::vector<ParameterFinding> findings_of(const input::Experiment& experiment, const Identification& result) {
     std::vector<FittedParameter> fitted;
     std::vector<double> before;
     for (const Fitted& one : result.fitted) {
@@ -215,7 +215,10 @@ void identify(const input::Experiment& experiment, const Observations& observati
         profile_intervals(fit.least_squares(), result);
         result.simulations += fit.simulator().simulations() - before;
     }
-    result.findings = findings_of(experiment, result);
+    for (ParameterFinding& one : findings_of(experiment, result)) {
+        doubt_beside(experiment.parameters[one.parameter], result);
+        result.findings.push_back(std::move(one.sentence));
+    }
     for (const NamedFold& one : choice.leave_out) {
         const auto left = std::ranges::find(result.left_out, one.name, &LeftOut::name);
         if (left == result.left_out.end() || left->channels.empty()) {

@@ -21,7 +21,7 @@ namespace tiretherm::diagnosis {
 /// What the data say of a number.
 enum class Identifiability : std::uint8_t {
     determined,      ///< its interval comes from the data
-    doubtful,        ///< likewise, but what is left may be an error of the model that passes for noise
+    doubtful,        ///< likewise, but the model may lack something that has moved it
     with_prior,      ///< from the data and from what was known before, both
     prior_only,      ///< the data do not see it: the interval is the one known before
     not_determined,  ///< the data do not see it and nothing was known before: there is no interval

@@ -38,7 +38,13 @@ struct FittedBench {
         fitted[j].standard_deviation = 0.1 * deviation;
         return j;
     }
-    [[nodiscard]] std::vector<std::string> findings() const { return parameter_findings(experiment, fitted, before); }
+    [[nodiscard]] std::vector<std::string> findings() const {
+        std::vector<std::string> sentences;
+        for (const ParameterFinding& one : parameter_findings(experiment, fitted, before)) {
+            sentences.push_back(one.sentence);
+        }
+        return sentences;
+    }
 };
 
 bool says(const std::string& sentence, std::string_view part) { return sentence.find(part) != std::string::npos; }

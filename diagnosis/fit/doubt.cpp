@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The factor by which a doubtful noise widens intervals, and the widening beside a prior.
-#include "diagnosis/fit/noise_doubt.hpp"
+// The words of doubt; the factor by which a doubtful noise widens intervals, and the widening beside a prior.
+#include "diagnosis/fit/doubt.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,6 +58,17 @@ void widen_doubtful(const std::vector<solver::FreeParameter>& parameters, Identi
         one.high_is_open = one.high_is_open || high > parameter.high;
         one.low = std::max(parameter.low, low);
         one.high = std::min(parameter.high, high);
+    }
+}
+
+void doubt_beside(const solver::FreeParameter& unexpected, Identification& into) {
+    if (unexpected.kind == solver::FreeParameter::Kind::initial) {
+        return;
+    }
+    for (Fitted& one : into.fitted) {
+        if (one.identifiability == Identifiability::determined) {
+            one.identifiability = Identifiability::doubtful;
+        }
     }
 }
 

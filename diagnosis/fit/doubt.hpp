@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What noise that may be an error of the model does to the intervals of a fit.
+// What becomes of fitted parameters and their intervals where the model is in doubt: by noise that may be an error of it, by
+// a parameter that is not as expected, by a model of the inputs.
 #pragma once
 
 #include <vector>
@@ -19,6 +20,11 @@ namespace tiretherm::diagnosis {
 /// 55 % with the ratio. A missing effect moves all blocks together, so that they agree on a wrong value.
 /// @param parameters [n_parameters]  @param into with its channels and intervals; out: `widened`, intervals and words
 void widen_doubtful(const std::vector<solver::FreeParameter>& parameters, Identification& into);
+
+/// A parameter of the model that is not as expected (parameter_findings) takes the place of something that the model lacks, which
+/// moves the others as well: what was determined becomes doubtful. A start that is not as expected says nothing of the model.
+/// @param unexpected one of the parameters of the fit
+void doubt_beside(const solver::FreeParameter& unexpected, Identification& into);
 
 /// A number of the model that computes inputs is never determined, but doubtful, and where the data move it a finding says why: the heat of sliding follows
 /// slips that this model makes from forces, and their error moves the number. On cases/car, whose mass is known, it is found three
