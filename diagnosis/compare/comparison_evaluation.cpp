@@ -30,10 +30,9 @@ std::vector<PhaseFigures> phases_of(const std::vector<const ComparedSeries*>& al
         for (const ComparedSeries* one : all) {
             const ComparedSeries& series = *one;
             const std::vector<double> difference = series.difference();
-            const double longest = longest_interval(series.time);
             const auto interval = [&](std::size_t to) {  // from the sample before; a gap counts as nothing
-                const double length = to > 0 && to < series.time.size() ? series.time[to] - series.time[to - 1] : 0.0;
-                return length > longest ? 0.0 : length;
+                const bool is_known = to > 0 && to < series.time.size() && !is_gap(series.time, to);
+                return is_known ? series.time[to] - series.time[to - 1] : 0.0;
             };
             for (std::size_t i = 0; i < series.time.size(); ++i) {
                 if (series.phase[i] != phase) {

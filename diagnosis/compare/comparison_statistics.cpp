@@ -254,19 +254,14 @@ Association association(const Pieces& regressor, const Pieces& differences) {
     return result;
 }
 
-double longest_interval(std::span<const double> time) {
+bool is_gap(std::span<const double> time, std::size_t later) {
     constexpr double usual = 20.0;
     constexpr double least_share = 0.02;
-    std::vector<double> intervals;
-    for (std::size_t i = 1; i < time.size(); ++i) {
-        intervals.push_back(time[i] - time[i - 1]);
-    }
-    if (intervals.empty()) {
-        return std::numeric_limits<double>::infinity();
-    }
-    const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-    std::nth_element(intervals.begin(), middle, intervals.end());
-    return std::max(usual * *middle, least_share * (time.back() - time.front()));
+    const double before = later > 1 ? time[later - 1] - time[later - 2] : 0.0;
+    const double after = later + 1 < time.size() ? time[later + 1] - time[later] : 0.0;
+    const double beside = std::max(before, after);  // both 0: of two samples
+    return beside > 0.0 &&
+           time[later] - time[later - 1] > std::max(usual * beside, least_share * (time.back() - time.front()));
 }
 
 }  // namespace tiretherm::diagnosis

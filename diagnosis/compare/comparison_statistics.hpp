@@ -73,8 +73,9 @@ struct Association {
 /// @returns nothing (correlation 0) where either does not vary
 [[nodiscard]] Association association(const Pieces& regressor, const Pieces& differences);
 
-/// The longest interval between samples that is one of the logger's: twenty usual ones, or a fiftieth of the whole. Beyond, nothing
-/// was measured, as in laps that do not count. @param time ascending  @returns in its unit; infinite of a single sample
-[[nodiscard]] double longest_interval(std::span<const double> time);
+/// Whether nothing was measured between two samples that follow one another, as in laps that do not count: their interval is more than
+/// twenty times those beside it and a fiftieth of the whole. A logger that goes on more slowly has no gap.
+/// @param time ascending  @param later index of the second sample, not 0
+[[nodiscard]] bool is_gap(std::span<const double> time, std::size_t later);
 
 }  // namespace tiretherm::diagnosis

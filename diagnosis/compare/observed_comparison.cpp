@@ -62,6 +62,9 @@ std::vector<ComparedChannel> compare_observed(const input::Experiment& experimen
             continue;
         }
         const Observations::Row& first = observations.rows[static_cast<std::size_t>(block.first)];
+        if (first.image >= 0) {
+            continue;  // a coefficient of a camera's frames
+        }
         const solver::Channel& channel = experiment.runs[first.run].problem.channels[first.channel];
         ComparedChannel& compared = channels[first.channel];
         compared.name = channel.name;

@@ -123,9 +123,9 @@ std::vector<ParameterFinding> parameter_findings(const input::Experiment& experi
         if (!parts.empty()) {
             const bool is_above =
                 fitted[j].value > (std::isfinite(parameter.standard_deviation) ? parameter.prior : before[j]);
-            found.push_back({j, fmt::format("{}: the fitted {} {}: {}", parameter.name,
-                                            with_unit(parameter, fitted[j].value), fmt::join(parts, " and "),
-                                            advice(experiment, parameter, is_above, range))});
+            found.push_back(
+                {j, fmt::format("{}: the fitted {} {}: {}", parameter.name, with_unit(parameter, fitted[j].value),
+                                fmt::join(parts, " and "), advice(experiment, parameter, is_above, range))});
         }
     }
     return found;

@@ -17,7 +17,7 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// Steps of Gauss and Newton; the first starts at the linear estimate.
 constexpr int few_iterations = 4;
 
-/// The model with the numbers of the runs that are left out free and all others as they are.
+/// The model with the starts of the runs that are left out free and all else as it is.
 input::Experiment own_numbers_free(const input::Experiment& model, const Simulator& simulator,
                                    const Eigen::VectorXd& values, const Fold& fold) {
     input::Experiment own = model;
@@ -29,13 +29,11 @@ input::Experiment own_numbers_free(const input::Experiment& model, const Simulat
         if (fold.alone_has(model.parameters[j])) {
             own.parameters.push_back(model.parameters[j]);
             // A shift of temperatures counts from where the problem stands now; its prior and bounds move along.
-            solver::FreeParameter& number = own.parameters.back();
-            if (number.kind == solver::FreeParameter::Kind::initial) {
-                const double by = values[static_cast<Eigen::Index>(j)];
-                number.prior -= by;
-                number.low -= by;
-                number.high -= by;
-            }
+            solver::FreeParameter& start = own.parameters.back();
+            const double by = values[static_cast<Eigen::Index>(j)];
+            start.prior -= by;
+            start.low -= by;
+            start.high -= by;
         }
     }
     return own;

@@ -16,11 +16,12 @@ struct Fold {
     RowIndices rest;
     std::vector<std::size_t> runs{};  ///< whose start is fitted to the test itself; none: to the rest
 
-    /// Whether the rest says nothing of a parameter.
+    /// Whether a parameter is a start of which the rest says nothing. A coefficient of which the rest says nothing is predicted as it was
+    /// known before.
     [[nodiscard]] bool alone_has(const solver::FreeParameter& parameter) const {
-        return !parameter.runs.empty() && std::ranges::all_of(parameter.runs, [&](std::size_t run) {
-            return std::ranges::find(runs, run) != runs.end();
-        });
+        return parameter.kind == solver::FreeParameter::Kind::initial && !parameter.runs.empty() &&
+               std::ranges::all_of(parameter.runs,
+                                   [&](std::size_t run) { return std::ranges::find(runs, run) != runs.end(); });
     }
 };
 

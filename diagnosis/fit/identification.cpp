@@ -12,10 +12,10 @@
 #include <fmt/format.h>
 
 #include "diagnosis/findings/parameter_findings.hpp"
+#include "diagnosis/fit/doubt.hpp"
 #include "diagnosis/fit/fit.hpp"
 #include "diagnosis/fit/fit_assessment.hpp"
 #include "diagnosis/fit/held_out.hpp"
-#include "diagnosis/fit/doubt.hpp"
 #include "diagnosis/fit/profile.hpp"
 #include "diagnosis/fit/refinement.hpp"
 #include "diagnosis/noise/white_equivalent.hpp"

@@ -5,14 +5,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
+
+#include "diagnosis/findings/parameter_findings.hpp"
+#include "diagnosis/fit/linearised_model.hpp"
 
 namespace tiretherm::diagnosis {
 
 namespace {
 
 constexpr double gap = 0.05;  // of the recording
+/// A part that the parameters hardly follow moves them by rounding alone: a move counts against no less than this share of a variance.
+constexpr double least_spread = 0.01;
 
 const std::string& recording_of(const input::MeasuredRun& run) { return run.corner.empty() ? run.name : run.recording; }
 
@@ -42,7 +48,10 @@ std::vector<NamedFold> folds_by_lap(const input::Experiment& experiment, const O
                                                     observations.recordings.begin());
         const input::MeasuredRun& run = experiment.runs[first];
         for (const input::Lap& lap : run.laps.size() > 1 ? run.laps : std::vector<input::Lap>{}) {
-            NamedFold one{.name = fmt::format("lap {}", lap.number), .fold = fold_of_lap(observations, recording, lap)};
+            NamedFold one{.name = lap.kind == input::LapKind::out  ? "out-lap"
+                                  : lap.kind == input::LapKind::in ? "in-lap"
+                                                                   : fmt::format("lap {}", lap.number),
+                          .fold = fold_of_lap(observations, recording, lap)};
             if (observations.n_recordings() > 1) {
                 one.name = fmt::format("{}, {}", recording_of(run), one.name);
             }
@@ -52,25 +61,49 @@ std::vector<NamedFold> folds_by_lap(const input::Experiment& experiment, const O
     return folds;
 }
 
-/// Root mean square of some rows of one channel. @returns how many there are, and it
-LeftOutChannel errors_of(const Observations& observations, const Fold& fold, std::size_t noise,
-                         const Eigen::VectorXd& fitted, const Eigen::VectorXd& predicted) {
-    const std::vector<int> noise_of = noise_of_rows(observations);
-    LeftOutChannel found{.noise = noise};
-    double of_fit = 0.0;
-    double of_prediction = 0.0;
-    for (const Eigen::Index row : fold.test) {
-        if (noise_of[static_cast<std::size_t>(row)] == static_cast<int>(noise) && std::isfinite(predicted[row])) {
-            of_fit += fitted[row] * fitted[row];
-            of_prediction += predicted[row] * predicted[row];
-            ++found.samples;
+/// What the fit to everything says of a fold.
+struct Expectation {
+    const LinearisedModel& model;
+    Eigen::MatrixXd
+        of_rest;  ///< [n][n] covariance by the rest, in scales; nothing of starts that are fitted to the fold itself
+
+    /// Variance of a prediction by what the rest does not know. @returns SI squared
+    [[nodiscard]] double variance(Eigen::Index row) const {
+        return model.raw.row(row) * of_rest * model.raw.row(row).transpose();
+    }
+};
+
+/// Mean square of some rows of one channel. @returns how many there are, and it
+std::pair<long, double> mean_square(const std::vector<int>& noise_of, std::size_t noise, const RowIndices& rows,
+                                    const Eigen::VectorXd& left) {
+    double sum = 0.0;
+    long count = 0;
+    for (const Eigen::Index row : rows) {
+        if (noise_of[static_cast<std::size_t>(row)] == static_cast<int>(noise) && std::isfinite(left[row])) {
+            sum += left[row] * left[row];
+            ++count;
         }
     }
-    if (found.samples > 0) {
-        found.rms_fitted = std::sqrt(of_fit / static_cast<double>(found.samples));
-        found.rms_predicted = std::sqrt(of_prediction / static_cast<double>(found.samples));
+    return {count, count > 0 ? sum / static_cast<double>(count) : 0.0};
+}
+
+/// One channel of a fold. @returns no samples where it has none
+LeftOutChannel errors_of(const Observations& observations, const Fold& fold, std::size_t noise,
+                         const Eigen::VectorXd& fitted, const Eigen::VectorXd& predicted,
+                         const Expectation& expectation) {
+    const std::vector<int> noise_of = noise_of_rows(observations);
+    const auto [samples, of_prediction] = mean_square(noise_of, noise, fold.test, predicted);
+    double unknown = 0.0;
+    for (const Eigen::Index row : fold.test) {
+        if (noise_of[static_cast<std::size_t>(row)] == static_cast<int>(noise) && std::isfinite(predicted[row])) {
+            unknown += expectation.variance(row) / static_cast<double>(samples);
+        }
     }
-    return found;
+    return {.noise = noise,
+            .samples = samples,
+            .rms_fitted = std::sqrt(mean_square(noise_of, noise, fold.test, fitted).second),
+            .rms_predicted = std::sqrt(of_prediction),
+            .rms_expected = std::sqrt(mean_square(noise_of, noise, fold.rest, fitted).second + unknown)};
 }
 
 }  // namespace
@@ -94,22 +127,48 @@ std::vector<NamedFold> named_folds(const input::Experiment& experiment, const Ob
     return folds;
 }
 
+double least_move(const std::vector<LeftOut>& all) {
+    Eigen::Index n = 0;
+    for (const LeftOut& one : all) {
+        n += (one.moves.array() != 0.0).count();
+    }
+    return least_conflict(static_cast<std::size_t>(n));
+}
+
 std::vector<LeftOut> leave_out_in_turn(Fit& fit, const std::vector<NamedFold>& folds, long& simulations) {
     const Observations& observations = fit.observations();
     const Refit full = refit(fit, 0);
     const Eigen::VectorXd fitted = observations.measured - full.simulated;
+    const LinearisedModel linear = linearise(full, observations);
+    RowIndices everything(observations.rows.size());
+    std::iota(everything.begin(), everything.end(), 0);
+    const Eigen::VectorXd variance = covariance(linear, everything).diagonal();
     std::vector<LeftOut> found;
     for (const NamedFold& one : folds) {
         const HeldOutErrors errors =
             held_out(fit.experiment(), observations, fit.covariance(), fit.simulator().steps(), full, {one.fold});
         simulations += errors.simulations;
         if (!errors.ok) {
-            found.push_back({.name = one.name, .channels = {}, .values = {}});
+            found.push_back({.name = one.name, .channels = {}, .values = {}, .moves = {}});
             continue;
         }
-        LeftOut left{.name = one.name, .channels = {}, .values = errors.values.front()};
+        Expectation expectation{linear, covariance(linear, one.fold.rest)};
+        LeftOut left{.name = one.name,
+                     .channels = {},
+                     .values = errors.values.front(),
+                     .moves = Eigen::VectorXd::Zero(full.values.size())};
+        for (Eigen::Index j = 0; j < left.moves.size(); ++j) {
+            const solver::FreeParameter& parameter = fit.experiment().parameters[static_cast<std::size_t>(j)];
+            if (parameter.kind != solver::FreeParameter::Kind::initial) {
+                const double of_move = std::max(expectation.of_rest(j, j) - variance[j], least_spread * variance[j]);
+                left.moves[j] = (left.values[j] - full.values[j]) / (full.scale[j] * std::sqrt(of_move));
+            } else if (one.fold.alone_has(parameter)) {
+                expectation.of_rest.row(j).setZero();
+                expectation.of_rest.col(j).setZero();
+            }
+        }
         for (std::size_t noise = 0; noise < observations.channels.size(); ++noise) {
-            if (LeftOutChannel channel = errors_of(observations, one.fold, noise, fitted, errors.left);
+            if (LeftOutChannel channel = errors_of(observations, one.fold, noise, fitted, errors.left, expectation);
                 channel.samples > 0) {
                 left.channels.push_back(channel);
             }

@@ -19,6 +19,9 @@ struct LeftOutChannel {
     long samples = 0;
     double rms_fitted = 0.0;     ///< SI, by the fit to everything
     double rms_predicted = 0.0;  ///< SI, by the fit to the rest
+    /// SI, of the prediction if the model is right: what the fit leaves of the rest, and what the rest does not know of the parameters,
+    /// by the noise of the fit to everything, which a part that is wrong makes larger.
+    double rms_expected = 0.0;
 };
 
 /// A lap or a recording that took no part in a fit.
@@ -26,7 +29,13 @@ struct LeftOut {
     std::string name;  ///< "lap 3", "session, lap 3" of several recordings, or the recording
     std::vector<LeftOutChannel> channels;
     Eigen::VectorXd values;  ///< [n_parameters] of the fit to the rest
+    /// [n_parameters] how far each has moved from the fit to everything, in standard deviations of that move if the model is
+    /// right: the fit to everything contains the rest, so that the variances are subtracted; 0 of starts, of which the rest may know nothing.
+    Eigen::VectorXd moves;
 };
+
+/// A move of a parameter is beyond chance from so many standard deviations on: 2.5, and more where so many moves are looked at.
+[[nodiscard]] double least_move(const std::vector<LeftOut>& all);
 
 /// What may be left out, the numbers quoted of it included. Between a lap and the rest of its recording lies a twentieth of it that is in neither.
 struct NamedFold {

@@ -18,19 +18,41 @@ LinearisedModel linearise(const Refit& fit, const Observations& observations) {
             .known = fit.known};
 }
 
+namespace {
+
+/// The normal matrix of some rows, factored with a diagonal of one.
+struct NormalMatrix {
+    Eigen::VectorXd diagonal;  ///< that scales to it, 0 of a parameter of which nothing is known
+    Eigen::LDLT<Eigen::MatrixXd> factor;
+
+    NormalMatrix(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& precision) {
+        Eigen::MatrixXd A = slopes.transpose() * slopes;
+        A.diagonal() += precision;
+        diagonal = A.diagonal();
+        for (double& entry : diagonal) {
+            entry = entry > 0.0 ? 1.0 / std::sqrt(entry) : 0.0;
+        }
+        Eigen::MatrixXd unit = diagonal.asDiagonal() * A * diagonal.asDiagonal();
+        unit.diagonal().array() += 1e-9;
+        factor.compute(unit);
+    }
+};
+
+}  // namespace
+
 Eigen::VectorXd solve(const LinearisedModel& model, const RowIndices& rows, const Eigen::VectorXd& precision,
                       const Eigen::VectorXd& pull) {
     const Eigen::MatrixXd S = model.slopes(rows, Eigen::all);
-    Eigen::MatrixXd A = S.transpose() * S;
-    A.diagonal() += precision;
+    const NormalMatrix normal(S, precision);
     const Eigen::VectorXd b = S.transpose() * model.residual(rows) + pull;
-    Eigen::VectorXd diagonal = A.diagonal();
-    for (double& entry : diagonal) {
-        entry = entry > 0.0 ? 1.0 / std::sqrt(entry) : 0.0;
-    }
-    Eigen::MatrixXd unit = diagonal.asDiagonal() * A * diagonal.asDiagonal();
-    unit.diagonal().array() += 1e-9;
-    return diagonal.asDiagonal() * unit.ldlt().solve(diagonal.cwiseProduct(b));
+    return normal.diagonal.asDiagonal() * normal.factor.solve(normal.diagonal.cwiseProduct(b));
+}
+
+Eigen::MatrixXd covariance(const LinearisedModel& model, const RowIndices& rows) {
+    const NormalMatrix normal(model.slopes(rows, Eigen::all), model.precision);
+    const Eigen::Index n = normal.diagonal.size();
+    return normal.diagonal.asDiagonal() * normal.factor.solve(Eigen::MatrixXd::Identity(n, n)) *
+           normal.diagonal.asDiagonal();
 }
 
 Eigen::VectorXd solve(const LinearisedModel& model, const RowIndices& rows) {

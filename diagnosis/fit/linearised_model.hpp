@@ -30,6 +30,9 @@ struct LinearisedModel {
 /// The same with what was known as the model has it.
 [[nodiscard]] Eigen::VectorXd solve(const LinearisedModel& model, const RowIndices& rows);
 
+/// Covariance of the parameters by some rows and by what was known. @returns [n][n] in the scales of the fit
+[[nodiscard]] Eigen::MatrixXd covariance(const LinearisedModel& model, const RowIndices& rows);
+
 /// What is left of rows that took no part, SI: numbers of all runs as the others gave them, those of the run (how it
 /// started) from itself.
 /// @param step [n] that the other rows gave  @param own [n] whether a number belongs to the run

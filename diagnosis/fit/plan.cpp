@@ -4,6 +4,7 @@
 
 #include <chrono>
 
+#include "diagnosis/fit/doubt.hpp"
 #include "diagnosis/fit/fit.hpp"
 #include "diagnosis/fit/fit_assessment.hpp"
 #include "solver/stop_signal.hpp"
@@ -63,6 +64,7 @@ Identification plan(const input::Experiment& experiment, const Observations& obs
     result.values = fit.values();
     result.before = result.after = fit.now().simulated;
     assess_parameters(fit, result, false);
+    doubt_input_numbers(experiment.parameters, result);
     result.simulations = fit.simulator().simulations();
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return result;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "input/text/quantity_specs.hpp"
+#include "input/text/run_name.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/toml/toml_text.hpp"
 #include "physics/vehicle/vehicle.hpp"
@@ -93,8 +94,24 @@ std::vector<double> readings_of(TomlTable& table, std::string_view key, std::siz
     return kelvin;
 }
 
+/// Whether --data has the only run of the case, by name, or the case has none.
+bool is_run_of_case(const TomlValue& document, const std::string& name) {
+    const TomlValue* runs = document.find("run");
+    if (runs == nullptr) {
+        return true;
+    }
+    if (runs->items.size() != 1) {
+        return false;
+    }
+    const auto text = [&](std::string_view key) -> std::string {
+        const TomlValue* value = runs->items.front().find(key);
+        return value != nullptr ? value->text : "";
+    };
+    return name == (text("name").empty() ? run_name(text("file"), text("laps")) : text("name"));
+}
+
 /// Whether a stop belongs to the run. An unknown name is an error.
-bool is_of_run(TomlTable& table, const RunTable& run, const std::vector<RunTable>& runs) {
+bool is_of_run(TomlTable& table, const RunTable& run, const std::vector<RunTable>& runs, const TomlValue& document) {
     std::vector<std::string> names;
     for (const RunTable& one : runs) {
         const std::string& name = one.corner.empty() ? one.name : one.recording;
@@ -104,7 +121,9 @@ bool is_of_run(TomlTable& table, const RunTable& run, const std::vector<RunTable
     }
     const std::optional<std::string> name = table.text("run");
     const bool by_data = run.table == nullptr && run.file;  // --data takes the place of the runs
-    if (by_data && (name ? std::ranges::find(names, *name) == names.end() : names.size() > 1)) {
+    const bool is_known = name ? std::ranges::find(names, *name) != names.end()
+                               : names.size() == 1 && is_run_of_case(document, names.front());
+    if (by_data && !is_known) {
         table.errors().warn(table.place(),
                             "the run of this [[pyrometer]] is not among those of --data: it is left out");
         return false;
@@ -189,7 +208,7 @@ void add_pyrometer_readings(TomlValue& document, const RunTable& run, const RunF
     root.allow_unknown_keys();
     root.each("pyrometer", [&](TomlTable& table) {
         table.declare_keys({"FL", "FR", "RL", "RR", "readings"});
-        const bool is_of = is_of_run(table, run, runs);
+        const bool is_of = is_of_run(table, run, runs, as_read);
         const std::vector<LocatedString> sensors = table.texts("sensors", Need::required);
         const std::optional<double> time = time_of_stop(table, file, is_of);
         const auto uncertainty = table.quantity(

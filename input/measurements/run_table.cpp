@@ -10,6 +10,7 @@
 
 #include "input/corners/corner.hpp"
 #include "input/text/quantity_specs.hpp"
+#include "input/text/run_name.hpp"
 #include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
@@ -91,17 +92,7 @@ void read_frame_files(TomlTable& table, RunTable& run) {
     }
 }
 
-/// "_lap_4", "_laps_3-9", to be told from other runs of the file; empty without a choice of laps.
-std::string name_of_laps(const RunTable& run) {
-    if (!run.laps) {
-        return {};
-    }
-    std::string text = run.laps->text;
-    std::erase(text, ' ');
-    std::ranges::replace(text, ',', '_');
-    const bool is_word = text.find_first_not_of("0123456789-_") == std::string::npos;
-    return is_word ? fmt::format("_{}_{}", text.find_first_of("-_") == std::string::npos ? "lap" : "laps", text) : "";
-}
+std::string_view laps_of(const RunTable& run) { return run.laps ? std::string_view(run.laps->text) : ""; }
 
 RunTable read_run(TomlTable& table) {
     RunTable run{.table = &table.content(), .place = table.place(), .name = {}};
@@ -124,7 +115,7 @@ RunTable read_run(TomlTable& table) {
     }
     run.keys->read(table);
     read_window(table, run);
-    const std::string of_file = run.file ? run.file->stem().string() + name_of_laps(run) : std::string();
+    const std::string of_file = run.file ? run_name(*run.file, laps_of(run)) : std::string();
     run.name = table.name("name", run.file ? Need::optional : Need::required).value_or(of_file);
     read_frame_files(table, run);
     return run;
@@ -151,8 +142,7 @@ std::vector<RunTable> runs_of(const std::vector<fs::path>& data, const RunTable&
         const auto same_stem = [&](const fs::path& other) { return other.stem() == file.stem(); };
         const bool alone = std::count_if(data.begin(), data.end(), same_stem) == 1;
         const std::string folder = run.file->parent_path().filename().string();
-        run.name =
-            (alone || folder.empty() ? file.stem().string() : folder + "_" + file.stem().string()) + name_of_laps(run);
+        run.name = (alone || folder.empty() ? "" : folder + "_") + run_name(file, laps_of(run));
         if (std::any_of(runs.begin(), runs.end(), [&](const RunTable& r) { return r.name == run.name; })) {
             const SourceLocation place{.file = errors.add_file(run.file->generic_string(), "")};
             errors.add(place, fmt::format("a second file of a run \"{}\"", run.name),

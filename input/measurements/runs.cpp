@@ -163,6 +163,22 @@ const solver::Problem& Runs::problem_of(const std::string& run) const {
     return run.empty() || found == experiment.runs.end() ? problem : found->problem;
 }
 
+namespace {
+
+/// The first lap is repeated with the columns of the run's own file.
+void warn_of_files_beside_laps(const TomlValue& document, const RunTable& run, InputErrors& errors) {
+    const TomlValue* drive = document.find("drive");
+    const TomlValue* files = drive != nullptr ? drive->find("file") : nullptr;
+    if (run.repeat_first_lap > 0 && files != nullptr) {
+        errors.warn(files->place,
+                    "repeat_first_lap repeats the columns of the run's file, and not those of [[drive.file]]: while "
+                    "the lap is driven "
+                    "before, they are what they were at that time, or at their first");
+    }
+}
+
+}  // namespace
+
 Runs read_runs(const TomlValue& document, const std::string& name, const std::vector<std::filesystem::path>& data,
                ReadMode mode, InputErrors& errors) {
     Runs into;
@@ -192,6 +208,7 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
             table.keys->allow_unknown_keys();
         }
         builder.problem.name = name;
+        warn_of_files_beside_laps(reading.document, table, errors);
         add_pyrometer_readings(reading.document, table, file ? &*file : nullptr, tables, errors);
         if (measured) {
             builder.run = read_run_inputs(table, file ? &*file : nullptr, errors);

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "input/text/run_name.hpp"
 #include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
@@ -29,11 +30,14 @@ bool all_named(const TomlValue& array) {
                        [](const TomlValue& item) { return text_of(item, "name") != nullptr; });
 }
 
-/// The name of a table that is in a list, by its own word or, as a run may leave it, by its file's.
+/// The name of a table that is in a list, by its own word or, as a run may leave it, by its file and laps.
 std::string name_of(const TomlValue& node) {
     const std::string* name = text_of(node, "name");
     const std::string* file = text_of(node, "file");
-    return name != nullptr ? *name : file != nullptr ? fs::path(*file).stem().string() : std::string();
+    const std::string* laps = text_of(node, "laps");
+    return name != nullptr   ? *name
+           : file != nullptr ? run_name(*file, laps != nullptr ? std::string_view(*laps) : "")
+                             : std::string();
 }
 
 bool all_can_be_named(const TomlValue& array) {

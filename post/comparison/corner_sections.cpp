@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -83,11 +84,19 @@ Section lap_section(const std::vector<ComparedChannel>& channels, const std::vec
     DataTable table;
     const std::vector<std::string> called = short_names(runs);
     for (const ComparedChannel& channel : channels) {
-        std::vector<std::pair<int, std::string>> numbers;  // and what they are called
+        std::vector<std::pair<int, std::string>> numbers;  // in their order, and what they are called
+        const auto called_of = [](const input::Lap& lap) -> std::pair<int, std::string> {
+            switch (lap.kind) {
+                case input::LapKind::out:
+                    return {std::numeric_limits<int>::min(), "out"};
+                case input::LapKind::in:
+                    return {std::numeric_limits<int>::max(), "in"};
+                default:
+                    return {lap.number, std::to_string(lap.number)};
+            }
+        };
         for (const LapFigures& one : channel.laps) {
-            const std::pair lap{one.lap.number, one.lap.kind == input::LapKind::out  ? std::string("out")
-                                                : one.lap.kind == input::LapKind::in ? std::string("in")
-                                                                                     : std::to_string(one.lap.number)};
+            const std::pair lap = called_of(one.lap);
             if (std::ranges::find(numbers, lap) == numbers.end()) {
                 numbers.push_back(lap);
             }
@@ -102,14 +111,14 @@ Section lap_section(const std::vector<ComparedChannel>& channels, const std::vec
             continue;
         }
         std::ranges::sort(numbers);
-        for (const auto& [number, name] : numbers) {
-            const bool is_first = number == numbers.front().first;
+        for (const std::pair<int, std::string>& lap : numbers) {
+            const bool is_first = lap == numbers.front();
             DataTable::Row row{page_only("channel", is_first ? channel.name : ""),
                                page_only("unit", is_first ? difference_unit(channel) : ""),
-                               page_only("lap", right(name))};
+                               page_only("lap", right(lap.second))};
             for (const RunFigures& run : channel.runs) {
-                const auto own = std::ranges::find_if(channel.laps, [&, wanted = number](const LapFigures& one) {
-                    return one.run == run.run && one.lap.number == wanted;
+                const auto own = std::ranges::find_if(channel.laps, [&](const LapFigures& one) {
+                    return one.run == run.run && called_of(one.lap) == lap;
                 });
                 row.push_back(page_only(
                     "bias " + called[run.run],

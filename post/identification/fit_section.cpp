@@ -83,22 +83,11 @@ Section fit_section(const IdentificationRecord& record, DataTable of_channels, D
 
 namespace {
 
-/// The parameter that moves most, by how many of its standard deviations. Starts do not count: without the first lap nobody knows them.
-std::string largest_move(const IdentificationRecord& record, const LeftOut& one, double& moved) {
-    std::string name;
-    moved = 0.0;
-    for (std::size_t j = 0; j < record.result.fitted.size(); ++j) {
-        const Fitted& fitted = record.result.fitted[j];
-        if (record.experiment.parameters[j].kind == solver::FreeParameter::Kind::initial) {
-            continue;
-        }
-        const double by = (one.values[static_cast<Eigen::Index>(j)] - fitted.value) / fitted.standard_deviation;
-        if (std::isfinite(by) && std::abs(by) > std::abs(moved)) {
-            moved = by;
-            name = record.experiment.parameters[j].name;
-        }
-    }
-    return name;
+/// The parameter that moves most. @returns its index, or -1
+Eigen::Index largest_move(const LeftOut& one) {
+    Eigen::Index which = -1;
+    const double most = one.moves.size() > 0 ? one.moves.cwiseAbs().maxCoeff(&which) : 0.0;
+    return most > 0.0 ? which : -1;
 }
 
 }  // namespace
@@ -109,39 +98,59 @@ DataTable left_out_table(const IdentificationRecord& record) {
         if (one.channels.empty()) {
             continue;  // a finding says so
         }
-        double moved = 0.0;
-        const std::string name = largest_move(record, one, moved);
+        const Eigen::Index moved = largest_move(one);
+        const std::string move =
+            moved < 0 ? ""
+                      : fmt::format("{} {:+.1f} sd", record.experiment.parameters[static_cast<std::size_t>(moved)].name,
+                                    one.moves[moved]);
         for (const LeftOutChannel& part : one.channels) {
             const bool is_first = &part == &one.channels.front();
             const solver::Channel& channel =
                 record.experiment.runs.front().problem.channels[record.observations.channels[part.noise]];
             const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
             const auto show = [&](double si) { return shown("{:.3g}", unit.difference(si)); };
-            table.add(
-                {{"left out", "left_out", {one.name, is_first ? one.name : "", false}},
-                 {"channel", "channel", record.observations.names[part.noise]},
-                 {"unit", "unit", channel.quantity == solver::Quantity::temperature ? "K" : unit.name},
-                 {"samples", "samples", count(part.samples)},
-                 {"rms fitted", "rmse_fitted", show(part.rms_fitted)},
-                 {"rms predicted", "rmse_predicted", show(part.rms_predicted)},
-                 page_only("moves most", is_first && !name.empty() ? fmt::format("{} {:+.1f} sd", name, moved) : ""),
-                 data_only("values", std::vector<double>(one.values.begin(), one.values.end()))});
+            table.add({{"left out", "left_out", {one.name, is_first ? one.name : "", false}},
+                       {"channel", "channel", record.observations.names[part.noise]},
+                       {"unit", "unit", channel.quantity == solver::Quantity::temperature ? "K" : unit.name},
+                       {"samples", "samples", count(part.samples)},
+                       {"rms fitted", "rmse_fitted", show(part.rms_fitted)},
+                       {"rms predicted", "rmse_predicted", show(part.rms_predicted)},
+                       {"expected", "rmse_expected", show(part.rms_expected)},
+                       page_only("moves most", is_first ? move : ""),
+                       data_only("values", std::vector<double>(one.values.begin(), one.values.end())),
+                       data_only("moves", std::vector<double>(one.moves.begin(), one.moves.end()))});
         }
     }
     return table;
 }
 
-Section left_out_section(DataTable table) {
+Section left_out_section(const IdentificationRecord& record, DataTable table) {
     Section section("Left out in turn");
-    if (!table.empty()) {
-        section.add(std::move(table));
-        section.say(
-            "Each is predicted by a fit without it. Predicted as well as fitted, it holds nothing that the rest does "
-            "not; "
-            "where the prediction is much worse, or a parameter moves by more than 2 of its standard deviations (sd), "
-            "the "
-            "model is wrong there or elsewhere. Without the first lap nobody knows how warm the tire was at the "
-            "start.");
+    if (table.empty()) {
+        return section;
+    }
+    section.add(std::move(table));
+    section.say(
+        "Each is predicted by a fit without it. Expected: what the fit leaves of the rest, and what the rest does not "
+        "know, "
+        "if the model is right; a part that is wrong makes the noise and so this larger. sd: standard deviations of "
+        "what chance would move a parameter, if the model is right.");
+    if (record.observations.n_recordings() > 1) {
+        section.say("The start of a run that is left out is fitted to the run itself.");
+    }
+    const double limit = least_move(record.result.left_out);
+    for (const LeftOut& one : record.result.left_out) {
+        for (Eigen::Index j = 0; j < one.moves.size(); ++j) {
+            if (std::abs(one.moves[j]) > limit) {
+                const auto index = static_cast<std::size_t>(j);
+                section.item(
+                    fmt::format("without {} {} is {:.3g} and not {:.3g}, {:.1f} standard deviations of such a move: "
+                                "the model, or what is "
+                                "said to be known before, is wrong there or in the rest; run diagnose",
+                                one.name, record.experiment.parameters[index].name, one.values[j],
+                                record.result.fitted[index].value, std::abs(one.moves[j])));
+            }
+        }
     }
     return section;
 }

@@ -15,6 +15,6 @@ namespace tiretherm::post {
 
 /// What was left out in turn, a row for each channel of it: how well a fit without it predicts it, and which parameter moves most.
 [[nodiscard]] DataTable left_out_table(const IdentificationRecord& record);
-[[nodiscard]] Section left_out_section(DataTable table);
+[[nodiscard]] Section left_out_section(const IdentificationRecord& record, DataTable table);
 
 }  // namespace tiretherm::post

@@ -274,7 +274,7 @@ Report identification_report(const IdentificationRecord& record, const std::vect
         report.add(fit_section(record, std::move(of_channels), std::move(of_numbers)));
         DataTable of_left_out = left_out_table(record);
         report.data.set("left_out", of_left_out.data());
-        report.add(left_out_section(std::move(of_left_out)));
+        report.add(left_out_section(record, std::move(of_left_out)));
         add_observed_corners(report, record.experiment, record.observations, result.after, " after the fit");
         report.add(measured_section(observed_series(record.experiment, record.observations,
                                                     {{"case", &result.before}, {"fitted", &result.after}}),

@@ -74,10 +74,9 @@ std::pair<std::vector<double>, std::vector<double>> means(const std::vector<doub
 /// A curve that ends where nothing was measured for long, as between laps that count, and goes on behind.
 void add_in_pieces(LineChart& chart, const std::string& name, const std::string& group, CurveRole role,
                    std::span<const double> x, std::span<const double> y) {
-    const double longest = diagnosis::longest_interval(x);
     std::size_t first = 0;
     for (std::size_t i = 1; i <= x.size(); ++i) {
-        if (i == x.size() || x[i] - x[i - 1] > longest) {
+        if (i == x.size() || diagnosis::is_gap(x, i)) {
             chart.add_curve(name, group, role, x.subspan(first, i - first), y.subspan(first, i - first));
             first = i;
         }

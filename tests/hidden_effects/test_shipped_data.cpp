@@ -59,8 +59,21 @@ void expect_as_shipped(const ShippedLog& log) {
     EXPECT_FALSE(std::getline(shipped, shipped_row)) << "more rows than are made";
 }
 
-/// A cell of the export may differ by one of its last digit; its lines of description, names and units may not.
+/// The cells of a text, whatever separates them.
+std::vector<std::string> cells_of(const std::string& text) {
+    constexpr std::string_view separators = "\", \t\r";
+    std::vector<std::string> cells;
+    for (std::size_t at = text.find_first_not_of(separators); at != std::string::npos;) {
+        const std::size_t end = std::min(text.find_first_of(separators, at), text.size());
+        cells.push_back(text.substr(at, end - at));
+        at = text.find_first_not_of(separators, end);
+    }
+    return cells;
+}
+
+/// A cell of a logger's file may differ by one of its last digit; its lines of description, names and units may not.
 void expect_export(const std::string& file, const std::string& text, std::size_t least_rows) {
+    SCOPED_TRACE(file);
     std::istringstream shipped(text_of(file));
     std::istringstream made(text);
     std::string a;
@@ -71,15 +84,13 @@ void expect_export(const std::string& file, const std::string& text, std::size_t
         if (a == b) {
             continue;
         }
-        ASSERT_EQ(std::ranges::count(a, ','), std::ranges::count(b, ',')) << "row " << row;
-        std::istringstream cells_a(a);
-        std::istringstream cells_b(b);
-        std::string cell_a;
-        std::string cell_b;
-        while (std::getline(cells_a, cell_a, ',') && std::getline(cells_b, cell_b, ',')) {
-            const std::size_t point = cell_b.find('.');
-            const std::size_t digits = point == std::string::npos ? 0 : cell_b.size() - point - 2;
-            ASSERT_NEAR(std::stod(cell_a.substr(1)), std::stod(cell_b.substr(1)),
+        const std::vector<std::string> cells_a = cells_of(a);
+        const std::vector<std::string> cells_b = cells_of(b);
+        ASSERT_EQ(cells_a.size(), cells_b.size()) << "row " << row;
+        for (std::size_t c = 0; c < cells_a.size(); ++c) {
+            const std::size_t point = cells_b[c].find('.');
+            const std::size_t digits = point == std::string::npos ? 0 : cells_b[c].size() - point - 1;
+            ASSERT_NEAR(std::stod(cells_a[c]), std::stod(cells_b[c]),
                         1.01 * std::pow(10.0, -static_cast<double>(digits)))
                 << a << "\n"
                 << b;
@@ -122,16 +133,19 @@ TEST(ShippedData, LogsOfTheCarAreWhatIsMade) {
     expect_export("car/session.csv", shipped_car_log(), 4000);
     expect_export("car/wheels.csv", shipped_wheel_log(), 1300);
     for (const LoggerFile& file : shipped_logger_files()) {
-        if (file.name == "motec.csv") {
-            expect_export("car/loggers/motec.csv", file.content, 800);
-        } else if (file.name == "motec.ldx" ||
-                   file.name == "motec.ld") {  // bytes: rounded values, but for the last digit of some
-            EXPECT_EQ(text_of("car/loggers/" + file.name).size(), file.content.size()) << file.name;
-        } else {
-            const std::string shipped = text_of("car/loggers/" + file.name);
-            EXPECT_EQ(std::ranges::count(shipped, '\n'), std::ranges::count(file.content, '\n')) << file.name;
-            EXPECT_EQ(shipped.substr(0, 400), file.content.substr(0, 400)) << file.name;
+        const std::string name = "car/loggers/" + file.name;
+        if (file.name != "motec.ld") {
+            expect_export(name, file.content, file.name == "motec.ldx" ? 5 : 800);
+            continue;
         }
+        // Samples of two or four bytes: one that is rounded otherwise has its lowest byte changed. A channel has 1 in 20 of them.
+        const std::string shipped = text_of(name);
+        ASSERT_EQ(shipped.size(), file.content.size());
+        std::size_t others = 0;
+        for (std::size_t i = 0; i < shipped.size(); ++i) {
+            others += shipped[i] != file.content[i] ? 1 : 0;
+        }
+        EXPECT_LT(others, shipped.size() / 500);
     }
 }
 

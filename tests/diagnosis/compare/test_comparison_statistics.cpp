@@ -219,4 +219,27 @@ TEST(Association, OfARealRelationIsNot) {
 }
 
 }  // namespace
+// A second between samples. 60 s without any are a gap of a log of 1060 s, of which a fiftieth are 21 s; 15 s are none. A car that
+// cools down sampled every five minutes is sampled all the same.
+TEST(Gap, IsNoSlowerLogger) {
+    const auto at = [](double later) {
+        std::vector<double> time;
+        for (int i = 0; i <= 1000; ++i) {
+            time.push_back(i + (i > 500 ? later : 0.0));
+        }
+        return time;
+    };
+    EXPECT_TRUE(is_gap(at(59.0), 501));
+    EXPECT_FALSE(is_gap(at(59.0), 500));
+    EXPECT_FALSE(is_gap(at(14.0), 501));
+    std::vector<double> cooling = at(0.0);
+    for (int i = 1; i <= 12; ++i) {
+        cooling.push_back(1000.0 + 300.0 * i);
+    }
+    for (std::size_t i = 1; i < cooling.size(); ++i) {
+        EXPECT_FALSE(is_gap(cooling, i)) << i;
+    }
+    EXPECT_FALSE(is_gap(std::vector{0.0, 600.0}, 1));
+}
+
 }  // namespace tiretherm::diagnosis

@@ -85,5 +85,32 @@ file = "car.csv"
     EXPECT_NE(page.find("bulk_temperature, free rolling: only FR is too cold, by 2.00 K"), std::string::npos) << page;
 }
 
+// The last lap of one run is number 3 of a counter, that of the other is number 4: one row has both, and the third lap of the longer run is
+// another row.
+TEST(LapTable, HasARowForInLapsWhateverTheirNumbers) {
+    const input::Written written;
+    const auto log = [](int laps) {
+        std::string text =
+            "time [s],lap,speed [km/h],vertical_load [N],air_temperature [degC],bulk_temperature [degC]\n";
+        for (int i = 0; i < 4 * laps; ++i) {
+            text += std::to_string(i) + "," + std::to_string(1 + i / 4) + ",36,4000,13,20\n";
+        }
+        return text;
+    };
+    written.add("a.csv", log(3));
+    written.add("b.csv", log(4));
+    const input::ExperimentReading reading = input::read_experiment(
+        written.add("laps.toml", std::string(sample::idle) + "[[run]]\nfile = \"a.csv\"\n[[run]]\nfile = \"b.csv\"\n"));
+    ASSERT_TRUE(reading.experiment) << input::error_report(reading);
+    const std::string page = post::page_text(post::comparison_report(compare(*reading.experiment, "laps"), {}), false);
+    EXPECT_NE(page.find("lap  bias a  bias b\n"
+                        "  bulk_temperature  K     out   +3.00   +3.00\n"
+                        "                            2   +3.00   +3.00\n"
+                        "                            3       -   +3.00\n"
+                        "                           in   +3.00   +3.00\n"),
+              std::string::npos)
+        << page;
+}
+
 }  // namespace
 }  // namespace tiretherm::diagnosis

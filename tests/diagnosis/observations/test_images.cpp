@@ -9,6 +9,7 @@
 
 #include "diagnosis/compare/camera_comparison.hpp"
 #include "diagnosis/compare/camera_rings.hpp"
+#include "diagnosis/compare/observed_comparison.hpp"
 #include "diagnosis/fit/camera_bench.hpp"
 #include "diagnosis/fit/identification.hpp"
 #include "diagnosis/fit/refinement.hpp"
@@ -263,6 +264,14 @@ TEST(CameraRings, HoldTheMeanOfTheirPixels) {
             EXPECT_NEAR(prediction.at(i, series.channel), series.value[i], 0.01) << series.channel << " " << i;
         }
     }
+}
+
+// The coefficients of frames are no samples of a channel: where a camera is all that measures, there is nothing to compare.
+TEST(Images, AreNoChannelsOfAComparison) {
+    const input::Experiment experiment = camera_experiment();
+    const Observations observations = observe(experiment);
+    ASSERT_FALSE(observations.blocks.empty());
+    EXPECT_TRUE(compare_observed(experiment, observations, observations.measured).empty());
 }
 
 }  // namespace tiretherm::diagnosis

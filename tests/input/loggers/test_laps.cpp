@@ -220,6 +220,34 @@ TEST(Pyrometer, IsTakenAtTheEndOfALap) {
     EXPECT_TRUE(two.experiment->runs[1].numbers.empty());
 }
 
+// A stop that names no run is that of the case's only one. A file of --data that is another has no such stop; where the case has no run at all,
+// the stop is that of the file.
+TEST(Pyrometer, IsNotThatOfAForeignLog) {
+    const std::string stop =
+        "[[pyrometer]]\nsensors = [\"bulk_temperature\"]\nuncertainty = \"2 K\"\nreadings = \"40 degC\"\n";
+    const auto read_with = [&](const std::string& runs, const std::string& file) {
+        const Written written;
+        const std::string log = made_up::aim_csv(Session(2201, 0.05));
+        written.add("session.csv", log);
+        written.add("other.csv", log);
+        const std::string driven = "[drive]\nair_temperature = \"25 degC\"\nroad_temperature = \"30 degC\"\n";
+        return read_experiment(written.add("case.toml", std::string(bench) + driven + runs + stop),
+                               {written.folder() / file});
+    };
+    const auto numbers = [](const ExperimentReading& reading) {
+        EXPECT_TRUE(reading.experiment.has_value()) << error_report(reading);
+        return reading.experiment ? reading.experiment->runs.front().numbers.size() : 99U;
+    };
+    const std::string run = "[[run]]\nfile = \"session.csv\"\n";
+    EXPECT_EQ(numbers(read_with(run, "session.csv")), 1U);
+    EXPECT_EQ(numbers(read_with("", "other.csv")), 1U);
+    const ExperimentReading foreign = read_with(run, "other.csv");
+    EXPECT_EQ(numbers(foreign), 0U);
+    EXPECT_TRUE(std::ranges::any_of(foreign.warnings, [](const std::string& warning) {
+        return warning.find("is not among those of --data: it is left out") != std::string::npos;
+    }));
+}
+
 // What drives the tire goes on through laps that do not count, and nothing is suspicious about the hole in the readings.
 TEST(RunOfLaps, HolesInTheReadingsAreNothingSuspicious) {
     const ExperimentReading whole = read_aim("[[run]]\nfile = \"session.csv\"\nlaps = \"0-2\"\n");

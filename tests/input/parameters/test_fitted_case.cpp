@@ -305,13 +305,16 @@ key = "Hc"
     expect_same(again.runs[0].problem, fitted.runs[0].problem);
 }
 
-// A run that the case names by its file alone is the same run in what lies over it.
+// A run that the case names by its file and laps alone is the same run in what lies over it.
 TEST(FittedCase, FindsARunThatOnlyItsFileNames) {
     const Written written;
-    written.add("drum.csv", "time [s],bulk_temperature [degC]\n0,23\n30,25\n60,26\n");
+    written.add(
+        "drum.csv",
+        "time [s],lap,bulk_temperature [degC]\n0,1,23\n30,1,24\n60,1,25\n90,2,25\n120,2,26\n150,2,26\n180,3,26\n");
     const fs::path file = written.add("tire.toml", including("tire.toml") + R"(
 [[run]]
 file = "drum.csv"
+laps = "1-2"
 [[parameter]]
 initial = "bulk"
 )");

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Names of runs from file and laps.
+
+#include "input/text/run_name.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace tiretherm::input {
+
+std::string name_of_laps(std::string_view laps) {
+    std::string text(laps);
+    std::erase(text, ' ');
+    std::ranges::replace(text, ',', '_');
+    const bool is_word = !text.empty() && text.find_first_not_of("0123456789-_") == std::string::npos;
+    return is_word ? fmt::format("_{}_{}", text.find_first_of("-_") == std::string::npos ? "lap" : "laps", text) : "";
+}
+
+std::string run_name(const std::filesystem::path& file, std::string_view laps) {
+    return file.stem().string() + name_of_laps(laps);
+}
+
+}  // namespace tiretherm::input
