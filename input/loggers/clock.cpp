@@ -72,6 +72,14 @@ double take_date(std::string_view& text) {
     return day * static_cast<double>(std::chrono::sys_days(date).time_since_epoch().count());
 }
 
+/// "9/5/2025 " at the start, taken off. Which of the two is the month differs: such a clock counts as one of the day.
+void take_slashed_date(std::string_view& text) {
+    std::string_view rest = text;
+    const bool found = take_digits(rest, 2) && take(rest, '/') && take_digits(rest, 2) && take(rest, '/') &&
+                       take_digits(rest, 4) && take(rest, ' ');
+    text = found ? rest : text;
+}
+
 struct Clock {
     double seconds = 0.0;
     bool dated = false;
@@ -80,6 +88,7 @@ struct Clock {
 std::optional<Clock> read_clock(std::string_view text) {
     text = trim(text);
     const double date = take_date(text);
+    take_slashed_date(text);
     if (text.ends_with('Z')) {
         text.remove_suffix(1);
     }
@@ -123,12 +132,13 @@ std::optional<Number> ClockReader::read(std::string_view field) {
     switch (form_) {
         case FieldForm::number:
             return leading_number(field);
-        case FieldForm::since: {
+        case FieldForm::since:
+        case FieldForm::since_in_ms: {
             const std::optional<Number> number = leading_number(field);
             if (!number || !number->rest.empty() || !std::isfinite(number->value)) {
                 return number;
             }
-            seconds = number->value;
+            seconds = form_ == FieldForm::since ? number->value : 1e-3 * number->value;
             break;
         }
         case FieldForm::clock: {

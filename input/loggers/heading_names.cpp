@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include "input/loggers/logger_units.hpp"
+#include "input/tables/columns.hpp"
 #include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
@@ -64,21 +66,28 @@ void distinguish(std::vector<ColumnHead>& heads, const std::vector<std::string_v
     name_with([](std::string_view source) { return source; });  // two devices of one kind
 }
 
-void mark_clock(std::vector<ColumnHead>& heads) {
-    if (std::ranges::any_of(heads, [](const ColumnHead& head) { return head.heading.name == "time"; })) {
-        return;
-    }
-    for (const std::string_view name : {"time", "timestamp"}) {
-        const auto is_named = [&](const ColumnHead& head) { return in_small_letters(head.heading.name) == name; };
-        if (const auto found = std::ranges::find_if(heads, is_named); found != heads.end()) {
-            found->is_clock = true;
-            return;
+void number_duplicates(std::vector<ColumnHead>& heads) {
+    std::map<std::string, int, std::less<>> seen;
+    const auto counted = count_names(heads);
+    for (ColumnHead& head : heads) {
+        std::string& name = head.heading.name;
+        if (const int nth = ++seen[name]; nth > 1 && !name.empty()) {
+            std::string numbered = fmt::format("{} ({})", name, nth);
+            name = counted.contains(numbered) ? name : std::move(numbered);
         }
     }
-    const auto has_clock = [](const ColumnHead& head) { return head.form != FieldForm::number; };
-    if (std::ranges::count_if(heads, has_clock) == 1) {
-        std::ranges::find_if(heads, has_clock)->is_clock = true;
+}
+
+Heading read_heading_of_logger(std::string_view text) {
+    Heading heading = read_heading(text);
+    if (heading.unit || !trim(text).ends_with(')')) {
+        return heading;
     }
+    text = trim(text);
+    const std::size_t open = text.rfind('(');
+    const std::string_view name = open == std::string_view::npos ? text : trim(text.substr(0, open));
+    const std::string_view unit = open == std::string_view::npos ? "" : trim(text.substr(open + 1, text.size() - open - 2));
+    return name.empty() || !is_logger_unit(unit) ? heading : Heading{std::string(name), std::string(unit)};
 }
 
 }  // namespace tiretherm::input

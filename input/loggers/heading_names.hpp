@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Headings as loggers write them: units in round brackets, several channels of one name, the time under other names.
+// Headings as loggers write them: units in round brackets, several channels of one name.
 #pragma once
 
 #include <string_view>
@@ -16,8 +16,11 @@ namespace tiretherm::input {
 /// @param sources of the columns, such as "100: gps"
 void distinguish(std::vector<ColumnHead>& heads, const std::vector<std::string_view>& sources);
 
-/// Marks the column that is the time of the file where none is called `time`: Time, timestamp, or the only clock of the day.
-void mark_clock(std::vector<ColumnHead>& heads);
+/// The second of two columns that are called Time is "Time (2)".
+void number_duplicates(std::vector<ColumnHead>& heads);
+
+/// "speed [km/h]", and "Speed (km/h)" where the round brackets have a unit that loggers write.
+[[nodiscard]] Heading read_heading_of_logger(std::string_view text);
 
 /// A name in small letters.
 [[nodiscard]] std::string in_small_letters(std::string_view name);

@@ -83,11 +83,14 @@ std::optional<CsvLayout> find_key_value_layout(std::string_view text) {
             return refuse(number - 1, fmt::format("the file ends within the head of an {} file", format),
                           "export the session again: names, units and values of the channels follow an empty line");
         }
-        ended = trim(*line).find_first_not_of(",;\t\" ") == std::string_view::npos;
+        ended = is_blank(*line);
         if (!ended) {
             const std::vector<std::string> values = read_detail(*line, separator, layout.description);
             if (line->find("Beacon Markers") < 3) {
-                if (const std::string wrong = read_markers(values, layout.description.markers); !wrong.empty()) {
+                const std::string wrong = read_markers(values, layout.description.markers);
+                if (!wrong.empty() && layout.description.markers.empty() && values.size() == 1) {
+                    layout.description.details.push_back({"Beacon markers", fmt::format("none, but \"{}\"", printable(wrong))});
+                } else if (!wrong.empty()) {
                     return refuse(number, fmt::format("the beacon marker \"{}\" is no time", wrong),
                                   "write it in seconds, as 145.982, or remove it");
                 }
@@ -97,7 +100,7 @@ std::optional<CsvLayout> find_key_value_layout(std::string_view text) {
         }
     }
     layout.lines.names = next_filled_line(rest, number);
-    layout.lines.units = next_filled_line(rest, layout.lines.names.number);
+    layout.lines.units = next_written_line(rest, layout.lines.names.number);
     layout.lines.body = rest;
     if (layout.lines.names.number == 0 || layout.lines.units.number == 0) {
         return refuse(number, fmt::format("the {} file has no channels", format),

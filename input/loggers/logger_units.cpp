@@ -81,15 +81,35 @@ bool name_agrees(std::string_view name, const Ambiguous& unit) {
            small.starts_with("g ") || small.ends_with(" g");
 }
 
-std::string spelt(std::string_view written) {
-    const std::string small = in_small_letters(trim(written));
+/// The sign of degrees, of two bytes, as a program writes it that takes each byte for a letter.
+std::string with_sign_of_degrees(std::string_view written) {
+    constexpr std::string_view twice = "\u00C2\u00B0";
+    std::string text(trim(written));
+    if (const std::size_t at = text.find(twice); at != std::string::npos) {
+        text.replace(at, twice.size(), "\u00B0");
+    }
+    return text;
+}
+
+std::string spelt(std::string_view text) {
+    const std::string written = with_sign_of_degrees(text);
+    const std::string small = in_small_letters(written);
     // One letter in capitals is another unit: M is no metre. Nm and nm are a moment and a length.
     const auto found = std::ranges::find_if(spellings, [&](const Spelling& spelling) { return spelling[0] == small; });
-    const bool is_length = trim(written) == "nm";
-    return found == spellings.end() || is_length ? std::string(trim(written)) : std::string((*found)[1]);
+    const bool is_length = written == "nm";
+    return found == spellings.end() || is_length ? written : std::string((*found)[1]);
 }
 
 }  // namespace
+
+bool is_logger_unit(std::string_view written) {
+    constexpr std::array<std::string_view, 27> plain{"s",     "ms",   "min",  "m",   "mm",  "km",     "ft",  "c",   "f",
+                                                     "k",     "g",    "m/s",  "m/s2", "m/s^2", "mg", "deg", "rad", "rad/s",
+                                                     "hz",    "v",    "mv",   "a",   "n",   "kn",     "pa",  "%",   "l"};
+    const std::string small = in_small_letters(trim(written));
+    return std::ranges::find(plain, small) != plain.end() ||
+           std::ranges::any_of(spellings, [&](const Spelling& spelling) { return spelling[0] == small; });
+}
 
 std::string meant_unit(std::string_view written, std::string_view wanted) {
     const std::string unit = spelt(written);

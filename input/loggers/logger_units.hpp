@@ -10,6 +10,9 @@
 
 namespace tiretherm::input {
 
+/// Whether a text is a unit as loggers write them: "sec", "km/h", "C", "kPa". What round brackets have may be something else.
+[[nodiscard]] bool is_logger_unit(std::string_view written);
+
 /// The unit that a logger means in a column that is read as a given quantity: C of a temperature is degC and F is degF, not
 /// coulomb and farad; G and g of an acceleration are 9.80665 m/s2, not gauss and gram. Spellings of loggers (kmh, PSI, dps) are
 /// replaced for every quantity; other units stay as they are.

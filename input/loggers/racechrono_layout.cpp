@@ -58,7 +58,7 @@ std::optional<CsvLayout> find_racechrono_layout(std::string_view text) {
     }
     layout.description.format = "RaceChrono CSV 3";
     for (Csv::Line* line : {&layout.lines.units, &layout.sources}) {
-        *line = next_filled_line(rest, last);
+        *line = next_written_line(rest, last);
         if (line->number == 0 || begins_with_number(line->text, layout.separator)) {
             layout.defect_line = line->number == 0 ? last : line->number;
             layout.defect =

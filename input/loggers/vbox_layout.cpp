@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files .vbo of Racelogic's VBOX. Sections: [header] titles of the columns, [channel units] of those that are not standard,
+// Files .vbo of Racelogic's VBOX. Sections: [header] titles of the columns, [channel units] of those that are not standard, or of the last,
 // [laptiming] lines across the track as two points (longitude and latitude in minutes, west positive), [column names],
 // [data] separated by blanks.   Racelogic, "VBO file structure", developers.racelogic.co.uk
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <map>
 
 #include <fmt/format.h>
 
 #include "input/loggers/csv_layout.hpp"
+#include "input/loggers/logger_units.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/text/units.hpp"
 
 namespace tiretherm::input {
 
@@ -61,6 +62,15 @@ std::string standard_unit(const std::string& name, std::string_view title) {
 
 bool is_standard(std::string_view name) { return standard_units().contains(lower(name)); }
 
+/// Whether a unit is one of a column, as far as it is known what that is in.
+bool may_be_in(std::string_view column, std::string_view unit) {
+    const auto standard = standard_units().find(lower(column));
+    if (standard == standard_units().end() || standard->second == "arcminute" || unit.empty() || unit == "(null)") {
+        return true;
+    }
+    return signature(meant_unit(unit, standard->second)) == signature(meant_unit(standard->second, standard->second));
+}
+
 /// "Start +5773.465840 +1832.282700 +5773.468800 +1832.204030 name"; nothing for another line.
 std::optional<StartLine> read_start_line(std::string_view line) {
     std::vector<std::string_view> fields;
@@ -80,12 +90,57 @@ std::optional<StartLine> read_start_line(std::string_view line) {
         .latitude_a = degrees[1], .longitude_a = -degrees[0], .latitude_b = degrees[3], .longitude_b = -degrees[2]};
 }
 
+/// The lines of a section without the empty ones at its end, of which it may have any number.
+std::vector<Csv::Line> without_end(std::vector<Csv::Line> lines) {
+    while (!lines.empty() && lines.back().text.empty()) {
+        lines.pop_back();
+    }
+    return lines;
+}
+
+/// Lines of [channel units] dealt to the columns. A VBOX writes one for each column that is not standard, an empty one for a column without unit.
+/// Newer ones and other programs write one for each of the last columns, or of the last titles where there are more titles than columns.
+/// @param section with its empty lines, of which the last may only end it  @param titled names or titles, as many as there are of more
+/// @returns [n_titled], empty where there is none; nothing where they fit neither way
+std::optional<std::vector<std::string_view>> deal_units(const std::vector<Csv::Line>& section,
+                                                        const std::vector<std::string_view>& titled,
+                                                        std::size_t n_columns) {
+    std::vector<std::string_view> dealt(titled.size());
+    const std::vector<Csv::Line> filled = without_end(section);
+    std::vector<std::size_t> own;
+    for (std::size_t i = 0; i < n_columns; ++i) {
+        if (!is_standard(titled[i])) {
+            own.push_back(i);
+        }
+    }
+    const bool ends_without_unit = !section.empty() && section.size() - 1 == own.size();
+    if (filled.size() == own.size() || (ends_without_unit && filled.size() < own.size())) {
+        for (std::size_t i = 0; i < filled.size(); ++i) {
+            dealt[own[i]] = filled[i].text;
+        }
+        return dealt;
+    }
+    if (filled.size() > titled.size()) {
+        return std::nullopt;
+    }
+    for (std::size_t i = 0; i < filled.size(); ++i) {
+        const std::size_t to = titled.size() - filled.size() + i;
+        if (to < n_columns && !may_be_in(titled[to], filled[i].text)) {
+            return std::nullopt;
+        }
+        dealt[to] = filled[i].text;
+    }
+    return dealt;
+}
+
 }  // namespace
 
 std::optional<CsvLayout> find_vbox_layout(std::string_view text) {
     constexpr std::size_t searched = 4096;  // bytes in which the first section begins
-    if (text.substr(0, searched).find("[header]") == std::string_view::npos ||
-        text.find("[column names]") == std::string_view::npos) {
+    const std::string_view begin = text.substr(0, searched);
+    const bool has_head =
+        begin.find("[header]") != std::string_view::npos || begin.starts_with("File created on ");
+    if (!has_head || text.find("[column names]") == std::string_view::npos) {
         return std::nullopt;
     }
     CsvLayout layout;
@@ -160,27 +215,22 @@ std::optional<CsvLayout> find_vbox_layout(std::string_view text) {
         const bool titled = titles.size() == columns.size();
         layout.units.push_back(standard_unit(std::string(columns[i]), titled ? titles[i].text : std::string_view()));
     }
-    // One line for each column that is not standard, an empty one for a column without unit. Some write one for every column.
-    std::vector<Csv::Line> units = sections["channel units"].lines;
-    const std::size_t n_units = filled("channel units").size();
-    const bool for_all = n_units >= columns.size();
-    const auto own = static_cast<std::size_t>(std::ranges::count_if(columns, std::not_fn(is_standard)));
-    if (n_units > own && !for_all) {  // whose they are nobody knows
-        layout.description.details.push_back(
-            {"Channel units", fmt::format("not taken: {} for {} columns that are not standard", n_units, own)});
-        units.clear();
+    std::vector<std::string_view> titled = columns;
+    for (std::size_t i = columns.size(); i < titles.size(); ++i) {
+        titled.push_back(titles[i].text);
     }
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < columns.size() && next < units.size(); ++i) {
-        const bool standard = is_standard(columns[i]);
-        if (standard && !for_all) {
-            continue;
+    const std::vector<Csv::Line>& section = sections["channel units"].lines;
+    if (const auto dealt = deal_units(section, titled, columns.size())) {
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            const std::string_view unit = (*dealt)[i];
+            // Positions are in minutes, whatever is written.
+            if (!unit.empty() && unit != "(null)" && layout.units[i] != "arcminute") {
+                layout.units[i] = std::string(unit);
+            }
         }
-        const std::string_view unit = units[next++].text;
-        // Positions are in minutes, whatever is written.
-        if (!unit.empty() && unit != "(null)" && layout.units[i] != "arcminute") {
-            layout.units[i] = std::string(unit);
-        }
+    } else {  // whose they are nobody knows
+        layout.description.details.push_back(
+            {"Channel units", fmt::format("not taken: {} for {} columns", without_end(section).size(), titled.size())});
     }
     return layout;
 }

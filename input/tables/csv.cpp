@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "input/loggers/clock_columns.hpp"
 #include "input/loggers/csv_layout.hpp"
 #include "input/loggers/heading_names.hpp"
 #include "input/text/suggestions.hpp"
@@ -31,15 +32,6 @@ std::size_t end_of_field(std::string_view line, char separator) {
         }
     }
     return std::min(line.find(separator), line.size());
-}
-
-/// Whether a column called timestamp counts the seconds since 1970.
-bool is_since_1970(std::string_view name, std::string_view unit, std::string_view field) {
-    constexpr double before_loggers = 3e8;  // s, 1979
-    constexpr double after_them = 1e10;     // s; in milliseconds it is more
-    const std::optional<Number> number = leading_number(field);
-    return in_small_letters(name) == "timestamp" && (unit.empty() || unit == "s") && number &&
-           number->value > before_loggers && number->value < after_them;
 }
 
 }  // namespace
@@ -92,17 +84,33 @@ std::optional<std::string_view> next_line(std::string_view& text) {
     return line;
 }
 
-Csv::Line next_filled_line(std::string_view& text, int last) {
+bool is_blank(std::string_view line) { return line.find_first_not_of(" \t\",;") == std::string_view::npos; }
+
+namespace {
+
+template <typename IsEmpty>
+Csv::Line next_line_but(std::string_view& text, int last, IsEmpty is_empty) {
     for (int number = last + 1; const auto line = next_line(text); ++number) {
-        if (!trim(*line).empty()) {
+        if (!is_empty(*line)) {
             return {*line, number};
         }
     }
     return {};
 }
 
+}  // namespace
+
+Csv::Line next_filled_line(std::string_view& text, int last) { return next_line_but(text, last, is_blank); }
+
+Csv::Line next_written_line(std::string_view& text, int last) {
+    return next_line_but(text, last, [](std::string_view line) { return trim(line).empty(); });
+}
+
 void split_fields(std::string_view line, char separator, std::vector<std::string_view>& fields) {
     fields.clear();
+    if (separator == ' ') {
+        line = trim(line);
+    }
     while (true) {
         const std::size_t end = end_of_field(line, separator);
         fields.push_back(unquoted(line.substr(0, end)));
@@ -145,12 +153,16 @@ void Csv::read_heads(const CsvLayout& layout) {
     for (const SourceLocation& spot : places(layout.lines.names, fields)) {
         const std::string_view field = fields[heads_.size()];
         heads_.push_back(
-            {.heading = layout.round_brackets ? read_round_heading(field) : read_heading(field), .place = spot});
+            {.heading = layout.round_brackets ? read_round_heading(field) : read_heading_of_logger(field),
+             .place = spot});
     }
     read_units(layout);
     if (layout.sources.number > 0) {
         split_fields(layout.sources.text, separator_, fields);
         distinguish(heads_, fields);
+    }
+    if (description_.format != LogDescription().format) {
+        number_duplicates(heads_);
     }
 }
 
@@ -177,25 +189,34 @@ void Csv::read_units(const CsvLayout& layout) {
     }
 }
 
+void Csv::visit_column(std::size_t column, const FieldVisitor& take) const {
+    std::string_view rest = body_;
+    std::vector<std::string_view> fields;
+    while (const auto line = next_line(rest)) {
+        if (is_blank(*line) || is_comment(*line)) {
+            continue;
+        }
+        split_fields(*line, separator_, fields);
+        if (column >= fields.size() || !take(fields[column])) {
+            return;
+        }
+    }
+}
+
 void Csv::find_clocks() {
     std::string_view rest = body_;
     Line first = next_filled_line(rest, 0);
     while (first.number > 0 && is_comment(first.text)) {
         first = next_filled_line(rest, first.number);
     }
+    take_time_units(heads_);
     std::vector<std::string_view> fields;
     split_fields(first.text, separator_, fields);
     for (std::size_t i = 0; i < std::min(fields.size(), heads_.size()); ++i) {
         ColumnHead& head = heads_[i];
-        const std::string unit = head.heading.unit.value_or("");
-        const bool is_vbox = description_.west_is_positive;
-        if (tiretherm::input::is_clock(fields[i])) {
-            head.form = FieldForm::clock;
-        } else if (is_vbox && head.heading.name == "time") {
-            head.form = FieldForm::digits;
-        } else if (unit == "unix time" || is_since_1970(head.heading.name, unit, fields[i])) {
-            head.form = FieldForm::since;
-        }
+        const bool is_vbox = description_.west_is_positive && head.heading.name == "time" && !is_clock(fields[i]);
+        head.form = is_vbox ? FieldForm::digits
+                            : form_of(head, fields[i], [&](const FieldVisitor& take) { visit_column(i, take); });
         if (head.form != FieldForm::number) {
             head.heading.unit = "s";
             head.unit_place = {};
@@ -238,7 +259,7 @@ SourceLocation Csv::row(std::size_t index) const {
         // Blank lines and comments count as lines and not as rows.
         for (auto text = next_line(rest); text; text = next_line(rest)) {
             line = {*text, line.number + 1};
-            if (!trim(line.text).empty() && !is_comment(line.text)) {
+            if (!is_blank(line.text) && !is_comment(line.text)) {
                 break;
             }
         }

@@ -2,6 +2,7 @@
 // Reader of CSV files from data loggers: headings with units, comma, semicolon or tab as separator.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -47,6 +48,8 @@ public:
 private:
     void read_heads(const struct CsvLayout& layout);
     void read_units(const struct CsvLayout& layout);
+    /// The fields of a column down the file, until `take` returns false or a line has no such field.
+    void visit_column(std::size_t column, const std::function<bool(std::string_view)>& take) const;
     /// Which columns hold clocks, and which is the file's time.
     void find_clocks();
     /// Of all fields of a line in one pass: a line may have a hundred thousand of them.
@@ -69,8 +72,12 @@ private:
 
 /// Takes the next line off a text; nothing at its end.
 [[nodiscard]] std::optional<std::string_view> next_line(std::string_view& text);
+/// Whether a line has nothing but blanks, separators and quotes: spreadsheets write the empty lines of a table so.
+[[nodiscard]] bool is_blank(std::string_view line);
 /// The next line that is not blank, which is counted on from `last`; without number at the end of the text.
 [[nodiscard]] Csv::Line next_filled_line(std::string_view& text, int last);
+/// The next line that is not empty; one of separators alone has empty fields, and counts.
+[[nodiscard]] Csv::Line next_written_line(std::string_view& text, int last);
 /// Splits a line at the separators; quotes and blanks round a field are taken off. Within quotes nothing separates.
 void split_fields(std::string_view line, char separator, std::vector<std::string_view>& fields);
 /// Which separator a line of headings uses; a comma when there is only one heading.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reads the requested columns of a CSV file and reports lines with the wrong number of fields.
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "input/loggers/csv_layout.hpp"
@@ -64,11 +66,14 @@ std::vector<std::vector<double>> Csv::read(const std::vector<ColumnRequest>& req
     std::vector<std::string_view> fields;
     std::string_view rest = body_;
     bool empty = true;
+    bool has_rows = false;  // complete ones
+    const bool is_log = std::ranges::any_of(
+        heads_, [](const ColumnHead& head) { return head.is_clock || head.heading.name == "time"; });
     DecimalMarks marks;
     std::string room;
     for (Line line{{}, first_line_}; const auto text = next_line(rest); ++line.number) {
         line.text = *text;
-        if (trim(line.text).empty() || is_comment(line.text)) {
+        if (is_blank(line.text) || is_comment(line.text)) {
             continue;
         }
         empty = false;
@@ -79,6 +84,12 @@ std::vector<std::vector<double>> Csv::read(const std::vector<ColumnRequest>& req
         }
         split_fields(line.text, separator_, fields);
         const bool trailing = fields.size() == heads_.size() + 1 && fields.back().empty();
+        if (fields.size() < heads_.size() && rest.empty() && has_rows && is_log) {
+            errors.warn(place(line, line.text),
+                        fmt::format("the last line has {} of {} values: the logger stopped in it, and it is left out",
+                                    fields.size(), heads_.size()));
+            continue;
+        }
         if (fields.size() != heads_.size() && !trailing) {
             const bool too_many_commas = separates_by_commas() && fields.size() > heads_.size();
             ragged.add(
@@ -89,6 +100,7 @@ std::vector<std::vector<double>> Csv::read(const std::vector<ColumnRequest>& req
                      : "complete or remove the line"});
             continue;
         }
+        has_rows = true;
         for (std::size_t i = 0; i < requests.size(); ++i) {
             const std::string_view field = fields[static_cast<std::size_t>(requests[i].column)];
             const std::string_view number = separates_by_commas() ? field : with_point(field, room);

@@ -131,7 +131,8 @@ TEST(VboxVbo, PassesMidnightAndCrossesItsStartLine) {
     }
 }
 
-// Three units for two columns that are not standard: whose they are nobody knows, so none is taken, and the survey says so.
+// Three units for two columns that are not standard, of which the first would be that of the height, and no length: whose they are nobody
+// knows, so none is taken, and the survey says so.
 TEST(VboxVbo, UnitsThatFitNoColumnAreNotTaken) {
     std::string text = made_up::vbox_vbo(Session(20, 0.05), 36000.0);
     const std::string two = "[channel units]\r\nN\r\nC\r\n";
@@ -145,7 +146,7 @@ TEST(VboxVbo, UnitsThatFitNoColumnAreNotTaken) {
     }
     const auto& details = file.file().description().details;
     EXPECT_TRUE(std::ranges::any_of(
-        details, [](const auto& one) { return one.value == "not taken: 3 for 2 columns that are not standard"; }));
+        details, [](const auto& one) { return one.value == "not taken: 3 for 9 columns"; }));
 }
 
 // Comments above and between the lines; a clock of the day that passes midnight counts from the first line on.

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Knows times by what loggers call them and by their first fields.
+
+#include "input/loggers/clock_columns.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <string>
+
+#include "input/loggers/heading_names.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+/// The surer before the less sure; small letters without blanks and marks.
+constexpr std::array<std::string_view, 4> names{"time", "timestamp", "elapsedtime", "sessiontime"};
+
+/// "Session Time", "session_time" and "SessionTime" as "sessiontime".
+std::string bare(std::string_view heading) {
+    std::string name = in_small_letters(heading);
+    std::erase_if(name, [](char c) { return c == ' ' || c == '_' || c == '-'; });
+    return name;
+}
+
+/// "timestampms" is "timestamp" with "ms". @returns the unit; empty: none at the end of a name of a time
+std::string_view unit_at_end(std::string_view name) {
+    for (const std::string_view unit : {"ms", "sec", "s"}) {
+        if (name.ends_with(unit) && std::ranges::find(names, name.substr(0, name.size() - unit.size())) != names.end()) {
+            return unit;
+        }
+    }
+    return {};
+}
+
+/// Its place among the names of times; `names.size()` of another.
+std::size_t rank_of(std::string_view heading) {
+    std::string name = bare(heading);
+    name.resize(name.size() - unit_at_end(name).size());
+    return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+}
+
+bool may_be_digits(double value) {
+    const double minutes = std::floor(value / 100.0);
+    return value >= 0.0 && value < 240000.0 && std::fmod(value, 100.0) < 60.0 && std::fmod(minutes, 100.0) < 60.0;
+}
+
+/// Whether numbers are digits of a clock: they never have more than 59 seconds, and at least once go on by 41 at the end of a minute.
+bool are_digits(const std::function<void(const FieldVisitor&)>& visit) {
+    bool may_be = true;
+    bool ends_a_minute = false;
+    double last = -1.0;
+    visit([&](std::string_view field) {
+        const std::optional<Number> number = leading_number(field);
+        may_be = number && number->rest.empty() && may_be_digits(number->value);
+        if (may_be) {
+            const bool is_next = std::floor(number->value / 100.0) != std::floor(last / 100.0);
+            ends_a_minute = ends_a_minute || (last >= 0.0 && is_next && std::fmod(last, 100.0) >= 50.0 &&
+                                              std::fmod(number->value, 100.0) < 10.0);
+            last = number->value;
+        }
+        return may_be;
+    });
+    return may_be && ends_a_minute;
+}
+
+}  // namespace
+
+void take_time_units(std::vector<ColumnHead>& heads) {
+    for (ColumnHead& head : heads) {
+        if (const std::string_view unit = unit_at_end(bare(head.heading.name)); !unit.empty() && !head.heading.unit) {
+            head.heading.unit = unit == "sec" ? "s" : std::string(unit);
+        }
+    }
+}
+
+FieldForm form_of(const ColumnHead& head, std::string_view first,
+                  const std::function<void(const FieldVisitor&)>& visit) {
+    constexpr double before_loggers = 3e8;  // s since 1970, in 1979
+    constexpr double after_them = 1e10;     // s; a number of milliseconds since 1979 is larger
+    constexpr double least_digits = 1e4;    // one o'clock; a clock of seconds from the start begins at less
+    if (is_clock(first)) {
+        return FieldForm::clock;
+    }
+    const std::string unit = head.heading.unit.value_or("");
+    if (unit == "unix time") {
+        return FieldForm::since;
+    }
+    const std::optional<Number> number = leading_number(first);
+    if (rank_of(head.heading.name) == names.size() || !number || !number->rest.empty()) {
+        return FieldForm::number;
+    }
+    if ((unit.empty() || unit == "s") && number->value > before_loggers && number->value < after_them) {
+        return FieldForm::since;
+    }
+    if ((unit.empty() || unit == "ms") && number->value > 1e3 * before_loggers && number->value < 1e3 * after_them) {
+        return FieldForm::since_in_ms;
+    }
+    const bool is_large = number->value >= least_digits && may_be_digits(number->value);
+    return unit.empty() && is_large && are_digits(visit) ? FieldForm::digits : FieldForm::number;
+}
+
+void mark_clock(std::vector<ColumnHead>& heads) {
+    const auto is_time = [](const ColumnHead& head) { return head.heading.name == "time"; };
+    if (std::ranges::any_of(heads, is_time)) {
+        return;
+    }
+    // Digits of a clock are whole seconds in most files: a time beside them is finer.
+    for (const bool digits : {false, true}) {
+        for (std::size_t rank = 0; rank < names.size(); ++rank) {
+            const auto found = std::ranges::find_if(heads, [&](const ColumnHead& head) {
+                return rank_of(head.heading.name) == rank && (head.form == FieldForm::digits) == digits;
+            });
+            if (found != heads.end()) {
+                found->is_clock = true;
+                return;
+            }
+        }
+    }
+    const auto has_clock = [](const ColumnHead& head) { return head.form != FieldForm::number; };
+    if (std::ranges::count_if(heads, has_clock) == 1) {
+        std::ranges::find_if(heads, has_clock)->is_clock = true;
+    }
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which column of a logger's file is its time, and how it is written.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "input/tables/column_reader.hpp"
+
+namespace tiretherm::input {
+
+/// The fields of a column down the file, to be called with its index: one after the other until it returns false.
+using FieldVisitor = std::function<bool(std::string_view field)>;
+
+/// Units that the name of a time has at its end where it has no other: timestamp_ms, TimestampMS, time_s.
+void take_time_units(std::vector<ColumnHead>& heads);
+
+/// How the numbers of a column are written, by its name, its unit and its fields: as clocks of the day, as their digits, as seconds or
+/// milliseconds since 1970, or as numbers.
+/// @param first field  @param visit goes through all of them; called where the first may be the digits of a clock
+[[nodiscard]] FieldForm form_of(const ColumnHead& head, std::string_view first,
+                                const std::function<void(const FieldVisitor&)>& visit);
+
+/// Marks the column that is the time of the file where none is called `time`: Time, timestamp, elapsed time, session time, or the only clock of the
+/// day.
+void mark_clock(std::vector<ColumnHead>& heads);
+
+}  // namespace tiretherm::input
