@@ -66,6 +66,7 @@ std::string size_text(const input::CaseSize& size) {
 struct CheckOptions {
     std::string case_file;
     std::vector<std::string> data;
+    std::vector<std::string> units;
     bool json = false;
 };
 
@@ -232,10 +233,15 @@ void print(const Checked& checked, bool json) { json ? print_json(checked) : pri
 int check(const CheckOptions& options) {
     if (input::is_log_file(options.case_file)) {
         if (options.data.empty()) {
-            return check_log(options.case_file, options.json);
+            return check_log(options.case_file, options.units, options.json);
         }
         report_error(fmt::format("{} is a log, and --data is for a case", options.case_file),
                      "check one log at a time, or name a case before --data", options.json);
+        return Exit::input_error;
+    }
+    if (!options.units.empty()) {
+        report_error("--unit is for a log", "a case says units itself: units = { \"GPS Speed\" = \"km/h\" } in [data]",
+                     options.json);
         return Exit::input_error;
     }
     now_doing(fmt::format("reading {} and the files that it names", options.case_file));
@@ -284,6 +290,8 @@ void add_check_command(CLI::App& program, int& exit_code) {
                      "A measured run (CSV or HDF5), once for each: is the case one for compare, identify and diagnose "
                      "with these?")
         ->option_text("FILE ...");
+    command->add_option("--unit", options->units, "Of a log: a unit that it lacks, as tiretherm new takes it")
+        ->option_text("COLUMN=UNIT ...");
     command->add_flag("--json", options->json, "One JSON object");
     command->footer(
         "The size is an estimate: what is beyond [limits] is refused.\n"

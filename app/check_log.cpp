@@ -28,7 +28,7 @@ std::string use_text(const input::ColumnSurvey& column) {
     if (!column.use.empty()) {
         return column.use == "time" ? "time" : fmt::format("{} {}", column.use, column.used_as);
     }
-    const bool guess = !column.suggestion.empty() && column.suggestion != column.name;
+    const bool guess = !column.suggestion.empty() && column.suggestion != column.name && !column.is_dropped;
     return guess ? fmt::format("not used; is it {}?", column.suggestion) : fmt::format("not used: {}", column.reason);
 }
 
@@ -129,10 +129,29 @@ post::Report report_of(const input::LogSurvey& survey) {
 
 }  // namespace
 
-int check_log(const std::filesystem::path& path, bool json) {
+std::optional<std::vector<input::GivenUnit>> given_units(const std::vector<std::string>& words, bool json) {
+    std::vector<input::GivenUnit> units;
+    for (const std::string& word : words) {
+        const std::size_t sign = word.rfind('=');
+        if (sign == std::string::npos || sign == 0 || sign + 1 == word.size()) {
+            report_error(fmt::format("--unit {} is not a column and its unit", word),
+                         "write --unit \"GPS Speed=km/h\", or --unit \"*temp*=degC\" of several columns", json);
+            return std::nullopt;
+        }
+        units.push_back({std::string(input::trim(std::string_view(word).substr(0, sign))),
+                         std::string(input::trim(std::string_view(word).substr(sign + 1)))});
+    }
+    return units;
+}
+
+int check_log(const std::filesystem::path& path, const std::vector<std::string>& units, bool json) {
+    const std::optional<std::vector<input::GivenUnit>> given = given_units(units, json);
+    if (!given) {
+        return Exit::input_error;
+    }
     now_doing(fmt::format("reading {}", path.generic_string()));
     input::InputErrors errors;
-    const std::optional<input::LogSurvey> survey = input::survey_log(path, errors);
+    const std::optional<input::LogSurvey> survey = input::survey_log(path, *given, errors);
     if (!survey) {
         report_errors({.problem = std::nullopt, .errors = errors.in_order(), .warnings = errors.warnings()},
                       "the log cannot be used", json);

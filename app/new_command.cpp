@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/check_log.hpp"
 #include "app/commands.hpp"
 #include "app/failure.hpp"
 #include "app/messages.hpp"
@@ -38,6 +39,7 @@ struct NewOptions {
     std::string size;
     std::string mesh;
     std::string pressure;
+    std::vector<std::string> units;
     bool force = false;
     bool json = false;
 };
@@ -92,6 +94,15 @@ std::optional<input::NewCaseRequest> read_request(const NewOptions& options) {
         }
         request.inflation_pressure = pressure.value;
     }
+    const std::optional<std::vector<input::GivenUnit>> units = given_units(options.units, options.json);
+    if (!units || (!log && !units->empty())) {
+        if (units) {
+            report_error("--unit speaks of a log, and there is none", "name a log: tiretherm new drive.csv",
+                         options.json);
+        }
+        return std::nullopt;
+    }
+    request.units = *units;
     request.mesh = options.mesh;
     request.target = options.file.empty() ? standard_file(options, request) : fs::path(options.file);
     return request;
@@ -99,13 +110,15 @@ std::optional<input::NewCaseRequest> read_request(const NewOptions& options) {
 
 std::string use_of(const input::LogColumn& column) {
     if (!column.is_used()) {
-        const bool guess = !column.suggestion.empty() && column.suggestion != column.heading.name;
+        const bool guess = !column.suggestion.empty() && column.suggestion != column.heading.name && !column.is_dropped;
         const bool asked = column.reason.ends_with('?');
         return guess ? fmt::format("not used; is it {}?{}{}", column.full_suggestion(), asked ? " " : "",
                                    asked ? column.reason : "")
                      : fmt::format("not used: {}", column.reason);
     }
-    const std::string unit = column.unit.empty() ? "" : fmt::format(", read in {}", column.unit);
+    const std::string ground = column.unit_ground.starts_with("assumed") ? " (" + column.unit_ground + ")" : "";
+    const std::string unit =
+        column.unit.empty() || column.unit_ground == "given" ? "" : fmt::format(", read in {}{}", column.unit, ground);
     const std::string kind = column.is_sensor ? "measured by the sensor " : column.is_input ? "input " : "";
     return kind + column.full_name() + unit;
 }
@@ -256,6 +269,11 @@ void add_new_command(CLI::App& program, int& exit_code) {
         ->add_option("--pressure", options->pressure,
                      "Inflation, \"2.4 bar\": scales stiffness and contact. Default: 220 kPa, with C or LT 450 kPa")
         ->option_text("PRESSURE");
+    command
+        ->add_option(
+            "--unit", options->units,
+            "A unit that the log lacks, or has wrong, once for each: \"GPS Speed=km/h\"; \"*temp*=degC\" of several")
+        ->option_text("COLUMN=UNIT ...");
     command->add_flag("--force", options->force, "Replace a case that is there already");
     command->add_flag("--json", options->json, "One JSON object: columns, assumptions, what is missing");
     command->footer(

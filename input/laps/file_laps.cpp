@@ -94,7 +94,8 @@ std::optional<Positions> read_positions(const DataFile& file, const std::vector<
 }  // namespace
 
 bool counts_laps(std::string_view name) {
-    return is_one_of(name, std::array<std::string_view, 6>{"lap", "lapnumber", "lapno", "laps", "lapcount", "runde"});
+    return is_one_of(
+        name, std::array<std::string_view, 7>{"lap", "lapnumber", "lapno", "laps", "lapcount", "lapindex", "runde"});
 }
 
 Laps find_laps(const DataFile& file, const std::vector<double>& time, const std::optional<StartLine>& line, bool search,
@@ -128,7 +129,11 @@ Laps find_laps(const DataFile& file, const std::vector<double>& time, const std:
     }
     if (file.description().start_line || search) {
         if (const std::optional<Positions> positions = read_positions(file, time, errors)) {
-            Laps found = by_line(file.description().start_line, *positions, LapSource::start_line);
+            std::optional<StartLine> of_file = file.description().start_line;
+            if (of_file) {
+                of_file = line_across(*positions, *of_file);
+            }
+            Laps found = by_line(of_file, *positions, LapSource::start_line);
             return found.laps.empty() && search
                        ? by_line(find_start_line(*positions), *positions, LapSource::closed_track)
                        : found;

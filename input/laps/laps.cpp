@@ -103,6 +103,15 @@ std::vector<Lap> laps_by_counter(const std::vector<double>& time, const std::vec
         }
         laps.back().end = time[i];
     }
+    // A counter that has no number on the way out of the pits and back has none of those two laps.
+    constexpr double pit_way = 5.0;  // s; at least, to be told from a counter that is logged more slowly
+    if (!laps.empty() && laps.front().start > time.front() + pit_way) {
+        laps.insert(laps.begin(),
+                    {.number = laps.front().number - 1, .start = time.front(), .end = laps.front().start});
+    }
+    if (!laps.empty() && laps.back().end < time.back() - pit_way) {
+        laps.push_back({.number = laps.back().number + 1, .start = laps.back().end, .end = time.back()});
+    }
     set_kinds(laps);
     return laps.size() > 1 ? laps : std::vector<Lap>{};
 }

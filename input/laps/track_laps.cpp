@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace tiretherm::input {
@@ -84,6 +85,52 @@ std::vector<double> crossings_of(const Positions& positions, const StartLine& li
     return times;
 }
 
+namespace {
+
+/// A line through a point, square to a way that is not zero.
+StartLine square_to(const Point& way, const Point& through, const Plane& plane) {
+    const double length = std::hypot(way.x, way.y);
+    const Point half{-half_width * way.y / length, half_width * way.x / length};
+    const Point a = through + half;
+    const Point b = through - half;
+    return {.latitude_a = plane.latitude(a),
+            .longitude_a = plane.longitude(a),
+            .latitude_b = plane.latitude(b),
+            .longitude_b = plane.longitude(b)};
+}
+
+}  // namespace
+
+StartLine line_across(const Positions& positions, const StartLine& line) {
+    constexpr double along_it = 0.866;  // cosine of 30 degrees
+    constexpr double least_way = 0.5;   // m between samples of a car that moves
+    const Plane plane(line.latitude_a, line.longitude_a);
+    const Point end = plane.of(line.latitude_b, line.longitude_b);
+    const Point middle = 0.5 * end;
+    double nearest = std::numeric_limits<double>::infinity();
+    Point way;
+    std::optional<Point> before;
+    for (std::size_t i = 0; i < positions.time.size(); ++i) {
+        if (!is_known(positions, i)) {
+            continue;
+        }
+        const Point here = plane.of(positions.latitude[i], positions.longitude[i]);
+        if (before) {
+            const Point step = here - *before;
+            const Point to_middle = 0.5 * (here + *before) - middle;
+            const double distance = std::hypot(to_middle.x, to_middle.y);
+            if (std::hypot(step.x, step.y) > least_way && distance < nearest) {
+                nearest = distance;
+                way = step;
+            }
+        }
+        before = here;
+    }
+    const double length = std::hypot(end.x, end.y) * std::hypot(way.x, way.y);
+    const bool is_along = length > 0.0 && std::abs(end.x * way.x + end.y * way.y) > along_it * length;
+    return is_along && nearest < half_width ? square_to(way, middle, plane) : line;
+}
+
 std::optional<StartLine> find_start_line(const Positions& positions) {
     constexpr std::size_t tried = 200;  // places, evenly over the recording
     std::vector<std::size_t> known;
@@ -110,12 +157,7 @@ std::optional<StartLine> find_start_line(const Positions& positions) {
         if (!(speed > 3.0)) {  // m/s; a standing car has no direction
             continue;
         }
-        const Point across{-half_width * way.y / length, half_width * way.x / length};
-        const Point other = -1.0 * across;
-        const StartLine line{.latitude_a = plane.latitude(across),
-                             .longitude_a = plane.longitude(across),
-                             .latitude_b = plane.latitude(other),
-                             .longitude_b = plane.longitude(other)};
+        const StartLine line = square_to(way, {}, plane);
         const std::size_t count = crossings_of(positions, line).size();
         if (count > most || (count == most && best && speed > fastest)) {
             most = count;

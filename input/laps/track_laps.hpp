@@ -21,6 +21,10 @@ struct Positions {
 /// @returns s, ascending
 [[nodiscard]] std::vector<double> crossings_of(const Positions& positions, const StartLine& line);
 
+/// A line as it is meant: some loggers write the way over the line in the place of the line. Where the car passes it along rather than across, within
+/// 30 degrees, it is the line of 40 m at its middle across the car's way.
+[[nodiscard]] StartLine line_across(const Positions& positions, const StartLine& line);
+
 /// A line across the track at a place that the car passes again and again in the same direction, 40 m wide; nothing where
 /// there is none: it never comes back. The place is where it is fastest: there a line is crossed squarely and never by a stop.
 [[nodiscard]] std::optional<StartLine> find_start_line(const Positions& positions);

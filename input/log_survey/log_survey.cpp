@@ -107,8 +107,9 @@ std::vector<std::string> doubts_of(const Recording& recording) {
 
 }  // namespace
 
-std::optional<LogSurvey> survey_log(const std::filesystem::path& path, InputErrors& errors) {
-    const std::optional<Log> log = read_log(path, mesh_template("section", 12.0), errors);
+std::optional<LogSurvey> survey_log(const std::filesystem::path& path, const std::vector<GivenUnit>& units,
+                                    InputErrors& errors) {
+    const std::optional<Log> log = read_log(path, mesh_template("section", 12.0), units, errors);
     InputErrors again;
     const std::optional<DataFile> file = log ? DataFile::open(path, {}, again) : std::nullopt;
     if (!file) {
@@ -130,6 +131,10 @@ std::optional<LogSurvey> survey_log(const std::filesystem::path& path, InputErro
     recording.file = survey.path;
     recording.time = log->time;
     recording.time_unit = clock->heading.unit.value_or("");
+    if (!clock->unit_ground.empty()) {
+        survey.doubts.push_back(
+            fmt::format("the column {} has no unit: {} is {}", clock->heading.name, clock->unit, clock->unit_ground));
+    }
     for (const LogColumn& column : log->columns) {
         if (column.heading.name.empty()) {
             continue;
@@ -142,7 +147,8 @@ std::optional<LogSurvey> survey_log(const std::filesystem::path& path, InputErro
                                                      : "time",
                            .used_as = column.full_name(),
                            .suggestion = column.full_suggestion(),
-                           .reason = column.reason};
+                           .reason = column.reason,
+                           .is_dropped = column.is_dropped};
         const Known known = known_of(*file, column.column, time, again);
         set_rate(found, known, survey.from, survey.to);
         if (!known.value.empty()) {

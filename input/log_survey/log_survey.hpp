@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "input/laps/laps.hpp"
+#include "input/new_case/log_columns.hpp"
 #include "input/text/input_error.hpp"
 
 namespace tiretherm::input {
@@ -25,6 +26,7 @@ struct ColumnSurvey {
     std::string used_as{};     ///< the name that the model has for it, "surface_temperature of FL"; empty: none
     std::string suggestion{};  ///< a name that it may have
     std::string reason{};      ///< why it is not used
+    bool is_dropped = false;   ///< it is the suggestion, and has too little in it
 };
 
 /// A file as a whole.
@@ -40,8 +42,10 @@ struct LogSurvey {
 };
 
 /// Looks at a file as `tiretherm new` would use it, on a cross-section of a tire.
+/// @param units as read_log takes them
 /// @returns nothing after an error
-[[nodiscard]] std::optional<LogSurvey> survey_log(const std::filesystem::path& path, InputErrors& errors);
+[[nodiscard]] std::optional<LogSurvey> survey_log(const std::filesystem::path& path,
+                                                  const std::vector<GivenUnit>& units, InputErrors& errors);
 
 /// Whether a file is a log by the ending of its name: .csv, .txt, .tsv, .dat, .log, .h5, .hdf5, .ld, .vbo.
 [[nodiscard]] bool is_log_file(const std::filesystem::path& path);

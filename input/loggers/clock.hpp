@@ -13,8 +13,8 @@ namespace tiretherm::input {
 /// How the numbers of a column are written.
 enum class FieldForm : std::uint8_t {
     number,
-    clock,   ///< 11:49:03.250, 1:23.456, 2025-12-16T11:49:03.250Z
-    digits,  ///< 114903.25 is 11:49:03.25
+    clock,       ///< 11:49:03.250, 1:23.456, 2025-12-16T11:49:03.250Z
+    digits,      ///< 114903.25 is 11:49:03.25
     since,       ///< a number, counted from the first one on: 1767150797.44
     since_in_ms  ///< the same in milliseconds
 };

@@ -28,7 +28,8 @@ std::string bare(std::string_view heading) {
 /// "timestampms" is "timestamp" with "ms". @returns the unit; empty: none at the end of a name of a time
 std::string_view unit_at_end(std::string_view name) {
     for (const std::string_view unit : {"ms", "sec", "s"}) {
-        if (name.ends_with(unit) && std::ranges::find(names, name.substr(0, name.size() - unit.size())) != names.end()) {
+        if (name.ends_with(unit) &&
+            std::ranges::find(names, name.substr(0, name.size() - unit.size())) != names.end()) {
             return unit;
         }
     }

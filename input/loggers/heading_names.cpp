@@ -86,7 +86,8 @@ Heading read_heading_of_logger(std::string_view text) {
     text = trim(text);
     const std::size_t open = text.rfind('(');
     const std::string_view name = open == std::string_view::npos ? text : trim(text.substr(0, open));
-    const std::string_view unit = open == std::string_view::npos ? "" : trim(text.substr(open + 1, text.size() - open - 2));
+    const std::string_view unit =
+        open == std::string_view::npos ? "" : trim(text.substr(open + 1, text.size() - open - 2));
     return name.empty() || !is_logger_unit(unit) ? heading : Heading{std::string(name), std::string(unit)};
 }
 

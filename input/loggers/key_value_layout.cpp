@@ -56,6 +56,19 @@ bool has_values(std::string_view line, char separator) {
     return leading_number(fields.front()).has_value();
 }
 
+std::string first_field(std::string_view line, char separator) {
+    std::vector<std::string_view> fields;
+    split_fields(line, separator, fields);
+    return std::string(fields.front());
+}
+
+/// Whether a line has the names of the columns although no empty line stands above it: the next one has the unit of the time.
+bool has_names(std::string_view line, std::string_view rest, char separator) {
+    const std::string_view next = next_line(rest).value_or("");
+    const std::string unit = first_field(next, separator);
+    return first_field(line, separator) == "Time" && (unit == "s" || unit == "sec");
+}
+
 }  // namespace
 
 std::optional<CsvLayout> find_key_value_layout(std::string_view text) {
@@ -83,13 +96,17 @@ std::optional<CsvLayout> find_key_value_layout(std::string_view text) {
             return refuse(number - 1, fmt::format("the file ends within the head of an {} file", format),
                           "export the session again: names, units and values of the channels follow an empty line");
         }
-        ended = is_blank(*line);
+        if (has_names(*line, rest, separator)) {
+            layout.lines.names = {*line, number};
+        }
+        ended = is_blank(*line) || layout.lines.names.number > 0;
         if (!ended) {
             const std::vector<std::string> values = read_detail(*line, separator, layout.description);
             if (line->find("Beacon Markers") < 3) {
                 const std::string wrong = read_markers(values, layout.description.markers);
                 if (!wrong.empty() && layout.description.markers.empty() && values.size() == 1) {
-                    layout.description.details.push_back({"Beacon markers", fmt::format("none, but \"{}\"", printable(wrong))});
+                    layout.description.details.push_back(
+                        {"Beacon markers", fmt::format("none, but \"{}\"", printable(wrong))});
                 } else if (!wrong.empty()) {
                     return refuse(number, fmt::format("the beacon marker \"{}\" is no time", wrong),
                                   "write it in seconds, as 145.982, or remove it");
@@ -99,7 +116,9 @@ std::optional<CsvLayout> find_key_value_layout(std::string_view text) {
             }
         }
     }
-    layout.lines.names = next_filled_line(rest, number);
+    if (layout.lines.names.number == 0) {
+        layout.lines.names = next_filled_line(rest, number);
+    }
     layout.lines.units = next_written_line(rest, layout.lines.names.number);
     layout.lines.body = rest;
     if (layout.lines.names.number == 0 || layout.lines.units.number == 0) {

@@ -81,12 +81,17 @@ bool name_agrees(std::string_view name, const Ambiguous& unit) {
            small.starts_with("g ") || small.ends_with(" g");
 }
 
-/// The sign of degrees, of two bytes, as a program writes it that takes each byte for a letter.
+/// The sign of degrees as it is meant: in Latin-1 it is one byte, and a program that takes each byte for a letter writes two signs.
 std::string with_sign_of_degrees(std::string_view written) {
+    constexpr std::string_view sign = "\u00B0";
     constexpr std::string_view twice = "\u00C2\u00B0";
+    constexpr char latin = '\xB0';
     std::string text(trim(written));
     if (const std::size_t at = text.find(twice); at != std::string::npos) {
-        text.replace(at, twice.size(), "\u00B0");
+        text.replace(at, twice.size(), sign);
+    } else if (const std::size_t byte = text.find(latin);
+               byte != std::string::npos && (byte == 0 || text[byte - 1] != sign.front())) {
+        text.replace(byte, 1, sign);
     }
     return text;
 }
@@ -103,9 +108,9 @@ std::string spelt(std::string_view text) {
 }  // namespace
 
 bool is_logger_unit(std::string_view written) {
-    constexpr std::array<std::string_view, 27> plain{"s",     "ms",   "min",  "m",   "mm",  "km",     "ft",  "c",   "f",
-                                                     "k",     "g",    "m/s",  "m/s2", "m/s^2", "mg", "deg", "rad", "rad/s",
-                                                     "hz",    "v",    "mv",   "a",   "n",   "kn",     "pa",  "%",   "l"};
+    constexpr std::array<std::string_view, 27> plain{"s",  "ms", "min", "m",    "mm",    "km", "ft",  "c",   "f",
+                                                     "k",  "g",  "m/s", "m/s2", "m/s^2", "mg", "deg", "rad", "rad/s",
+                                                     "hz", "v",  "mv",  "a",    "n",     "kn", "pa",  "%",   "l"};
     const std::string small = in_small_letters(trim(written));
     return std::ranges::find(plain, small) != plain.end() ||
            std::ranges::any_of(spellings, [&](const Spelling& spelling) { return spelling[0] == small; });

@@ -113,11 +113,16 @@ private:
                         "the file is damaged or incomplete: copy it from the logger again");
             return record.next;
         };
+        // A channel of another kind, as newer loggers may have, is no damage to the others.
+        const auto leave_out = [&](const std::string& what) {
+            errors_.warn(place_, fmt::format("channel {} {}: it is left out", called, what));
+            return record.next;
+        };
         const int kind = in_.unsigned16(at + 18);
         const int size = in_.unsigned16(at + 20);
         const std::optional<SampleType> type = type_of(kind, size);
         if (!type) {
-            return refuse(fmt::format("is of the unknown type {} with {} bytes a sample", kind, size));
+            return leave_out(fmt::format("is of the unknown type {} with {} bytes a sample", kind, size));
         }
         record.type = *type;
         const std::uint64_t length = std::uint64_t{record.count} * static_cast<std::uint64_t>(size);
@@ -130,10 +135,11 @@ private:
             return refuse("shares its samples with another one: together they are longer than the file");
         }
         if (record.count > 0 && record.rate == 0) {
-            return refuse("has a rate of 0 Hz");
+            return leave_out("has a rate of 0 Hz");
         }
-        if (record.scale == 0 || std::abs(record.decimals) > 30) {
-            return refuse(fmt::format("has a scale of {} with {} decimals", record.scale, record.decimals));
+        if (record.scale == 0 || record.multiplier == 0 || std::abs(record.decimals) > 30) {
+            return leave_out(fmt::format("has a scale of {}, a multiplier of {} and {} decimals", record.scale,
+                                         record.multiplier, record.decimals));
         }
         const std::uint32_t next = record.next;
         if (record.count > 0 && !record.name.empty()) {

@@ -138,8 +138,7 @@ std::optional<std::vector<std::string_view>> deal_units(const std::vector<Csv::L
 std::optional<CsvLayout> find_vbox_layout(std::string_view text) {
     constexpr std::size_t searched = 4096;  // bytes in which the first section begins
     const std::string_view begin = text.substr(0, searched);
-    const bool has_head =
-        begin.find("[header]") != std::string_view::npos || begin.starts_with("File created on ");
+    const bool has_head = begin.find("[header]") != std::string_view::npos || begin.starts_with("File created on ");
     if (!has_head || text.find("[column names]") == std::string_view::npos) {
         return std::nullopt;
     }

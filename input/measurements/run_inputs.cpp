@@ -179,7 +179,8 @@ std::optional<ErrorText> gap_error(const std::string& name, const std::vector<do
             fmt::format("split the run there: a [[run]] up to the gap and one from its end, with from and to; or {}",
                         elsewhere)};
     }
-    if (static_cast<double>(missing.samples) > most_missing_share * static_cast<double>(missing.expected)) {
+    if (missing.longest > short_gap &&
+        static_cast<double>(missing.samples) > most_missing_share * static_cast<double>(missing.expected)) {
         return ErrorText{fmt::format("{} is missing in {} of {} samples", name, missing.samples, missing.expected),
                          fmt::format("leave out the part where it is missing, with from and to; or {}", elsewhere)};
     }

@@ -30,6 +30,8 @@ struct RunFile {
 
 /// An input may be missing in this share of its samples, or of a run's time.
 constexpr double most_missing_share = 0.1;
+/// s; a logger that leaves single fields empty, each no longer than this, may leave more of them so
+constexpr double short_gap = 1.0;
 
 /// Whether an input is no longer known in a gap of a run: it lasts longer than 60 s and than 5 % of the run. @param gap s
 [[nodiscard]] bool too_long_a_gap(double gap, double length);

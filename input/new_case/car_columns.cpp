@@ -73,7 +73,7 @@ constexpr std::array of_car{
          "rear temp temperature tmp bias balance switch light fl fr rl rr lf rf lr"},
     Rule{"brake_pressure", "brakepress brakepressure", "", "rear temp temperature tmp bias balance switch light"},
     Rule{"brake_pressure", "brake brakes brk", pressure, not_a_pedal},
-    Rule{"brake_pressure", "brake brakes", "", not_a_pedal},
+    Rule{"brake_pressure", "brake brakes brk", "", not_a_pedal},
     Rule{"air_temperature", "ambient outside outdoor external ext weather", temperature, not_outside},
     Rule{"air_temperature", "airtemp ambienttemp outsidetemp tamb tair", "", not_outside},
     Rule{"air_temperature", "air", temperature, not_outside},
@@ -90,15 +90,16 @@ constexpr std::array of_corner{
     Rule{"brake_temperature", "brake brakes brk disc disk rotor", temperature, "caliper pad fluid tire tyre"},
     Rule{"brake_temperature", "braketemp disctemp", "", "caliper pad fluid"},
     Rule{"vertical_load", "fz wheelload tireload tyreload", "", "aero"},
-    Rule{"vertical_load", "wheel tire tyre vertical", "load", "aero"},
-    Rule{"camber", "camber", "", "gain", which_sign},
-    Rule{"slip_angle", "slip", "angle", "body", which_sign},
-    Rule{"slip_ratio", "slip", "ratio", "", which_sign},
-    Rule{"inflation_pressure", "tpms tirepress tyrepress tirepressure tyrepressure", "", not_inflation}};
+    Rule{"vertical_load", "wheel tire tyre vertical", "load", "aero"}, Rule{"camber", "camber", "", "gain", which_sign},
+    Rule{"slip_angle", "slip", "angle", "body", which_sign}, Rule{"slip_ratio", "slip", "ratio", "", which_sign},
+    Rule{"inflation_pressure", "tpms tirepress tyrepress tirepressure tyrepressure", "", not_inflation},
+    Rule{"inflation_pressure", "pressure press", "", not_inflation},
+    // iRacing: LFtempCM is the middle of the carcass, LFtempM that of the surface.
+    Rule{"bulk_temperature", "temp", "cm", not_inside}, Rule{"surface_temperature", "temp", "m", not_tread}};
 
-constexpr std::array<std::array<std::string_view, 2>, 3> zones{{{"outside_shoulder_", "outer outside outboard"},
+constexpr std::array<std::array<std::string_view, 2>, 3> zones{{{"outside_shoulder_", "outer outside outboard out"},
                                                                 {"crown_", "middle mid centre center"},
-                                                                {"inside_shoulder_", "inner inside inboard"}}};
+                                                                {"inside_shoulder_", "inner inside inboard in"}}};
 
 bool contains(std::string_view list, std::string_view word) {
     for (std::size_t at = list.find(word); at != std::string_view::npos; at = list.find(word, at + 1)) {
@@ -193,7 +194,10 @@ std::vector<CarColumn> car_columns(std::string_view heading) {
     }
     for (std::size_t i = 0; i < of_car.size(); ++i) {
         if (agrees(words, of_car.at(i))) {
-            found.push_back({.name = std::string(of_car.at(i).name), .corner = {}, .rank = static_cast<int>(i)});
+            // Before it knows where it is a GPS makes accelerations of nothing; speeds it has best.
+            const bool is_derived = is_motion(of_car.at(i).name) && has_any(words, "gps calc");
+            const std::size_t rank = is_derived ? i + of_car.size() : i;
+            found.push_back({.name = std::string(of_car.at(i).name), .corner = {}, .rank = static_cast<int>(rank)});
         }
     }
     return found;

@@ -79,6 +79,18 @@ std::optional<double> first_of(const CaseDraft& draft, std::string_view ending) 
     return found.empty() ? std::nullopt : std::optional(mean(found));
 }
 
+/// Why the case has a constant in place of a column.
+std::string lacking_of(const Log* log, std::string_view input) {
+    if (log == nullptr) {
+        return {};
+    }
+    const auto dropped = std::ranges::find_if(
+        log->columns, [&](const LogColumn& column) { return column.is_dropped && column.suggestion == input; });
+    return dropped == log->columns.end()
+               ? "the log does not give it; "
+               : fmt::format("the log's column {} cannot be used, {}; ", dropped->heading.name, dropped->reason);
+}
+
 }  // namespace
 
 std::string shown_celsius(double kelvin) {
@@ -108,7 +120,7 @@ void write_drive(CaseDraft& draft) {
         const bool of_air = input.name == "road_temperature" && draft.column("air_temperature") != nullptr;
         const std::string ground =
             of_air ? "the mean of the log's air_temperature; a road in the sun is hotter" : std::string(input.ground);
-        const std::string lacking = draft.log() != nullptr ? "the log does not give it; " : "";
+        const std::string lacking = lacking_of(draft.log(), input.name);
         writer.entry(input.name, fmt::format("\"{}\"", value),
                      fmt::format("{}; {}assumed: {}", input.meaning, lacking, ground));
         draft.assume(key, value, lacking + ground);

@@ -5,14 +5,19 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "input/laps/file_laps.hpp"
+#include "input/loggers/logger_units.hpp"
 #include "input/measurements/run_inputs.hpp"
 #include "input/new_case/car_columns.hpp"
 #include "input/new_case/column_classifier.hpp"
+#include "input/text/suggestions.hpp"
+#include "input/text/units.hpp"
+#include "input/text/wildcard.hpp"
 #include "physics/vehicle/vehicle.hpp"
 
 namespace tiretherm::input {
@@ -21,6 +26,7 @@ namespace {
 
 void drop(LogColumn& column, std::string reason) {
     column.reason = std::move(reason);
+    column.is_dropped = true;
     column.must_ignore = column.heading.name == column.name;
     column.suggestion = column.name;
     column.suggested_unit = column.unit;
@@ -152,11 +158,67 @@ std::vector<std::string> Log::corners_measured() const {
     return corners_with(columns, std::mem_fn(&LogColumn::is_sensor));
 }
 
-std::optional<Log> read_log(const std::filesystem::path& path, const MeshTemplate& mesh, InputErrors& errors) {
+namespace {
+
+/// Puts the units that the user gives into the headings. @returns whose units they are, by the column's index
+std::set<std::size_t> give_units(const std::vector<GivenUnit>& units, DataFile& file, InputErrors& errors) {
+    std::set<std::size_t> given;
+    for (const GivenUnit& one : units) {
+        if (signature(meant_unit(one.unit, "K")).empty() && signature(meant_unit(one.unit, "m s-2")).empty()) {
+            errors.add({.file = file.number()},
+                       fmt::format("\"{}\", the unit given to {}, is no unit", one.unit, one.column),
+                       "give one such as km/h, degC, bar, g or deg/s");
+            continue;
+        }
+        bool any = false;
+        for (std::size_t i = 0; i < file.heads().size(); ++i) {
+            if (matches(one.column, file.heads()[i].heading.name)) {
+                file.heads()[i].heading.unit = one.unit;
+                given.insert(i);
+                any = true;
+            }
+        }
+        if (!any) {
+            std::vector<std::string> names;
+            for (const ColumnHead& head : file.heads()) {
+                names.push_back(head.heading.name);
+            }
+            errors.add({.file = file.number()},
+                       fmt::format("no column is called {}, which is given a unit", one.column),
+                       suggest(one.column, names, "columns"));
+        }
+    }
+    return given;
+}
+
+/// Without accelerations, yaw rate and steering there is no [vehicle], which alone could use the other signals of a car.
+void drop_signals_of_the_car(Log& log) {
+    for (LogColumn& column : log.columns) {
+        if (log.is_car && !log.has_motion() && is_vehicle_signal(column.name)) {
+            drop(column,
+                 "of the car, and the log has no acceleration, yaw rate or steering that would tell its motion");
+        }
+    }
+}
+
+/// @returns whether the time has no unit and goes on by whole numbers of five or more
+bool may_be_in_ms(const Log& log, const LogColumn& time) {
+    constexpr double least = 5.0;
+    return !time.heading.unit && time.unit == "s" && log.time.size() > 1 &&
+           std::ranges::adjacent_find(log.time, [](double before, double after) {
+               return after - before < least || std::floor(after - before) != after - before;
+           }) == log.time.end();
+}
+
+}  // namespace
+
+std::optional<Log> read_log(const std::filesystem::path& path, const MeshTemplate& mesh,
+                            const std::vector<GivenUnit>& units, InputErrors& errors) {
     std::optional<DataFile> file = DataFile::open(path, {}, errors);
     if (!file) {
         return std::nullopt;
     }
+    const std::set<std::size_t> given = give_units(units, *file, errors);
     Log log{.path = path.generic_string(), .is_text = file->is_text()};
     LogMeaning meaning = meaning_of_columns(*file, mesh, errors);
     log.columns = std::move(meaning.columns);
@@ -180,7 +242,18 @@ std::optional<Log> read_log(const std::filesystem::path& path, const MeshTemplat
         errors.add({.file = file->number()}, "the file has a single sample: a run goes from one time to another");
         return std::nullopt;
     }
+    for (LogColumn& column : log.columns) {
+        if (given.contains(static_cast<std::size_t>(column.column))) {
+            column.unit = column.heading.unit.value_or("");
+            column.unit_ground = "given";
+        } else if (log.is_car && column.name == "time" && may_be_in_ms(log, column)) {
+            column.unit = "ms";
+            column.unit_ground = fmt::format("assumed: the rows are {:g} apart", log.time[1] - log.time[0]);
+            std::ranges::for_each(log.time, [](double& t) { t *= 1e-3; });
+        }
+    }
     drop_gaps(log);
+    drop_signals_of_the_car(log);
     choose_use(log);
     log.laps = find_laps(*file, log.time, std::nullopt, true, errors);
     return log;

@@ -22,11 +22,13 @@ struct LogColumn {
     bool is_input = false;
     bool is_sensor = false;
     std::string unit{};            ///< taken in place of the heading's; empty: the heading's
+    std::string unit_ground{};     ///< why: "given", "assumed"
     std::string suggestion{};      ///< a name that it may have, of one that is not used
     std::string suggested_unit{};  ///< a unit that the case must say then; empty: the heading's will do
     std::string reason{};          ///< why it is not used
     bool is_foreign = false;       ///< not used, as nothing of the model goes by such a name
     bool must_ignore = false;      ///< not used, although the reader would know its name
+    bool is_dropped = false;       ///< not used, although it is the suggestion: too little in it
     std::vector<double> value{};   ///< [n_samples] SI, NaN where missing; of a used column
 
     [[nodiscard]] bool is_used() const { return !name.empty(); }
@@ -66,13 +68,21 @@ struct Log {
     [[nodiscard]] std::vector<std::string> corners_measured() const;
 };
 
+/// A unit that the user gives columns whose headings have none, or a wrong one.
+struct GivenUnit {
+    std::string column;  ///< of the heading without its unit; * and ? stand for other characters
+    std::string unit;
+};
+
 /// Reads the log's headings and the columns that have standard names; what is wrong with them goes to `errors`, with the
 /// line. A name is recognised without regard to capitals, blanks and underscores. A column of time goes by its unit
 /// where none goes by its name. In the log of a car (it has accelerations, yaw rate or steering, or readings of several tires, and
 /// no load of one tire) columns are also taken by the names that loggers give them.
+/// A car's time without unit whose rows are five or more apart, in whole numbers, is in milliseconds.
 /// @param mesh that the case is to have: its sensors are what may have been measured
+/// @param units of columns; one that no column has, or that is no unit, is an error
 /// @returns nothing after an error
 [[nodiscard]] std::optional<Log> read_log(const std::filesystem::path& path, const MeshTemplate& mesh,
-                                          InputErrors& errors);
+                                          const std::vector<GivenUnit>& units, InputErrors& errors);
 
 }  // namespace tiretherm::input

@@ -56,10 +56,10 @@ bool read_mesh_and_log(CaseDraft& draft) {
         return true;
     }
     InputErrors errors;
-    draft.result.log = read_log(*request.log, draft.mesh, errors);
+    draft.result.log = read_log(*request.log, draft.mesh, request.units, errors);
     if (request.mesh.empty() && draft.log() != nullptr && draft.log()->is_car && !has_places_across(*draft.log())) {
         // Four tires over many laps: seconds in place of minutes. Not where a tire would lose its only reading.
-        std::optional<Log> lumped = read_log(*request.log, mesh_template(mesh_of_a_car, 0.0), errors);
+        std::optional<Log> lumped = read_log(*request.log, mesh_template(mesh_of_a_car, 0.0), request.units, errors);
         if (lumped && lumped->use == draft.log()->use &&
             lumped->corners_measured() == draft.log()->corners_measured()) {
             take_mesh(draft, mesh_of_a_car);
@@ -127,11 +127,12 @@ void list_missing(const CaseDraft& draft) {
     };
     const auto asked = std::ranges::find_if(log->columns, asks_for_unit);
     if (log->is_car && asked != log->columns.end()) {
-        missing.push_back({fmt::format("{} columns have no unit, such as {}",
-                                       std::ranges::count_if(log->columns, asks_for_unit), asked->heading.name),
-                           fmt::format("write the units into the head of the log, as in {} [{}], and call `tiretherm "
-                                       "new` again",
-                                       asked->heading.name, asked->suggested_unit)});
+        missing.push_back(
+            {fmt::format("{} columns have no unit, such as {}", std::ranges::count_if(log->columns, asks_for_unit),
+                         asked->heading.name),
+             fmt::format("say them, as in --unit \"{}={}\" or, of several, --unit \"*temp*=degC\", and call "
+                         "`tiretherm new` again with --force",
+                         asked->heading.name, asked->suggested_unit)});
         return;
     }
     const bool guessed = std::ranges::any_of(log->columns, [&](const LogColumn& column) {

@@ -19,7 +19,8 @@ struct NewCaseRequest {
     std::optional<double> inflation_pressure{};  ///< Pa above the atmosphere; none: by the kind of tire
     std::string mesh{};                          ///< one of mesh_template_names(); empty: by the log
     std::optional<std::filesystem::path> log{};
-    std::filesystem::path target;  ///< where the case will be: paths in it are written from its folder
+    std::vector<GivenUnit> units{};  ///< of columns of the log
+    std::filesystem::path target;    ///< where the case will be: paths in it are written from its folder
 };
 
 /// A value that the case has and nobody gave.

@@ -152,9 +152,8 @@ void Csv::read_heads(const CsvLayout& layout) {
     heads_.reserve(fields.size());
     for (const SourceLocation& spot : places(layout.lines.names, fields)) {
         const std::string_view field = fields[heads_.size()];
-        heads_.push_back(
-            {.heading = layout.round_brackets ? read_round_heading(field) : read_heading_of_logger(field),
-             .place = spot});
+        heads_.push_back({.heading = layout.round_brackets ? read_round_heading(field) : read_heading_of_logger(field),
+                          .place = spot});
     }
     read_units(layout);
     if (layout.sources.number > 0) {

@@ -95,7 +95,7 @@ bool take_run_ld(std::string_view bytes) {
 /// A logger's file of any layout, with its laps.
 bool take_log_survey(std::string_view bytes) {
     input::InputErrors errors;
-    const std::optional<input::LogSurvey> survey = input::survey_log(scratch_file("log.csv", bytes), errors);
+    const std::optional<input::LogSurvey> survey = input::survey_log(scratch_file("log.csv", bytes), {}, errors);
     check_outcome(survey.has_value(), errors.in_order(), errors.warnings());
     for (std::size_t i = 1; survey && i < survey->laps.laps.size(); ++i) {
         promise(survey->laps.laps[i].start == survey->laps.laps[i - 1].end, "a gap between two laps");

@@ -131,6 +131,38 @@ TEST(VboxVbo, PassesMidnightAndCrossesItsStartLine) {
     }
 }
 
+// Newer loggers have units for the last columns, and some of these are no standard ones: of four columns before the units' own none is in bar.
+TEST(VboxVbo, UnitsAreThoseOfTheLastColumns) {
+    std::string text = made_up::vbox_vbo(Session(20, 0.05), 36000.0);
+    const auto put = [&](const std::string& old, const std::string& now) {
+        ASSERT_NE(text.find(old), std::string::npos) << old;
+        text.replace(text.find(old), old.size(), now);
+    };
+    put("height vertical_load", "height Tsample avifileindex vertical_load");
+    put("height\r\nvertical_load", "height\r\nsampleperiod\r\navifileindex\r\nvertical_load");
+    for (std::size_t at = 0; (at = text.find(" +0100.00 ", at)) != std::string::npos; at += 20) {
+        text.insert(at + 10, "0.050 0001 ");
+    }
+    ReadBack file("session.vbo", text);
+    ASSERT_TRUE(file.is_open()) << file.messages();
+    for (const auto& [name, unit] : {std::pair{"Tsample", ""}, std::pair{"avifileindex", ""},
+                                     std::pair{"vertical_load", "N"}, std::pair{"surface_temperature", "C"}}) {
+        const int column = file.file().find(name);
+        ASSERT_GE(column, 0) << name;
+        EXPECT_EQ(file.file().heads()[static_cast<std::size_t>(column)].heading.unit.value_or(""), unit) << name;
+    }
+    EXPECT_DOUBLE_EQ(file.column("vertical_load", "N").front(), written(Session::load(0.0), 1));
+}
+
+// As a program that is not Racelogic's writes it: without [header], rows with blanks before and between.
+TEST(VboxVbo, NeedsNoHeaderAndMayHaveBlanks) {
+    ReadBack file("short.vbo",
+                  "File created on 31/07/2006 at 09:55:20\n\n[column names]\nsats time lat long velocity\n\n[data]\n"
+                  "  12   163920.600    3072.358730    96.835005    95.907\n"
+                  "  12   163920.700    3072.357558    96.833676    96.381\n");
+    EXPECT_EQ(file.column("velocity", "m s-1"), (std::vector<double>{95.907 / 3.6, 96.381 / 3.6}));
+}
+
 // Three units for two columns that are not standard, of which the first would be that of the height, and no length: whose they are nobody
 // knows, so none is taken, and the survey says so.
 TEST(VboxVbo, UnitsThatFitNoColumnAreNotTaken) {
@@ -145,8 +177,8 @@ TEST(VboxVbo, UnitsThatFitNoColumnAreNotTaken) {
         EXPECT_EQ(head.heading.unit.value_or("").empty(), is_own) << head.heading.name;
     }
     const auto& details = file.file().description().details;
-    EXPECT_TRUE(std::ranges::any_of(
-        details, [](const auto& one) { return one.value == "not taken: 3 for 9 columns"; }));
+    EXPECT_TRUE(
+        std::ranges::any_of(details, [](const auto& one) { return one.value == "not taken: 3 for 9 columns"; }));
 }
 
 // Comments above and between the lines; a clock of the day that passes midnight counts from the first line on.
@@ -172,6 +204,86 @@ TEST(PlainCsv, RefusesAClockThatWasSetBack) {
         {{.column = 0, .name = "time", .spec = {.unit = "s"}, .purpose = Purpose::clock}}, file.errors());
     EXPECT_TRUE(read.empty());
     EXPECT_NE(file.messages().find("time goes backwards to 11:00:00"), std::string::npos) << file.messages();
+}
+
+// A spreadsheet fills empty lines with separators.
+TEST(AimCsv, MayHaveBeenSavedByASpreadsheet) {
+    const Session session(200, 0.05);
+    std::string text = made_up::aim_csv(session, {.quotes = false});
+    for (std::size_t at = 0; (at = text.find("\r\n\r\n", at)) != std::string::npos; at += 4) {
+        text.insert(at + 2, ",,,,,");
+    }
+    ReadBack file("session.csv", text);
+    expect_session(file, session, "Time", "speed");
+}
+
+TEST(AimCsv, NeedsNoEmptyLineAboveTheNames) {
+    ReadBack file("dense.csv",
+                  "\"Format\",\"AiM CSV File\"\n\"Time\",\"11:49 AM\"\n\"Beacon "
+                  "Markers\",0.7,2\n\"Time\",\"Speed\"\n\"s\",\"km/h\"\n"
+                  "0,36\n1,72\n");
+    EXPECT_EQ(file.column("Speed", "m s-1"), (std::vector<double>{10.0, 20.0}));
+}
+
+TEST(AimCsv, NumbersNamesThatStandTwice) {
+    ReadBack file(
+        "twice.csv",
+        "\"Format\",\"AiM CSV File\"\n\"Beacon Markers\",\"Unknown\"\n\n\"Time\",\"Speed\",\"Speed\",\"Time\"\n"
+        "\"s\",\"km/h\",\"mph\",\"min\"\n\n\"0\",\"36\",\"20\",\"0\"\n\"0.1\",\"72\",\"40\",\"0\"\n");
+    ASSERT_TRUE(file.is_open()) << file.messages();
+    EXPECT_EQ(file.file().heads()[2].heading.name, "Speed (2)");
+    EXPECT_EQ(file.file().heads()[3].heading.name, "Time (2)");
+    EXPECT_TRUE(file.file().heads()[0].is_clock);
+    EXPECT_EQ(file.column("Speed", "m s-1"), (std::vector<double>{10.0, 20.0}));
+    EXPECT_TRUE(file.file().description().markers.empty());  // and the file is read all the same
+}
+
+// The battery was taken out while the last line was written.
+TEST(CsvLog, LeavesOutALastLineThatIsCutOff) {
+    ReadBack file("cut.csv", "time [s],speed [km/h],load [N]\n0,36,4000\n1,72,4000\n2,10");
+    EXPECT_EQ(file.column("speed", "m s-1"), (std::vector<double>{10.0, 20.0}));
+    ASSERT_EQ(file.errors().warnings().size(), 1U);
+    EXPECT_NE(file.errors().warnings()[0].find("the last line has 2 of 3 values"), std::string::npos);
+}
+
+TEST(CsvLog, UnitsMayStandInRoundBrackets) {
+    ReadBack file("round.csv",
+                  "Time (sec),Speed (Km/h),Coolant (C),Gear (Gear),Lean (left)\n0,36,80,1,2\n1,72,81,1,3\n");
+    ASSERT_TRUE(file.is_open()) << file.messages();
+    EXPECT_EQ(file.column("Speed", "m s-1"), (std::vector<double>{10.0, 20.0}));
+    EXPECT_EQ(file.column("Coolant", "K"), (std::vector<double>{353.15, 354.15}));
+    EXPECT_EQ(file.file().heads()[3].heading.name, "Gear (Gear)");  // no unit
+    EXPECT_EQ(file.file().heads()[4].heading.name, "Lean (left)");
+    EXPECT_TRUE(file.file().heads()[0].is_clock);
+}
+
+// 0, 0.05 and 0.1 s after the first line in whatever the logger calls its time. Digits of a clock go from 14:30:59 to 14:31:01.
+TEST(CsvLog, TimesOfManyKindsCountFromTheFirstLine) {
+    const auto times = [](const std::string& heading, const std::vector<std::string>& fields) {
+        std::string text = heading + ",speed [km/h]\n";
+        for (const std::string& field : fields) {
+            text += field + ",36\n";
+        }
+        ReadBack file("times.csv", text);
+        EXPECT_TRUE(file.is_open() && file.file().heads()[0].is_clock) << heading;
+        const std::vector<std::vector<double>> read = file.file().read(
+            {{.column = 0, .name = "time", .spec = {.unit = "s"}, .purpose = Purpose::clock}}, file.errors());
+        EXPECT_FALSE(read.empty()) << heading << "\n" << file.messages();
+        return read.empty() ? std::vector<double>{} : read.front();
+    };
+    const std::vector<double> expected{0.0, 0.05, 0.1};
+    EXPECT_EQ(times("timestamp", {"1757000000.00", "1757000000.05", "1757000000.10"}), expected);
+    EXPECT_EQ(times("Time (s)", {"1757000000.00", "1757000000.05", "1757000000.10"}), expected);
+    EXPECT_EQ(times("timestamp", {"1757000000000", "1757000000050", "1757000000100"}), expected);
+    EXPECT_EQ(times("Timestamp", {"2025-09-05T00:28:00.000Z", "2025-09-05T00:28:00.050Z", "2025-09-05T00:28:00.100Z"}),
+              expected);
+    EXPECT_EQ(times("Date and time", {"9/5/2025 10:28:00.000", "9/5/2025 10:28:00.050", "9/5/2025 10:28:00.100"}),
+              expected);
+    EXPECT_EQ(times("TimestampMS", {"0", "50", "100"}), expected);
+    EXPECT_EQ(times("timestamp_ms", {"0", "50", "100"}), expected);
+    EXPECT_EQ(times("SessionTime [s]", {"0", "0.05", "0.1"}), expected);
+    EXPECT_EQ(times("Time", {"143059", "143100", "143101"}), (std::vector<double>{0.0, 1.0, 2.0}));
+    EXPECT_EQ(times("Time [s]", {"143059", "143100", "143101"}), (std::vector<double>{143059.0, 143100.0, 143101.0}));
 }
 
 }  // namespace tiretherm::input

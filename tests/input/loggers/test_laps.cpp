@@ -113,6 +113,45 @@ TEST(Track, ClosesOnceALap) {
     EXPECT_FALSE(find_start_line(driven_circuit(25.0, 0.1)).has_value());  // less than a lap
 }
 
+// Where a circle that is driven counter-clockwise is furthest east, the way is north. A line of 6 m along it is put across; one across it stays.
+TEST(Track, ALineAlongTheWayIsPutAcross) {
+    const Positions positions = driven_circuit(110.0, 0.1);
+    const double t = 3.0;
+    const double before = t - 0.05;
+    const double after = t + 0.05;
+    const StartLine along{.latitude_a = Session::north(before),
+                          .longitude_a = Session::east(before),
+                          .latitude_b = Session::north(after),
+                          .longitude_b = Session::east(after)};
+    const StartLine across = line_across(positions, along);
+    const std::vector<double> times = crossings_of(positions, across);
+    ASSERT_EQ(times.size(), 4U);
+    for (std::size_t k = 0; k < times.size(); ++k) {
+        EXPECT_NEAR(times[k], t + 10.0 * std::acos(-1.0) * static_cast<double>(k), 2e-3);
+    }
+    const StartLine again = line_across(positions, across);
+    EXPECT_EQ(again.latitude_a, across.latitude_a);
+    EXPECT_EQ(again.longitude_b, across.longitude_b);
+}
+
+// A counter without a number on the way out of the pits, for 20 s: its lap 1 is a whole one.
+TEST(Laps, OfACounterThatBeginsAtTheLine) {
+    std::vector<double> time;
+    std::vector<double> number;
+    for (int i = 0; i <= 100; ++i) {
+        time.push_back(i);
+        number.push_back(i < 20 || i > 80 ? std::nan("") : i < 50 ? 1.0 : 2.0);
+    }
+    const std::vector<Lap> laps = laps_by_counter(time, number);
+    ASSERT_EQ(laps.size(), 4U);
+    EXPECT_EQ(laps[0].kind, LapKind::out);
+    EXPECT_EQ(laps[0].number, 0);
+    EXPECT_EQ(laps[1].kind, LapKind::flying);
+    EXPECT_EQ(laps[1].start, 20.0);
+    EXPECT_EQ(laps[2].end, 80.0);
+    EXPECT_EQ(laps[3].kind, LapKind::in);
+}
+
 // Lap 1 goes from 15.708 to 47.124 s in steps of 0.05 s: from 15.75 to 47.10 s.
 TEST(RunOfLaps, HasTheSamplesOfItsLapsAndTheirName) {
     const ExperimentReading reading = read_aim("[[run]]\nfile = \"session.csv\"\nlaps = \"1\"\n");

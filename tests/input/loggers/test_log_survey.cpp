@@ -18,7 +18,7 @@ namespace {
 LogSurvey survey(const std::string& name, std::string_view content) {
     const Written written;
     InputErrors errors;
-    const std::optional<LogSurvey> found = survey_log(written.add(name, content), errors);
+    const std::optional<LogSurvey> found = survey_log(written.add(name, content), {}, errors);
     for (const InputError& error : errors.in_order()) {
         ADD_FAILURE() << render(error);
     }

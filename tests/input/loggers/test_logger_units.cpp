@@ -27,7 +27,12 @@ TEST(LoggerUnits, CAndFOfATemperatureAreDegrees) {
     EXPECT_DOUBLE_EQ(in_si("C", "K"), 274.15);
     EXPECT_NEAR(in_si("F", "K"), 460.67 / 1.8, 1e-9);
     EXPECT_DOUBLE_EQ(in_si("C", "A s"), 1.0);
-    for (const char* celsius : {".C", "\u00B0C", "deg C", "Celsius"}) {
+    // The last two: Latin-1, and UTF-8 that was taken for Latin-1.
+    for (const char* celsius : {".C", "\u00B0C", "deg C", "Celsius",
+                                "\xB0"
+                                "C",
+                                "\u00C2\u00B0"
+                                "C"}) {
         EXPECT_DOUBLE_EQ(in_si(celsius, "K"), 274.15) << celsius;
     }
 }

@@ -129,16 +129,28 @@ TEST(HostileLd, IsRefusedWithASentence) {
     shared.data_override = 0;
     shared.count = 600;
     EXPECT_NE(message_of(LdWriter::file({shared, shared})).find("shares its samples"), std::string::npos);
-    LdChannel odd = sound;
-    odd.kind = 9;
-    EXPECT_NE(message_of(LdWriter::file({odd})).find("unknown type 9"), std::string::npos);
-    LdChannel still = sound;
-    still.rate = 0;
-    EXPECT_NE(message_of(LdWriter::file({still})).find("rate of 0 Hz"), std::string::npos);
+    EXPECT_NE(message_of(LdWriter::file({})).find("no channel"), std::string::npos);
+}
+
+// Of another type, without a rate or without a scale: the others are read, and it is said which one is not.
+TEST(HostileLd, ChannelsOfAnotherKindAreLeftOut) {
+    const LdChannel sound = integers("speed", "km/h", 10, {80, 81, 82});
+    LdChannel kind = sound;
+    kind.kind = 9;
+    LdChannel rate = sound;
+    rate.rate = 0;
     LdChannel scale = sound;
     scale.scale = 0;
-    EXPECT_NE(message_of(LdWriter::file({scale})).find("scale of 0"), std::string::npos);
-    EXPECT_NE(message_of(LdWriter::file({})).find("no channel"), std::string::npos);
+    LdChannel multiplier = sound;
+    multiplier.multiplier = 0;
+    for (const auto& [odd, said] : {std::pair{kind, "unknown type 9"}, std::pair{rate, "rate of 0 Hz"},
+                                    std::pair{scale, "scale of 0"}, std::pair{multiplier, "multiplier of 0"}}) {
+        ReadBack file("session.ld", LdWriter::file({odd, sound}));
+        ASSERT_TRUE(file.is_open()) << file.messages();
+        EXPECT_EQ(file.file().heads().size(), 2U);  // the time and the sound one
+        ASSERT_EQ(file.errors().warnings().size(), 1U);
+        EXPECT_NE(file.errors().warnings()[0].find(said), std::string::npos) << file.errors().warnings()[0];
+    }
 }
 
 // Cut anywhere, a file is refused or read; never more. Every byte of the head and the records may be the last one.

@@ -18,9 +18,10 @@ namespace tiretherm::input {
 
 /// A new case of a size, or of a log in the folder `written`, as its file case.toml.
 inline NewCase make(const Written& written, std::string_view size, const std::string& mesh = "section",
-                    const std::string& log = "") {
+                    const std::string& log = "", std::vector<GivenUnit> units = {}) {
     NewCaseRequest request{
         .size = std::get<TireSize>(read_tire_size(size)), .mesh = mesh, .target = written.folder() / "case.toml"};
+    request.units = std::move(units);
     if (!log.empty()) {
         request.log = written.folder() / log;
     }

@@ -58,6 +58,10 @@ TEST(CarColumns, AreFoundByTheNamesThatLoggersGive) {
              std::pair{"Brake Temp FL", "brake_temperature of FL"},
              std::pair{"Brake Disc Temp RR", "brake_temperature of RR"},
              std::pair{"Wheel Load FL", "vertical_load of FL"},
+             std::pair{"LFtempCM", "bulk_temperature of FL"},
+             std::pair{"RRpressure", "inflation_pressure of RR"},
+             std::pair{"BRK", "brake_pressure"},
+             std::pair{"FL Tire Temp In", "inside_shoulder_surface_temperature of FL"},
          }) {
         EXPECT_EQ(meant_by(heading), expected) << heading;
     }

@@ -197,8 +197,60 @@ TEST(NewCaseCar, WithoutUnitsSaysWhereToWriteThem) {
     ASSERT_TRUE(made.errors.empty()) << errors_of(made, written);
     ASSERT_EQ(made.missing.size(), 1U);
     EXPECT_EQ(made.missing[0].what, "9 columns have no unit, such as GPS Speed");
-    EXPECT_EQ(made.missing[0].remedy,
-              "write the units into the head of the log, as in GPS Speed [km/h], and call `tiretherm new` again");
+    EXPECT_EQ(
+        made.missing[0].remedy,
+        "say them, as in --unit \"GPS Speed=km/h\" or, of several, --unit \"*temp*=degC\", and call `tiretherm new` "
+        "again with --force");
+    const NewCase told =
+        make(written, "225/50 R17", "", "bare.csv",
+             {{"GPS Speed", "km/h"}, {"*Acc", "g"}, {"Yaw*", "deg/s"}, {"*Temp*", "degC"}, {"Time", "s"}});
+    ASSERT_TRUE(told.errors.empty()) << errors_of(told, written);
+    ASSERT_TRUE(told.log.has_value());
+    EXPECT_EQ(told.log->corners_measured().size(), 4U);
+    EXPECT_NE(told.text.find("\"GPS Speed\" = \"km/h\""), std::string::npos) << told.text;
+    const ExperimentReading reading = read_experiment(written.add("case.toml", told.text));
+    ASSERT_TRUE(reading.experiment.has_value()) << render(reading.errors.front());
+    EXPECT_EQ(reading.experiment->runs.size(), 4U);
+    const NewCase wrong = make(written, "225/50 R17", "", "bare.csv", {{"GPS Sped", "km/h"}, {"Time", "sx"}});
+    EXPECT_EQ(errors_of(wrong, written),
+              "bare.csv: no column is called GPS Sped, which is given a unit\n"
+              "    remedy: did you mean `GPS Speed`?\n"
+              "bare.csv: \"sx\", the unit given to Time, is no unit\n"
+              "    remedy: give one such as km/h, degC, bar, g or deg/s\n");
+}
+
+// Rows of 50 in whole numbers are no seconds of a car. On a bench, where samples may be minutes apart, they are.
+TEST(NewCaseCar, RowsOfFiftyAreMilliseconds) {
+    std::vector<Logged> channels = motion() + four_tires();
+    std::string text = table(channels);
+    const Written written;
+    std::string counted;
+    int row = 0;
+    for (const std::string& line : lines_of(text)) {
+        const std::size_t comma = line.find(',');
+        counted += (counted.empty() ? "timestamp" : std::to_string(50 * row++)) + line.substr(comma) + "\n";
+    }
+    written.add("counted.csv", counted);
+    const NewCase made = make(written, "225/50 R17", "", "counted.csv");
+    ASSERT_TRUE(made.errors.empty()) << errors_of(made, written);
+    EXPECT_DOUBLE_EQ(made.log->time.back(), 5.0);
+    EXPECT_EQ(column_of(made, "timestamp").unit, "ms");
+    const ExperimentReading reading = read_experiment(written.add("case.toml", made.text));
+    ASSERT_TRUE(reading.experiment.has_value()) << render(reading.errors.front());
+    EXPECT_DOUBLE_EQ(reading.experiment->runs.front().time.back(), 5.0);
+}
+
+// Brakes without speed's slope or accelerations say nothing that a case could use.
+TEST(NewCaseCar, BrakesWithoutAMotionAreLeftOut) {
+    std::vector<Logged> channels = four_tires();
+    channels.push_back({"GPS Speed [km/h]", [](double) { return 108.0; }});
+    channels.push_back({"Brake Pressure [bar]", [](double t) { return 10.0 * t; }});
+    const Written written;
+    written.add("brakes.csv", table(channels));
+    const NewCase made = make(written, "225/50 R17", "", "brakes.csv");
+    ASSERT_TRUE(made.errors.empty()) << errors_of(made, written);
+    EXPECT_TRUE(column_of(made, "Brake Pressure").is_dropped);
+    EXPECT_EQ(made.log->corners_measured().size(), 4U);
 }
 
 TEST(NewCaseCar, WithoutReadingsOfTiresDrivesOne) {

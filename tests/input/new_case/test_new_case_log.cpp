@@ -225,7 +225,8 @@ TEST(NewCaseLog, Hdf5LogIsReadAsCsv) {
 TEST(NewCaseLog, MistakesOfTheLogAreAllReportedWithTheirLines) {
     const Written written;
     written.add("wrong.csv",
-                "time [s],speed [km/h],bulk_temperature [degC]\n0,abc,30\n10,90,warm\n5,90,31\n20,900000,31\n30,90\n40,90,32\n");
+                "time [s],speed [km/h],bulk_temperature "
+                "[degC]\n0,abc,30\n10,90,warm\n5,90,31\n20,900000,31\n30,90\n40,90,32\n");
     const NewCase made = make(written, "225/50 R17", "section", "wrong.csv");
     EXPECT_EQ(made.text, "");
     std::vector<int> lines;
