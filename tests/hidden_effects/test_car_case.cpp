@@ -139,6 +139,11 @@ TEST(CarCase, MassFromTemperaturesIsDoubted) {
     EXPECT_TRUE(std::ranges::any_of(fit.findings, [](const std::string& finding) {
         return finding.starts_with("vehicle.mass: temperatures tell");
     }));
+    const diagnosis::Observations observations = diagnosis::observe(*reading.experiment);
+    const diagnosis::Identification foreseen = diagnosis::plan(
+        *reading.experiment, observations, diagnosis::stated_noise(*reading.experiment, observations, 10.0, 0.3));
+    ASSERT_TRUE(foreseen.status.ok()) << foreseen.status.message;
+    EXPECT_EQ(foreseen.fitted.back().identifiability, diagnosis::Identifiability::doubtful);
 }
 
 // Measuring wheels leave nothing of the car to assume. The brakes warm the tires by 3 W/K from disc to bulk: a fit that knows of them

@@ -220,6 +220,18 @@ TEST(RunOfLaps, DrivesTheFirstLapBefore) {
         return warning.find("is the first of the file: if the car comes from the pits") != std::string::npos;
     }));
     ASSERT_TRUE(whole.experiment.has_value()) << error_report(whole);
+    // What another file gives is not repeated, which is said.
+    written.add("weather.csv", "time [s],air_temperature [degC]\n0,25\n40,25\n");
+    const ExperimentReading beside = read_experiment(
+        written.add("beside.toml", std::string(bench) +
+                                       "[drive]\nroad_temperature = \"30 degC\"\n[[drive.file]]\npath = "
+                                       "\"weather.csv\"\n[[run]]\nfile = \"short.csv\"\nlaps = \"1-2\"\n"
+                                       "repeat_first_lap = 2\n" +
+                                       start));
+    ASSERT_TRUE(beside.experiment.has_value()) << error_report(beside);
+    EXPECT_TRUE(std::ranges::any_of(beside.warnings, [](const std::string& warning) {
+        return warning.find("not those of [[drive.file]]") != std::string::npos;
+    }));
     const MeasuredRun& run = led.experiment->runs.front();
     EXPECT_EQ(run.time.front(), 0.0);  // nothing was measured before
     EXPECT_NEAR(run.problem.settings.start, -40.0, 1e-9);
