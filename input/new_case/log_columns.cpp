@@ -18,6 +18,7 @@
 #include "input/text/suggestions.hpp"
 #include "input/text/units.hpp"
 #include "input/text/wildcard.hpp"
+#include "input/vehicle/vehicle_log.hpp"
 #include "physics/vehicle/vehicle.hpp"
 
 namespace tiretherm::input {

@@ -2,6 +2,7 @@
 // A made-up session in the layouts of AiM, MoTeC, RaceChrono and VBOX, and with comments and clocks, is read back to the last
 // digit that was written.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
