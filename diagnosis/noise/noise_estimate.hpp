@@ -64,9 +64,11 @@ struct NoiseEstimate {
 
 /// Noise beyond so many times the data sheet's standard deviation is not the sensor's alone.
 inline constexpr double far_above_data_sheet = 3.0;
+/// The same of noise that is correlated, as errors of the model are.
+inline constexpr double correlated_above_data_sheet = 1.5;
 
 /// Whether an estimated noise may be an error of the model: its correlation time ended at the upper limit, or it is far
-/// above the data sheet in a channel of more than 100 samples. Noise that was not estimated is not in doubt.
+/// above the data sheet in a channel of more than 100 samples, 1.5 times where it is correlated. Noise that was not estimated is not in doubt.
 /// @param data_sheet standard deviation, in the channel's unit; 0: not stated
 [[nodiscard]] bool is_in_doubt(const Noise& noise, const ChannelNoise& found, double data_sheet);
 

@@ -149,6 +149,9 @@ std::optional<LogSurvey> survey_log(const std::filesystem::path& path, const std
                            .suggestion = column.full_suggestion(),
                            .reason = column.reason,
                            .is_dropped = column.is_dropped};
+        if (survey.laps.source == LapSource::column && column.heading.name == survey.laps.column && !column.is_used()) {
+            found.use = "laps";
+        }
         const Known known = known_of(*file, column.column, time, again);
         set_rate(found, known, survey.from, survey.to);
         if (!known.value.empty()) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -20,6 +21,8 @@ constexpr double long_recording = 2e5;   ///< s; no test of a tire lasts two day
 constexpr double outlying = 8.0;         ///< robust standard deviations
 constexpr double least_scale = 0.0025;   ///< of a sensor's range: what is small beside it is no outlier
 constexpr double least_of_input = 0.01;  ///< of an input's range, which may have corners
+constexpr double surely_beyond = 3.0;    ///< of the limit: no tire has it
+constexpr double least_sure = 10.0;      ///< K
 constexpr double steep = 0.75;           ///< of its height that a spike rises and falls at once; a cusp does not
 constexpr std::size_t half_window = 5;   ///< samples on either side of a running median
 constexpr std::size_t widest_spike = 3;  ///< samples; what lasts longer is an event. Of an input a single one
@@ -44,9 +47,17 @@ std::vector<double> off_median(const std::vector<double>& value) {
 }
 
 /// A robust standard deviation of the differences, not below what the logger resolves and what would matter.
-double scale_of(const RecordedColumn& column, const std::vector<double>& off) {
-    std::vector<double> magnitudes(off.size());
-    std::transform(off.begin(), off.end(), magnitudes.begin(), [](double v) { return std::abs(v); });
+/// @param counts which samples are measured: one that stands still scatters by nothing
+double scale_of(const RecordedColumn& column, const std::vector<double>& off, const std::vector<bool>& counts) {
+    std::vector<double> magnitudes;
+    for (std::size_t i = 0; i < off.size(); ++i) {
+        if (counts[i]) {
+            magnitudes.push_back(std::abs(off[i]));
+        }
+    }
+    if (magnitudes.empty()) {
+        return std::numeric_limits<double>::infinity();
+    }
     const double least = column.is_input ? least_of_input : least_scale;
     return std::max(
         {1.4826 * median(std::move(magnitudes)), least * (column.high() - column.low()), column.resolution()});
@@ -82,18 +93,23 @@ std::string find_time_jumps(const Recording& recording) {
     return fmt::format("{}, where a sample mostly comes every {:.6g} s: was the logger paused?", how, usual);
 }
 
-std::string find_outliers(const Recording& recording, const RecordedColumn& column) {
+std::vector<Outlier> outliers_of(const Recording& recording, const RecordedColumn& column) {
     const std::vector<double>& value = column.value;
     if (value.size() < 2 * half_window + 1) {
         return {};
     }
+    std::vector<bool> counts(value.size(), true);
+    if (!column.is_input) {
+        for (const Stretch& stretch : unusable_stretches(recording, column)) {
+            std::fill_n(counts.begin() + static_cast<std::ptrdiff_t>(stretch.first), stretch.length, false);
+        }
+    }
     const std::vector<double> off = off_median(value);
-    const double limit = outlying * scale_of(column, off);
+    const double limit = outlying * scale_of(column, off, counts);
     const std::size_t widest = column.is_input ? 1 : widest_spike;
-    std::size_t outliers = 0;
-    std::size_t first = 0;
+    std::vector<Outlier> found;
     for (std::size_t i = 1; i + 1 < value.size(); ++i) {
-        if (std::abs(off[i]) <= limit) {
+        if (std::abs(off[i]) <= limit || !counts[i]) {
             continue;
         }
         std::size_t end = i;
@@ -107,18 +123,35 @@ std::string find_outliers(const Recording& recording, const RecordedColumn& colu
                           std::abs(value[end] - value[end - 1]) > steep * height;
         const bool real = !column.is_input && back && is_eventful(recording, column.time[i - 1], column.time[end]);
         if (back && !real && end - i <= widest) {
-            first = outliers == 0 ? i : first;
-            outliers += end - i;
+            const bool is_sure = !column.is_input && column.is_temperature() && height > surely_beyond * limit &&
+                                 height > least_sure;
+            found.push_back({.where = {.first = i, .length = end - i}, .height = height, .is_sure = is_sure});
         }
         i = end;
     }
-    if (outliers == 0) {
+    return found;
+}
+
+std::string find_outliers(const Recording& recording, const RecordedColumn& column) {
+    const std::vector<Outlier> found = outliers_of(recording, column);
+    if (found.empty()) {
         return {};
     }
-    const std::string where = fmt::format("at {:.6g} s, {} off the samples about it", column.time[first],
-                                          column.show_difference(std::abs(off[first])));
-    return outliers == 1 ? fmt::format("has an outlier {}", where)
-                         : fmt::format("has {} outliers, the first {}", outliers, where);
+    std::size_t samples = 0;
+    std::size_t sure = 0;
+    for (const Outlier& one : found) {
+        samples += one.where.length;
+        sure += one.is_sure ? one.where.length : 0;
+    }
+    const std::string where = fmt::format("at {:.6g} s, {} off the samples about it",
+                                          column.time[found.front().where.first],
+                                          column.show_difference(found.front().height));
+    const std::string left = sure == 0 || recording.keep_suspicious ? ""
+                             : sure == samples ? fmt::format("; {} left out", sure == 1 ? "it is" : "they are")
+                                               : fmt::format("; {} of them {} left out", sure, sure == 1 ? "is" : "are");
+    return (samples == 1 ? fmt::format("has an outlier {}", where)
+                         : fmt::format("has {} outliers, the first {}", samples, where)) +
+           left;
 }
 
 }  // namespace tiretherm::input

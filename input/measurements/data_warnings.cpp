@@ -121,6 +121,11 @@ void leave_out_unusable(const Recording& recording, MeasuredRun& run) {
         for (const Stretch& stretch : unusable_stretches(recording, column)) {
             std::fill_n(kept.begin() + static_cast<std::ptrdiff_t>(stretch.first), stretch.length, false);
         }
+        for (const Outlier& outlier : outliers_of(recording, column)) {
+            if (outlier.is_sure) {
+                std::fill_n(kept.begin() + static_cast<std::ptrdiff_t>(outlier.where.first), outlier.where.length, false);
+            }
+        }
         const Resampling resampling = resampling_of(column);
         for (std::size_t i = 0; i < kept.size(); ++i) {
             kept[i] = kept[i] && i % resampling.ratio == resampling.first;

@@ -85,8 +85,15 @@ struct Resampling {
 [[nodiscard]] Resampling resampling_of(const RecordedColumn& column);
 
 /// Leaves out of a run what its sensors did not measure, each of it found by the functions above: sensors that are frozen or
-/// dead count as frozen, samples that are stuck, clipped or between the measured ones become missing.
+/// dead count as frozen, samples that are stuck, clipped, surely outliers or between the measured ones become missing.
 void leave_out_unusable(const Recording& recording, MeasuredRun& run);
+/// Samples that leave the others at once and come back, and by how much they lie off.
+struct Outlier {
+    Stretch where;
+    double height = 0.0;   ///< SI
+    bool is_sure = false;  ///< of a temperature, so far off that no tire has it: it is left out
+};
+[[nodiscard]] std::vector<Outlier> outliers_of(const Recording& recording, const RecordedColumn& column);
 [[nodiscard]] std::string find_outliers(const Recording& recording, const RecordedColumn& column);
 [[nodiscard]] std::string find_unit_slip(const Recording& recording, const RecordedColumn& column);
 [[nodiscard]] std::string find_unusual(const Recording& recording, const RecordedColumn& column);

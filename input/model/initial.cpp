@@ -63,7 +63,9 @@ std::optional<double> StartReader::read(TomlTable& initial, std::string_view key
     const bool is_text = node != nullptr && node->kind == TomlValue::Kind::text;
     if (is_text && is_sensor(node->text)) {
         const std::optional<double> read = first_reading(builder, node->text);
-        if (!read && !(builder.run && builder.run->unreadable)) {
+        const bool is_reported =
+            builder.run && (builder.run->unreadable || (builder.run->has_file && !builder.run->first));
+        if (!read && !is_reported) {
             initial.add_error(key,
                               fmt::format("{} is set to what {} reads, and {} has no such reading", key, node->text,
                                           builder.run ? "the run " + builder.run->name : "a case without a run"),

@@ -192,6 +192,27 @@ std::set<std::size_t> give_units(const std::vector<GivenUnit>& units, DataFile& 
     return given;
 }
 
+/// A column whose name says what it is, and whose unit, which the user gave, is one of something else.
+void report_wrong_units(const Log& log, const std::vector<ColumnMeaning>& meanings, const std::set<std::size_t>& given,
+                        const DataFile& file, InputErrors& errors) {
+    for (const LogColumn& column : log.columns) {
+        if (column.is_used() || !given.contains(static_cast<std::size_t>(column.column))) {
+            continue;
+        }
+        const std::vector<CarColumn> names = car_columns(column.heading.name);
+        const std::string name = !column.suggestion.empty() ? column.suggestion
+                                 : names.empty()            ? ""
+                                                            : names.front().name;
+        const auto meaning = std::ranges::find(meanings, name, &ColumnMeaning::name);
+        if (meaning != meanings.end() && !meaning->any_unit && read_heading_unit(column.heading, meaning->spec).error) {
+            errors.add(file.heads()[static_cast<std::size_t>(column.column)].place,
+                       fmt::format("{} looks like {}, and the unit given to it is {}", column.heading.name, name,
+                                   column.heading.unit.value_or("")),
+                       "give it one of this quantity, or none");
+        }
+    }
+}
+
 /// Without accelerations, yaw rate and steering there is no [vehicle], which alone could use the other signals of a car.
 void drop_signals_of_the_car(Log& log) {
     for (LogColumn& column : log.columns) {
@@ -225,6 +246,7 @@ std::optional<Log> read_log(const std::filesystem::path& path, const MeshTemplat
     log.columns = std::move(meaning.columns);
     log.is_car = meaning.is_car;
     log.infrared_zones = meaning.infrared_zones;
+    report_wrong_units(log, meaning.meanings, given, *file, errors);
     std::vector<int> used;
     for (const LogColumn& column : log.columns) {
         if (column.is_used()) {

@@ -63,6 +63,8 @@ struct Reader {
 
     bool read_yaw_rate();
     bool read_lateral();
+    bool agree_in_size(std::string_view name, const Values& acceleration, const Values& expected,
+                       std::string_view what);
     bool read_longitudinal();
 };
 
@@ -109,6 +111,28 @@ bool Reader::read_yaw_rate() {
     return true;
 }
 
+/// @returns false after an error: an acceleration is not as large as another signal says
+bool Reader::agree_in_size(std::string_view name, const Values& acceleration, const Values& expected,
+                           std::string_view what) {
+    constexpr double alike = 0.8;  // correlation from which the ratio means something
+    constexpr double most = 2.0;
+    double products = 0.0;
+    double squares = 0.0;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        products += acceleration[i] * expected[i];
+        squares += expected[i] * expected[i];
+    }
+    const double ratio = squares > 0.0 ? std::abs(products / squares) : 1.0;
+    if (std::abs(correlation(acceleration, expected)) < alike || (ratio < most && ratio > 1.0 / most)) {
+        return true;
+    }
+    errors.add(
+        settings.place, fmt::format("{} is {:.3g} times {}", name, ratio, what),
+        fmt::format("correct the unit of the column, as in units = {{ AccY = \"g\" }}, or that of {}: a g is 9.81 m/s2",
+                    what));
+    return false;
+}
+
 bool Reader::read_lateral() {
     const solver::SignalHistory& logged = log.lateral_acceleration;
     if (logged.time.empty()) {
@@ -129,6 +153,9 @@ bool Reader::read_lateral() {
     lateral = smooth(logged, TurnSign::left, "lateral_acceleration", physics::standard_gravity, "g");
     if (!yaw.empty()) {
         const double r = correlation(lateral, speed_times_yaw());
+        if (!agree_in_size("lateral_acceleration", lateral, speed_times_yaw(), "speed times yaw_rate")) {
+            return false;
+        }
         const TurnSign seen = r < 0.0 ? TurnSign::right : TurnSign::left;
         if (sign != TurnSign::automatic && std::abs(r) > sure && seen != sign) {
             errors.add(settings.place,
@@ -181,7 +208,7 @@ bool Reader::read_longitudinal() {
                    "turn the sign of the column: positive is speeding up");
         return false;
     }
-    return true;
+    return agree_in_size("longitudinal_acceleration", smoothed, slope, "the slope of speed");
 }
 
 std::optional<MotionHistory> read_motion(const VehicleSettings& settings, const VehicleLog& log, InputErrors& errors,

@@ -37,6 +37,7 @@ TEST(Doubt, SlowOrFarTooLargeNoiseIsInDoubt) {
     const ChannelNoise few{.samples = 50, .longest_correlation = 100.0};
     EXPECT_FALSE(is_in_doubt({.sigma = 0.6, .correlation_time = 20.0, .white_share = 0.3}, many, 0.5));
     EXPECT_TRUE(is_in_doubt({.sigma = 0.6, .correlation_time = 100.0, .white_share = 0.3}, many, 0.5));
+    EXPECT_TRUE(is_in_doubt({.sigma = 0.8, .correlation_time = 20.0, .white_share = 0.3}, many, 0.5));
     EXPECT_FALSE(is_in_doubt({.sigma = 1.4}, many, 0.5));
     EXPECT_TRUE(is_in_doubt({.sigma = 1.6}, many, 0.5));
     EXPECT_FALSE(is_in_doubt({.sigma = 1.6}, few, 0.5));

@@ -206,7 +206,7 @@ TEST(DataWarnings, Outliers) {
     EXPECT_EQ(session.warnings().size(), 1U);
     // Off the median of the eleven about it by 41 K and the noise of two samples.
     EXPECT_TRUE(session.warnings().front().starts_with("run1.csv: surface_temperature has an outlier at 2100 s, 4"));
-    EXPECT_TRUE(session.warnings().front().ends_with(" K off the samples about it"));
+    EXPECT_TRUE(session.warnings().front().ends_with(" K off the samples about it; it is left out"));
     surface[360] = surface[361] = -10.0;
     EXPECT_TRUE(
         session.warnings().front().starts_with("run1.csv: surface_temperature has 3 outliers, the first at 2100 s, 4"));

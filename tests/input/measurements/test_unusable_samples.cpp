@@ -85,6 +85,29 @@ TEST(UnusableSamples, AStuckStretchIsLeftOut) {
     }
 }
 
+// 190 K for two samples is no tire's; 3 K, 8 to 24 of the sensor's deviations of 0.3 K, may be one, and counts.
+TEST(UnusableSamples, ASpikeThatNoTireHasIsLeftOut) {
+    MadeUpLog log = session();
+    bulk(log)[300] = bulk(log)[301] = 250.0;
+    bulk(log)[400] += 5.0;
+    const Read found = read(log);
+    ASSERT_EQ(found.findings.size(), 1U);
+    EXPECT_TRUE(found.findings[0].ends_with("off the samples about it; 2 of them are left out")) << found.findings[0];
+    EXPECT_EQ(found.missing(), 2U);
+    EXPECT_TRUE(std::isnan(found.series.value[300]));
+    EXPECT_TRUE(std::isnan(found.series.value[301]));
+    EXPECT_EQ(read(log, "keep_suspicious = true\n").missing(), 0U);
+}
+
+// Half of a sensor's samples stand still. What scatters in the other half is as it always was.
+TEST(UnusableSamples, AStuckHalfMakesNoOutliersOfTheOther) {
+    MadeUpLog log = session();
+    std::fill_n(bulk(log).begin() + static_cast<std::ptrdiff_t>(n_samples / 2), n_samples - n_samples / 2, 0.0);
+    for (const std::string& finding : read(log).findings) {
+        EXPECT_EQ(finding.find("outlier"), std::string::npos) << finding;
+    }
+}
+
 // In whole degrees without noise, the bulk comes to rest at 85 degC as its own law says: nothing is stuck or clipped.
 TEST(UnusableSamples, ACoarseSensorAtRestIsKept) {
     MadeUpLog log = session();

@@ -211,6 +211,9 @@ TEST(NewCaseCar, WithoutUnitsSaysWhereToWriteThem) {
     const ExperimentReading reading = read_experiment(written.add("case.toml", told.text));
     ASSERT_TRUE(reading.experiment.has_value()) << render(reading.errors.front());
     EXPECT_EQ(reading.experiment->runs.size(), 4U);
+    const NewCase other = make(written, "225/50 R17", "", "bare.csv", {{"GPS Speed", "degC"}});
+    ASSERT_EQ(other.errors.size(), 1U);
+    EXPECT_EQ(other.errors[0].what, "GPS Speed looks like speed, and the unit given to it is degC");
     const NewCase wrong = make(written, "225/50 R17", "", "bare.csv", {{"GPS Sped", "km/h"}, {"Time", "sx"}});
     EXPECT_EQ(errors_of(wrong, written),
               "bare.csv: no column is called GPS Sped, which is given a unit\n"

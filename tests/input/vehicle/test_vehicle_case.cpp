@@ -47,6 +47,15 @@ TEST(VehicleCase, LoggerThatIsPositiveInRightTurnsIsFoundOut) {
     }
 }
 
+// A tenth of what speed and yaw rate say: a column in g whose heading says m/s2.
+TEST(VehicleCase, AnAccelerationInAnotherUnitIsRefused) {
+    const Reading tenth = read(plain_log(0.1), "");
+    ASSERT_FALSE(tenth.problem.has_value());
+    ASSERT_EQ(tenth.errors.size(), 1U);
+    EXPECT_EQ(tenth.errors[0].what, "lateral_acceleration is 0.1 times speed times yaw_rate");
+    EXPECT_TRUE(read(plain_log(0.7), "").problem.has_value());  // a curve on a bank, a sensor off its place
+}
+
 TEST(VehicleCase, WithoutYawRateTheSignIsThatOfIsoAndSaysSo) {
     // Ignored, the yaw rate tells nothing; a_y / V takes its place, and the assumption is a warning.
     const Reading reading = read(plain_log(), "", columns + "ignore = [\"yaw_rate\"]\n");
