@@ -37,8 +37,8 @@ bool is_in_doubt(const Noise& noise, const ChannelNoise& found, double data_shee
         return false;
     }
     const bool is_slowest = noise.correlation_time > 0.0 && is_at_longest_correlation(noise, found);
-    const double most = noise.correlation_time > 0.0 && noise.white_share < 1.0 ? correlated_above_data_sheet
-                                                                                : far_above_data_sheet;
+    const double most =
+        noise.correlation_time > 0.0 && noise.white_share < 1.0 ? correlated_above_data_sheet : far_above_data_sheet;
     const bool is_too_large = data_sheet > 0.0 && found.samples > many && noise.sigma > most * data_sheet;
     return is_slowest || is_too_large;
 }

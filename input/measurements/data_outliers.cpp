@@ -123,8 +123,8 @@ std::vector<Outlier> outliers_of(const Recording& recording, const RecordedColum
                           std::abs(value[end] - value[end - 1]) > steep * height;
         const bool real = !column.is_input && back && is_eventful(recording, column.time[i - 1], column.time[end]);
         if (back && !real && end - i <= widest) {
-            const bool is_sure = !column.is_input && column.is_temperature() && height > surely_beyond * limit &&
-                                 height > least_sure;
+            const bool is_sure =
+                !column.is_input && column.is_temperature() && height > surely_beyond * limit && height > least_sure;
             found.push_back({.where = {.first = i, .length = end - i}, .height = height, .is_sure = is_sure});
         }
         i = end;
@@ -143,12 +143,13 @@ std::string find_outliers(const Recording& recording, const RecordedColumn& colu
         samples += one.where.length;
         sure += one.is_sure ? one.where.length : 0;
     }
-    const std::string where = fmt::format("at {:.6g} s, {} off the samples about it",
-                                          column.time[found.front().where.first],
-                                          column.show_difference(found.front().height));
+    const std::string where =
+        fmt::format("at {:.6g} s, {} off the samples about it", column.time[found.front().where.first],
+                    column.show_difference(found.front().height));
     const std::string left = sure == 0 || recording.keep_suspicious ? ""
-                             : sure == samples ? fmt::format("; {} left out", sure == 1 ? "it is" : "they are")
-                                               : fmt::format("; {} of them {} left out", sure, sure == 1 ? "is" : "are");
+                             : sure == samples
+                                 ? fmt::format("; {} left out", sure == 1 ? "it is" : "they are")
+                                 : fmt::format("; {} of them {} left out", sure, sure == 1 ? "is" : "are");
     return (samples == 1 ? fmt::format("has an outlier {}", where)
                          : fmt::format("has {} outliers, the first {}", samples, where)) +
            left;

@@ -123,7 +123,8 @@ void leave_out_unusable(const Recording& recording, MeasuredRun& run) {
         }
         for (const Outlier& outlier : outliers_of(recording, column)) {
             if (outlier.is_sure) {
-                std::fill_n(kept.begin() + static_cast<std::ptrdiff_t>(outlier.where.first), outlier.where.length, false);
+                std::fill_n(kept.begin() + static_cast<std::ptrdiff_t>(outlier.where.first), outlier.where.length,
+                            false);
             }
         }
         const Resampling resampling = resampling_of(column);
