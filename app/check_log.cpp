@@ -10,6 +10,7 @@
 
 #include "app/commands.hpp"
 #include "app/failure.hpp"
+#include "app/given_units.hpp"
 #include "app/messages.hpp"
 #include "input/log_survey/log_survey.hpp"
 #include "input/text/suggestions.hpp"
@@ -130,21 +131,6 @@ post::Report report_of(const input::LogSurvey& survey) {
 }
 
 }  // namespace
-
-std::optional<std::vector<input::GivenUnit>> given_units(const std::vector<std::string>& words, bool json) {
-    std::vector<input::GivenUnit> units;
-    for (const std::string& word : words) {
-        const std::size_t sign = word.rfind('=');
-        if (sign == std::string::npos || sign == 0 || sign + 1 == word.size()) {
-            report_error(fmt::format("--unit {} is not a column and its unit", word),
-                         "write --unit \"GPS Speed=km/h\", or --unit \"*temp*=degC\" of several columns", json);
-            return std::nullopt;
-        }
-        units.push_back({std::string(input::trim(std::string_view(word).substr(0, sign))),
-                         std::string(input::trim(std::string_view(word).substr(sign + 1)))});
-    }
-    return units;
-}
 
 int check_log(const std::filesystem::path& path, const std::vector<std::string>& units, bool json) {
     const std::optional<std::vector<input::GivenUnit>> given = given_units(units, json);

@@ -11,9 +11,9 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/check_log.hpp"
 #include "app/commands.hpp"
 #include "app/failure.hpp"
+#include "app/given_units.hpp"
 #include "app/messages.hpp"
 #include "app/output.hpp"
 #include "input/log_survey/log_survey.hpp"
@@ -116,9 +116,9 @@ std::string use_of(const input::LogColumn& column) {
                                    asked ? column.reason : "")
                      : fmt::format("not used: {}", column.reason);
     }
-    const std::string ground = column.unit_ground.starts_with("assumed") ? " (" + column.unit_ground + ")" : "";
+    const std::string ground = column.unit_ground.empty() ? "" : fmt::format(" ({})", column.unit_remark());
     const std::string unit =
-        column.unit.empty() || column.unit_ground == "given" ? "" : fmt::format(", read in {}{}", column.unit, ground);
+        column.unit.empty() || column.unit_is_given ? "" : fmt::format(", read in {}{}", column.unit, ground);
     const std::string kind = column.is_sensor ? "measured by the sensor " : column.is_input ? "input " : "";
     return kind + column.full_name() + unit;
 }

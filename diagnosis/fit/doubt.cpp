@@ -26,6 +26,12 @@ double widened(double deviation, double prior, double factor) {
     return precision > 0.0 ? 1.0 / std::sqrt(precision) : deviation;
 }
 
+void doubt(Fitted& one) {
+    if (one.identifiability == Identifiability::determined) {
+        one.identifiability = Identifiability::doubtful;
+    }
+}
+
 }  // namespace
 
 void widen_doubtful(const std::vector<solver::FreeParameter>& parameters, Identification& into) {
@@ -42,9 +48,7 @@ void widen_doubtful(const std::vector<solver::FreeParameter>& parameters, Identi
     }
     for (std::size_t j = 0; j < into.fitted.size(); ++j) {
         Fitted& one = into.fitted[j];
-        if (one.identifiability == Identifiability::determined) {
-            one.identifiability = Identifiability::doubtful;
-        }
+        doubt(one);
         if (!(one.standard_deviation > 0.0) || !std::isfinite(one.standard_deviation)) {
             continue;
         }
@@ -65,11 +69,7 @@ void doubt_beside(const solver::FreeParameter& unexpected, Identification& into)
     if (unexpected.kind == solver::FreeParameter::Kind::initial) {
         return;
     }
-    for (Fitted& one : into.fitted) {
-        if (one.identifiability == Identifiability::determined) {
-            one.identifiability = Identifiability::doubtful;
-        }
-    }
+    std::ranges::for_each(into.fitted, doubt);
 }
 
 void doubt_input_numbers(const std::vector<solver::FreeParameter>& parameters, Identification& into) {
@@ -81,8 +81,7 @@ void doubt_input_numbers(const std::vector<solver::FreeParameter>& parameters, I
                               one.identifiability == Identifiability::with_prior;
         if (parameters[j].kind == solver::FreeParameter::Kind::input && is_moved) {
             names.push_back(parameters[j].name);
-            one.identifiability =
-                one.identifiability == Identifiability::determined ? Identifiability::doubtful : one.identifiability;
+            doubt(one);
         }
     }
     if (!names.empty()) {

@@ -133,7 +133,7 @@ std::optional<LogSurvey> survey_log(const std::filesystem::path& path, const std
     recording.time_unit = clock->heading.unit.value_or("");
     if (!clock->unit_ground.empty()) {
         survey.doubts.push_back(
-            fmt::format("the column {} has no unit: {} is {}", clock->heading.name, clock->unit, clock->unit_ground));
+            fmt::format("the column {} has no unit: {} is {}", clock->heading.name, clock->unit, clock->unit_remark()));
     }
     for (const LogColumn& column : log->columns) {
         if (column.heading.name.empty()) {

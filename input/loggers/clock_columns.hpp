@@ -3,7 +3,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -11,7 +10,7 @@
 
 namespace tiretherm::input {
 
-/// The fields of a column down the file, to be called with its index: one after the other until it returns false.
+/// Takes the fields of a column one after the other. @returns false when it needs no more
 using FieldVisitor = std::function<bool(std::string_view field)>;
 
 /// Units that the name of a time has at its end where it has no other: timestamp_ms, TimestampMS, time_s.
@@ -19,7 +18,7 @@ void take_time_units(std::vector<ColumnHead>& heads);
 
 /// How the numbers of a column are written, by its name, its unit and its fields: as clocks of the day, as their digits, as seconds or
 /// milliseconds since 1970, or as numbers.
-/// @param first field  @param visit goes through all of them; called where the first may be the digits of a clock
+/// @param first field  @param visit lets a visitor take all of them; called where the first may be the digits of a clock
 [[nodiscard]] FieldForm form_of(const ColumnHead& head, std::string_view first,
                                 const std::function<void(const FieldVisitor&)>& visit);
 

@@ -131,8 +131,7 @@ private:
             }
             if (column.is_used() && !column.unit.empty()) {
                 open("units", is_open);
-                writer_.entry(key, toml_text::in_quotes(column.unit),
-                              column.unit_ground.empty() ? "assumed" : column.unit_ground);
+                writer_.entry(key, toml_text::in_quotes(column.unit), column.unit_remark());
             } else if (!column.is_used() && !column.suggested_unit.empty()) {
                 open("units", is_open);
                 writer_.suggestion(key, toml_text::in_quotes(column.suggested_unit), "or what its unit is");

@@ -111,6 +111,10 @@ void choose_use(Log& log) {
 
 }  // namespace
 
+std::string LogColumn::unit_remark() const {
+    return unit_is_given ? "given" : unit_ground.empty() ? "assumed" : "assumed: " + unit_ground;
+}
+
 std::string LogColumn::full_name() const {
     return name.empty() || corner.empty() ? name : fmt::format("{} of {}", name, corner);
 }
@@ -268,10 +272,10 @@ std::optional<Log> read_log(const std::filesystem::path& path, const MeshTemplat
     for (LogColumn& column : log.columns) {
         if (given.contains(static_cast<std::size_t>(column.column))) {
             column.unit = column.heading.unit.value_or("");
-            column.unit_ground = "given";
+            column.unit_is_given = true;
         } else if (log.is_car && column.name == "time" && may_be_in_ms(log, column)) {
             column.unit = "ms";
-            column.unit_ground = fmt::format("assumed: the rows are {:g} apart", log.time[1] - log.time[0]);
+            column.unit_ground = fmt::format("the rows are {:g} apart", log.time[1] - log.time[0]);
             std::ranges::for_each(log.time, [](double& t) { t *= 1e-3; });
         }
     }

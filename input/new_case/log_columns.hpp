@@ -22,7 +22,8 @@ struct LogColumn {
     bool is_input = false;
     bool is_sensor = false;
     std::string unit{};            ///< taken in place of the heading's; empty: the heading's
-    std::string unit_ground{};     ///< why: "given", "assumed"
+    bool unit_is_given = false;    ///< by the user; else it is assumed
+    std::string unit_ground{};     ///< why it is assumed, where there is more to say: "the rows are 50 apart"
     std::string suggestion{};      ///< a name that it may have, of one that is not used
     std::string suggested_unit{};  ///< a unit that the case must say then; empty: the heading's will do
     std::string reason{};          ///< why it is not used
@@ -32,6 +33,8 @@ struct LogColumn {
     std::vector<double> value{};   ///< [n_samples] SI, NaN where missing; of a used column
 
     [[nodiscard]] bool is_used() const { return !name.empty(); }
+    /// "given", "assumed", "assumed: the rows are 50 apart": of `unit`, for the case's comment.
+    [[nodiscard]] std::string unit_remark() const;
     /// "surface_temperature of FL".
     [[nodiscard]] std::string full_name() const;
     /// The same of what is suggested; empty without a suggestion.

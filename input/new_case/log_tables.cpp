@@ -67,8 +67,7 @@ void write_columns(CaseWriter& writer, const Log& log, bool commented) {
                       commented);
     for (const LogColumn& column : log.columns) {
         if (column.is_used() && !column.unit.empty()) {
-            units.entry(column, toml_text::in_quotes(column.unit),
-                        column.unit_ground.empty() ? "assumed" : column.unit_ground);
+            units.entry(column, toml_text::in_quotes(column.unit), column.unit_remark());
         } else if (!column.is_used() && !column.suggested_unit.empty()) {
             units.suggestion(column, toml_text::in_quotes(column.suggested_unit), "or what its unit is");
         }

@@ -9,6 +9,9 @@
 
 namespace tiretherm::input {
 
+namespace {
+
+/// "_laps_3-9"; empty without a choice of laps.
 std::string name_of_laps(std::string_view laps) {
     std::string text(laps);
     std::erase(text, ' ');
@@ -16,6 +19,8 @@ std::string name_of_laps(std::string_view laps) {
     const bool is_word = !text.empty() && text.find_first_not_of("0123456789-_") == std::string::npos;
     return is_word ? fmt::format("_{}_{}", text.find_first_of("-_") == std::string::npos ? "lap" : "laps", text) : "";
 }
+
+}  // namespace
 
 std::string run_name(const std::filesystem::path& file, std::string_view laps) {
     return file.stem().string() + name_of_laps(laps);

@@ -128,8 +128,9 @@ bool Reader::agree_in_size(std::string_view name, const Values& acceleration, co
     }
     errors.add(
         settings.place, fmt::format("{} is {:.3g} times {}", name, ratio, what),
-        fmt::format("correct the unit of the column, as in units = {{ AccY = \"g\" }}, or that of {}: a g is 9.81 m/s2",
-                    what));
+        fmt::format(
+            "correct the unit of the column, as in units = {{ COLUMN = \"g\" }}, or that of {}: a g is 9.81 m/s2",
+            what));
     return false;
 }
 

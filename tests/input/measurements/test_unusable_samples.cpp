@@ -85,7 +85,7 @@ TEST(UnusableSamples, AStuckStretchIsLeftOut) {
     }
 }
 
-// 190 K for two samples is no tire's; 3 K, 8 to 24 of the sensor's deviations of 0.3 K, may be one, and counts.
+// 165 K for two samples is no tire's; 5 K, between 8 and 24 of the sensor's deviations of 0.3 K, may be one, and counts.
 TEST(UnusableSamples, ASpikeThatNoTireHasIsLeftOut) {
     MadeUpLog log = session();
     bulk(log)[300] = bulk(log)[301] = 250.0;

@@ -54,6 +54,14 @@ TEST(VehicleCase, AnAccelerationInAnotherUnitIsRefused) {
     ASSERT_EQ(tenth.errors.size(), 1U);
     EXPECT_EQ(tenth.errors[0].what, "lateral_acceleration is 0.1 times speed times yaw_rate");
     EXPECT_TRUE(read(plain_log(0.7), "").problem.has_value());  // a curve on a bank, a sensor off its place
+    const Reading along = read(log_of_the_truth("V [km/h],AccX [g],yaw_rate [deg/s]",
+                                                [](const Truth& truth, double) {
+                                                    return fmt::format("{:.9f},{:.9f},{:.9f}", 3.6 * truth.V, truth.ax,
+                                                                       truth.r * 180.0 / 3.14159265358979323846);
+                                                }),
+                               "", "columns = { V = \"speed\", AccX = \"longitudinal_acceleration\" }\n");
+    ASSERT_EQ(along.errors.size(), 1U);  // m/s2 under a heading of g
+    EXPECT_TRUE(along.errors[0].what.starts_with("longitudinal_acceleration is 9.")) << along.errors[0].what;
 }
 
 TEST(VehicleCase, WithoutYawRateTheSignIsThatOfIsoAndSaysSo) {
