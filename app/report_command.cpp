@@ -80,8 +80,22 @@ post::Value size_at(const std::string& png, std::size_t at) {
     return size;
 }
 
+/// Why charts have no picture: the first of them, and what to do. Empty where all have one.
+std::string not_drawn(const post::PageCharts& page, const std::vector<post::ChartPicture>& pictures) {
+    std::string titles;
+    std::string reason;
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        if (!pictures[i].failure.empty()) {
+            titles += fmt::format("{}\"{}\"", titles.empty() ? "" : ", ", page.charts[i].title);
+            reason = reason.empty() ? pictures[i].failure : reason;
+        }
+    }
+    return titles.empty() ? "" : fmt::format("no picture of {}: {}", titles, reason);
+}
+
+/// @param pictures [charts], or empty: none was asked for
 post::Value data_of(const ReportOptions& options, const post::PageCharts& page,
-                    const std::vector<std::string>& pictures) {
+                    const std::vector<post::ChartPicture>& pictures) {
     std::error_code error;
     const fs::path text = fs::path(options.folder) / post::text_page_name;
     const std::vector<std::string> names = post::picture_names(page.charts);
@@ -89,18 +103,25 @@ post::Value data_of(const ReportOptions& options, const post::PageCharts& page,
     post::Value::List outputs;
     for (std::size_t i = 0; i < page.charts.size(); ++i) {
         post::Value chart{{"title", page.charts[i].title}};
-        if (!pictures.empty()) {
+        if (!pictures.empty() && !pictures[i].failure.empty()) {
+            chart.set("error", pictures[i].failure);
+        } else if (!pictures.empty()) {
             const std::string file = (options.pictures() / names[i]).generic_string();
-            chart.set({{"file", file}, {"width", size_at(pictures[i], 16)}, {"height", size_at(pictures[i], 20)}});
+            const std::string& png = pictures[i].png;
+            chart.set({{"file", file}, {"width", size_at(png, 16)}, {"height", size_at(png, 20)}});
             outputs.push_back(file);
         }
         charts.push_back(std::move(chart));
     }
-    return {{"report", options.page().generic_string()},
-            {"page", post::where(fs::exists(text, error), text.generic_string())},
-            {"version", page.version},
-            {"charts", std::move(charts)},
-            {"outputs", std::move(outputs)}};
+    post::Value data{{"report", options.page().generic_string()},
+                     {"page", post::where(fs::exists(text, error), text.generic_string())},
+                     {"version", page.version},
+                     {"charts", std::move(charts)},
+                     {"outputs", std::move(outputs)}};
+    if (const std::string sentence = not_drawn(page, pictures); !sentence.empty()) {
+        data.set({{"error", sentence}, {"mistakes", post::Value::List{}}});
+    }
+    return data;
 }
 
 /// The page as text, where its charts are, and how pictures are made of them.
@@ -125,7 +146,7 @@ void show_charts(const ReportOptions& options, const post::PageCharts& page) {
 }
 
 /// What kept the browser from its pictures, with the remedy.
-int report_browser(const ReportOptions& options, const post::PageCharts& page, const post::BrowserError& error) {
+int report_browser(const ReportOptions& options, const post::BrowserError& error) {
     using Cause = post::BrowserError::Cause;
     std::string remedy = no_pictures;
     switch (error.cause) {
@@ -138,13 +159,6 @@ int report_browser(const ReportOptions& options, const post::PageCharts& page, c
         case Cause::failed:
             remedy += fmt::format("; open {} in a browser to see the charts", options.page().string());
             break;
-        case Cause::not_drawn:
-            remedy += page.version == TIRETHERM_VERSION
-                          ? "; make the page again with the call that has written it"
-                          : fmt::format("; version {} has written the page and this is {}: make it again with this one",
-                                        page.version, TIRETHERM_VERSION);
-            report_error(fmt::format("{}: {}", options.page().string(), error.what()), remedy, options.json);
-            return Exit::input_error;
     }
     report_error(error.what(), remedy, options.json);
     return Exit::numerical_failure;
@@ -165,7 +179,7 @@ int make_pictures(const ReportOptions& options, const post::PageCharts& page) {
     }
     const std::vector<std::string> names = post::picture_names(page.charts);
     now_doing(fmt::format("drawing the charts of {}", options.page().string()));
-    std::vector<std::string> pictures;
+    std::vector<post::ChartPicture> pictures;
     try {
         post::OutputFolder folder(options.pictures());
         pictures = post::chart_pictures(*browser, page,
@@ -174,11 +188,13 @@ int make_pictures(const ReportOptions& options, const post::PageCharts& page) {
                                          .limit = std::chrono::milliseconds(std::lround(1e3 * options.time_limit)),
                                          .stopped = solver::stop_requested});
         for (std::size_t i = 0; i < pictures.size(); ++i) {
-            post::replace_file(folder.stage() / names[i], pictures[i]);
+            if (pictures[i].failure.empty()) {
+                post::replace_file(folder.stage() / names[i], pictures[i].png);
+            }
         }
         folder.commit();
     } catch (const post::BrowserError& error) {
-        return report_browser(options, page, error);
+        return report_browser(options, error);
     } catch (const std::runtime_error& error) {  // of a file, or another call works there
         report_error(error.what(), no_pictures, options.json);
         return Exit::input_error;
@@ -186,12 +202,23 @@ int make_pictures(const ReportOptions& options, const post::PageCharts& page) {
     post::Report report{.title = fmt::format("Charts of {}", options.page().string())};
     report.data = data_of(options, page, pictures);
     post::Section files("");
-    for (const std::string& name : names) {
-        files.line((options.pictures() / name).string());
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (pictures[i].failure.empty()) {
+            files.line((options.pictures() / names[i]).string());
+        }
     }
     report.add(std::move(files));
     print_report(report, options.json);
-    return Exit::done;
+    const std::string sentence = not_drawn(page, pictures);
+    if (!sentence.empty() && !options.json) {
+        report_error(fmt::format("{}: {}", options.page().string(), sentence),
+                     page.version == TIRETHERM_VERSION
+                         ? "make the page again with the call that has written it"
+                         : fmt::format("version {} has written the page and this is {}: make it again with this one",
+                                       page.version, TIRETHERM_VERSION),
+                     false);
+    }
+    return sentence.empty() ? Exit::done : Exit::input_error;
 }
 
 int report(const ReportOptions& options) {
@@ -244,8 +271,11 @@ void add_report_command(CLI::App& program, int& exit_code) {
         "With --png: Chromium without a window draws the charts (Debian package chromium; nothing is fetched from a\n"
         "network). A field is drawn at its hottest moment. A file is named after its chart, "
         "charts/heat-at-the-end.png;\n"
-        "other files there are left alone. The files appear together at the end.\n\n"
-        "Exit code: 0 done; 1 an error in the call, no page, a damaged one, or no Chromium; 2 Chromium failed or took\n"
+        "other files there are left alone. The files appear together at the end. A chart that cannot be drawn is "
+        "named,\n"
+        "and the others are written.\n\n"
+        "Exit code: 0 done; 1 an error in the call, no page, a damaged one, a chart that cannot be drawn, or no\n"
+        "Chromium; 2 Chromium failed or took\n"
         "too long; 130 interrupted.\n\n"
         "Example:\n"
         "  tiretherm report out/laser --png --width 1200");

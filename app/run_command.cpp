@@ -173,7 +173,7 @@ int run(const RunOptions& options) {
     }
     if (report.status.ok() && solver::stop_requested() && hot_spots) {
         std::fflush(stdout);
-        report_error("stopped", "the run is whole, what would become of its hot spots is not", false);
+        report_error("stopped", "the run is complete; the continuation for its hot spots was interrupted", false);
         return Exit::interrupted;
     }
     if (report.status.ok()) {

@@ -153,13 +153,13 @@ bool unknown_source_predicts(DiagnosisState& state) {
     return unknown_source_beats(state, out_of(state.score_data, *state.score_data.experiment, state.score_data.base));
 }
 
-void take_heat_without_a_name(DiagnosisState& state) {
+void accept_unknown_source(DiagnosisState& state) {
     ScoreTestData& score_data = state.score_data;
     state.unknown = most_significant_term(score_data.unknown_scores);
     if (std::abs(state.unknown.z) < score_data.unknown_threshold) {
         return;
     }
-    score_data.say({.doing = "trying heat that no effect is"});
+    score_data.say({.doing = "testing an unknown heat source"});
     const auto k = static_cast<Eigen::Index>(state.unknown.term);
     state.unknown_fit = fit_unknown_source(score_data, state.unknown.term, score_data.unknown_scores.amplitude(k));
     if (state.unknown_fit.sound && unknown_source_beats(state, state.search->base.out)) {

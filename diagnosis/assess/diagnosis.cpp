@@ -101,7 +101,7 @@ void find_causes(DiagnosisState& state, const DiagnosisOptions& choice, Diagnosi
     if (can_leave_out && (coarse || has_model_error(state.score_data))) {
         search_beside_model_error(state, choice.richer);
         if (state.search->accepted.empty()) {
-            take_heat_without_a_name(state);
+            accept_unknown_source(state);
         }
     } else {
         search_hypotheses(state);
@@ -151,8 +151,7 @@ void finish_early(DiagnosisState& state, const char* stage, Diagnosis& result) {
         for (const std::size_t k : by_score(score_data, 3)) {
             first += (first.empty() ? "" : ", ") + name_of(score_data.candidates[k], *score_data.experiment);
         }
-        result.reason = fmt::format("it was stopped during the {}.{}", stage,
-                                    first.empty() ? "" : fmt::format(" Likeliest so far, not fitted: {}.", first));
+        result.reason = first.empty() ? "" : fmt::format("Best so far, not fitted: {}.", first);
     } else {
         result.verdict = Verdict::partial;
     }

@@ -77,7 +77,7 @@ struct UnknownSource {
 struct ModelError {
     std::size_t channel = 0;  ///< index into Problem::channels
     double size = 0.0;        ///< SI, rms beyond the noise
-    double time_scale = 0.0;  ///< s, over which it forgets itself
+    double time_scale = 0.0;  ///< s, its correlation time
 };
 
 /// A free number of the case in the extended model, with the interval that the errors of the model leave.

@@ -107,7 +107,7 @@ Cause describe_cause(const DiagnosisState& found, const FittedHypothesis& one, s
                       : (deviation[j] > 0.0 ? std::abs(one.fit.values[j] - candidate.absent) / deviation[j] : 0.0);
     cause.gain = one.gain;
     if (one.fit.at_bound[static_cast<std::size_t>(j)]) {
-        cause.bound = "at its bound: what lies beyond was not tried";
+        cause.bound = "at a bound; larger or smaller values were not tested";
     } else if (const physics::PlausibleRange* range = physics::plausible_range(*candidate.effect, candidate.parameter);
                range != nullptr && !physics::is_plausible(*range, one.fit.values[j])) {
         cause.implausible = fmt::format("implausible: {:.3g} to {:.3g} is what is known ({}); {}", range->low,
@@ -254,8 +254,7 @@ void report(const DiagnosisState& found, Diagnosis& into) {
             names.emplace_back(found.score_data.candidates[k].effect->id);
         }
         into.remarks.push_back(fmt::format(
-            "{} would fit better, but only at the bound of what is allowed for it, or with a part that hardly "
-            "counts: it is in no verdict",
+            "{} fits better only at a parameter bound or with a negligible component: excluded from the verdict",
             fmt::join(names, " and ")));
     }
     if (found.search) {

@@ -60,7 +60,7 @@ void search_beside_model_error(DiagnosisState& state, const std::vector<RicherMo
 [[nodiscard]] bool unknown_source_predicts(DiagnosisState& state);
 /// Where a search by prediction found no cause: takes heat that no effect is, if data that were left out are predicted better
 /// with it than with the best base.
-void take_heat_without_a_name(DiagnosisState& state);
+void accept_unknown_source(DiagnosisState& state);
 /// Where something is left beside what was found by its likelihood: takes what a search by prediction finds, if that predicts
 /// better; otherwise what was found stays, as the largest part of what is missing.
 void search_for_more(DiagnosisState& state, const std::vector<RicherModel>& richer);

@@ -134,7 +134,7 @@ struct Trial {
     double gain = 0.0;  ///< predicted to first order: share of the mean square that is removed
 };
 
-/// Of the promising candidates those that remove most, fitted; what nobody would believe is put aside.
+/// Of the promising candidates those that remove most, fitted; implausible fits are set aside.
 std::vector<Trial> try_all(ScoreTestData& score_data, const PredictedModel& now, PredictionSearch& search) {
     std::vector<Trial> trials;
     const std::vector<std::size_t> chosen = promising(score_data, now);
@@ -151,7 +151,7 @@ std::vector<Trial> try_all(ScoreTestData& score_data, const PredictedModel& now,
         }
         if (!trial.hypothesis.admissible) {
             const std::string remark = fmt::format(
-                "{} would fit better, but only with {} = {:.3g}, at the end of what is plausible: it is in no verdict",
+                "{} fits better only with {} = {:.3g}, at the end of its plausible range: excluded from the verdict",
                 name_of(candidate, *score_data.experiment), candidate.number().key,
                 trial.hypothesis.fit.values[trial.hypothesis.number_of(trial.hypothesis.candidates.size() - 1)]);
             if (std::ranges::find(search.remarks, remark) == search.remarks.end()) {

@@ -25,7 +25,7 @@ struct Stage {
     std::size_t count = 0;   ///< 0: it is one piece, as long as it takes
 };
 
-/// Told what is being done, and how many runs were simulated so far.
+/// Progress: the stage, and how many runs were simulated so far.
 using Progress = std::function<void(const Stage& stage, long simulations)>;
 
 /// Score tests of a fitted model against measured data: the noise, and the signature of every effect that may be

@@ -74,15 +74,15 @@ std::string advice_on_effect(const input::Experiment& experiment, std::string_vi
         return advice_on_friction(experiment, is_above);
     }
     if (effect == "air_convection" && key != "exponent" && key != "floor") {
-        return is_above ? "heat leaves by a path that the model lacks, and the air takes its place: try "
+        return is_above ? "the air film compensates for a missing heat path: try "
                           "sidewall_convection, inner_gas or resolved_contact, or run diagnose"
-                        : "the model sheds or lacks heat elsewhere, and the air makes up for it: look at road_contact "
+                        : "the air film compensates for another error of the heat balance: look at road_contact "
                           "and at sources that are off, or run diagnose";
     }
     if (effect == "strain_energy_loss" && (key == "tan_delta_a" || key.starts_with("lambda"))) {
-        return is_above ? "heat is missing and the loss takes its place: try cornering_loss, drum_curvature or "
+        return is_above ? "the loss compensates for a missing heat source: try cornering_loss, drum_curvature or "
                           "load_exponent_of_loss, or run diagnose"
-                        : "heat leaves by a path that the model lacks, and the loss makes up for it: try "
+                        : "the loss compensates for a missing heat path: try "
                           "sidewall_convection or inner_gas, or run diagnose";
     }
     return "";
@@ -98,9 +98,8 @@ std::string advice(const input::Experiment& experiment, const FreeParameter& par
                "before the tire rolls, or state the start by the first readings";
     }
     if (parameter.kind == FreeParameter::Kind::input) {
-        return "it may stand in for another number of [vehicle], or for heat that has nothing to do with the car: "
-               "weigh or "
-               "measure it, log wheel loads or slips, or run diagnose";
+        return "it may compensate for another value of [vehicle] or for an error of the tire model: weigh or measure "
+               "it, log wheel loads or slips, or run diagnose";
     }
     if (parameter.kind == FreeParameter::Kind::effect) {
         const physics::ActiveEffect& active = problem.effects[parameter.effect];

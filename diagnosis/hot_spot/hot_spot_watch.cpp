@@ -172,7 +172,7 @@ void HotSpotTracker::add_spread(HotSpots& into) const {
         return;
     }
     for (const std::string& name : base.non_smooth_parameters) {
-        into.notes.push_back(fmt::format("{} stands at a switch: its slope is that of one side.", name));
+        into.notes.push_back(fmt::format("{} is at a kink: its derivative is one-sided.", name));
     }
     // Two runs for each key, one standard deviation to either side.
     const std::size_t n = case_->uncertain.size();

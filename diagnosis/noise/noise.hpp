@@ -12,7 +12,7 @@
 /// Measured against simulated, and what to make of the difference.
 namespace tiretherm::diagnosis {
 
-/// Noise of a channel: a part that forgets itself over a correlation time, a(t) with cov(a(t), a(s)) =
+/// Noise of a channel: a correlated part (AR(1)), a(t) with cov(a(t), a(s)) =
 /// (1 - white_share) sigma^2 exp(-|t - s| / correlation_time) (sampled evenly it is AR(1)), and a part that is new in
 /// every sample, of variance white_share sigma^2.
 struct Noise {

@@ -63,7 +63,7 @@ std::vector<std::string> cautions(const std::string& channel, const std::string&
     if (data_sheet > 0.0 && noise.sigma > far_above_data_sheet * data_sheet) {
         said.push_back(
             fmt::format("{}: the noise of {:.3g} {} is {:.1f} times what the data sheet says ({:.3g} {}): either the "
-                        "sensor is worse than that, or an error of the model is taken for noise",
+                        "sensor is worse than that, or an error of the model is counted as noise",
                         channel, noise.sigma, unit, noise.sigma / data_sheet, data_sheet, unit));
     }
     if (noise.correlation_time <= 0.0) {
@@ -71,10 +71,10 @@ std::vector<std::string> cautions(const std::string& channel, const std::string&
     }
     for (const double time : thermal_times) {
         if (std::abs(std::log(noise.correlation_time / time)) < std::log(alike)) {
-            said.push_back(
-                fmt::format("{}: the noise forgets itself in {}, as fast as the tire does ({}): an error of the model "
-                            "may be taken for noise",
-                            channel, duration(noise.correlation_time), duration(time)));
+            said.push_back(fmt::format(
+                "{}: the noise's correlation time of {} is close to the tire's time constant of {}: an error "
+                "of the model may be counted as noise",
+                channel, duration(noise.correlation_time), duration(time)));
             break;
         }
     }

@@ -232,8 +232,8 @@ void warn_of_unread_signals(TomlTable& root, const ProblemBuilder& builder) {
     }
     if (!read_by_sensors.empty()) {
         root.errors().warn(root.place("drive"),
-                           fmt::format("no heat follows {}: {} alone {} it", listed(read_by_sensors), listed(sensors),
-                                       sensors.size() == 1 ? "reads" : "read"));
+                           fmt::format("no heat effect depends on {}; only {} {} it", listed(read_by_sensors),
+                                       listed(sensors), sensors.size() == 1 ? "uses" : "use"));
     }
     if (!unread.empty()) {
         root.errors().warn(root.place("drive"), fmt::format("no active effect and no sensor uses {}", listed(unread)));

@@ -105,14 +105,14 @@ void check_rivals(TomlTable& table, const ActiveEffect& active) {
     }
 }
 
-/// Watts of a file are taken as they are: what else the effect knows about its heat has no say, but for the share of
+/// Watts of a file are taken as they are: what else the effect knows about its heat is ignored, but for the share of
 /// friction that the tire takes.
 void warn_of_idle_keys(const TomlTable& table, const ActiveEffect& active) {
     const auto warn = [&](std::string_view key) {
         if (table.has(key)) {
             table.errors().warn(table.place(key),
-                                fmt::format("{} has no say where the field gives the watts: use = \"shape\" would "
-                                            "let it scale them",
+                                fmt::format("{} is ignored: the field gives the watts; use = \"shape\" "
+                                            "lets it scale them",
                                             key));
         }
     };

@@ -15,7 +15,7 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr double shortest_between_marks = 0.5;  ///< s; marks that are closer are one crossing, told twice
+constexpr double shortest_between_marks = 0.5;  ///< s; closer marks are duplicates of one crossing
 constexpr std::size_t most_laps = 5000;         ///< a column that changes more often counts something else
 constexpr std::size_t most_listed = 60;
 

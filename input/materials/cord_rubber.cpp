@@ -53,10 +53,9 @@ std::optional<CordCapacity> read_capacity(TomlTable& table, bool is_given_by_mat
     if (is_given_by_material) {
         for (const std::string_view key : {"cord_density", "cord_heat_capacity"}) {
             if (table.has(key)) {
-                table.add_error(
-                    key,
-                    fmt::format("the material gives its density and heat capacity itself: {} counts for nothing", key),
-                    "remove it, or density and heat_capacity of the material");
+                table.add_error(key,
+                                fmt::format("{} is ignored: the material gives its density and heat_capacity", key),
+                                "remove it, or density and heat_capacity of the material");
             }
         }
         return std::nullopt;

@@ -81,7 +81,7 @@ Pattern pattern_of(std::span<const solver::ScheduleStep> steps) {
         return {.refusal = "the speed does not rise from the last step but one to the last"};
     }
     if (std::abs(pattern.last->load - pattern.before->load) > 1e-6 * pattern.last->load) {
-        return {.refusal = "the load changes between the last two steps, so that nobody knows how it would go on"};
+        return {.refusal = "the schedule cannot be continued: the load changes between the last two steps"};
     }
     return pattern;
 }

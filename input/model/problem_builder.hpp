@@ -68,8 +68,8 @@ struct RunInputs {
     [[nodiscard]] bool overrides(std::string_view key, std::string_view signal) const;
 };
 
-/// What a reader has found out about its table. Whoever asks before that reader has run is in the wrong place of
-/// `read_tables`: a programming error.
+/// What a reader has found out about its table. Reading it before it is set is a programming error: the order of
+/// `read_tables` is wrong.
 class Finding {
 public:
     Finding& operator=(bool found) {

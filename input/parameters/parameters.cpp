@@ -94,19 +94,19 @@ void read_prior(TomlTable& table, const ProblemBuilder& builder, const std::vect
         const std::string bounds =
             fmt::format("{} to {}", shown(number.low, number.unit), shown(number.high, number.unit));
         if (number.low >= number.high) {
-            table.add_error(high ? "high" : "low", fmt::format("the bounds are {}: they leave no room", bounds),
+            table.add_error(high ? "high" : "low", fmt::format("the bounds {} are empty", bounds),
                             "let low be smaller than high");
             return;
         }
         const auto report_outside = [&](std::string_view key, std::string_view whose, double value) {
-            table.add_error(
-                key, fmt::format("{}, {}, lies outside of the bounds, {}", whose, shown(value, number.unit), bounds),
-                key == "expected" ? "widen the bounds" : "widen the bounds, or change the case's value");
+            table.add_error(key,
+                            fmt::format("{} {} lies outside the bounds {}", whose, shown(value, number.unit), bounds),
+                            key == "expected" ? "widen the bounds" : "widen the bounds, or change the case's value");
         };
         if (is_below(number.prior, number.low) || is_above(number.prior, number.high)) {
             const std::string_view bound = low && is_below(number.prior, number.low) ? "low" : "high";
             const bool given = table.has("expected");
-            report_outside(given ? "expected" : bound, given ? "what is expected" : "the case's value", number.prior);
+            report_outside(given ? "expected" : bound, given ? "expected" : "the case's value", number.prior);
             return;
         }
         if (is_below(now[i], number.low) || is_above(now[i], number.high)) {
@@ -167,7 +167,8 @@ void add(const TomlTable& table, const ProblemBuilder& builder, const FreeParame
             const std::string where = i < before ? ", at " + table.errors().spell(places[i]) : " in this [[parameter]]";
             if (same(number, other)) {
                 const bool alike = number.name == other.name;
-                refuse(fmt::format("{} is free already{}{}", number.name, alike ? "" : " with " + other.name, where),
+                refuse(fmt::format("{} is already a free parameter{}{}", number.name,
+                                   alike ? "" : " with " + other.name, where),
                        is_law(number) ? "name all temperatures of a law in one [[parameter]]" : "remove one");
                 return;
             }

@@ -30,7 +30,7 @@ enum class Purpose : std::uint8_t {
     point,     ///< every point counts, with a value of its own
     input,     ///< every sample counts
     measured,  ///< an empty field or nan is a missing value, NaN
-    unused     ///< as written; what is no number is NaN
+    unused     ///< raw; cells that are no numbers become NaN
 };
 
 /// Which column of a file to read, and what its values must be.

@@ -111,7 +111,7 @@ private:
         request("cell");
         if (!has("cell")) {
             if (!has("y") && along_meridian_) {
-                errors_->add(top(), "the field says of no point where it is: it has neither y nor cell",
+                errors_->add(top(), "the field has no coordinates: a column y or cell is required",
                              "add y, the arc length along the meridian from the centre plane");
             }
             request("y");

@@ -61,7 +61,7 @@ std::string read_all(int file) {
 std::optional<std::string> in_own_process(const std::function<std::string()>& work, unsigned cpu_seconds) {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0) {
-        return work();  // no process to be had: as well as it goes
+        return work();  // no further process: the work is done in this one
     }
     const pid_t child = fork();
     if (child == 0) {

@@ -231,10 +231,7 @@ std::vector<std::string> verdict_of(const Comparison& comparison) {
     });
     std::vector<std::string> verdict;
     for (std::size_t i = 0; i < std::min(most, channels.size()); ++i) {
-        const ComparedChannel& channel = *channels[i];
-        verdict.push_back(fmt::format("{}: simulated - measured {:+.3g} {} in the mean, {:.3g} {} rms.", channel.name,
-                                      channel.unit.difference(channel.figures.bias), difference_unit(channel),
-                                      channel.unit.difference(channel.figures.rmse), difference_unit(channel)));
+        verdict.push_back(headline(*channels[i]));
     }
     return verdict;
 }

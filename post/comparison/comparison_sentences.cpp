@@ -16,7 +16,13 @@ using namespace diagnosis;  // whose results are rendered here
 
 namespace {
 
-constexpr double plain = 2.0;  ///< standard deviations: 95 %
+constexpr double plain = 2.0;          ///< standard deviations: 95 %
+constexpr double beyond_sensor = 3.0;  ///< times the sensor's standard deviation: no noise of it
+
+/// How much larger the error is than the sensor's noise; 0 where neither is known.
+double times_the_sensor(const ComparedChannel& channel) {
+    return channel.sensor > 0.0 && std::isfinite(channel.figures.rmse) ? channel.figures.rmse / channel.sensor : 0.0;
+}
 
 std::string bias_sentence(const ComparedChannel& channel) {
     const Figures& f = channel.figures;
@@ -25,6 +31,14 @@ std::string bias_sentence(const ComparedChannel& channel) {
         return fmt::format("a single sample, {} {} off", shown_signed(channel, f.bias), unit);
     }
     const std::string deviation = shown(channel, f.bias_deviation);
+    if (std::abs(f.bias) < plain * f.bias_deviation && times_the_sensor(channel) > beyond_sensor) {
+        return fmt::format(
+            "bias {} +- {} {}: an effective sample size of {:.0f} is too small to tell it from zero, but the rms of {} "
+            "{} is "
+            "{:.2g} times the sensor's noise",
+            shown_signed(channel, f.bias), deviation, unit, f.independent, shown(channel, f.rmse), unit,
+            times_the_sensor(channel));
+    }
     if (std::abs(f.bias) < plain * f.bias_deviation) {
         return fmt::format("no significant bias: {} +- {} {} (effective sample size {:.0f})",
                            shown_signed(channel, f.bias), deviation, unit, f.independent);
@@ -105,6 +119,25 @@ std::string shown(const ComparedChannel& channel, double difference) {
 
 std::string shown_signed(const ComparedChannel& channel, double difference) {
     return (difference >= 0.0 ? "+" : "") + shown(channel, difference);
+}
+
+std::string headline(const ComparedChannel& channel) {
+    const Figures& f = channel.figures;
+    const std::string unit = difference_unit(channel);
+    const std::string size =
+        fmt::format("{} +- {} {}", shown(channel, std::abs(f.bias)), shown(channel, f.bias_deviation), unit);
+    const bool is_plain = std::abs(f.bias) >= plain * f.bias_deviation;
+    std::string text =
+        is_plain
+            ? fmt::format("{}: {} too {} in the mean", channel.name, size, too(channel.unit, f.bias > 0.0))
+            : fmt::format("{}: mean difference {}{}, not significant", channel.name, f.bias < 0.0 ? "-" : "+", size);
+    text += fmt::format("; rms {} {}", shown(channel, f.rmse), unit);
+    if (const double times = times_the_sensor(channel); times > 0.0) {
+        text += fmt::format(", {:.2g} times the {} of {} {}", times,
+                            channel.sensor_is_stated ? "sensor's standard deviation" : "noise",
+                            shown(channel, channel.sensor), unit);
+    }
+    return text + ".";
 }
 
 std::string chance_text(double chance) { return chance < 1e-9 ? "< 1e-9" : fmt::format("{:.1g}", chance); }

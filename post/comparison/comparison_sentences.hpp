@@ -19,6 +19,8 @@ namespace tiretherm::post {
 /// "surface_temperature, free rolling: all 4 tires are too hot, by 2.1 to 4.0 K"
 [[nodiscard]] std::string corner_sentence(const diagnosis::ComparedChannel& channel,
                                           const diagnosis::CommonBias& common);
+/// "surface: 0.41 +- 0.06 K too cold in the mean; rms 0.75 K, 1.5 times the sensor's standard deviation of 0.50 K."
+[[nodiscard]] std::string headline(const diagnosis::ComparedChannel& channel);
 /// "4e-06", "0.03", "0.5": a chance to one figure.
 [[nodiscard]] std::string chance_text(double chance);
 

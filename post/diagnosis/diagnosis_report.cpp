@@ -2,6 +2,7 @@
 // A diagnosis as a report: verdict, causes with their sizes, where it shows, limits, gain and noise.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -315,7 +316,7 @@ DataTable model_error(const DiagnosisRecord& record) {
         table.add({{"channel", "channel", channel.name},
                    page_only("unit", shown_name_of_unit(channel)),
                    {"beyond the noise, rms", "size", shown("{:.2g}", unit.difference(error.size))},
-                   {"forgets itself in s", "time_scale", shown("{:.2g}", error.time_scale)}});
+                   {"correlation time [s]", "time_scale", shown("{:.2g}", error.time_scale)}});
     }
     return table;
 }
@@ -377,10 +378,10 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
     DataTable of_error = model_error(record);
     DataTable of_numbers = free_numbers(result);
     Report report{.title = record.experiment.runs.front().problem.title};
-    report.lead = {fmt::format("{}, {} values, {}; {} simulations, {} s", plural(record.experiment.runs.size(), "run"),
+    report.lead = {fmt::format("{}, {} values, {}; {} simulations, {}", plural(record.experiment.runs.size(), "run"),
                                grouped(static_cast<double>(record.observations.measured.size())),
                                plural(record.experiment.parameters.size(), "free parameter"), result.simulations,
-                               to_its_digits(result.seconds, 0.05 * result.seconds)),
+                               seconds_text(result.seconds)),
                    "Differences are simulated - measured."};
     report.data = {{"case", record.case_file.generic_string()},
                    {"verdict", word_of(result.verdict)},
@@ -400,14 +401,13 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
                    {"columns", unused_columns_table(record.experiment).data()},
                    {"runs", run_verdicts_data(record)},
                    {"stopped", text_or_null(result.stopped)}};
-    Section verdict("Verdict", {reason_of(record)});
-    for (std::string& sentence : certainty_of(record)) {
-        verdict.say(std::move(sentence));
+    std::vector<std::string> verdict{reason_of(record)};
+    std::ranges::move(certainty_of(record), std::back_inserter(verdict));
+    if (!result.stopped.empty() && result.verdict != Verdict::cannot_tell) {
+        verdict.push_back(
+            fmt::format("Best answer after {}: stopped during the {}.", seconds_text(result.seconds), result.stopped));
     }
-    if (!result.stopped.empty()) {
-        verdict.say(fmt::format("It was stopped during the {}: this is the best answer so far.", result.stopped));
-    }
-    report.add(std::move(verdict));
+    report.add_verdict(std::move(verdict));
     report.appendix.push_back(citations_section(record.experiment.runs.front().problem));
     report.add(interpretation(record));
     report.add(run_verdicts_section(record));

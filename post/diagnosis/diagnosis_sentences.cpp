@@ -81,7 +81,7 @@ std::string unknown(const Diagnosis& diagnosis, const input::Experiment& experim
                        text_of(source, experiment), source.sigma,
                        source.alike.empty()
                            ? ""
-                           : fmt::format(" These data would have it as well: {}.", fmt::join(source.alike, "; ")));
+                           : fmt::format(" Equally consistent with the data: {}.", fmt::join(source.alike, "; ")));
 }
 
 /// The mesh as a cause has no number.
@@ -118,12 +118,13 @@ std::string partial(const DiagnosisRecord& record) {
         }
         others += (others.empty() ? "" : "; or ") + one;
     }
-    return others.empty() ? text : fmt::format("{} It could as well be: {}.", text, others);
+    return others.empty() ? text : fmt::format("{} Equally consistent with the data: {}.", text, others);
 }
 
 std::string cannot_tell(const Diagnosis& diagnosis) {
     if (!diagnosis.stopped.empty()) {
-        return fmt::format("No answer yet: {}", diagnosis.reason);
+        return fmt::format("No answer after {}: stopped during the {}.{}{}", seconds_text(diagnosis.seconds),
+                           diagnosis.stopped, diagnosis.reason.empty() ? "" : " ", diagnosis.reason);
     }
     if (!diagnosis.reason.empty()) {
         return fmt::format("These data do not allow a diagnosis: {}", diagnosis.reason);
@@ -142,6 +143,8 @@ std::string cannot_tell(const Diagnosis& diagnosis) {
 }
 
 }  // namespace
+
+std::string seconds_text(double seconds) { return to_its_digits(seconds, 0.05 * seconds) + " s"; }
 
 std::string name_of(const Cause& cause) {
     if (cause.id == "mesh") {
@@ -232,31 +235,27 @@ std::vector<std::string> certainty_of(const DiagnosisRecord& record) {
         const ChannelGain* best = nullptr;
         for (const ChannelGain& channel : result.channels) {
             const bool known = channel.heldout_before > 0.0 && channel.heldout_after > 0.0;
-            if (known && (best == nullptr || channel.heldout_before - channel.heldout_after >
-                                                 best->heldout_before - best->heldout_after)) {
+            // By its share: kelvins and pascals have no common scale.
+            const auto left = [](const ChannelGain& one) { return one.heldout_after / one.heldout_before; };
+            if (known && (best == nullptr || left(channel) < left(*best))) {
                 best = &channel;
             }
         }
-        const std::string data = gain.within_run ? "parts of the run" : "runs";
-        std::string text = gain.confirmed ? fmt::format("How sure: it predicts {} that it has not seen better", data)
-                           : gain.removed > 0.0 ? fmt::format(
-                                                      "How sure: not proven; {} that it has not seen are "
-                                                      "predicted a little better",
-                                                      data)
-                                                : fmt::format(
-                                                      "How sure: not at all; {} that it has not seen are "
-                                                      "predicted no better",
-                                                      data);
+        const std::string data = gain.within_run ? "held-out parts of the run" : "held-out runs";
+        std::string text = gain.confirmed ? fmt::format("Confidence: confirmed on {}", data)
+                           : gain.removed > 0.0
+                               ? fmt::format("Confidence: not confirmed; {} are predicted slightly better", data)
+                               : fmt::format("Confidence: none; {} are not predicted better", data);
         if (best != nullptr) {
             const solver::Channel& channel = record.experiment.runs.front().problem.channels[best->channel];
             const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
-            text += fmt::format(" ({} from {:.2g} to {:.2g} {})", channel.name, unit.difference(best->heldout_before),
-                                unit.difference(best->heldout_after),
+            text += fmt::format(" ({}: rms from {:.2g} to {:.2g} {})", channel.name,
+                                unit.difference(best->heldout_before), unit.difference(best->heldout_after),
                                 channel.quantity == solver::Quantity::temperature ? "K" : unit.name);
         }
         text += ".";
         if (const std::string range = driven_range(record); gain.confirmed && !range.empty()) {
-            text += fmt::format(" That is tested with {}, as these data have them, and not beyond.", range);
+            text += fmt::format(" Tested with {}, not beyond.", range);
         }
         said.push_back(text);
     }
@@ -265,13 +264,13 @@ std::vector<std::string> certainty_of(const DiagnosisRecord& record) {
         const solver::Channel& channel = record.experiment.runs.front().problem.channels[most.channel];
         const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
         said.push_back(
-            fmt::format("What is left: {} is still off by {:.2g} {} (rms beyond its noise). The model lacks more than "
-                        "is named here.",
+            fmt::format("Remaining error: {} differs by {:.2g} {} rms beyond its noise. At least one more effect is "
+                        "missing.",
                         channel.name, unit.difference(most.size),
                         channel.quantity == solver::Quantity::temperature ? "K" : unit.name));
     }
     if (!result.next.empty() && result.verdict != Verdict::confounded) {
-        said.push_back(fmt::format("What to measure next: {}.", result.next.front().name));
+        said.push_back(fmt::format("Next measurement: {}.", result.next.front().name));
     }
     return said;
 }

@@ -23,6 +23,8 @@ namespace tiretherm::post {
 [[nodiscard]] solver::ShownUnit unit_of(const diagnosis::UnknownSource& unknown, const input::Experiment& experiment);
 /// "coast-down from 150 km/h, 5 min: from 1.2 to 7 sigma"
 [[nodiscard]] std::string text_of(const diagnosis::NextExperiment& next);
+/// A time of work to two digits: "12 s".
+[[nodiscard]] std::string seconds_text(double seconds);
 /// How sure the verdict is and why, and what to do next: a sentence each.
 [[nodiscard]] std::vector<std::string> certainty_of(const DiagnosisRecord& record);
 /// The verdict as a thermal engineer would say it.

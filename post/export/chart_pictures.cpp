@@ -123,12 +123,12 @@ std::string printed(const fs::path& browser, const ChildResult& done, const Pict
 }
 
 /// The lines of export.js.
-std::vector<std::string> pictures_of(const std::string& document, const PageCharts& page, const std::string& browser) {
+std::vector<ChartPicture> pictures_of(const std::string& document, const PageCharts& page, const std::string& browser) {
     const std::size_t begin = document.find("<pre id=\"pictures\">");
     if (begin == std::string::npos) {
         throw BrowserError(BrowserError::Cause::failed, fmt::format("{} has drawn nothing", browser));
     }
-    std::vector<std::string> pictures(page.charts.size());
+    std::vector<ChartPicture> pictures(page.charts.size());
     std::istringstream lines(document.substr(begin));
     std::string line;
     std::getline(lines, line);
@@ -140,14 +140,13 @@ std::vector<std::string> pictures_of(const std::string& document, const PageChar
         }
         const std::string content = line.substr(static_cast<std::size_t>(blank - line.data()) + 1);
         if (content.starts_with("- ")) {
-            throw BrowserError(
-                BrowserError::Cause::not_drawn,
-                fmt::format("the chart \"{}\" cannot be drawn: {}", page.charts[chart].title, content.substr(2)));
+            pictures[chart].failure = content.substr(2);
+        } else {
+            pictures[chart].png = from_base64(content).value_or("");
         }
-        pictures[chart] = from_base64(content).value_or("");
     }
     for (std::size_t i = 0; i < pictures.size(); ++i) {
-        if (!pictures[i].starts_with("\x89PNG")) {
+        if (pictures[i].failure.empty() && !pictures[i].png.starts_with("\x89PNG")) {
             throw BrowserError(BrowserError::Cause::failed,
                                fmt::format("{} gave no picture of the chart \"{}\"", browser, page.charts[i].title));
         }
@@ -161,8 +160,8 @@ std::optional<fs::path> find_browser() {
     return find_program({"chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome"});
 }
 
-std::vector<std::string> chart_pictures(const fs::path& browser, const PageCharts& page,
-                                        const PictureRequest& request) {
+std::vector<ChartPicture> chart_pictures(const fs::path& browser, const PageCharts& page,
+                                         const PictureRequest& request) {
     const TemporaryFolder folder;
     const fs::path file = folder.path() / "charts.html";
     replace_file(file, drawing_page(page, request));

@@ -31,17 +31,22 @@ public:
         failed,     ///< the browser ended with an error, or without pictures
         timed_out,  ///< it took longer than the limit
         stopped,    ///< the user asked for an end
-        not_drawn,  ///< the data of a chart cannot be drawn
     };
     BrowserError(Cause why, const std::string& sentence) : std::runtime_error(sentence), cause(why) {}
 
     Cause cause;
 };
 
+/// What came of a chart: one of both is empty.
+struct ChartPicture {
+    std::string png;      ///< the bytes of a file
+    std::string failure;  ///< why its data cannot be drawn
+};
+
 /// The charts as they are in the page, each with its title on top, drawn by the scripts of this program: those of the page
-/// are not run, and nothing is fetched from a network.
-/// @returns the bytes of a PNG file for each   @errors BrowserError; FileError where no temporary file can be written
-[[nodiscard]] std::vector<std::string> chart_pictures(const std::filesystem::path& browser, const PageCharts& page,
-                                                      const PictureRequest& request);
+/// are not run, and nothing is fetched from a network. A chart that cannot be drawn costs no other its picture.
+/// @returns [charts]   @errors BrowserError; FileError where no temporary file can be written
+[[nodiscard]] std::vector<ChartPicture> chart_pictures(const std::filesystem::path& browser, const PageCharts& page,
+                                                       const PictureRequest& request);
 
 }  // namespace tiretherm::post

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The files of a fit: the case with the fitted values, samples as a table, a plan as JSON.
+// The files of a fit: the case with the fitted values; samples, parameters and laws as tables; a plan as JSON.
 #include <fmt/format.h>
 
 #include "input/parameters/fitted_case.hpp"
+#include "post/identification/fitted_laws.hpp"
 #include "post/identification/identification_report.hpp"
 #include "post/page/html_page.hpp"
 #include "post/report/csv.hpp"
@@ -65,7 +66,7 @@ std::string toml(const IdentificationRecord& record, const std::filesystem::path
 
 std::vector<std::string> identification_names() {
     std::vector<std::string> names = page_names();
-    names.insert(names.end(), {"identified.toml", "identify.csv"});
+    names.insert(names.end(), {"identified.toml", "identify.csv", "parameters.csv", "laws.csv"});
     return names;
 }
 
@@ -85,9 +86,17 @@ std::vector<std::filesystem::path> write_identification(const IdentificationReco
         replace_file(file, json_text(identification_report(record, {there / "plan.json"}).data));
         return {file};
     }
-    const std::vector<std::filesystem::path> files{directory / "identified.toml", directory / "identify.csv"};
-    replace_file(files[0], toml(record, there));
-    replace_file(files[1], samples_csv(record));
+    std::vector<std::filesystem::path> files;
+    const auto write = [&](const char* name, const std::string& content) {
+        files.push_back(directory / name);
+        replace_file(files.back(), content);
+    };
+    write("identified.toml", toml(record, there));
+    write("identify.csv", samples_csv(record));
+    write("parameters.csv", parameters_csv(record));
+    if (const FittedLaws laws = fitted_laws(record); !laws.laws.empty()) {
+        write("laws.csv", laws_csv(laws));
+    }
     return files;
 }
 

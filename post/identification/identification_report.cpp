@@ -10,6 +10,7 @@
 #include "post/comparison/corner_sections.hpp"
 #include "post/identification/fit_section.hpp"
 #include "post/identification/identifiability_charts.hpp"
+#include "post/identification/identification_headline.hpp"
 #include "post/identification/identification_report.hpp"
 #include "post/identification/law_charts.hpp"
 #include "post/page/observed_series.hpp"
@@ -28,19 +29,6 @@ namespace {
 constexpr double close = 0.9;
 /// Parts of a direction smaller than this are not reported.
 constexpr double small = 0.2;
-
-double half_width(const Fitted& one) { return 0.5 * (one.high - one.low); }
-
-std::string interval(const Fitted& one, bool planned) {
-    if (one.identifiability == Identifiability::not_determined && !one.profiled) {
-        return "-";
-    }
-    if (planned) {
-        return fmt::format("+- {}", to_its_digits(half_width(one), half_width(one)));
-    }
-    return fmt::format("{}{} to {}{}", one.low_is_open ? "< " : "", to_its_digits(one.low, half_width(one)),
-                       one.high_is_open ? "> " : "", to_its_digits(one.high, half_width(one)));
-}
 
 std::string known_before(const solver::FreeParameter& parameter) {
     return std::isfinite(parameter.standard_deviation)
@@ -62,7 +50,7 @@ DataTable parameters(const IdentificationRecord& record) {
              {"case", "case", shown("{:.5g}", one.before)},
              {planned ? "" : "fitted", "value", {one.value, planned ? "" : to_its_digits(one.value, half_width(one))}},
              data_only("standard_deviation", one.standard_deviation),
-             page_only("95 %", right(interval(one, planned))),
+             page_only("95 %", right(interval_text(one, planned))),
              data_only("low", one.low),
              data_only("high", one.high),
              data_only("interval", one.profiled ? "profile" : "wald"),
@@ -176,21 +164,6 @@ Section correlations(const IdentificationRecord& record) {
     return {"Pairs that the data hardly tell apart (correlation)", std::move(table)};
 }
 
-/// How many of the numbers the data determine, and which they do not.
-std::string verdict_of(const IdentificationRecord& record) {
-    const std::vector<Fitted>& fitted = record.result.fitted;
-    const auto determined = std::ranges::count(fitted, Identifiability::determined, &Fitted::identifiability);
-    std::string others;
-    for (std::size_t j = 0; j < fitted.size(); ++j) {
-        if (fitted[j].identifiability != Identifiability::determined) {
-            others += fmt::format("{}{} ({})", others.empty() ? "" : ", ", record.experiment.parameters[j].name,
-                                  word_of(fitted[j].identifiability));
-        }
-    }
-    return fmt::format("{} of {} {} determined by the data{}", determined, plural(fitted.size(), "parameter"),
-                       determined == 1 ? "is" : "are", others.empty() ? "." : "; the others: " + others + ".");
-}
-
 }  // namespace
 
 std::string describe(const Direction& direction, const input::Experiment& experiment, const Eigen::VectorXd& values) {
@@ -258,7 +231,7 @@ Report identification_report(const IdentificationRecord& record, const std::vect
                    {"misfit", result.misfit},
                    {"freedom", result.freedom},
                    {"non_smooth_parameters", result.non_smooth_parameters}};
-    report.verdict = {verdict_of(record)};
+    report.verdict = identification_headline(record);
     report.appendix.push_back(citations_section(record.experiment.runs.front().problem));
     report.add(numbers(record, std::move(of_parameters)));
     if (!record.planned) {

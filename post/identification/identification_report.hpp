@@ -31,8 +31,8 @@ struct IdentificationRecord {
 [[nodiscard]] std::vector<std::string> identification_names();
 /// The same of a plan.
 [[nodiscard]] std::vector<std::string> plan_names();
-/// identified.toml: the case with the fitted values, which runs as it is. identify.csv: a row for each sample. Of a plan
-/// plan.json. @param home where they will stand, if elsewhere: paths in them lead from there
+/// identified.toml: the case with the fitted values, which runs as it is. identify.csv: a row for each sample. parameters.csv: a
+/// row for each parameter. laws.csv, where a law was fitted: a row for each temperature. Of a plan plan.json. @param home where they will stand, if elsewhere: paths in them lead from there
 /// @errors FileError  @returns their paths
 [[nodiscard]] std::vector<std::filesystem::path> write_identification(const IdentificationRecord& record,
                                                                       const std::filesystem::path& directory,

@@ -6,9 +6,8 @@
 
 namespace tiretherm::post {
 
-/// k(T) and c(T) of the materials that a fit has changed: the case's, the fitted one, and its 95 % band to first order (from the
-/// intervals of the numbers and their correlation), over the temperatures that were measured. Where a number has no interval there is
-/// no band.
+/// k(T) and c(T) of the materials that a fit has changed: the case's, the fitted one, and its 95 % band, of fitted_laws. Where a
+/// parameter has no interval there is no band.
 [[nodiscard]] Section law_charts(const IdentificationRecord& record);
 
 }  // namespace tiretherm::post

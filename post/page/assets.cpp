@@ -18,7 +18,8 @@
 #define TIRETHERM_FILE(file) ".incbin \"" TIRETHERM_ASSETS "/" file "\"\n"
 
 TIRETHERM_ASSET(style, TIRETHERM_FILE("report.css"));
-TIRETHERM_ASSET(script, TIRETHERM_FILE("parts.js") TIRETHERM_FILE("maps_and_bars.js") TIRETHERM_FILE("report.js"));
+TIRETHERM_ASSET(script, TIRETHERM_FILE("parts.js") TIRETHERM_FILE("maps_and_bars.js") TIRETHERM_FILE("fields.js")
+                            TIRETHERM_FILE("report.js"));
 TIRETHERM_ASSET(export_script, TIRETHERM_FILE("export.js"));
 TIRETHERM_ASSET(charting_library, TIRETHERM_FILE("echarts.min.js"));
 

@@ -58,9 +58,36 @@ std::string anchor(std::string_view heading) {
     return name;
 }
 
+/// A name of a table may be broken behind its underscores, where a screen is narrow.
+std::string cell_html(std::string_view cell) {
+    std::string text = html(cell);
+    replace_all(text, "_", "_<wbr>");
+    return text;
+}
+
+/// For each column its class: numbers stand to the right, long texts need some width where they are broken into lines.
+std::vector<const char*> classes_of(const DataTable& table, const PageColumns& columns) {
+    constexpr std::size_t is_long = 24;  // letters
+    std::vector<const char*> classes;
+    for (const bool right : columns.to_right) {
+        classes.push_back(right ? " class=\"right\"" : "");
+    }
+    for (const DataTable::Row& row : table.rows()) {
+        std::size_t column = 0;
+        for (const Field& field : row) {
+            column += field.on_page ? 1 : 0;
+            if (field.on_page && !columns.to_right[column - 1] && columns_of(field.cell.text) > is_long) {
+                classes[column - 1] = " class=\"long\"";
+            }
+        }
+    }
+    return classes;
+}
+
 std::string table_html(const DataTable& table) {
     const PageColumns columns = page_columns(table);
-    const auto side = [&](std::size_t column) { return columns.to_right[column] ? " class=\"right\"" : ""; };
+    const std::vector<const char*> classes = classes_of(table, columns);
+    const auto side = [&](std::size_t column) { return classes[column]; };
     std::string text = "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"table\"><table>\n";
     if (std::ranges::any_of(columns.headings, [](const std::string& heading) { return !heading.empty(); })) {
         text += "<thead><tr>";
@@ -76,7 +103,8 @@ std::string table_html(const DataTable& table) {
         std::size_t column = 0;
         for (const Field& field : row) {
             if (field.on_page) {
-                text += fmt::format("<td{}>{}</td>", side(column++), html(field.cell.text));
+                text += fmt::format("<td{}>{}</td>", side(column), cell_html(field.cell.text));
+                ++column;
             }
         }
         text += "</tr>\n";
@@ -172,7 +200,9 @@ std::string html_page(const Report& report, const PageOrigin& origin) {
         sections += blocks_html(section.blocks(), 3) + "</section>\n";
     };
     for (const Section& section : report.sections) {  // the appendix says the same at greater length
-        if (std::ranges::find(report.appendix, section.heading(), &Section::heading) == report.appendix.end()) {
+        const bool is_at_the_head = section.heading() == verdict_heading && !report.verdict.empty();
+        if (!is_at_the_head &&
+            std::ranges::find(report.appendix, section.heading(), &Section::heading) == report.appendix.end()) {
             add(section);
         }
     }

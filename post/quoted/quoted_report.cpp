@@ -312,7 +312,7 @@ Report quoted_report(const QuotedRecord& record, const std::vector<std::filesyst
                    {"noise", Value::List{}},
                    {"decidable", decidable},
                    {"all", analysis_data(result, result.all)}};
-    report.add(Section("Verdict", sentences));
+    report.add_verdict(sentences);
     report.add(quoted_charts(record));
     report.add(attempt_section("What each addition removes: decidable numbers", result.decidable));
     report.add(attempt_section("What each addition removes: all numbers", result.all));

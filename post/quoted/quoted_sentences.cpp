@@ -102,7 +102,7 @@ std::string fitting_text(const Analysis& analysis) {
             "numbers; {} comes nearest and leaves {:.1f} u.",
             value_text(best->addition, best->fit, 0), best->rms_fitted);
     }
-    return fmt::format("Fitted to all of them, {} would agree with these numbers: {}. That is a fit, no proof.",
+    return fmt::format("Fitted to all of them, {} would agree with these numbers: {}. This is a fit, not evidence.",
                        names.size() == 1 ? "one addition" : fmt::format("each of {} additions", names.size()),
                        fmt::join(names, "; "));
 }
@@ -120,7 +120,7 @@ void say(std::vector<std::string>& all, const QuotedRecord& record, const Analys
             return;
         case QuotedVerdict::cannot_tell:
             if (analysis.off.empty()) {
-                all.push_back("These are too few to say anything.");
+                all.push_back("Too few values for a conclusion.");
             } else {
                 all.push_back(fmt::format(
                     "Only {} {} off by more than 2 u. An explanation that is fitted there could not be tested on "
@@ -194,7 +194,8 @@ std::vector<std::string> quoted_sentences(const QuotedRecord& record) {
     if (result.next) {
         const NextMeasurement& next = *result.next;
         all.push_back(fmt::format(
-            "What would settle it: {} at the end of {}. {} makes it {:.1f} degC, {} {:.1f} degC: {:.1f} times the "
+            "Discriminating measurement: {} at the end of {}. {} makes it {:.1f} degC, {} {:.1f} degC: {:.1f} times "
+            "the "
             "{:.1f} "
             "K that a sensor can be trusted to.{}",
             next.channel, next.run, next.one, next.value_of_one, next.other, next.value_of_other,

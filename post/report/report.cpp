@@ -190,6 +190,11 @@ void Report::add(std::string heading, std::string key, const std::vector<std::st
     add(Section(std::move(heading), sentences));
 }
 
+void Report::add_verdict(std::vector<std::string> sentences) {
+    add(Section(verdict_heading, sentences));
+    verdict = std::move(sentences);
+}
+
 void Report::add(const std::vector<std::filesystem::path>& files) {
     Section section("Files");
     Value::List outputs;
@@ -218,6 +223,11 @@ std::string page_text(const Report& report, bool bold, const PageWidth& width) {
     std::string text = strong(one_line(report.title));
     for (const std::string& line : report.lead) {
         text += one_line(line) + "\n";
+    }
+    if (std::ranges::find(report.sections, verdict_heading, &Section::heading) == report.sections.end()) {
+        for (const std::string& line : report.verdict) {
+            text += wrap(one_line(line), 0, width.prose);
+        }
     }
     for (const Section& section : report.sections) {
         if (!section.has_text()) {

@@ -134,15 +134,19 @@ struct Report {
     std::vector<std::string> lead = {};  ///< lines below the title
     std::vector<Section> sections = {};  ///< those with nothing in them are left out
     Value data = {};
-    std::vector<std::string> verdict = {};  ///< of the page as HTML, below its title: what came out, a sentence each
+    std::vector<std::string> verdict = {};  ///< below the title: the answer with its doubt, a sentence each
     std::vector<Section> appendix = {};     ///< of the page as HTML, at its end
 
     void add(Section section) { sections.push_back(std::move(section)); }
     /// Sentences, on the page and under a key of the data.
     void add(std::string heading, std::string key, const std::vector<std::string>& sentences);
+    /// The answer at the head of the page as HTML; of the page as text it is the first section.
+    void add_verdict(std::vector<std::string> sentences);
     /// Files that were written: the last section, and "outputs" of the data.
     void add(const std::vector<std::filesystem::path>& files);
 };
+
+inline constexpr const char* verdict_heading = "Verdict";
 
 /// "1 run", "3 runs"
 [[nodiscard]] std::string plural(std::size_t n, std::string_view thing);

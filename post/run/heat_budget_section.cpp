@@ -52,9 +52,8 @@ std::string shares_of_sliding(const RunRecord& run) {
             continue;
         }
         if (road == "road_contact") {
-            text += charm || active[number] >= 1.0
-                        ? "; road_contact is what the road takes by its coefficient"
-                        : "; road_contact takes heat to the road once more, by its coefficient";
+            text += charm || active[number] >= 1.0 ? "; road_contact removes heat by its film coefficient"
+                                                   : "; road_contact additionally removes heat by its film coefficient";
         } else {
             text += fmt::format("; {} is what the road takes out of the tread in the contact, heat of sliding included",
                                 road);

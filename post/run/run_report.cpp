@@ -147,8 +147,8 @@ std::string missed_between_rows(const RunRecord& run) {
     }
     return most == 0.0 ? ""
                        : fmt::format(
-                             "Between the rows of output, every {:.4g} s, {} goes up to {:.1f} K further than "
-                             "in them: charts and files do not show it. A smaller `output` under [time] does.",
+                             "The output interval of {:.4g} s misses peaks of {} by up to {:.1f} K: charts and files "
+                             "do not show them. A smaller `output` under [time] does.",
                              run.problem.settings.output_interval, run.problem.channels[where].name, most);
 }
 
@@ -202,8 +202,8 @@ void add_results(Report& page, const RunRecord& run) {
     if (is_meaningless(run.report)) {
         Section nothing("Results");
         nothing.say(
-            fmt::format("none that mean anything: temperatures went to {:.3g} degC, beyond all that the laws "
-                        "of a tire hold for. What the rows have up to there is in channels.csv and results.h5. "
+            fmt::format("No valid results: temperatures reached {:.3g} degC, beyond the range of all laws of a tire. "
+                        "What the rows have up to there is in channels.csv and results.h5. "
                         "Look for a power, a film or a time in the wrong unit",
                         solver::celsius(run.report.hottest.temperature)));
         page.sections.push_back(std::move(nothing));
@@ -232,7 +232,26 @@ void add_results(Report& page, const RunRecord& run) {
     }
 }
 
-/// The hottest place of the run, and of each hot spot whether and when it passes its critical temperature.
+/// "Simulated - measured: spot +6.2 K, liner within the range." Empty where nothing was measured.
+std::string measured_sentence(const RunRecord& run) {
+    constexpr std::size_t most = 4;
+    std::vector<std::string> parts;
+    for (const Comparison& c : compare(run.problem, run.history)) {
+        const solver::Channel& channel = run.problem.channels[c.channel];
+        const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
+        const char* name = channel.quantity == solver::Quantity::temperature ? "K" : unit.name;
+        parts.push_back(c.difference == 0.0 && c.low < c.high
+                            ? channel.name + " within the range"
+                            : fmt::format("{} {:+.3g} {}", channel.name, unit.difference(c.difference), name));
+    }
+    const std::size_t left_out = parts.size() - std::min(parts.size(), most);
+    parts.resize(parts.size() - left_out);
+    return parts.empty() ? ""
+                         : fmt::format("Simulated - measured: {}{}.", fmt::join(parts, ", "),
+                                       left_out > 0 ? fmt::format(", {} more below", left_out) : "");
+}
+
+/// The hottest place of the run, of each hot spot whether and when it passes its critical temperature, and what was measured.
 std::vector<std::string> verdict_of(const RunRecord& run) {
     std::vector<std::string> verdict;
     const solver::Report::Extreme& hottest = run.report.hottest;
@@ -244,17 +263,20 @@ std::vector<std::string> verdict_of(const RunRecord& run) {
     std::string where = place.layer + (place.zone.empty() ? "" : ", " + place.zone);
     std::ranges::replace(where, '_', ' ');
     verdict.push_back(fmt::format(
-        "Hottest: {:.1f} °C in {}{}.", solver::celsius(hottest.temperature), where,
+        "Hottest: {:.1f} degC in {}{}.", solver::celsius(hottest.temperature), where,
         run.problem.settings.steady ? "" : fmt::format(", after {:.4g} {}", hottest.time / unit.seconds, unit.name)));
     for (const diagnosis::HotSpot& spot :
          run.hot_spots != nullptr ? run.hot_spots->spots : std::vector<diagnosis::HotSpot>{}) {
         const solver::Critical& critical = spot.history.critical();
         const double level = solver::celsius(critical.temperature);
         const double peak = spot.history.temperature()[spot.history.hottest_row()];
-        verdict.push_back(spot.passing ? fmt::format("{} passes its critical {:.5g} °C {}.", critical.name, level,
+        verdict.push_back(spot.passing ? fmt::format("{} passes its critical {:.5g} degC {}.", critical.name, level,
                                                      moment_text(*spot.passing))
-                                       : fmt::format("{} stays {:.1f} K below its critical {:.5g} °C.", critical.name,
+                                       : fmt::format("{} stays {:.1f} K below its critical {:.5g} degC.", critical.name,
                                                      critical.temperature - peak, level));
+    }
+    if (std::string measured = measured_sentence(run); !measured.empty()) {
+        verdict.push_back(std::move(measured));
     }
     return verdict;
 }

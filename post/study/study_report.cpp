@@ -21,11 +21,15 @@ namespace {
 constexpr std::size_t most_columns = 9;
 constexpr std::size_t most_failures = 10;
 
-/// All that differs between runs: a run's own values.
+/// All that differs between runs: a run's own values; what was drawn with four digits.
 std::string values_text(const StudyRecord& study, std::size_t run) {
     std::string text;
     for (const StudyColumn& column : study.columns) {
-        text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", column.key, column.texts[run]);
+        const bool is_drawn = column.is_drawn && column.is_number;
+        text += fmt::format(
+            "{}{} = {}", text.empty() ? "" : ", ", column.key,
+            is_drawn ? fmt::format("{:.4g}{}{}", column.numbers[run], column.unit.empty() ? "" : " ", column.unit)
+                     : column.texts[run]);
     }
     return text;
 }
@@ -178,9 +182,7 @@ Report study_report(const StudyRecord& study, const StudyCall& call) {
                     std::move(of_points)));
     }
     report.add(drivers_section(study));
-    for (const PageItem& block : extremes.blocks()) {
-        report.verdict.push_back(block.text);
-    }
+    report.verdict = study_headline(study);
     report.add(std::move(extremes));
     report.add("Warnings", "warnings", study.warnings);
     report.add(std::move(failures));

@@ -17,6 +17,8 @@ constexpr std::size_t most_rows = 24;  ///< of a table on a study's page
 [[nodiscard]] std::string median_text(const std::vector<double>& hottest);
 /// A row for each point of the grid: of a curve, or what its samples give.
 [[nodiscard]] DataTable study_points(const diagnosis::StudyRecord& study);
+/// The answer of a study: how many samples pass the critical temperature and how they spread, or from where to where a grid goes.
+[[nodiscard]] std::vector<std::string> study_headline(const diagnosis::StudyRecord& study);
 /// The linear regression at each point of the grid, where a page holds them.
 [[nodiscard]] Section drivers_section(const diagnosis::StudyRecord& study);
 

@@ -329,7 +329,7 @@ Report validation_report(const ValidationRecord& record, bool with_inputs,
     Report report{.title = record.title};
     report.data = {{"title", record.title}, {"numbers", of_numbers.data()}, {"summary", std::move(summary)},
                    {"runs", record.runs},   {"seconds", record.seconds},    {"energy_closure", record.energy_closure}};
-    report.add(Section("Verdict", validation_verdict(record)));
+    report.add_verdict(validation_verdict(record));
     report.add(validation_charts(record));
     report.add(Section("Numbers", std::move(of_numbers)));
     Section of_models("Model against experiment", figure_table(record));

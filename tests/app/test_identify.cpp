@@ -74,7 +74,7 @@ std::string log_with(const std::string& last_heading) {
            last_heading + "\n0,0,0,0,0,20,20,20\n10,50,4000,0,0,20,20,20\n";
 }
 
-TEST(Identify, EndsWithAPageAndTwoFiles) {
+TEST(Identify, EndsWithAPageAndItsFiles) {
     const Fits fits;
     const Call fit = fits.identify(bench);
     EXPECT_EQ(fit.exit_code, 0);
@@ -87,7 +87,7 @@ TEST(Identify, EndsWithAPageAndTwoFiles) {
     for (const char* section : {"\nParameters\n", "\nFit\n", "\nFiles\n"}) {
         EXPECT_NE(fit.out.find(section), std::string::npos) << section << fit.out;
     }
-    for (const char* name : {"identified.toml", "identify.csv"}) {
+    for (const char* name : {"identified.toml", "identify.csv", "parameters.csv"}) {
         EXPECT_GT(std::filesystem::file_size(fits.written.folder() / "out" / name), 100u);
         EXPECT_NE(fit.out.find(name), std::string::npos);
     }
@@ -106,7 +106,7 @@ TEST(Identify, FindsTheNumbersOfTheBenchAgain) {
     EXPECT_EQ(json["runs"].size(), 3u);
     ASSERT_EQ(json["parameters"].size(), 8u);
     ASSERT_EQ(json["channels"].size(), 2u);
-    EXPECT_EQ(json["outputs"].size(), 4u);
+    EXPECT_EQ(json["outputs"].size(), 5u);
     const Json& film = number(json, "air_convection.lambda_h");
     EXPECT_TRUE(holds(film, 1.05)) << film;
     EXPECT_EQ(film["identifiability"], "determined");

@@ -135,4 +135,32 @@ TEST(Report, DrawsEveryChartAtTheWidthAskedFor) {
     EXPECT_TRUE(std::filesystem::exists(scratch / "o/charts/temperature-field.png"));
 }
 
+// A kind of chart that no version has: it is named, and each of the others gets its picture.
+TEST(Report, AChartThatCannotBeDrawnIsNamedAndTheOthersAreDrawn) {
+    if (!post::find_browser()) {
+        GTEST_SKIP() << "Chromium is not installed";
+    }
+    const sample::Scratch scratch;
+    make_page(scratch);
+    std::string page = post::read_text(scratch / "o/report.html");
+    const std::string bars = "{\"kind\":\"bars\"";
+    ASSERT_NE(page.find(bars), std::string::npos);
+    page.replace(page.find(bars), bars.size(), "{\"kind\":\"pies\"");
+    post::replace_file(scratch / "o/report.html", page);
+    const Call drawn = call("report o --png --json --time-limit 300", scratch.path());
+    EXPECT_EQ(drawn.exit_code, 1) << drawn.err;
+    const Json json = Json::parse(drawn.out);
+    std::size_t failed = 0;
+    for (const Json& chart : json["charts"]) {
+        failed += chart.contains("error") ? 1U : 0U;
+        EXPECT_NE(chart.contains("error"), chart.contains("file")) << chart;
+        EXPECT_TRUE(chart.contains("error") || std::filesystem::exists(scratch / chart["file"].get<std::string>()));
+    }
+    EXPECT_EQ(failed, 1U);
+    EXPECT_TRUE(json["error"].get<std::string>().starts_with("no picture of \"Heat at the end\": ")) << drawn.out;
+    const Call said = call("report o --png --time-limit 300", scratch.path());
+    EXPECT_NE(said.err.find("no picture of \"Heat at the end\""), std::string::npos) << said.err;
+    EXPECT_NE(said.out.find("sensors-against-time.png"), std::string::npos) << said.out;
+}
+
 }  // namespace tiretherm::app_test

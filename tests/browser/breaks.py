@@ -3,6 +3,7 @@
 from accessible import wider_than_its_window, wrong_for_some_readers
 from driven import wrong_legend, wrong_slider, wrong_tab_order, wrong_tooltip, wrong_zoom
 from held import wrong_charts
+from laid_out import wrong_layout, wrong_legends
 from printed import wrong_on_paper
 
 
@@ -20,6 +21,19 @@ def readers(browser, _):
 
 def wide(browser, _):
     return wider_than_its_window(browser)
+
+
+def layout(browser, _):
+    return wrong_layout(browser)
+
+
+def narrow(browser, _):
+    browser.show(390, 844, "light")
+    return wrong_layout(browser)
+
+
+def legends(browser, _):
+    return wrong_legends(browser)
 
 
 def paper(browser, _):
@@ -40,6 +54,10 @@ BREAKS = [  # page, what stands there, what is put in its place, the check that 
     ("compare", "figure:focus-visible { outline:", "figure:focus-visible { outline: none; outline-x:", wrong_tab_order, "not seen"),
     ("compare", "<main>", '<main><p style="min-width: 2000px">wide</p>', wide, "wider"),
     ("compare", "break-inside: avoid", "break-inside: auto; padding-bottom: 30cm", paper, "sheets"),
+    ("compare", "option.grid.push({ left, right", "option.grid.push({ left: left + 9 * i, right", layout, "below one another"),
+    ("compare", "max-width: 34vw", "min-width: 100vw", narrow, "shows no number"),
+    ("run of a section", "{ orient: \"horizontal\", top: 2,", "{ show: false, orient: \"horizontal\", top: 2,", narrow, "no scale"),
+    ("run with hot spots", "!!chart.picks && !alone", "!!chart.picks", legends, "no legend"),
     ("run of a section", "showMoment(chart, data.hottest)", "showMoment(chart, 0)", wrong_slider, "hottest moment"),
     ("run of a section", "chart.frame = frame;", "", wrong_slider, "field"),
 ]

@@ -29,15 +29,15 @@
     }
     const look = window.tiretherm.looks["dark" in document.body.dataset ? "dark" : "light"];
     const family = getComputedStyle(document.body).fontFamily;
-    const { option, height: tall } = window.tiretherm.made(chart, look, layout);
+    const { option, height: tall } = window.tiretherm.made(chart, look, layout, true);
     let height = tall;
     if ((option.dataZoom || []).some((zoom) => zoom.type === "slider")) {
       delete option.dataZoom;
       height -= slider;
     }
     if (option.visualMap) {  // handles are for a hand; they have the ends of the scale
-      const { min, max, formatter } = option.visualMap;
-      Object.assign(option.visualMap, { calculable: false, text: [formatter(max), formatter(min)] });
+      const { min, max, formatter, text } = option.visualMap;
+      Object.assign(option.visualMap, { calculable: false, text: text || [formatter(max), formatter(min)] });
     }
     option.series.forEach((series) => { series.progressive = 0; });  // all at once, not over several frames
     const place = document.body.appendChild(document.createElement("div"));

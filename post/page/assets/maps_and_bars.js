@@ -4,7 +4,7 @@
 //   cells: rectangles with a colour for their value, over numbers or words
 const mapsAndBars = (function () {
   "use strict";
-  const { number, named, plain, inferno, signed } = chartParts;
+  const { number, named, plain, inferno, signed, widthOf } = chartParts;
 
   // A level as a line across the bars; its name stands above.
   function levelsOf(data, look) {
@@ -39,7 +39,8 @@ const mapsAndBars = (function () {
     return { height, option: {
       grid: { left: 10, right: 64, top, bottom: 46, containLabel: true },
       legend: { show: names.length > 0, top: 2, data: names, textStyle: { color: look.ink } },
-      xAxis: { type: "value", name: named(data.x), nameLocation: "middle", nameGap: 28, nameTextStyle: { color: look.ink },
+      // Beyond the longest bar there is room for its number.
+      xAxis: { type: "value", boundaryGap: [items.some((item) => item.value < 0) ? "9%" : 0, "9%"], name: named(data.x), nameLocation: "middle", nameGap: 28, nameTextStyle: { color: look.ink },
         axisLabel: { color: look.ink, hideOverlap: true, formatter: number }, splitLine: { lineStyle: { color: look.line } } },
       yAxis: { type: "category", data: items.map((item) => item.name), axisTick: { show: false },
         axisLabel: { color: look.ink, width: longest, overflow: small ? "break" : "truncate", interval: 0 } },
@@ -58,6 +59,9 @@ const mapsAndBars = (function () {
     ...(axis.words ? { interval: 1, axisTick: { show: false }, axisLabel: { show: false } }
       : { axisLabel: { color: look.ink, hideOverlap: true, formatter: number } }), ...extra });
 
+  // Words stand upright where two lines have room for them, without a break inside a name.
+  const areTurned = (words, step) => words.some((word) => widthOf(word) > 2 * step - 24 || word.split(" ").some((part) => widthOf(part) > step - 6));
+
   // The words of an axis, each in the middle of its step. ECharts has no axis of numbers with words between the marks.
   function wordsOf(data, look, side, room) {
     const words = data[side].words || [], along = side === "x";
@@ -65,19 +69,19 @@ const mapsAndBars = (function () {
       renderItem: (params, api) => {
         const i = params.dataIndex, area = params.coordSys, at = api.coord(along ? [i + 0.5, 0] : [0, i + 0.5]);
         const step = along ? area.width / words.length : area.height / words.length;
-        const turned = along && words.some((word) => 6.6 * word.length > 2 * step);
+        const turned = along && areTurned(words, step);
         return { type: "text", x: along ? at[0] : area.x - 8, y: along ? area.y + area.height + 8 : at[1], rotation: turned ? 0.7 : 0,
-          style: { text: words[i], fill: look.ink, fontSize: 12, align: along && !turned ? "center" : "right", verticalAlign: along ? "top" : "middle",
+          style: { text: words[i], fill: look.ink, fontSize: 12, lineHeight: 15, align: along && !turned ? "center" : "right", verticalAlign: along ? "top" : "middle",
             width: along && !turned ? step - 6 : room, overflow: along && !turned ? "break" : "truncate" } };
       } };
   }
 
   function cells(data, look, width) {
-    const small = width < 560, words = (axis) => (axis.words || []).reduce((most, word) => Math.max(most, 6.8 * word.length), 0);
-    const room = { x: Math.min(words(data.x), 130), y: Math.min(words(data.y), small ? 110 : 260) };
+    const small = width < 560, words = (axis) => (axis.words || []).reduce((most, word) => Math.max(most, widthOf(word) + 4), 0);
+    const room = { x: Math.min(words(data.x), small ? 130 : 210), y: Math.min(words(data.y), small ? 110 : 260) };
     const left = data.y.words ? 14 + room.y + (data.y.name ? 22 : 0) : 66, right = small ? 18 : 118;
     const inner = Math.max(width - left - right, 80);
-    const turned = data.x.words && data.x.words.some((word) => 6.6 * word.length > 2 * inner / data.x.words.length);
+    const turned = data.x.words && areTurned(data.x.words, inner / data.x.words.length);
     const foot = data.x.words ? 34 + (turned ? 0.65 * room.x + 8 : 28) : 52, top = small ? 46 : 14;
     const rows = data.y.words ? data.y.words.length : 12;
     const tall = Math.min(Math.max(rows * 30, 90), data.y.words ? 620 : 400);

@@ -17,12 +17,16 @@ const chartParts = (function () {
   const channels = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
   const mixed = (a, b, share) => `#${channels(a).map((c, i) => Math.round(c + share * (channels(b)[i] - c)).toString(16).padStart(2, "0")).join("")}`;
 
-  // The look of the curve in place i of a chart: from the ninth on other shades, and other lines that tell them apart.
-  function curve(i, look) {
+  // The look of the curve in place i of a chart: from the ninth on other shades, and other lines that tell them apart, unless
+  // the chart itself says something by broken lines.
+  function curve(i, look, onlySolid) {
     const n = look.curves.length, round = Math.floor(i / n) % 4, base = look.curves[i % n];
     return { colour: round === 0 ? base : round === 2 ? mixed(base, look.curves[(i + 1) % n], 0.5) : mixed(base, look.ink, round === 1 ? 0.4 : 0.65),
-      dash: ["solid", [9, 3, 2, 3], [2, 2], [12, 3, 2, 3, 2, 3]][round] };
+      dash: onlySolid ? "solid" : ["solid", [9, 3, 2, 3], [2, 2], [12, 3, 2, 3, 2, 3]][round] };
   }
+
+  const rolesOf = (data) => new Set((data.panels || []).flatMap((panel) => panel.series.map((s) => s.role)));
+  const hasBroken = (data) => ["dashed", "dotted"].some((role) => rolesOf(data).has(role));
 
   const groupsOf = (data) => [...new Set((data.panels || []).flatMap((panel) => panel.series.map((s) => s.group || s.name)))];
 
@@ -49,9 +53,33 @@ const chartParts = (function () {
     });
   }
 
+  const context = document.createElement("canvas").getContext("2d");
+  // Of a text in a chart, px.
+  function widthOf(text, size = 12) {
+    context.font = `${size}px ${getComputedStyle(document.body).fontFamily}`;
+    return context.measureText(text).width;
+  }
+
+  // Lowest and highest number of a panel: of its curves and of its levels.
+  function rangeOf(panel) {
+    let low = Infinity, high = -Infinity;
+    const take = (v) => { if (Number.isFinite(v)) { low = Math.min(low, v); high = Math.max(high, v); } };
+    panel.series.forEach((s) => s.points.forEach((p) => p.slice(1).forEach(take)));
+    (panel.levels || []).forEach((level) => take(level.value));
+    return low <= high ? [low, high] : [0, 1];
+  }
+
+  // The widest number beside the panels of a chart, about.
+  function widestNumber(data) {
+    return Math.max(0, ...(data.panels || []).flatMap((panel) => {
+      const [low, high] = rangeOf(panel), decimals = Math.max(0, -Math.floor(Math.log10(Math.max((high - low) / 5, 1e-6))));
+      return [low, high].map((v) => widthOf(Math.abs(v) >= 1e5 ? number(v) : v.toFixed(Math.min(decimals, 6))));
+    }));
+  }
+
   const number = (v) => (v === null || v === undefined || Number.isNaN(v) ? "-"
     : Math.abs(v) >= 1e5 || (v !== 0 && Math.abs(v) < 1e-3) ? v.toExponential(3) : String(+v.toPrecision(5)));
   const named = (axis) => (axis.unit ? `${axis.name} (${axis.unit})` : axis.name);
   const plain = (text) => String(text).replace(/[<&]/g, "");
-  return { light, dark, inferno, signed, curve, assign, number, named, plain };
+  return { light, dark, inferno, signed, curve, hasBroken, assign, number, named, plain, widthOf, rangeOf, widestNumber };
 })();

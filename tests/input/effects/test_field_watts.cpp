@@ -28,7 +28,7 @@ TEST(FieldOfWatts, SilencesTheScalesAndSwitchesOfFriction) {
     const std::string keys = "lambda_x = 0.5\nlambda_y = 1.2\nlongitudinal = \"off\"\npartition = 0.5\n";
     const std::string report = warnings(friction_watts + keys, contact);
     for (const std::string key : {"lambda_x", "lambda_y", "longitudinal"}) {
-        EXPECT_NE(report.find(key + " has no say where the field gives the watts"), std::string::npos) << report;
+        EXPECT_NE(report.find(key + " is ignored: the field gives the watts"), std::string::npos) << report;
     }
     // The tire's share of the watts is not in the file, and the law scales a shape.
     EXPECT_EQ(report.find("partition has"), std::string::npos) << report;

@@ -79,7 +79,7 @@ TEST(TireRanges, InputsThatOnlySensorsReadAreTold) {
         "false\n[effects.road_contact]\non = false\n";
     const Reading said = read_tire(inner + "[drive]\ninflation_pressure = \"230 kPa\"\n" + sensor);
     ASSERT_EQ(said.warnings.size(), 2U) << render(said);
-    expect_in(render(said), "no heat follows inflation_pressure: pressure alone reads it");
+    expect_in(render(said), "no heat effect depends on inflation_pressure; only pressure uses it");
     expect_in(render(said), "no active effect and no sensor uses road_temperature");
 }
 

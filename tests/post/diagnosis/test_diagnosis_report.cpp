@@ -109,7 +109,7 @@ TEST(DiagnosisReport, AnUnknownSourceHasPlaceSignalAndWatts) {
     MadeUp made_up = sample::unknown();
     EXPECT_EQ(reason_of(made_up.record()),
               "Something is missing that no effect of the catalogue is: heat at surface that follows throttle: 310 W "
-              "where that is largest (250 to 370); 12.0 standard deviations. These data would have it as well: bulk, "
+              "where that is largest (250 to 370); 12.0 standard deviations. Equally consistent with the data: bulk, "
               "throttle.");
     const Json said = json(made_up)["unknown"];
     EXPECT_EQ(said["place"], "surface");
@@ -169,6 +169,26 @@ TEST(DiagnosisReport, CannotTellSaysWhyAndWhatHelps) {
     made_up.result.reason = "the run lasts 20 s; a run of some minutes would help.";
     EXPECT_EQ(reason_of(made_up.record()),
               "These data do not allow a diagnosis: the run lasts 20 s; a run of some minutes would help.");
+}
+
+// The gauge gains a tenth, 10 of 100 kPa; the surface gains half, 0.5 of 1 K: a share is the same in every unit.
+TEST(DiagnosisReport, TheChannelThatGainsTheLargestShareIsNamed) {
+    MadeUp made_up = sample::named();
+    made_up.result.channels[0].heldout_before = 1e5;
+    made_up.result.channels[0].heldout_after = 0.9e5;
+    made_up.result.channels[1].heldout_before = 1.0;
+    made_up.result.channels[1].heldout_after = 0.5;
+    EXPECT_TRUE(has(on_one_line(page(made_up)), "bulk_temperature: rms from 1 to 0.5 K)")) << page(made_up);
+}
+
+TEST(DiagnosisReport, AStoppedDiagnosisSaysAfterHowLongAndWhatIsBest) {
+    MadeUp made_up = sample::cannot_tell();
+    made_up.result.stopped = "search of causes";
+    made_up.result.reason = "Best so far, not fitted: inner_gas, sensor_lag.";
+    made_up.result.seconds = 1500.0;
+    EXPECT_EQ(reason_of(made_up.record()),
+              "No answer after 1500 s: stopped during the search of causes. Best so far, not fitted: inner_gas, "
+              "sensor_lag.");
 }
 
 // The base model is 0.5 K too cold everywhere, the extended one right; a mean of equal values has no uncertainty.

@@ -176,6 +176,30 @@ TEST(StudyHdf5, EqualStudiesAreEqualFiles) {
     EXPECT_EQ(read_text(scratch / "a.h5"), read_text(scratch / "b.h5"));
 }
 
+// 2 of 20 pass 58 degC; Wilson's interval is 0.0279 to 0.3010. The median of 41 to 60 in steps of 1 is 50.5.
+TEST(StudyText, TheHeadlineIsTheAnswerWithItsDoubt) {
+    const Report report = study_report(samples(), made);
+    ASSERT_EQ(report.verdict.size(), 1u);
+    EXPECT_TRUE(
+        report.verdict[0].starts_with("10 % of 20 samples pass 58 degC (2.8 to 30 %); median 50.5, nine tenths 4"))
+        << report.verdict[0];
+    EXPECT_EQ(
+        study_report(grid(), made).verdict,
+        (std::vector<std::string>{
+            "Hottest temperature: 51.0 degC at drive.speed = 50 km/h, drive.vertical_load = 1 kN, to 62.0 degC at "
+            "drive.speed = 60 km/h, drive.vertical_load = 2 kN; 0 of 5 runs pass 62 degC.",
+            "1 of 6 runs failed and is not counted."}));
+}
+
+// What was drawn has as many digits as the computer has; four of them are read.
+TEST(StudyText, DrawnNumbersAreShownWithFourDigits) {
+    StudyRecord study = samples();
+    study.columns[0].numbers[19] = 1.94444444;
+    study.columns[0].texts[19] = "1.94444444";
+    const std::string text = page_text(study_report(study, made), false);
+    EXPECT_NE(text.find("run 20: effects.air_convection.lambda_h = 1.944\n"), std::string::npos) << text;
+}
+
 TEST(StudyText, ShowsTheGridAndWhatFailed) {
     const std::string text = page_text(study_report(grid(), made), false);
     EXPECT_NE(text.find("  50  51.0  52.0    53.0\n  60  61.0  62.0  failed\n"), std::string::npos) << text;
