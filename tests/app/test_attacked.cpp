@@ -255,7 +255,7 @@ TEST(Attacked, PageOfARunThatFailedInNonsenseShowsNone) {
                                                "follows = \"1e300\"\n");
     const Call run = call("run a.toml --out o", scratch.path());
     EXPECT_EQ(run.exit_code, 2);
-    EXPECT_TRUE(has(run.out, "none that mean anything: temperatures went to")) << run.out;
+    EXPECT_TRUE(has(run.out, "No valid results: temperatures reached")) << run.out;
     EXPECT_FALSE(has(run.out, "Heat budget"));
     EXPECT_FALSE(has(run.out, "nan"));
     std::istringstream lines(run.out + run.err);

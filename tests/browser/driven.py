@@ -20,7 +20,7 @@ chart.plot.scrollIntoView({block: "center"});
 const box = chart.plot.getBoundingClientRect(), rect = chart.echart.getModel().getComponent("grid").coordinateSystem.getRect();
 return [box.left + rect.x + rect.width / 2, box.top + rect.y + rect.height / 2];"""
 PLACE = """const [index, at] = arguments, chart = tiretherm.charts[index];
-chart.plot.scrollIntoView({block: "center"});
+chart.plot.scrollIntoView({block: "start"});
 const box = chart.plot.getBoundingClientRect();
 const [x, y] = chart.echart.convertToPixel({xAxisIndex: 0, yAxisIndex: 0}, at);
 return [box.left + x, box.top + y];"""
@@ -188,7 +188,9 @@ def wrong_tooltip(browser, page):
         curve = data["panels"][0]["series"][0]
         inside = [p for p in curve["points"] if None not in p and data["x"]["min"] < p[0] < data["x"]["max"]]
         if inside and curve["role"] in ("line", "dashed", "points"):
-            point = inside[len(inside) // 2]
+            # Of some in the middle that which is nearest to a whole pixel, as the mouse is: there no other sample is nearer.
+            middle = inside[len(inside) // 2:][:40]
+            point = min(middle, key=lambda p: abs((x := browser.run(PLACE, index, p)[0]) - round(x)))
             check(index, point, point[1], 1e-4 * abs(point[1]), curve["name"])  # five digits
     for index, data in of_kind(page, "field")[:1]:
         mark = browser.run(PIXEL, index, data["marks"][data["hottest"]][:2])

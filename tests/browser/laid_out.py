@@ -8,7 +8,8 @@ PANELS = """return tiretherm.charts.filter((chart) => chart.data.kind === "lines
   chart.echart.getModel().queryComponents({mainType: "grid"}).map((grid) => grid.coordinateSystem.getRect()).map((r) => [r.x, r.width]))"""
 # Of each table with numbers: whether its first number and its first name are seen together.
 NUMBERS = """return [...document.querySelectorAll(".scroll")].flatMap((box) => {
-  const cell = box.querySelector("tbody td.right"), name = box.querySelector("tbody td");
+  const row = box.querySelector("tbody td.right") && box.querySelector("tbody tr"), name = row && row.cells[0];
+  const cell = row && [...row.cells].slice(1).find((one) => /\\d/.test(one.textContent));
   const right = (e) => e.getBoundingClientRect().right;
   return !cell || right(cell) <= right(box) + 1 ? [] : [name.textContent];
 })"""
