@@ -34,11 +34,16 @@ struct Sampled {
 
 Sampled sampled(const InputSignals& inputs, const std::vector<double>& time, double physics::Inputs::*member,
                 double share) {
+    const auto series =
+        std::ranges::find_if(inputs.series(), [&](const Series& s) { return s.signal->member == member; });
     Sampled of;
+    of.value.reserve(time.size());
+    of.sum.reserve(time.size() + 1);
     of.sum.push_back(0.0);
     double largest = 0.0;
     for (const double t : time) {
-        of.value.push_back(inputs.at(t, JumpSide::after).*member);
+        of.value.push_back(series == inputs.series().end() ? inputs.constants().*member
+                                                           : series->at(t, JumpSide::after));
         of.sum.push_back(of.sum.back() + of.value.back());
         largest = std::max(largest, std::abs(of.value.back()));
     }
@@ -46,15 +51,20 @@ Sampled sampled(const InputSignals& inputs, const std::vector<double>& time, dou
     return of;
 }
 
-/// How far a stretch that begins at a sample stays about its own mean. Of two samples that scatter to either side the second is
-/// twice as far from the first: as long as the mean is one of few, that much is allowed. @returns one behind its last sample
-std::size_t end_of_stretch(const Sampled& of, std::size_t from) {
+/// How far a stretch that begins at a sample stays about its own means. Of two samples that scatter to either side the second is
+/// twice as far from the first: as long as the mean is one of few, that much is allowed.
+/// @param looked_at counts the samples  @returns one behind its last sample
+std::size_t end_of_stretch(const Sampled& speed, const Sampled& load, std::size_t from, std::size_t& looked_at) {
     constexpr std::size_t few = 10;
-    const auto allowed = [&](std::size_t to) { return to - from < few ? 2.0 * of.scatter : of.scatter; };
+    const auto stays = [&](const Sampled& of, std::size_t to) {
+        const double allowed = to - from < few ? 2.0 * of.scatter : of.scatter;
+        return std::abs(of.value[to] - of.mean(from, to)) <= allowed;
+    };
     std::size_t to = from + 1;
-    while (to < of.value.size() && std::abs(of.value[to] - of.mean(from, to)) <= allowed(to)) {
+    while (to < speed.value.size() && stays(speed, to) && stays(load, to)) {
         ++to;
     }
+    looked_at += to - from;
     return to;
 }
 
@@ -88,7 +98,8 @@ std::vector<ScheduleStep> with_ramps(const std::vector<ScheduleStep>& found, con
 
 }  // namespace
 
-std::vector<ScheduleStep> recognised_steps(const InputSignals& input_signals, double start, double end) {
+std::vector<ScheduleStep> recognised_steps(const InputSignals& input_signals, double start, double end,
+                                           std::size_t* looked_at) {
     std::vector<double> time{start};
     std::ranges::copy_if(input_signals.samples(), std::back_inserter(time),
                          [&](double t) { return t > start && t < end; });
@@ -97,12 +108,25 @@ std::vector<ScheduleStep> recognised_steps(const InputSignals& input_signals, do
     const Sampled load = sampled(input_signals, time, &physics::Inputs::vertical_load, load_scatter);
     std::vector<ScheduleStep> found;
     double covered = 0.0;
+    std::size_t looks = 0;
+    std::size_t to = 0;
+    const auto stands = [&](std::size_t from) {
+        to = end_of_stretch(speed, load, from, looks);
+        return time[to - 1] - time[from] >= shortest && !speed.drifts(from, to) && !load.drifts(from, to);
+    };
+    std::size_t none = 0;  // no step begins at this sample or before
     for (std::size_t from = 0; from + 1 < time.size();) {
-        const std::size_t to = std::min(end_of_stretch(speed, from), end_of_stretch(load, from));
-        if (time[to - 1] - time[from] < shortest || speed.drifts(from, to) || load.drifts(from, to)) {
-            ++from;
+        if (!stands(from)) {
+            // By a share of what was looked at, so that all of it is looked at a few times only.
+            none = from;
+            from += std::max<std::size_t>(1, (to - from) / 16);
             continue;
         }
+        while (from - none > 1) {
+            const std::size_t middle = none + (from - none) / 2;
+            (stands(middle) ? from : none) = middle;
+        }
+        to = end_of_stretch(speed, load, from, looks);
         const ScheduleStep step{.from = time[from],
                                 .to = time[to - 1],
                                 .speed = speed.mean(from, to),
@@ -119,7 +143,10 @@ std::vector<ScheduleStep> recognised_steps(const InputSignals& input_signals, do
         } else {
             found.push_back(step);
         }
-        from = to;
+        from = none = to;
+    }
+    if (looked_at != nullptr) {
+        *looked_at = looks;
     }
     if (covered < least_share * (end - start) || found.size() > most_schedule_steps) {
         return {};

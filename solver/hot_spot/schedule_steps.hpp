@@ -32,8 +32,10 @@ inline constexpr std::size_t most_schedule_steps = 100;
 
 /// Steps in logged speed and load: stretches of two minutes or more within 1.5 % of the largest speed and 3 % of the largest load
 /// of their mean, without a drift of half as much. What lies between them are ramps. Neighbours alike are one step.
+/// @param looked_at out, if not null: how many samples were compared with the mean of those before; a few times as many as there are
 /// @returns empty where the steps cover less than three quarters of the time: a drive, no test
-[[nodiscard]] std::vector<ScheduleStep> recognised_steps(const InputSignals& input_signals, double start, double end);
+[[nodiscard]] std::vector<ScheduleStep> recognised_steps(const InputSignals& input_signals, double start, double end,
+                                                         std::size_t* looked_at = nullptr);
 
 /// The same inputs, each at its mean over a step, for the steady state of that step. @pre step.duration() > 0
 [[nodiscard]] InputSignals held_at_means(const InputSignals& input_signals, const ScheduleStep& step);

@@ -119,6 +119,49 @@ TEST(ScheduleSteps, ASlowRiseIsNoTestInSteps) {
     EXPECT_TRUE(schedule_steps(input_signals, 0.0, 1200.0).empty());
 }
 
+// At 10 Hz over two hours and twice as long: the speed goes up and down while the load stands, and it rises slowly, so that a stretch
+// about a mean lasts for long and then drifts. Each sample is compared with a mean at most a few times: a stretch that is no step is
+// left by a sixteenth of it, so that it is looked at 16 times, and once more for the step itself.
+TEST(ScheduleSteps, LookingForThemTakesAsLongAsTheLogIs) {
+    for (const std::size_t n : {std::size_t{72'000}, std::size_t{144'000}}) {
+        for (const bool rises : {true, false}) {
+            std::vector<double> time;
+            std::vector<double> speed;
+            for (std::size_t i = 0; i < n; ++i) {
+                time.push_back(0.1 * static_cast<double>(i));
+                speed.push_back(rises ? 30.0 + 30.0 * static_cast<double>(i) / static_cast<double>(n)
+                                      : 30.0 + 10.0 * std::sin(time.back()));
+            }
+            InputSignals input_signals;
+            input_signals.add(series("speed", time, speed, true));
+            input_signals.add(series("vertical_load", {0.0, time.back()}, {4000.0, 4000.0}, true));
+            std::size_t looked_at = 0;
+            EXPECT_TRUE(recognised_steps(input_signals, 0.0, time.back(), &looked_at).empty());
+            EXPECT_LE(looked_at, 18U * n);
+        }
+    }
+}
+
+// 10 min at 40 m/s and 10 min at 45 m/s, at 50 Hz, with 60 s from one to the other: the second begins where the ramp has come within
+// 2 x 1.5 % of 45 m/s, 1.35 m/s, which is 16.2 s before its end, or later: the mean of the first samples is not yet that of the step.
+// On the ramp 0.675 m/s are 8.1 s: what begins 8.1 s or more before its end leaves its mean.
+TEST(ScheduleSteps, ADenseLogHasThemWhereTheyAre) {
+    std::vector<double> time;
+    std::vector<double> speed;
+    for (int i = 0; i <= 63'000; ++i) {
+        const double t = 0.02 * i;
+        time.push_back(t);
+        speed.push_back(t <= 600.0 ? 40.0 : t < 660.0 ? 40.0 + 5.0 * (t - 600.0) / 60.0 : 45.0);
+    }
+    InputSignals input_signals;
+    input_signals.add(series("speed", time, speed, true));
+    const std::vector<ScheduleStep> steps = schedule_steps(input_signals, 0.0, 1260.0);
+    ASSERT_EQ(steps.size(), 3U);
+    EXPECT_NEAR(steps[0].to, 608.1, 0.1);
+    EXPECT_NEAR(steps[2].from, 660.0 - 8.1, 8.1);
+    EXPECT_NEAR(steps[2].speed, 45.0, 0.03);
+}
+
 TEST(ScheduleSteps, ADriveHasNone) {
     InputSignals input_signals;
     input_signals.add(series("speed", {0, 10, 20}, {30, 31, 30}, true));
