@@ -27,12 +27,10 @@ constexpr std::array rails{-999.0, -273.15, -273.1, -50.0, -40.0, 0.0,    100.0,
 
 /// Stretches at the highest or the lowest value that are no stay there: a noisy signal is cut off, or one without noise goes
 /// straight to a round number and stays.
-std::vector<Stretch> at_the_rail(const Recording& recording, const RecordedColumn& column, double rail) {
-    const std::vector<Stretch> all = stretches(column.value);
+/// @param all of the column's stretches
+std::vector<Stretch> at_the_rail(const Recording& recording, const RecordedColumn& column,
+                                 const std::vector<Stretch>& all, double rail) {
     std::vector<Stretch> found;
-    if (column.is_input || all.size() < 2 || column.high() - column.low() <= coarse * column.resolution()) {
-        return found;
-    }
     const double written = column.conversion.from_si(rail);
     const bool round = std::ranges::any_of(rails, [&](double known) { return std::abs(written - known) < 1e-6; });
     const bool noise = has_noise(
@@ -59,15 +57,35 @@ std::vector<Stretch> at_the_rail(const Recording& recording, const RecordedColum
 }  // namespace
 
 std::vector<Stretch> clipped_stretches(const Recording& recording, const RecordedColumn& column) {
-    const auto [low, high] = std::ranges::minmax(column.value);
-    std::vector<Stretch> found = at_the_rail(recording, column, low);
-    std::ranges::move(at_the_rail(recording, column, high), std::back_inserter(found));
+    const double low = column.least();
+    const double high = column.most();
+    if (column.is_input || low == high || column.high() - column.low() <= coarse * column.resolution()) {
+        return {};
+    }
+    const std::vector<Stretch> all = stretches(column.value);
+    std::vector<Stretch> found = at_the_rail(recording, column, all, low);
+    std::ranges::move(at_the_rail(recording, column, all, high), std::back_inserter(found));
     std::ranges::sort(found, {}, &Stretch::first);
     return found;
 }
 
+namespace {
+
+/// Whether a column has one value from one sample to another, and others before and after.
+bool stands_alike(const RecordedColumn& column, double from, double to) {
+    const auto first = std::ranges::lower_bound(column.time, from) - column.time.begin();
+    const auto last = std::ranges::lower_bound(column.time, to) - column.time.begin();
+    const auto begin = column.value.begin();
+    const auto n = std::ssize(column.value);
+    return first < n && last < n && column.time[static_cast<std::size_t>(first)] == from &&
+           column.time[static_cast<std::size_t>(last)] == to &&
+           std::all_of(begin + first, begin + last, [&](double value) { return value == begin[last]; });
+}
+
+}  // namespace
+
 std::vector<Stretch> stuck_together(const Recording& recording, const RecordedColumn& column,
-                                    std::vector<std::string>& sensors) {
+                                    std::vector<std::string>* sensors) {
     std::vector<Stretch> found;
     const std::vector<Stretch> all = stretches(column.value);
     for (const std::size_t s : too_long(recording, column, all)) {
@@ -75,27 +93,32 @@ std::vector<Stretch> stuck_together(const Recording& recording, const RecordedCo
         const double to = column.time[all[s].first + all[s].length - 1];
         std::vector<std::string> same{column.name};
         for (const RecordedColumn& other : recording.columns) {
-            if (other.is_input || other.value.empty() || other.name == column.name) {
+            if (other.is_input || other.name == column.name || !stands_alike(other, from, to)) {
                 continue;
             }
             const std::vector<Stretch> theirs = stretches(other.value);
-            for (const std::size_t t : too_long(recording, other, theirs)) {
-                if (other.time[theirs[t].first] == from && other.time[theirs[t].first + theirs[t].length - 1] == to) {
-                    same.push_back(other.name);
+            const std::vector<std::size_t> long_ones = too_long(recording, other, theirs);
+            if (std::ranges::any_of(long_ones, [&](std::size_t t) { return other.time[theirs[t].first] == from; })) {
+                same.push_back(other.name);
+                if (sensors == nullptr) {
+                    break;  // one will do
                 }
             }
         }
         if (!column.is_input && same.size() > 1) {
             found.push_back(all[s]);
-            sensors = same;
+            if (sensors != nullptr) {
+                *sensors = same;
+            }
         }
     }
     return found;
 }
 
 std::string find_dead(const Recording& recording, const RecordedColumn& column) {
-    const auto [low, high] = std::ranges::minmax(column.value);
-    const auto is_either = [low = low, high = high](double value) { return value == low || value == high; };
+    const double low = column.least();
+    const double high = column.most();
+    const auto is_either = [&](double value) { return value == low || value == high; };
     const std::size_t n = column.value.size();
     if (column.is_input || n < stuck_samples || low == high || !column.is_temperature() ||
         !std::ranges::all_of(column.value, is_either) || reversals(column.value, {n, 0}) == 0.0) {
@@ -104,11 +127,10 @@ std::string find_dead(const Recording& recording, const RecordedColumn& column) 
     const auto third = static_cast<std::ptrdiff_t>(n / 3);
     const auto first = static_cast<double>(std::count(column.value.begin(), column.value.begin() + third, high));
     const auto last = static_cast<double>(std::count(column.value.end() - third, column.value.end(), high));
-    const bool others_move =
-        std::ranges::any_of(recording.columns, [&, low = low, high = high](const RecordedColumn& other) {
-            return !other.is_input && other.is_temperature() && !other.value.empty() &&
-                   other.high() - other.low() > moves_more * (high - low);
-        });
+    const bool others_move = std::ranges::any_of(recording.columns, [&](const RecordedColumn& other) {
+        return !other.is_input && other.is_temperature() && !other.value.empty() &&
+               other.high() - other.low() > moves_more * (high - low);
+    });
     if (std::abs(first - last) > alike * static_cast<double>(third) || !others_move) {
         return {};
     }
@@ -130,20 +152,21 @@ std::string find_clipped(const Recording& recording, const RecordedColumn& colum
     }
     const Stretch& first = found.front();
     const double rail = column.value[first.first];
-    const auto [low, high] = std::ranges::minmax(column.value);
+    const double high = column.most();
     const double entry = first.first > 0 ? std::abs(rail - column.value[first.first - 1]) : 0.0;
     return fmt::format("stands at its {} value, {}, for {} samples in {}, first from {:.6g} s to {:.6g} s: {}?{}",
                        rail == high ? "highest" : "lowest", column.show(rail), samples,
                        found.size() == 1 ? std::string("one stretch") : fmt::format("{} stretches", found.size()),
                        column.time[first.first], column.time[first.first + first.length - 1],
-                       entry > dropped * (high - low) ? "was it disconnected" : "is it clipped", left_out(recording));
+                       entry > dropped * (high - column.least()) ? "was it disconnected" : "is it clipped",
+                       left_out(recording));
 }
 
 std::string find_stuck_together(const Recording& recording) {
     for (const RecordedColumn& column : recording.columns) {
         std::vector<std::string> sensors;
         const std::vector<Stretch> found =
-            column.value.empty() ? std::vector<Stretch>{} : stuck_together(recording, column, sensors);
+            column.value.empty() ? std::vector<Stretch>{} : stuck_together(recording, column, &sensors);
         if (!found.empty()) {
             return fmt::format("{} stand still together, from {:.6g} s to {:.6g} s: did the logger stop?{}",
                                fmt::join(sensors, ", "), column.time[found.back().first],

@@ -3,6 +3,7 @@
 // deviations.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -36,12 +37,14 @@ double median(std::vector<double> values) {
 /// How far each sample lies from the median of those about it.
 std::vector<double> off_median(const std::vector<double>& value) {
     std::vector<double> off(value.size());
+    std::array<double, 2 * half_window + 1> about{};
     for (std::size_t i = 0; i < value.size(); ++i) {
         const std::size_t first = i < half_window ? 0 : i - half_window;
-        const std::size_t last = std::min(value.size(), i + half_window + 1);
-        const auto begin = value.begin();
-        off[i] =
-            value[i] - median({begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last)});
+        const std::size_t n = std::min(value.size(), i + half_window + 1) - first;
+        std::copy_n(value.begin() + static_cast<std::ptrdiff_t>(first), n, about.begin());
+        const auto middle = about.begin() + static_cast<std::ptrdiff_t>(n / 2);
+        std::nth_element(about.begin(), middle, about.begin() + static_cast<std::ptrdiff_t>(n));
+        off[i] = value[i] - *middle;
     }
     return off;
 }

@@ -48,13 +48,22 @@ struct Grid {
     double share = 0.0;
     std::size_t first = 0;
 };
-Grid best_grid(const std::vector<double>& weight, std::size_t ratio) {
+/// @param all the sum of the weights  @param least share; a ratio is given up as soon as too much lies off its grids
+Grid best_grid(const std::vector<double>& weight, double all, std::size_t ratio, double least) {
+    constexpr std::size_t turns = 64;  // between two looks at what lies off
     std::vector<double> sums(ratio, 0.0);
-    for (std::size_t i = 0; i < weight.size(); ++i) {
-        sums[i % ratio] += weight[i];
+    double seen = 0.0;
+    for (std::size_t begin = 0; begin < weight.size() && all > 0.0; begin += ratio) {
+        const std::size_t n = std::min(ratio, weight.size() - begin);
+        for (std::size_t i = 0; i < n; ++i) {
+            sums[i] += weight[begin + i];
+            seen += weight[begin + i];
+        }
+        if (begin % (turns * ratio) == 0 && seen - std::ranges::max(sums) > 1.001 * (1.0 - least) * all) {
+            return {};
+        }
     }
     const auto most = std::ranges::max_element(sums);
-    const double all = std::accumulate(sums.begin(), sums.end(), 0.0);
     return {all > 0.0 ? *most / all : 0.0, static_cast<std::size_t>(most - sums.begin())};
 }
 
@@ -70,7 +79,7 @@ Resampling held_resampling(const RecordedColumn& column) {
         changes += value[i] != value[i - 1] ? 1 : 0;
     }
     for (std::size_t ratio = most_ratio(value.size()); ratio > 1; --ratio) {
-        const Grid grid = best_grid(changed, ratio);
+        const Grid grid = best_grid(changed, static_cast<double>(changes), ratio, on_grid);
         const double of_grid =
             static_cast<double>(changes) * static_cast<double>(ratio) / static_cast<double>(value.size());
         if (changes >= least_knots && grid.share > on_grid && of_grid > least_share_of_changes) {
@@ -115,9 +124,10 @@ Resampling linear_resampling(const RecordedColumn& column) {
         const double bend = value[i - 1] - 2.0 * value[i] + value[i + 1];
         square[i] = bend * bend;
     }
+    const double all = std::accumulate(square.begin(), square.end(), 0.0);
     const double slack = std::max(rounding * quantum_of(column), 1e-6 * (column.high() - column.low()));
     for (std::size_t ratio = most_ratio(value.size()); ratio > 1; --ratio) {
-        const Grid grid = best_grid(square, ratio);
+        const Grid grid = best_grid(square, all, ratio, of_the_knots);
         if (grid.share < of_the_knots) {
             continue;
         }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace tiretherm::input {
 
@@ -17,18 +18,17 @@ constexpr double noisy = 0.2;         ///< reversals a sample; a ramp has none, 
 
 /// The length of the stretch in which the middle sample lies when they are sorted by length, some left out.
 std::size_t typical_length(const std::vector<Stretch>& all, const std::function<bool(std::size_t)>& without) {
-    std::vector<std::size_t> lengths;
+    std::map<std::size_t, std::size_t> in_length;  // samples in stretches of a length
     std::size_t samples = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (!without(i)) {
-            lengths.push_back(all[i].length);
+            in_length[all[i].length] += all[i].length;
             samples += all[i].length;
         }
     }
-    std::sort(lengths.begin(), lengths.end());
     std::size_t counted = 0;
-    for (const std::size_t length : lengths) {
-        counted += length;
+    for (const auto& [length, of_length] : in_length) {
+        counted += of_length;
         if (2 * counted >= samples) {
             return length;
         }
@@ -39,7 +39,12 @@ std::size_t typical_length(const std::vector<Stretch>& all, const std::function<
 }  // namespace
 
 std::vector<Stretch> stretches(const std::vector<double>& value) {
+    std::size_t n = 1;
+    for (std::size_t i = 1; i < value.size(); ++i) {
+        n += value[i] != value[i - 1] ? 1 : 0;
+    }
     std::vector<Stretch> found;
+    found.reserve(n);
     for (std::size_t i = 0; i < value.size(); ++i) {
         if (i > 0 && value[i] == value[i - 1]) {
             ++found.back().length;
@@ -122,12 +127,11 @@ bool is_eventful(const Recording& recording, double from, double to) {
         }
         const auto first = std::ranges::lower_bound(column.time, from) - column.time.begin();
         const auto last = std::ranges::upper_bound(column.time, to) - column.time.begin();
-        const auto [low, high] = std::ranges::minmax(column.value);
         if (first >= last) {
             return false;
         }
         const auto [least, most] = std::minmax_element(column.value.begin() + first, column.value.begin() + last);
-        return *most - *least > eventful * (high - low);
+        return *most - *least > eventful * (column.most() - column.least());
     });
 }
 

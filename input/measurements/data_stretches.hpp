@@ -38,9 +38,10 @@ constexpr double coarse = 3.0;             ///< steps of the logger; a signal th
 /// straight to a round number and stays.
 [[nodiscard]] std::vector<Stretch> clipped_stretches(const Recording& recording, const RecordedColumn& column);
 
-/// Stretches of a sensor in which others stand still as well, from the same sample to the same. @param sensors out: names
+/// Stretches of a sensor in which others stand still as well, from the same sample to the same.
+/// @param sensors out, if not null: the names of all that stand still in the last of them
 [[nodiscard]] std::vector<Stretch> stuck_together(const Recording& recording, const RecordedColumn& column,
-                                                  std::vector<std::string>& sensors);
+                                                  std::vector<std::string>* sensors);
 
 /// Whether an input changes by a tenth of its range or more between two times: a sensor may jump with it.
 [[nodiscard]] bool is_eventful(const Recording& recording, double from, double to);

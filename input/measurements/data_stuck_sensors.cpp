@@ -18,9 +18,8 @@ namespace {
 /// Whether anything else in the recording moves: the tire rolls, or another sensor changes.
 bool anything_happens(const Recording& recording, const RecordedColumn& but) {
     return std::ranges::any_of(recording.columns, [&](const RecordedColumn& other) {
-        const bool changes = std::ranges::adjacent_find(other.value, std::ranges::not_equal_to{}) != other.value.end();
         return other.name != but.name && !other.value.empty() &&
-               (changes || (other.name == "speed" && std::abs(other.value.front()) > 0.1));
+               (other.most() > other.least() || (other.name == "speed" && std::abs(other.value.front()) > 0.1));
     });
 }
 
@@ -56,8 +55,7 @@ bool lies_in(const std::vector<Stretch>& those, const Stretch& one) {
 }  // namespace
 
 std::string find_frozen(const Recording& recording, const RecordedColumn& column) {
-    const bool constant = std::ranges::adjacent_find(column.value, std::ranges::not_equal_to{}) == column.value.end();
-    if (column.value.empty() || column.is_input || !constant || column.value.size() < stuck_samples ||
+    if (column.is_input || column.value.size() < stuck_samples || column.most() > column.least() ||
         !anything_happens(recording, column)) {
         return {};
     }
@@ -68,8 +66,8 @@ std::string find_frozen(const Recording& recording, const RecordedColumn& column
 }
 
 std::string find_stuck(const Recording& recording, const RecordedColumn& column) {
-    const std::vector<Stretch> all = stretches(column.value);
     const std::vector<Stretch> clipped = clipped_stretches(recording, column);
+    const std::vector<Stretch> all = stretches(column.value);
     std::vector<std::size_t> found = too_long(recording, column, all);
     std::erase_if(found, [&](std::size_t s) { return lies_in(clipped, all[s]); });
     if (found.empty()) {
@@ -88,10 +86,9 @@ std::string find_stuck(const Recording& recording, const RecordedColumn& column)
 }
 
 std::vector<Stretch> unusable_stretches(const Recording& recording, const RecordedColumn& column) {
-    const std::vector<Stretch> all = stretches(column.value);
     std::vector<Stretch> found = clipped_stretches(recording, column);
-    std::vector<std::string> sensors;
-    std::ranges::move(stuck_together(recording, column, sensors), std::back_inserter(found));
+    std::ranges::move(stuck_together(recording, column, nullptr), std::back_inserter(found));
+    const std::vector<Stretch> all = stretches(column.value);
     for (const std::size_t s : too_long(recording, column, all)) {
         if (is_surely_stuck(recording, column, all, s)) {
             found.push_back(all[s]);

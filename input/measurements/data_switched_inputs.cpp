@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include <fmt/format.h>
@@ -13,12 +14,12 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr std::size_t least_changes = 6;   ///< three pulses
-constexpr std::ptrdiff_t most_levels = 4;  ///< of a signal that is on, off, or on in a few steps
-constexpr double least_share = 0.05;       ///< of the samples, where there are more levels: fewer make no difference
-constexpr double most_share = 0.5;         ///< likewise: more are a signal that moves
-constexpr double least_change = 0.3;       ///< of the range, for the typical change
-constexpr double least_range = 0.2;        ///< of the largest value: less is a coarse logger
+constexpr std::size_t least_changes = 6;  ///< three pulses
+constexpr std::size_t most_levels = 4;    ///< of a signal that is on, off, or on in a few steps
+constexpr double least_share = 0.05;      ///< of the samples, where there are more levels: fewer make no difference
+constexpr double most_share = 0.5;        ///< likewise: more are a signal that moves
+constexpr double least_change = 0.3;      ///< of the range, for the typical change
+constexpr double least_range = 0.2;       ///< of the largest value: less is a coarse logger
 
 /// How often a column jumps between two samples, and over what time at most; nothing where it moves like a measured one.
 struct Switching {
@@ -27,6 +28,9 @@ struct Switching {
 };
 
 Switching switching_of(const RecordedColumn& column) {
+    if (!column.is_input) {
+        return {};
+    }
     std::vector<double> changes;
     Switching found;
     for (std::size_t i = 1; i < column.value.size(); ++i) {
@@ -40,14 +44,17 @@ Switching switching_of(const RecordedColumn& column) {
     }
     const auto samples = static_cast<double>(column.value.size());
     found.times = changes.size();
-    std::vector<double> levels = column.value;
-    std::ranges::sort(levels);
-    const bool few = std::unique(levels.begin(), levels.end()) - levels.begin() <= most_levels;
+    std::set<double> levels;
+    for (auto value = column.value.begin(); value != column.value.end() && levels.size() <= most_levels; ++value) {
+        levels.insert(*value);
+    }
+    const bool few = levels.size() <= most_levels;
     const double share = static_cast<double>(changes.size()) / samples;
-    if (!column.is_input || changes.size() < least_changes || (!few && (share < least_share || share > most_share))) {
+    if (changes.size() < least_changes || (!few && (share < least_share || share > most_share))) {
         return {};
     }
-    const auto [low, high] = std::ranges::minmax(column.value);
+    const double low = column.least();
+    const double high = column.most();
     const auto middle = changes.begin() + static_cast<std::ptrdiff_t>(changes.size() / 2);
     std::nth_element(changes.begin(), middle, changes.end());
     const bool coarse = high - low < least_range * std::max(std::abs(high), std::abs(low));

@@ -25,10 +25,11 @@ constexpr std::array rules{Rule{find_frozen, true},    Rule{find_dead, true}, Ru
                            Rule{find_clipped},         Rule{find_stuck},      Rule{find_outliers},
                            Rule{find_unit_slip, true}, Rule{find_unusual}};
 
-double quantile(std::vector<double> values, double share) {
-    const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
-    std::nth_element(values.begin(), values.begin() + at, values.end());
-    return values[static_cast<std::size_t>(at)];
+/// @param values are put in another order
+double quantile(std::vector<double>& values, double share) {
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
 }
 
 }  // namespace
@@ -36,10 +37,6 @@ double quantile(std::vector<double> values, double share) {
 std::string three_digits(double value) {
     return fmt::format("{}", std::strtod(fmt::format("{:.3g}", value).c_str(), nullptr));
 }
-
-double RecordedColumn::low(double share) const { return quantile(value, share); }
-
-double RecordedColumn::high(double share) const { return quantile(value, share); }
 
 double RecordedColumn::largest() const {
     double found = 0.0;
@@ -51,13 +48,20 @@ double RecordedColumn::largest() const {
     return found;
 }
 
-double RecordedColumn::resolution() const {
-    double smallest = 0.0;
-    for (std::size_t i = 1; i < value.size(); ++i) {
-        const double step = std::abs(value[i] - value[i - 1]);
-        smallest = step > 0.0 && (smallest == 0.0 || step < smallest) ? step : smallest;
+const RecordedColumn::Statistics& RecordedColumn::statistics() const {
+    if (!known_statistics) {
+        double smallest = 0.0;
+        for (std::size_t i = 1; i < value.size(); ++i) {
+            const double step = std::abs(value[i] - value[i - 1]);
+            smallest = step > 0.0 && (smallest == 0.0 || step < smallest) ? step : smallest;
+        }
+        const auto [least, most] = std::ranges::minmax(value);
+        std::vector<double> values = value;
+        const double low = quantile(values, 0.01);
+        const double high = quantile(values, 0.99);
+        known_statistics = {.least = least, .most = most, .low = low, .high = high, .resolution = smallest};
     }
-    return smallest;
+    return *known_statistics;
 }
 
 std::string RecordedColumn::show(double si_amount) const {

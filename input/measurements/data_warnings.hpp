@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,14 +29,30 @@ struct RecordedColumn {
     std::vector<double> value;
 
     [[nodiscard]] bool is_temperature() const { return si == "K"; }
-    [[nodiscard]] double low(double share = 0.01) const;   ///< below which this share of the values lies
-    [[nodiscard]] double high(double share = 0.99) const;  ///< below which this share of the values lies
-    [[nodiscard]] double largest() const;     ///< magnitude; a spike of one sample counts as twice its neighbours
-    [[nodiscard]] double resolution() const;  ///< smallest step between two samples, 0 without any
+    [[nodiscard]] double low() const { return statistics().low; }    ///< below which a hundredth of the values lies
+    [[nodiscard]] double high() const { return statistics().high; }  ///< above which a hundredth of the values lies
+    [[nodiscard]] double least() const { return statistics().least; }
+    [[nodiscard]] double most() const { return statistics().most; }
+    [[nodiscard]] double largest() const;  ///< magnitude; a spike of one sample counts as twice its neighbours
+    /// Smallest step between two samples, 0 without any.
+    [[nodiscard]] double resolution() const { return statistics().resolution; }
     /// A value as the file would write it, to three digits: "27.8 km/h".
     [[nodiscard]] std::string show(double si_amount) const;
     /// A difference of two values: "41 K".
     [[nodiscard]] std::string show_difference(double si_amount) const;
+
+    /// Of all values.
+    struct Statistics {
+        double least = 0.0;
+        double most = 0.0;
+        double low = 0.0;
+        double high = 0.0;
+        double resolution = 0.0;
+    };
+    /// Worked out when they are first asked for, as each check of each column asks: from then on `value` stays as it is.
+    /// @pre it has some
+    [[nodiscard]] const Statistics& statistics() const;
+    mutable std::optional<Statistics> known_statistics{};
 };
 
 /// What was recorded in a run.
