@@ -27,6 +27,7 @@ struct Known {
     std::vector<double> value;
 };
 
+/// @param file lets go of the column, which is read no more
 Known known_of(const DataFile& file, int column, const std::vector<double>& time, InputErrors& errors) {
     Known known;
     if (const ChannelTable* table = file.channel_table(); table != nullptr && column > 0) {
@@ -40,12 +41,19 @@ Known known_of(const DataFile& file, int column, const std::vector<double>& time
         }
         return known;
     }
-    const std::vector<std::vector<double>> read =
+    std::vector<std::vector<double>> read =
         file.read({{.column = column, .name = "", .spec = {.unit = "1"}, .purpose = Purpose::unused}}, errors);
-    for (std::size_t i = 0; !read.empty() && i < std::min(time.size(), read.front().size()); ++i) {
-        if (std::isfinite(read.front()[i])) {
+    file.forget(column);
+    const std::vector<double> value = read.empty() ? std::vector<double>{} : std::move(read.front());
+    const std::size_t n = std::min(time.size(), value.size());
+    const auto is_known = [](double written) { return std::isfinite(written); };
+    const auto samples = static_cast<std::size_t>(std::ranges::count_if(value, is_known));
+    known.time.reserve(samples);
+    known.value.reserve(samples);
+    for (std::size_t i = 0; i < n; ++i) {
+        if (is_known(value[i])) {
             known.time.push_back(time[i]);
-            known.value.push_back(read.front()[i]);
+            known.value.push_back(value[i]);
         }
     }
     return known;
@@ -72,7 +80,7 @@ void set_rate(ColumnSurvey& column, const Known& known, double from, double to) 
 }
 
 /// The column for the data checks, in SI where its unit is known.
-RecordedColumn recorded_of(const ColumnSurvey& column, const LogColumn& log, const Known& known) {
+RecordedColumn recorded_of(const ColumnSurvey& column, const LogColumn& log, Known known) {
     RecordedColumn recorded;
     recorded.name = column.used_as.empty() ? column.name : column.used_as;
     recorded.heading = column.name;
@@ -89,10 +97,9 @@ RecordedColumn recorded_of(const ColumnSurvey& column, const LogColumn& log, con
             break;
         }
     }
-    recorded.time = known.time;
-    for (const double value : known.value) {
-        recorded.value.push_back(recorded.conversion.to_si(value));
-    }
+    recorded.time = std::move(known.time);
+    recorded.value = std::move(known.value);
+    std::ranges::for_each(recorded.value, [&](double& value) { value = recorded.conversion.to_si(value); });
     return recorded;
 }
 
@@ -109,27 +116,30 @@ std::vector<std::string> doubts_of(const Recording& recording) {
 
 std::optional<LogSurvey> survey_log(const std::filesystem::path& path, const std::vector<GivenUnit>& units,
                                     InputErrors& errors) {
-    const std::optional<Log> log = read_log(path, mesh_template("section", 12.0), units, errors);
-    InputErrors again;
+    std::optional<Log> log = read_log(path, mesh_template("section", 12.0), units, errors);
+    InputErrors again = errors;  // shares the file
     const std::optional<DataFile> file = log ? DataFile::open(path, {}, again) : std::nullopt;
     if (!file) {
         return std::nullopt;
     }
+    file->parse_all();
+    for (LogColumn& column : log->columns) {
+        column.value = std::vector<double>();  // it is looked at as it is written
+    }
     LogSurvey survey{.path = log->path, .description = file->description()};
     const LogColumn* clock = log->find("time");
-    std::vector<double> time = log->time;
+    Recording recording;
+    recording.file = survey.path;
+    recording.time = std::move(log->time);
+    std::vector<std::vector<double>> all;
     if (file->channel_table() != nullptr) {  // the log has the rows of its used channels alone
-        const auto all =
-            file->read({{.column = 0, .name = "time", .spec = {.unit = "s"}, .purpose = Purpose::clock}}, again);
-        time = all.empty() ? time : all.front();
+        all = file->read({{.column = 0, .name = "time", .spec = {.unit = "s"}, .purpose = Purpose::clock}}, again);
     }
+    const std::vector<double>& time = all.empty() ? recording.time : all.front();
     survey.from = time.front();
     survey.to = time.back();
     survey.rows = time.size();
     survey.laps = find_laps(*file, time, std::nullopt, true, again);
-    Recording recording;
-    recording.file = survey.path;
-    recording.time = log->time;
     recording.time_unit = clock->heading.unit.value_or("");
     if (!clock->unit_ground.empty()) {
         survey.doubts.push_back(
@@ -152,7 +162,7 @@ std::optional<LogSurvey> survey_log(const std::filesystem::path& path, const std
         if (survey.laps.source == LapSource::column && column.heading.name == survey.laps.column && !column.is_used()) {
             found.use = "laps";
         }
-        const Known known = known_of(*file, column.column, time, again);
+        Known known = known_of(*file, column.column, time, again);
         set_rate(found, known, survey.from, survey.to);
         if (!known.value.empty()) {
             const auto [low, high] = std::ranges::minmax(known.value);
@@ -168,7 +178,7 @@ std::optional<LogSurvey> survey_log(const std::filesystem::path& path, const std
         const bool is_signal =
             found.use != "time" && !counts_laps(found.name) && found.unit != "1" && known.value.size() > 1;
         if (is_signal && (column.is_used() || !found.unit.empty())) {
-            recording.columns.push_back(recorded_of(found, column, known));
+            recording.columns.push_back(recorded_of(found, column, std::move(known)));
         }
         survey.columns.push_back(std::move(found));
     }

@@ -96,7 +96,7 @@ std::vector<std::vector<double>> ChannelTable::read(const std::vector<ColumnRequ
         const std::vector<double> written =
             request.column == 0 ? rows_ : in_rows(channels_[static_cast<std::size_t>(request.column) - 1]);
         for (std::size_t i = 0; i < written.size(); ++i) {
-            reader.take(written[i], [&] {
+            reader.take(written[i], true, [&] {
                 return ColumnReader::FieldLocation{head.place, fmt::format(" (at {:.6g} s)", rows_[i])};
             });
         }

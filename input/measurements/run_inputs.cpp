@@ -196,6 +196,7 @@ std::optional<RunFile> open_run_file(const RunTable& run, const std::vector<std:
     RunColumns columns = classify_columns(*file, *run.keys, sensors, followed, errors);
     RunFile opened{.file = std::move(*file), .columns = std::move(columns)};
     opened.file.choose_rows(opened.columns.chosen());
+    opened.file.parse_all();
     if (opened.columns.time < 0) {
         errors.add(opened.file.heads().front().place, "the file has no column time [s]",
                    "rename one: columns = { t = \"time\" }");

@@ -170,7 +170,8 @@ SheetCase convert_sheet(const std::filesystem::path& path) {
             {.table = "tire", .key = "size", .lines = {"\"225/50 R17\""}, .places = {{}}, .remark = "", .called = ""});
     }
     InputErrors case_errors;
-    TextFile file{.number = case_errors.add_file(std::string(whole_case), body.text()), .text = body.text()};
+    const std::string text = body.text();
+    const TextFile file{.number = case_errors.add_file(std::string(whole_case), text), .text = text};
     std::optional<solver::Problem> problem;
     if (const std::optional<TomlValue> document = parse_toml(file, case_errors)) {
         Runs runs = read_runs(*document, path.stem().string(), {}, ReadMode::measured, case_errors);

@@ -14,7 +14,6 @@ namespace tiretherm::input {
 ColumnReader::ColumnReader(const ColumnHead& head, const ColumnRequest& request, InputErrors& errors)
     : request_(&request),
       form_(head.form),
-      clock_(head.form),
       limiter_(errors),
       unit_(head.form == FieldForm::number ? head.heading.unit.value_or("") : "") {
     if (request.purpose == Purpose::unused) {
@@ -31,15 +30,14 @@ ColumnReader::ColumnReader(const ColumnHead& head, const ColumnRequest& request,
     }
 }
 
-bool ColumnReader::accept(std::string_view field, const std::optional<Number>& number) {
-    const bool whole = number && number->rest.empty();
-    const double value = whole ? conversion_.to_si(number->value) : std::nan("");
+bool ColumnReader::accept(double written, bool is_number) {
+    const double value = is_number ? conversion_.to_si(written) : std::nan("");
     values.push_back(value);
     switch (request_->purpose) {
         case Purpose::unused:
             return true;
         case Purpose::measured:
-            if ((field.empty() && !whole) || (whole && std::isnan(number->value))) {
+            if (is_number && std::isnan(written)) {
                 return true;
             }
             break;
@@ -53,10 +51,15 @@ bool ColumnReader::accept(std::string_view field, const std::optional<Number>& n
     const bool orders = request_->purpose == Purpose::clock || request_->purpose == Purpose::frame;
     const bool third = request_->purpose == Purpose::clock && value == before_last_;
     const bool late = !orders || (value >= last_ && !third);
-    return whole && (!has_unit_ || (inside && late));
+    return is_number && !std::isnan(written) && (!has_unit_ || (inside && late));
 }
 
-std::string ColumnReader::fmt_number(double written) { return fmt::format("{}", written); }
+void ColumnReader::report(const FieldLocation& field, double written, bool is_number) {
+    const std::string in_text = field.text.empty() ? fmt::format("{}", written) : field.text;
+    ErrorText wrong = error_text(in_text, written, is_number);
+    wrong.what += field.aside;
+    limiter_.add(field.place, std::move(wrong));
+}
 
 void ColumnReader::remember() {
     if (std::isfinite(values.back())) {
@@ -65,17 +68,19 @@ void ColumnReader::remember() {
     }
 }
 
-ErrorText ColumnReader::error_text(std::string_view field, const std::optional<Number>& number) const {
+ErrorText ColumnReader::error_text(std::string_view field, double written, bool is_number) const {
     const std::string& name = request_->name;
     const bool clock = request_->purpose == Purpose::clock;
     const bool may_miss = request_->purpose == Purpose::measured;
-    if (field.empty() || (number && number->rest.empty() && std::isnan(number->value))) {
+    if (is_number && std::isnan(written)) {
         if (request_->purpose == Purpose::point || request_->purpose == Purpose::frame) {
             return {fmt::format("{} is missing", name), "give every point of every frame a value, 0 where nothing is"};
         }
         return {fmt::format("{} is missing", name),
                 clock ? "remove the line" : "remove the line: between samples an input is interpolated"};
     }
+    const bool is_clock = form_ == FieldForm::clock || form_ == FieldForm::digits;
+    const std::optional<Number> number = is_number || is_clock ? std::nullopt : leading_number(field);
     if (number && number->rest.starts_with(',')) {
         return {fmt::format("{} is {}, with a comma in the number", name, field),
                 "export the file with decimal points, or with semicolons between the columns and decimal commas, and "
@@ -83,18 +88,18 @@ ErrorText ColumnReader::error_text(std::string_view field, const std::optional<N
                 "marks between thousands"};
     }
     const std::string empty_it = may_miss ? "leave the field empty where nothing was measured" : "";
-    if (clock && (!number || !number->rest.empty())) {
+    if (clock && !is_number) {
         return {fmt::format("{} is \"{}\", which is no time", name, field),
                 "write seconds, or clocks of the day such as 11:49:03.250 (in VBOX files 114903.25)"};
     }
-    if (!number || !number->rest.empty()) {
+    if (!is_number) {
         return {fmt::format("{} is \"{}\"; a number is wanted", name, field), empty_it};
     }
     const std::string shown = unit_.empty() || unit_ == "-" ? std::string(field) : fmt::format("{} {}", field, unit_);
-    if (ParsedQuantity parsed = check_quantity(number->value, conversion_, unit_, request_->spec, name, shown);
+    if (ParsedQuantity parsed = check_quantity(written, conversion_, unit_, request_->spec, name, shown);
         parsed.error) {
-        if (may_miss && (parsed.error->remedy.empty() || !std::isfinite(number->value))) {
-            const double turned = conversion_.to_si(-number->value);
+        if (may_miss && (parsed.error->remedy.empty() || !std::isfinite(written))) {
+            const double turned = conversion_.to_si(-written);
             const bool other_sign = turned >= request_->spec.low && turned <= request_->spec.high;
             parsed.error->remedy = other_sign && request_->spec.low == 0.0 && request_->spec.unit != "K"
                                        ? "turn the sign of the column, or " + empty_it
@@ -102,7 +107,7 @@ ErrorText ColumnReader::error_text(std::string_view field, const std::optional<N
         }
         return *parsed.error;
     }
-    return conversion_.to_si(number->value) == last_ && clock
+    return conversion_.to_si(written) == last_ && clock
                ? ErrorText{fmt::format("a third line has the same {}, {}", name, shown),
                            "a jump has two lines, before and after"}
                : ErrorText{fmt::format("{} goes backwards to {}", name, shown),

@@ -53,27 +53,15 @@ public:
     struct FieldLocation {
         SourceLocation place;
         std::string aside{};  ///< ends the sentence of a file that has no lines
+        std::string text{};   ///< as written, with a decimal point; empty in a file of numbers
     };
-    /// Takes the next field. @param where gives its FieldLocation; called only for a field that is wrong
+    /// Takes the next number as it is written, NaN where nothing stands.
+    /// @param is_number false where something else stands
+    /// @param where gives its FieldLocation; called only for the first few that are wrong
     template <typename Where>
-    void take(std::string_view field, const Where& where) {
-        const std::optional<Number> number = form_ == FieldForm::number ? leading_number(field) : clock_.read(field);
-        if (!accept(field, number)) {
-            ErrorText wrong = error_text(field, number);
-            const FieldLocation spot = where();
-            wrong.what += spot.aside;
-            limiter_.add(spot.place, std::move(wrong));
-        }
-        remember();
-    }
-    /// Takes the next value of a file of numbers.
-    template <typename Where>
-    void take(double written, const Where& where) {
-        if (!accept({}, Number{written, {}})) {
-            ErrorText wrong = error_text(fmt_number(written), Number{written, {}});
-            const FieldLocation spot = where();
-            wrong.what += spot.aside;
-            limiter_.add(spot.place, std::move(wrong));
+    void take(double written, bool is_number, const Where& where) {
+        if (!accept(written, is_number)) {
+            limiter_.only_counts() ? limiter_.add({}, {}) : report(where(), written, is_number);
         }
         remember();
     }
@@ -84,14 +72,13 @@ public:
 
 private:
     /// Appends the value. @returns false for a wrong one
-    bool accept(std::string_view field, const std::optional<Number>& number);
-    [[nodiscard]] ErrorText error_text(std::string_view field, const std::optional<Number>& number) const;
+    bool accept(double written, bool is_number);
+    void report(const FieldLocation& field, double written, bool is_number);
+    [[nodiscard]] ErrorText error_text(std::string_view field, double written, bool is_number) const;
     void remember();
-    static std::string fmt_number(double written);
 
     const ColumnRequest* request_;
     FieldForm form_;
-    ClockReader clock_;
     ErrorLimiter limiter_;
     std::string unit_;
     Conversion conversion_;

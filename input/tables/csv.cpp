@@ -238,7 +238,6 @@ std::optional<Csv> Csv::open(const TextFile& file, InputErrors& errors) {
         return std::nullopt;
     }
     csv.body_ = layout.lines.body;
-    csv.first_line_ = std::max({layout.lines.names.number, layout.lines.units.number, layout.sources.number}) + 1;
     csv.separator_ = layout.separator;
     csv.description_ = std::move(layout.description);
     csv.read_heads(layout);
@@ -248,21 +247,17 @@ std::optional<Csv> Csv::open(const TextFile& file, InputErrors& errors) {
         return std::nullopt;
     }
     csv.find_clocks();
+    csv.rows_ = errors.rows(csv.file_);
+    if (!csv.rows_) {
+        const int last = std::max({layout.lines.names.number, layout.lines.units.number, layout.sources.number});
+        csv.rows_ = std::make_shared<CsvRows>(csv.body_, last + 1, csv.separator_, csv.heads_.size());
+        errors.rows(csv.file_) = csv.rows_;
+    }
     return csv;
 }
 
 SourceLocation Csv::row(std::size_t index) const {
-    std::string_view rest = body_;
-    Line line{{}, first_line_ - 1};
-    for (std::size_t i = 0; i <= index; ++i) {
-        // Blank lines and comments count as lines and not as rows.
-        for (auto text = next_line(rest); text; text = next_line(rest)) {
-            line = {*text, line.number + 1};
-            if (!is_blank(line.text) && !is_comment(line.text)) {
-                break;
-            }
-        }
-    }
+    const Line line = rows_->row(index);
     return place(line, line.text);
 }
 

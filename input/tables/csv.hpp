@@ -3,13 +3,14 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "input/loggers/log_description.hpp"
-#include "input/tables/column_reader.hpp"
+#include "input/tables/csv_rows.hpp"
 #include "input/toml/document.hpp"
 
 namespace tiretherm::input {
@@ -34,14 +35,14 @@ public:
     [[nodiscard]] std::vector<std::vector<double>> read(const std::vector<ColumnRequest>& requests,
                                                         InputErrors& errors) const;
 
+    /// Parses all columns in one pass.
+    void parse_all() const;
+    void forget(int column) const { rows_->forget(column); }
+
     /// Where a row of values stands; the first is 0.
     [[nodiscard]] SourceLocation row(std::size_t index) const;
 
-    /// A line of the file, without its end.
-    struct Line {
-        std::string_view text;
-        int number = 0;
-    };
+    using Line = CsvLine;
     [[nodiscard]] SourceLocation place(const Line& line, std::string_view field) const;
     [[nodiscard]] bool separates_by_commas() const { return separator_ == ','; }
 
@@ -52,12 +53,14 @@ private:
     void visit_column(std::size_t column, const std::function<bool(std::string_view)>& take) const;
     /// Which columns hold clocks, and which is the file's time.
     void find_clocks();
+    /// What is wrong with the lines of the file.
+    void report_lines(InputErrors& errors) const;
     /// Of all fields of a line in one pass: a line may have a hundred thousand of them.
     [[nodiscard]] std::vector<SourceLocation> places(const Line& line,
                                                      const std::vector<std::string_view>& fields) const;
 
     std::string_view body_;  ///< the lines after the headings
-    int first_line_ = 0;
+    std::shared_ptr<CsvRows> rows_;
     int file_ = -1;
     char separator_ = ',';
     LogDescription description_;

@@ -2,6 +2,8 @@
 // Reads the requested columns of a CSV file and reports lines with the wrong number of fields.
 
 #include <algorithm>
+#include <iterator>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -16,110 +18,100 @@ namespace {
 
 constexpr std::size_t most_errors = 500;  // of a file; who made it reads no more
 
-/// Whether the numbers of a file have decimal points or commas: the first of each that was met.
-class DecimalMarks {
-public:
-    /// @param field as written  @param number the same with a point
-    void take(std::string_view field, std::string_view number, const Csv::Line& line) {
-        const bool comma = field.data() != number.data();
-        Seen& seen = comma ? comma_ : point_;
-        if (seen.field.empty() && (comma || (field.find('.') != std::string_view::npos && is_number(field)))) {
-            seen = {field, line};
-        }
+/// Numbers with decimal commas beside numbers with points. @param marks of some columns, the first of each
+void report_both_marks(const Csv& csv, const CsvRows::Mark& comma, const CsvRows::Mark& point, InputErrors& errors) {
+    if (comma.field.empty() || point.field.empty()) {
+        return;
     }
-    void report_both(const Csv& csv, InputErrors& errors) const {
-        if (!comma_.field.empty() && !point_.field.empty()) {
-            const bool comma_is_later = comma_.line.number > point_.line.number;
-            const Seen& later = comma_is_later ? comma_ : point_;
-            const Seen& first = comma_is_later ? point_ : comma_;
-            errors.add(csv.place(later.line, later.field),
-                       fmt::format("\"{}\" has a decimal {}, \"{}\" in line {} a decimal {}", later.field,
-                                   comma_is_later ? "comma" : "point", first.field, first.line.number,
-                                   comma_is_later ? "point" : "comma"),
-                       "export the file with one of them, and without marks between thousands");
-        }
-    }
+    const bool comma_is_later = comma.line.number > point.line.number;
+    const CsvRows::Mark& later = comma_is_later ? comma : point;
+    const CsvRows::Mark& first = comma_is_later ? point : comma;
+    errors.add(csv.place(later.line, later.field),
+               fmt::format("\"{}\" has a decimal {}, \"{}\" in line {} a decimal {}", later.field,
+                           comma_is_later ? "comma" : "point", first.field, first.line.number,
+                           comma_is_later ? "point" : "comma"),
+               "export the file with one of them, and without marks between thousands");
+}
 
-private:
-    struct Seen {
-        std::string_view field;
-        Csv::Line line;
-    };
-    static bool is_number(std::string_view field) {
-        const std::optional<Number> number = leading_number(field);
-        return number && number->rest.empty();
-    }
-    Seen comma_;
-    Seen point_;
-};
+void take_earlier(CsvRows::Mark& earliest, const CsvRows::Mark& mark) {
+    earliest = mark.line.number < earliest.line.number ? mark : earliest;
+}
 
 }  // namespace
 
-std::vector<std::vector<double>> Csv::read(const std::vector<ColumnRequest>& requests, InputErrors& errors) const {
-    const std::size_t before = errors.count();
-    std::vector<ColumnReader> readings;
-    readings.reserve(requests.size());
-    for (const ColumnRequest& request : requests) {
-        readings.emplace_back(heads_[static_cast<std::size_t>(request.column)], request, errors);
-    }
-    ErrorLimiter ragged(errors);
-    std::vector<std::string_view> fields;
-    std::string_view rest = body_;
-    bool empty = true;
-    bool has_rows = false;  // complete ones
-    const bool is_log = std::ranges::any_of(
-        heads_, [](const ColumnHead& head) { return head.is_clock || head.heading.name == "time"; });
-    DecimalMarks marks;
-    std::string room;
-    for (Line line{{}, first_line_}; const auto text = next_line(rest); ++line.number) {
-        line.text = *text;
-        if (is_blank(line.text) || is_comment(line.text)) {
-            continue;
-        }
-        empty = false;
-        if (errors.count() > before + most_errors) {
-            errors.add(place(line, line.text), fmt::format("after {} errors the file is read no further", most_errors),
-                       "correct those above first");
-            break;
-        }
-        split_fields(line.text, separator_, fields);
-        const bool trailing = fields.size() == heads_.size() + 1 && fields.back().empty();
-        if (fields.size() < heads_.size() && rest.empty() && has_rows && is_log) {
-            errors.warn(place(line, line.text),
-                        fmt::format("the last line has {} of {} values: the logger stopped in it, and it is left out",
-                                    fields.size(), heads_.size()));
-            continue;
-        }
-        if (fields.size() != heads_.size() && !trailing) {
-            const bool too_many_commas = separates_by_commas() && fields.size() > heads_.size();
-            ragged.add(
-                place(line, line.text),
-                {fmt::format("the line has {} values, the first line names {} columns", fields.size(), heads_.size()),
-                 too_many_commas
-                     ? "if the numbers have decimal commas, export the file with semicolons or with decimal points"
-                     : "complete or remove the line"});
-            continue;
-        }
-        has_rows = true;
-        for (std::size_t i = 0; i < requests.size(); ++i) {
-            const std::string_view field = fields[static_cast<std::size_t>(requests[i].column)];
-            const std::string_view number = separates_by_commas() ? field : with_point(field, room);
-            if (!separates_by_commas() && requests[i].purpose != Purpose::unused) {
-                marks.take(field, number, line);
-            }
-            readings[i].take(number, [&] { return ColumnReader::FieldLocation{place(line, field)}; });
-        }
-    }
-    if (empty) {
+void Csv::report_lines(InputErrors& errors) const {
+    const std::vector<CsvRows::Ragged>& ragged = rows_->ragged();
+    if (ragged.empty() && rows_->size() == 0) {
         errors.add({.file = file_}, "the file has headings but no numbers");
     }
-    ragged.close("the number of values");
-    marks.report_both(*this, errors);
-    std::vector<std::vector<double>> values;
-    for (ColumnReader& reading : readings) {
-        reading.close();
-        values.push_back(std::move(reading.values));
+    const auto is_log = [&] {
+        return std::ranges::any_of(heads_,
+                                   [](const ColumnHead& head) { return head.is_clock || head.heading.name == "time"; });
+    };
+    ErrorLimiter limiter(errors);
+    for (const auto& [line, fields] : ragged) {
+        const bool is_last = trim({line.text.end(), body_.end()}).empty();
+        if (fields < heads_.size() && is_last && rows_->size() > 0 && is_log()) {
+            errors.warn(place(line, line.text),
+                        fmt::format("the last line has {} of {} values: the logger stopped in it, and it is left out",
+                                    fields, heads_.size()));
+            continue;
+        }
+        const bool too_many_commas = separates_by_commas() && fields > heads_.size();
+        limiter.add(place(line, line.text),
+                    {fmt::format("the line has {} values, the first line names {} columns", fields, heads_.size()),
+                     too_many_commas
+                         ? "if the numbers have decimal commas, export the file with semicolons or with decimal points"
+                         : "complete or remove the line"});
     }
+    limiter.close("the number of values");
+}
+
+void Csv::parse_all() const {
+    std::vector<int> all(heads_.size());
+    std::iota(all.begin(), all.end(), 0);
+    rows_->parse(all, heads_);
+}
+
+std::vector<std::vector<double>> Csv::read(const std::vector<ColumnRequest>& requests, InputErrors& errors) const {
+    const std::size_t before = errors.count();
+    std::vector<int> wanted;
+    std::ranges::transform(requests, std::back_inserter(wanted), &ColumnRequest::column);
+    rows_->parse(wanted, heads_);
+    report_lines(errors);
+    CsvRows::Mark comma;
+    CsvRows::Mark point;
+    std::vector<std::vector<double>> values;
+    for (const ColumnRequest& request : requests) {
+        if (errors.count() > before + most_errors) {
+            errors.add({.file = file_}, fmt::format("after {} errors the file is read no further", most_errors),
+                       "correct those first");
+            break;
+        }
+        const CsvRows::Column& column = rows_->column(request.column);
+        const bool is_used = request.purpose != Purpose::unused;
+        ColumnReader reader(heads_[static_cast<std::size_t>(request.column)], request, errors);
+        reader.values.reserve(column.number.size());
+        auto text = column.text.begin();
+        for (std::size_t row = 0; row < column.number.size(); ++row) {
+            const bool is_text = text != column.text.end() && *text == row;
+            text += is_text ? 1 : 0;
+            reader.take(column.number[row], !is_text, [&] {
+                const Line line = rows_->row(row);
+                const std::string_view field = rows_->field(line, request.column);
+                std::string room;
+                const std::string_view number = separates_by_commas() ? field : with_point(field, room);
+                return ColumnReader::FieldLocation{.place = place(line, field), .text = std::string(number)};
+            });
+        }
+        reader.close();
+        values.push_back(std::move(reader.values));
+        if (is_used) {
+            take_earlier(comma, column.comma);
+            take_earlier(point, column.point);
+        }
+    }
+    report_both_marks(*this, comma, point, errors);
     return errors.count() == before ? values : std::vector<std::vector<double>>{};
 }
 

@@ -69,13 +69,13 @@ std::optional<DataFile> DataFile::open_any(const std::filesystem::path& path, co
         file.columns_ = std::move(*table);
         return file;
     }
-    std::optional<TextFile> text = read_text(path, mentioned, errors);
+    const std::optional<TextFile> text = read_text(path, mentioned, errors);
     if (!text) {
         return std::nullopt;
     }
-    file.text_ = std::make_unique<TextFile>(std::move(*text));
-    file.number_ = file.text_->number;
-    std::optional<Csv> csv = Csv::open(*file.text_, errors);
+    file.number_ = text->number;
+    file.text_ = errors.text(file.number_);
+    std::optional<Csv> csv = Csv::open(*text, errors);
     if (!csv) {
         return std::nullopt;
     }
@@ -141,6 +141,18 @@ ColumnReader::FieldLocation DataFile::spot(std::size_t row) const {
         return {.place = csv->row(row)};
     }
     return {.place = {.file = number_}, .aside = fmt::format(" (value {})", row + 1)};
+}
+
+void DataFile::parse_all() const {
+    if (const Csv* csv = std::get_if<Csv>(&columns_)) {
+        csv->parse_all();
+    }
+}
+
+void DataFile::forget(int column) const {
+    if (const Csv* csv = std::get_if<Csv>(&columns_)) {
+        csv->forget(column);
+    }
 }
 
 std::vector<std::vector<double>> DataFile::read(const std::vector<ColumnRequest>& requests, InputErrors& errors) const {

@@ -35,6 +35,10 @@ public:
     /// Where a row of values stands; the first is 0.
     [[nodiscard]] ColumnReader::FieldLocation spot(std::size_t row) const;
     [[nodiscard]] bool is_text() const { return std::holds_alternative<Csv>(columns_); }
+    /// Of a text, parses all columns in one pass: for those who will read most of them, one after the other.
+    void parse_all() const;
+    /// Lets go of what was parsed of a column; to read it again takes another pass.
+    void forget(int column) const;
     /// @returns the values of each request, all of one length; none after an error
     [[nodiscard]] std::vector<std::vector<double>> read(const std::vector<ColumnRequest>& requests,
                                                         InputErrors& errors) const;
@@ -44,7 +48,7 @@ private:
                                             InputErrors& errors);
 
     int number_ = -1;
-    std::unique_ptr<TextFile> text_;  ///< of a CSV, which keeps no text of its own
+    std::shared_ptr<const std::string> text_;  ///< of a CSV, which keeps no text of its own
     std::variant<Csv, Hdf5Columns, ChannelTable> columns_;
 };
 

@@ -79,7 +79,7 @@ std::vector<std::vector<double>> Hdf5Columns::read(const std::vector<ColumnReque
             const auto where = [&] {
                 return ColumnReader::FieldLocation{heads_[column].place, fmt::format(" (value {})", i + 1)};
             };
-            reader.take(written[i], where);
+            reader.take(written[i], true, where);
         }
         reader.close();
         values.push_back(std::move(reader.values));

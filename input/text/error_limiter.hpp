@@ -20,6 +20,8 @@ public:
             next_ = place;
         }
     }
+    /// Whether what is added is only counted from now on.
+    [[nodiscard]] bool only_counts() const { return count_ > shown; }
     /// Reports how many more there were. @param subject what they are about, such as a column's name
     void close(const std::string& subject) {
         if (count_ > shown) {

@@ -90,7 +90,7 @@ std::string render(const InputError& error) {
 }
 
 int InputErrors::add_file(std::string shown, std::string text) {
-    files_.push_back({std::move(shown), std::make_shared<const std::string>(std::move(text))});
+    files_.push_back({.shown = std::move(shown), .text = std::make_shared<const std::string>(std::move(text))});
     return static_cast<int>(files_.size()) - 1;
 }
 

@@ -9,6 +9,8 @@
 
 namespace tiretherm::input {
 
+class CsvRows;
+
 /// An error in what the user wrote, and where. Lines and columns count from 1; a column is a character, not a byte.
 struct InputError {
     std::string file;  ///< as the user would type it
@@ -45,7 +47,11 @@ public:
     int add_file(std::string shown, std::string text);
     /// The number of a file that has been read with its text, -1 when it has not: it need not be read a second time.
     [[nodiscard]] int find_file(std::string_view shown) const;
-    [[nodiscard]] const std::string& text(int number) const { return *files_[static_cast<std::size_t>(number)].text; }
+    [[nodiscard]] std::shared_ptr<const std::string> text(int number) const {
+        return files_[static_cast<std::size_t>(number)].text;
+    }
+    /// The rows of a file that is a table, for all that read it; null until a reader of tables has put them there.
+    [[nodiscard]] std::shared_ptr<CsvRows>& rows(int number) { return files_[static_cast<std::size_t>(number)].rows; }
     void add(const SourceLocation& place, std::string what, std::string remedy = {});
     void add(const SourceLocation& place, ErrorText error) {
         add(place, std::move(error.what), std::move(error.remedy));
@@ -67,6 +73,7 @@ private:
     struct File {
         std::string shown;
         std::shared_ptr<const std::string> text;  ///< copies of the errors share it
+        std::shared_ptr<CsvRows> rows{};
     };
     struct Found {
         SourceLocation place;

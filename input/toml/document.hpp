@@ -46,10 +46,10 @@ struct Entry {
 
 /// The text of a file, which is read once for the same `errors` and their copies.
 /// @param mentioned where the path was written; its file is -1 for the one that the user named
-/// @returns the file's number in `errors` and its text, or nothing after an error
+/// @returns the file's number in `errors` and its text, which `errors` and their copies keep; nothing after an error
 struct TextFile {
     int number = -1;
-    std::string text;
+    std::string_view text;
 };
 [[nodiscard]] std::optional<TextFile> read_text(const std::filesystem::path& path, const SourceLocation& mentioned,
                                                 InputErrors& errors);

@@ -53,7 +53,7 @@ std::optional<TextFile> read_whole(const std::filesystem::path& path, const Sour
                                    InputErrors& errors) {
     const std::string shown = path.generic_string();
     if (const int number = errors.find_file(shown); number >= 0) {
-        return TextFile{number, errors.text(number)};
+        return TextFile{number, *errors.text(number)};
     }
     const auto refuse = [&](std::string_view what, std::string remedy) {
         // The user's own argument has no place in a file but itself.
@@ -76,6 +76,9 @@ std::optional<TextFile> read_whole(const std::filesystem::path& path, const Sour
                       reason == ENOENT ? neighbour(path, mentioned.file < 0) : "");
     }
     std::string bytes;
+    std::error_code unknown;
+    const std::uintmax_t size = std::filesystem::file_size(path, unknown);
+    bytes.reserve(unknown ? 0 : static_cast<std::size_t>(size));
     std::string block(std::size_t{1} << 16U, '\0');
     for (std::size_t n = 0; (n = std::fread(block.data(), 1, block.size(), file.get())) > 0;) {
         bytes.append(block, 0, n);
@@ -90,8 +93,8 @@ std::optional<TextFile> read_whole(const std::filesystem::path& path, const Sour
     if (const ErrorText reason = defect(bytes); !reason.what.empty()) {
         return refuse(reason.what, reason.remedy);
     }
-    const int number = errors.add_file(shown, bytes);
-    return TextFile{number, std::move(bytes)};
+    const int number = errors.add_file(shown, std::move(bytes));
+    return TextFile{number, *errors.text(number)};
 }
 
 }  // namespace

@@ -136,7 +136,7 @@ std::optional<TomlValue> parse_toml(const TextFile& file, InputErrors& errors) {
         return std::nullopt;
     }
     try {
-        TomlValue root = convert(toml::parse(std::string_view(file.text)), file.number);
+        TomlValue root = convert(toml::parse(file.text), file.number);
         root.place = {.file = file.number};  // what a file lacks stands in no line of it
         return root;
     } catch (const toml::parse_error& error) {
