@@ -135,6 +135,8 @@ void find_causes(DiagnosisState& state, const DiagnosisOptions& choice, Diagnosi
 void finish_early(DiagnosisState& state, const char* stage, Diagnosis& result) {
     const ScoreTestData& score_data = state.score_data;
     result.stopped = stage;
+    result.stopped_at = score_data.stage;
+    result.rest_of_stage = score_data.rest_of_stage();
     if (result.base.size() > 0) {  // reported; what was not yet tested on data that were left out is not proven
         if (!result.gain.measured && (result.verdict == Verdict::named || result.verdict == Verdict::confounded)) {
             result.verdict = Verdict::partial;

@@ -5,6 +5,7 @@
 #include "diagnosis/detect/score_test_data.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 #include <Eigen/Eigenvalues>
@@ -144,7 +145,19 @@ void ScoreTestData::count(long more) {
 
 void ScoreTestData::say(Stage what) {
     stage = std::move(what);
+    if (stage.number <= 1) {
+        stage_begin = std::chrono::steady_clock::now();
+    }
     count(0);
+}
+
+double ScoreTestData::rest_of_stage() const {
+    if (stage.number < 2) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - stage_begin;
+    const double pieces = static_cast<double>(stage.count - stage.number + 1) / static_cast<double>(stage.number - 1);
+    return passed.count() * pieces;
 }
 
 Scores ScoreTestData::scores_after(const Refit& model) const { return scores_against(model, columns); }

@@ -3,6 +3,7 @@
 // unknown sources, and thresholds.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -56,10 +57,13 @@ struct ScoreTestData {
     long simulations = 0;
     Progress progress{};
     Stage stage{};
+    std::chrono::steady_clock::time_point stage_begin{};  ///< of its first piece
 
     void count(long more);
     /// Says what is being done from now on.
     void say(Stage what);
+    /// How long the rest of the stage takes, if its pieces take alike. @returns s; NaN before the first piece is done
+    [[nodiscard]] double rest_of_stage() const;
     /// Scores of the candidates and of the unknown sources against another model.
     [[nodiscard]] Scores scores_after(const Refit& model) const;
     [[nodiscard]] Scores unknown_scores_after(const Refit& model) const;

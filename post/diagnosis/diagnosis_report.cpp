@@ -404,8 +404,7 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
     std::vector<std::string> verdict{reason_of(record)};
     std::ranges::move(certainty_of(record), std::back_inserter(verdict));
     if (!result.stopped.empty() && result.verdict != Verdict::cannot_tell) {
-        verdict.push_back(
-            fmt::format("Best answer after {}: stopped during the {}.", seconds_text(result.seconds), result.stopped));
+        verdict.push_back(fmt::format("Best answer after {}: {}", seconds_text(result.seconds), stop_text(result)));
     }
     report.add_verdict(std::move(verdict));
     report.appendix.push_back(citations_section(record.experiment.runs.front().problem));

@@ -123,8 +123,8 @@ std::string partial(const DiagnosisRecord& record) {
 
 std::string cannot_tell(const Diagnosis& diagnosis) {
     if (!diagnosis.stopped.empty()) {
-        return fmt::format("No answer after {}: stopped during the {}.{}{}", seconds_text(diagnosis.seconds),
-                           diagnosis.stopped, diagnosis.reason.empty() ? "" : " ", diagnosis.reason);
+        return fmt::format("No answer after {}: {}{}{}", seconds_text(diagnosis.seconds), stop_text(diagnosis),
+                           diagnosis.reason.empty() ? "" : " ", diagnosis.reason);
     }
     if (!diagnosis.reason.empty()) {
         return fmt::format("These data do not allow a diagnosis: {}", diagnosis.reason);
@@ -143,6 +143,19 @@ std::string cannot_tell(const Diagnosis& diagnosis) {
 }
 
 }  // namespace
+
+std::string stop_text(const Diagnosis& diagnosis) {
+    const Stage& at = diagnosis.stopped_at;
+    std::string text = fmt::format("stopped during the {}", diagnosis.stopped);
+    if (at.count > 0) {
+        text += fmt::format(", at {} {} of {}", at.doing, at.number, at.count);
+        text += at.of.empty() ? "" : fmt::format(" ({})", at.of);
+    }
+    text += ".";
+    return std::isfinite(diagnosis.rest_of_stage) && diagnosis.rest_of_stage > 0.0
+               ? fmt::format("{} This stage needs about {} more.", text, seconds_text(diagnosis.rest_of_stage))
+               : text;
+}
 
 std::string seconds_text(double seconds) { return to_its_digits(seconds, 0.05 * seconds) + " s"; }
 

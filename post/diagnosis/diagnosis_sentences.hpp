@@ -23,6 +23,8 @@ namespace tiretherm::post {
 [[nodiscard]] solver::ShownUnit unit_of(const diagnosis::UnknownSource& unknown, const input::Experiment& experiment);
 /// "coast-down from 150 km/h, 5 min: from 1.2 to 7 sigma"
 [[nodiscard]] std::string text_of(const diagnosis::NextExperiment& next);
+/// "stopped during the search of causes, at candidate 7 of 23 (inner_gas). This stage needs about 40 s more."
+[[nodiscard]] std::string stop_text(const diagnosis::Diagnosis& diagnosis);
 /// A time of work to two digits: "12 s".
 [[nodiscard]] std::string seconds_text(double seconds);
 /// How sure the verdict is and why, and what to do next: a sentence each.

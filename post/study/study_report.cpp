@@ -147,8 +147,8 @@ Section cost_section(const StudyRecord& study, const StudyCall& call) {
 std::string lead(const StudyRecord& study) {
     const std::string samples =
         fmt::format(", {} at each of {}", plural(study.samples, "sample"), plural(study.points(), "point"));
-    return fmt::format("  {} of {}{}", plural(study.outcomes.size(), "run"), study.case_name,
-                       study.is_sampled ? samples : "");
+    return fmt::format("{} of {}{}", plural(study.outcomes.size(), "run"), study.case_name,
+                       study.is_sampled && study.points() > 1 ? samples : "");
 }
 
 }  // namespace

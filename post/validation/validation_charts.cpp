@@ -169,11 +169,13 @@ std::vector<std::string> validation_verdict(const ValidationRecord& record) {
         }
         std::vector<std::string> parts;
         if (f.temperatures > 0) {
-            parts.push_back(fmt::format("{} of {} within 2 u, mean difference {:+.1f} K", f.within,
-                                        plural(f.temperatures, "temperature"), f.bias));
+            parts.push_back(fmt::format("{} of {} within 2 u, mean difference {:+.1f} K{}", f.within,
+                                        plural(f.temperatures, "temperature"), f.bias,
+                                        f.temperatures > 1 ? fmt::format(", scatter {:.1f} K", f.scatter) : ""));
         }
         if (f.orders > 0) {
-            parts.push_back(fmt::format("{} of {} of order or sign hold", f.holding, plural(f.orders, "statement")));
+            parts.push_back(fmt::format("{} of {} of order or sign {}", f.holding, plural(f.orders, "statement"),
+                                        f.orders == 1 ? "holds" : "hold"));
         }
         if (f.not_decidable > 0) {
             parts.push_back(fmt::format("{} not decidable, since inputs that the source does not print decide them",

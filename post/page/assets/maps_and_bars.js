@@ -43,7 +43,7 @@ const mapsAndBars = (function () {
       xAxis: { type: "value", boundaryGap: [items.some((item) => item.value < 0) ? "9%" : 0, "9%"], name: named(data.x), nameLocation: "middle", nameGap: 28, nameTextStyle: { color: look.ink },
         axisLabel: { color: look.ink, hideOverlap: true, formatter: number }, splitLine: { lineStyle: { color: look.line } } },
       yAxis: { type: "category", data: items.map((item) => item.name), axisTick: { show: false },
-        axisLabel: { color: look.ink, width: longest, overflow: small ? "break" : "truncate", interval: 0 } },
+        axisLabel: { color: look.ink, width: longest, lineHeight: 13, overflow: small ? "break" : "truncate", interval: 0 } },
       tooltip: { trigger: "axis", axisPointer: { type: "shadow" }, confine: true, formatter: (rows) => {
         const item = items[rows[0].dataIndex], unit = data.x.unit || "";
         const interval = item.low === undefined ? "" : `<br>95 %: ${number(item.low)} to ${number(item.high)} ${unit}`;

@@ -91,10 +91,11 @@
     const drawn = new Map(data.panels.flatMap((panel) => panel.series.map((s) => [s.name, ["points", "range", "band"].includes(s.role) ? "mark" : "line"])));
     const printing = document.body.classList.contains("printing");
     const small = !data.roomy, gap = 34, left = numberRoom + 36, right = 22, foot = printing ? 54 : 96;  // room for the zoom, which paper has not
+    const legendLeft = small ? 4 : left;
     let rows = picks ? 0 : 1, reach = 0;  // of the legend; a long one stands below the chart, to be picked from
     for (const name of names) {
       const wide = 48 + widthOf(name);
-      if (!picks && reach + wide > width - left - right && reach > 0) { rows += 1; reach = 0; }
+      if (!picks && reach + wide > width - legendLeft - right && reach > 0) { rows += 1; reach = 0; }
       reach += wide;
     }
     const top = 20 + 24 * rows;
@@ -111,7 +112,7 @@
         splitLine: { lineStyle: { color: look.soft } }, axisPointer: { label: { show: last } } });
       placed(option.xAxis[i], data.x);
       option.yAxis.push({ type: "value", gridIndex: i, scale: true, name: named(panel), nameLocation: "middle", nameGap: numberRoom + 14, nameTextStyle: { color: look.ink },
-        axisLabel: { color: look.ink, formatter: (v) => number(v) }, splitLine: { lineStyle: { color: look.line } } });
+        axisLabel: { color: look.ink, formatter: (v) => number(v) }, axisLine: { show: true, onZero: false, lineStyle: { color: look.faint } }, splitLine: { lineStyle: { color: look.line } } });
       const made = seriesOf(panel, i, places, look, data, heights[i]);
       const first = made.find((series) => series.type === "line") || made[0];
       if (first && (data.spans || []).length) {
@@ -122,7 +123,7 @@
     });
     const all = data.panels.map((_, i) => i);
     Object.assign(option, {
-      legend: { show: !picks, top: 2, left: small ? 4 : left, right, itemWidth: 28, textStyle: { color: look.ink },
+      legend: { show: !picks, top: 2, left: legendLeft, right, itemWidth: 28, textStyle: { color: look.ink },
         data: names.map((name) => ({ name, itemStyle: { opacity: drawn.get(name) === "line" ? 0 : 1 } })) },
       tooltip: { trigger: "axis", confine: true, valueFormatter: number },
       axisPointer: { link: [{ xAxisIndex: "all" }] },

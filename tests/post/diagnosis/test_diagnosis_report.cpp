@@ -186,9 +186,12 @@ TEST(DiagnosisReport, AStoppedDiagnosisSaysAfterHowLongAndWhatIsBest) {
     made_up.result.stopped = "search of causes";
     made_up.result.reason = "Best so far, not fitted: inner_gas, sensor_lag.";
     made_up.result.seconds = 1500.0;
+    made_up.result.stopped_at = {.doing = "candidate", .of = "rim_conduction", .number = 3, .count = 14};
+    made_up.result.rest_of_stage = 800.0;
     EXPECT_EQ(reason_of(made_up.record()),
-              "No answer after 1500 s: stopped during the search of causes. Best so far, not fitted: inner_gas, "
-              "sensor_lag.");
+              "No answer after 1500 s: stopped during the search of causes, at candidate 3 of 14 (rim_conduction). "
+              "This stage "
+              "needs about 800 s more. Best so far, not fitted: inner_gas, sensor_lag.");
 }
 
 // The base model is 0.5 K too cold everywhere, the extended one right; a mean of equal values has no uncertainty.
