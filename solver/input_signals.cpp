@@ -18,11 +18,31 @@ void merge(std::vector<double>& all, std::vector<double> more) {
     all = std::move(merged);
 }
 
+/// The first point that comes after a time, or at it if the side before counts. A log's samples are nearly even: it is looked for from where
+/// it would then be, farther away each time.
+std::vector<double>::const_iterator next_point(const std::vector<double>& time, double t, JumpSide side) {
+    const auto is_past = [&](double point) { return side == JumpSide::after ? point <= t : point < t; };
+    const double share = (t - time.front()) / (time.back() - time.front());
+    const auto n = std::ssize(time);
+    std::ptrdiff_t begin = share >= 1.0  ? n
+                           : share > 0.0 ? static_cast<std::ptrdiff_t>(share * static_cast<double>(n))
+                                         : 0;
+    std::ptrdiff_t end = begin;
+    for (std::ptrdiff_t step = 1; begin > 0 && !is_past(time[static_cast<std::size_t>(begin - 1)]); step *= 2) {
+        end = begin - 1;
+        begin -= std::min(step, begin);
+    }
+    for (std::ptrdiff_t step = 1; end < n && is_past(time[static_cast<std::size_t>(end)]); step *= 2) {
+        begin = end + 1;
+        end += std::min(step, n - end);
+    }
+    return std::partition_point(time.begin() + begin, time.begin() + end, is_past);
+}
+
 }  // namespace
 
 double Series::at(double t, JumpSide side) const {
-    const auto next = side == JumpSide::after ? std::upper_bound(time.begin(), time.end(), t)
-                                              : std::lower_bound(time.begin(), time.end(), t);
+    const auto next = next_point(time, t, side);
     if (next == time.begin()) {
         return value.front();
     }

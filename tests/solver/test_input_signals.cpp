@@ -38,6 +38,29 @@ TEST(Series, JumpHasAValueBeforeAndAValueAfter) {
     EXPECT_EQ(s.at(99.0, JumpSide::before), 5.0);
 }
 
+// A point is looked for from where it would be if all were even. Here they are not: i^3 s, each third one twice, with i as value before and
+// i + 0.5 after the jump. A quarter of the way from one to the next the value has gone a quarter of the way as well.
+TEST(Series, IsReadOffHoweverUnevenItsPointsAre) {
+    Series s{.signal = &power(), .time = {}, .value = {}};
+    const auto after = [](int i) { return i % 3 == 0 ? i + 0.5 : static_cast<double>(i); };
+    for (int i = 0; i < 200; ++i) {
+        s.time.push_back(std::pow(i, 3));
+        s.value.push_back(i);
+        if (i % 3 == 0) {
+            s.time.push_back(s.time.back());
+            s.value.push_back(after(i));
+        }
+    }
+    for (int i = 0; i < 200; ++i) {
+        EXPECT_EQ(s.at(std::pow(i, 3), JumpSide::before), i);
+        EXPECT_EQ(s.at(std::pow(i, 3), JumpSide::after), after(i));
+        if (i < 199) {
+            const double t = 0.75 * std::pow(i, 3) + 0.25 * std::pow(i + 1, 3);
+            EXPECT_NEAR(s.at(t, JumpSide::before), 0.75 * after(i) + 0.25 * (i + 1), 1e-9) << i;
+        }
+    }
+}
+
 TEST(InputSignals, ScheduleStopsTheStepAndALoggerOnlyWhereItJumps) {
     InputSignals input_signals;
     input_signals.add({.signal = &power(), .time = {0.0, 10.0, 30.0}, .value = {0.0, 1.0, 1.0}});
