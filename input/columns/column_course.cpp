@@ -197,11 +197,11 @@ double roughness(const Course& course) {
                : (steps / static_cast<double>(n_steps)) / (2.0 * squares / static_cast<double>(n));
 }
 
-bool counts(const std::vector<std::vector<double>>& value, const std::vector<std::vector<double>>& measure) {
+bool counts(const std::vector<std::span<const double>>& value, const std::vector<std::span<const double>>& measure) {
     double low = INFINITY;
     double high = -INFINITY;
     double net = 0.0;
-    for (const std::vector<double>& run : value) {
+    for (const std::span<const double>& run : value) {
         std::size_t rises = 0;
         std::size_t falls = 0;
         for (std::size_t i = 0; i < run.size(); ++i) {

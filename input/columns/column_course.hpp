@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace tiretherm::input {
@@ -43,8 +44,8 @@ struct Lead {
 /// Whether a column counts: it never turns round, or turns round only to jump back to where it began, and it goes evenly with
 /// the measure, or in steps of one.
 /// @param value [n_runs][n] all samples  @param measure [n_runs][n] the time or the distance
-[[nodiscard]] bool counts(const std::vector<std::vector<double>>& value,
-                          const std::vector<std::vector<double>>& measure);
+[[nodiscard]] bool counts(const std::vector<std::span<const double>>& value,
+                          const std::vector<std::span<const double>>& measure);
 
 /// Whether a column is a function of an input that comes back to its values, as what is computed from it.
 [[nodiscard]] bool is_function(const std::vector<double>& column, const std::vector<double>& input);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -56,32 +57,36 @@ std::vector<UnusedColumn> columns_of(std::vector<MeasuredRun>& runs) {
     return columns;
 }
 
-/// Whether a column counts time or the way, on all its samples.
-bool is_clock(const std::vector<MeasuredRun>& runs, const UnusedColumn& column) {
-    std::vector<std::vector<double>> value;
-    std::vector<std::vector<double>> time;
-    std::vector<std::vector<double>> way;
+/// The way from the start of each run; 0 where it has no speed.
+std::vector<std::vector<double>> ways_of(const std::vector<MeasuredRun>& runs) {
     const physics::Signal& speed = *physics::find_signal("speed");
-    bool rolls = false;
-    for (std::size_t r = 0; r < runs.size(); ++r) {
-        const MeasuredRun& run = runs[r];
-        if (column.in[r] == nullptr) {
-            continue;
-        }
-        value.push_back(column.in[r]->value);
-        time.push_back(run.time);
-        std::vector<double>& one = way.emplace_back(run.time.size(), 0.0);
-        if (run.problem.input_signals.gives(speed)) {
-            rolls = true;
-            double before = 0.0;
-            for (std::size_t i = 0; i < run.time.size(); ++i) {
-                const double now = std::abs(run.problem.input_signals.at(run.time[i], solver::JumpSide::before).speed);
-                one[i] = i == 0 ? 0.0 : one[i - 1] + 0.5 * (now + before) * (run.time[i] - run.time[i - 1]);
-                before = now;
-            }
+    std::vector<std::vector<double>> ways;
+    for (const MeasuredRun& run : runs) {
+        std::vector<double>& way = ways.emplace_back(run.time.size(), 0.0);
+        double before = 0.0;
+        for (std::size_t i = 0; i < way.size() && run.problem.input_signals.gives(speed); ++i) {
+            const double now = std::abs(run.problem.input_signals.at(run.time[i], solver::JumpSide::before).speed);
+            way[i] = i == 0 ? 0.0 : way[i - 1] + 0.5 * (now + before) * (run.time[i] - run.time[i - 1]);
+            before = now;
         }
     }
-    return counts(value, time) || (rolls && counts(value, way));
+    return ways;
+}
+
+/// Whether a column counts time or the way, on all its samples. @param ways of each run
+bool is_clock(const std::vector<MeasuredRun>& runs, const std::vector<std::vector<double>>& ways,
+              const UnusedColumn& column) {
+    std::vector<std::span<const double>> value;
+    std::vector<std::span<const double>> time;
+    std::vector<std::span<const double>> way;
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+        if (column.in[r] != nullptr) {
+            value.emplace_back(column.in[r]->value);
+            time.emplace_back(runs[r].time);
+            way.emplace_back(ways[r]);
+        }
+    }
+    return counts(value, time) || counts(value, way);
 }
 
 std::string number(double r) { return fmt::format("r = {:.4f}", r); }
@@ -121,6 +126,7 @@ Verdict judge_temperature(const UnusedColumn& column, const std::vector<Referenc
 
 /// By name and unit, and by what needs no other column.
 std::optional<Verdict> judge_alone(const UnusedColumn& column, const std::vector<MeasuredRun>& runs,
+                                   const std::vector<std::vector<double>>& ways,
                                    const std::vector<Reference>& sensors) {
     if (is_constant(column.course)) {
         return Verdict{ColumnKind::constant, "never changes"};
@@ -135,7 +141,7 @@ std::optional<Verdict> judge_alone(const UnusedColumn& column, const std::vector
         return Verdict{ColumnKind::clock,
                        fmt::format("a time, a counter, a distance or a place by its name ({})", word)};
     }
-    if (is_clock(runs, column)) {
+    if (is_clock(runs, ways, column)) {
         return Verdict{ColumnKind::clock, "goes evenly with the time or the way, or counts"};
     }
     return std::nullopt;
@@ -193,12 +199,13 @@ void classify_unused(std::vector<MeasuredRun>& runs) {
             return column.in[r] == nullptr ? std::nan("") : column.in[r]->value[row];
         });
     }
+    const std::vector<std::vector<double>> ways = ways_of(runs);
     const std::vector<Reference> inputs = changing_inputs(runs, samples);
     const std::vector<Reference> products = products_of(inputs);
     const std::vector<Reference> sensors = temperature_sensors(runs, samples);
     std::vector<std::pair<const UnusedColumn*, std::vector<double>>> drives;
     for (UnusedColumn& column : columns) {
-        column.verdict = judge_alone(column, runs, sensors);
+        column.verdict = judge_alone(column, runs, ways, sensors);
         if (column.verdict && column.verdict->kind != ColumnKind::drive) {
             continue;
         }

@@ -3,7 +3,6 @@
 // deviations.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -37,14 +36,19 @@ double median(std::vector<double> values) {
 /// How far each sample lies from the median of those about it.
 std::vector<double> off_median(const std::vector<double>& value) {
     std::vector<double> off(value.size());
-    std::array<double, 2 * half_window + 1> about{};
+    std::vector<double> about;  // those about a sample, ascending
+    const auto place = [&](std::size_t i) { return std::ranges::lower_bound(about, value[i]); };
+    for (std::size_t i = 0; i < std::min(half_window, value.size()); ++i) {
+        about.insert(place(i), value[i]);
+    }
     for (std::size_t i = 0; i < value.size(); ++i) {
-        const std::size_t first = i < half_window ? 0 : i - half_window;
-        const std::size_t n = std::min(value.size(), i + half_window + 1) - first;
-        std::copy_n(value.begin() + static_cast<std::ptrdiff_t>(first), n, about.begin());
-        const auto middle = about.begin() + static_cast<std::ptrdiff_t>(n / 2);
-        std::nth_element(about.begin(), middle, about.begin() + static_cast<std::ptrdiff_t>(n));
-        off[i] = value[i] - *middle;
+        if (i + half_window < value.size()) {
+            about.insert(place(i + half_window), value[i + half_window]);
+        }
+        if (i > half_window) {
+            about.erase(place(i - half_window - 1));
+        }
+        off[i] = value[i] - about[about.size() / 2];
     }
     return off;
 }

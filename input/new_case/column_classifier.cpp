@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -253,13 +254,16 @@ private:
 
     /// Several readings of one tire's tread of which none is the surer: which is it?
     void ask_about_equals() {
+        const auto meant = [](const CarCandidate& one) {
+            return std::make_tuple(one.is.name, one.is.corner, one.is.rank);
+        };
+        std::map<decltype(meant(candidates_.front())), std::set<std::size_t>> columns;
+        for (const CarCandidate& one : candidates_) {
+            columns[meant(one)].insert(one.column);
+        }
         for (CarCandidate& one : candidates_) {
-            const auto is_equal = [&](const CarCandidate& other) {
-                return other.column != one.column && other.is.name == one.is.name && other.is.corner == one.is.corner &&
-                       other.is.rank == one.is.rank;
-            };
             if (one.is.name.ends_with("surface_temperature") && one.is.question.empty() &&
-                std::ranges::any_of(candidates_, is_equal)) {
+                columns.at(meant(one)).size() > 1) {
                 one.is.question = "which of several across the tread?";
             }
         }
