@@ -23,38 +23,40 @@ namespace {
 
 /// The samples that have a value, at their times.
 struct Known {
-    std::vector<double> time;
+    SampleTimes time;
     std::vector<double> value;
 };
 
-/// @param file lets go of the column, which is read no more
-Known known_of(const DataFile& file, int column, const std::vector<double>& time, InputErrors& errors) {
+Known known_of(const DataFile& file, int column, const SampleTimes& time, InputErrors& errors) {
     Known known;
     if (const ChannelTable* table = file.channel_table(); table != nullptr && column > 0) {
         const ChannelTable::Channel& channel = table->channels()[static_cast<std::size_t>(column) - 1];
         const std::vector<double> samples = channel.samples();
+        std::vector<double> times;
         for (std::size_t k = 0; k < samples.size(); ++k) {
             if (std::isfinite(samples[k])) {
-                known.time.push_back(static_cast<double>(k) / channel.rate);
+                times.push_back(static_cast<double>(k) / channel.rate);
                 known.value.push_back(samples[k]);
             }
         }
+        known.time = std::move(times);
         return known;
     }
     std::vector<std::vector<double>> read =
-        file.read({{.column = column, .name = "", .spec = {.unit = "1"}, .purpose = Purpose::unused}}, errors);
-    file.forget(column);
-    const std::vector<double> value = read.empty() ? std::vector<double>{} : std::move(read.front());
-    const std::size_t n = std::min(time.size(), value.size());
-    const auto is_known = [](double written) { return std::isfinite(written); };
-    const auto samples = static_cast<std::size_t>(std::ranges::count_if(value, is_known));
-    known.time.reserve(samples);
-    known.value.reserve(samples);
-    for (std::size_t i = 0; i < n; ++i) {
-        if (is_known(value[i])) {
-            known.time.push_back(time[i]);
-            known.value.push_back(value[i]);
+        file.read({{.column = column, .name = "", .spec = {.unit = "1"}, .purpose = Purpose::unused}}, errors, true);
+    known.value = read.empty() ? std::vector<double>{} : std::move(read.front());
+    const auto is_missing = [](double value) { return !std::isfinite(value); };
+    known.time = time;
+    if (known.value.size() != time.size() || std::ranges::any_of(known.value, is_missing)) {
+        std::vector<double> times;
+        for (std::size_t i = 0; i < std::min(time.size(), known.value.size()); ++i) {
+            if (!is_missing(known.value[i])) {
+                times.push_back(time[i]);
+            }
         }
+        std::erase_if(known.value, is_missing);
+        known.value.resize(times.size());
+        known.time = std::move(times);
     }
     return known;
 }
@@ -63,6 +65,7 @@ Known known_of(const DataFile& file, int column, const std::vector<double>& time
 void set_rate(ColumnSurvey& column, const Known& known, double from, double to) {
     column.samples = known.time.size();
     std::vector<double> steps;
+    steps.reserve(known.time.size());
     for (std::size_t i = 1; i < known.time.size(); ++i) {
         if (known.time[i] > known.time[i - 1]) {
             steps.push_back(known.time[i] - known.time[i - 1]);
@@ -131,11 +134,11 @@ std::optional<LogSurvey> survey_log(const std::filesystem::path& path, const std
     Recording recording;
     recording.file = survey.path;
     recording.time = std::move(log->time);
-    std::vector<std::vector<double>> all;
+    SampleTimes time = recording.time;
     if (file->channel_table() != nullptr) {  // the log has the rows of its used channels alone
-        all = file->read({{.column = 0, .name = "time", .spec = {.unit = "s"}, .purpose = Purpose::clock}}, again);
+        auto all = file->read({{.column = 0, .name = "time", .spec = {.unit = "s"}, .purpose = Purpose::clock}}, again);
+        time = all.empty() ? time : SampleTimes(std::move(all.front()));
     }
-    const std::vector<double>& time = all.empty() ? recording.time : all.front();
     survey.from = time.front();
     survey.to = time.back();
     survey.rows = time.size();

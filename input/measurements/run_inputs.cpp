@@ -31,6 +31,7 @@ struct Missing {
 /// Time between the samples that have a value, the median; 0 with fewer than two of them.
 double pace_of(const std::vector<double>& time, const std::vector<double>& value) {
     std::vector<double> steps;
+    steps.reserve(time.size());
     double last = std::nan("");
     for (std::size_t i = 0; i < time.size(); ++i) {
         if (!std::isnan(value[i])) {

@@ -41,7 +41,7 @@ Recording recording_of(const RunFile& file, const ProblemBuilder& builder, const
             recorded.is_input = true;
             for (const MeasuredInput& input : builder.run->inputs) {
                 if (input.signal == column.input) {
-                    recorded.time = input.time;
+                    recorded.time = input.time == recording.time ? recording.time : SampleTimes(input.time);
                     recorded.value = input.value;
                 }
             }
@@ -56,12 +56,14 @@ Recording recording_of(const RunFile& file, const ProblemBuilder& builder, const
             }
             RecordedColumn recorded = recorded_column(file, column, solver::unit_of(channel.quantity));
             recorded.series = s;
+            std::vector<double> time;
             for (std::size_t i = 0; i < run.time.size(); ++i) {
                 if (!std::isnan(series.value[i])) {
-                    recorded.time.push_back(run.time[i]);
+                    time.push_back(run.time[i]);
                     recorded.value.push_back(series.value[i]);
                 }
             }
+            recorded.time = time.size() == recording.time.size() ? recording.time : SampleTimes(std::move(time));
             recording.columns.push_back(std::move(recorded));
         }
     }

@@ -31,13 +31,13 @@ public:
     [[nodiscard]] int find(std::string_view name) const;  ///< index of a heading, -1 when absent
     [[nodiscard]] const LogDescription& description() const { return description_; }
 
+    /// @param last lets go of what was parsed of a column when it has been read
     /// @returns the values of each request, all of one length; none after an error
-    [[nodiscard]] std::vector<std::vector<double>> read(const std::vector<ColumnRequest>& requests,
-                                                        InputErrors& errors) const;
+    [[nodiscard]] std::vector<std::vector<double>> read(const std::vector<ColumnRequest>& requests, InputErrors& errors,
+                                                        bool last) const;
 
     /// Parses all columns in one pass.
     void parse_all() const;
-    void forget(int column) const { rows_->forget(column); }
 
     /// Where a row of values stands; the first is 0.
     [[nodiscard]] SourceLocation row(std::size_t index) const;

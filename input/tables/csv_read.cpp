@@ -73,7 +73,8 @@ void Csv::parse_all() const {
     rows_->parse(all, heads_);
 }
 
-std::vector<std::vector<double>> Csv::read(const std::vector<ColumnRequest>& requests, InputErrors& errors) const {
+std::vector<std::vector<double>> Csv::read(const std::vector<ColumnRequest>& requests, InputErrors& errors,
+                                           bool last) const {
     const std::size_t before = errors.count();
     std::vector<int> wanted;
     std::ranges::transform(requests, std::back_inserter(wanted), &ColumnRequest::column);
@@ -109,6 +110,9 @@ std::vector<std::vector<double>> Csv::read(const std::vector<ColumnRequest>& req
         if (is_used) {
             take_earlier(comma, column.comma);
             take_earlier(point, column.point);
+        }
+        if (last) {
+            rows_->forget(request.column);
         }
     }
     report_both_marks(*this, comma, point, errors);

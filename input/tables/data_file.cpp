@@ -149,15 +149,15 @@ void DataFile::parse_all() const {
     }
 }
 
-void DataFile::forget(int column) const {
-    if (const Csv* csv = std::get_if<Csv>(&columns_)) {
-        csv->forget(column);
-    }
-}
-
-std::vector<std::vector<double>> DataFile::read(const std::vector<ColumnRequest>& requests, InputErrors& errors) const {
+std::vector<std::vector<double>> DataFile::read(const std::vector<ColumnRequest>& requests, InputErrors& errors,
+                                                bool last) const {
     return with_memory(errors.file(number_), {.file = number_}, errors, [&] {
-        return std::visit([&](const auto& columns) { return columns.read(requests, errors); }, columns_);
+        if (const Csv* csv = std::get_if<Csv>(&columns_)) {
+            return csv->read(requests, errors, last);
+        }
+        const ChannelTable* table = channel_table();
+        return table != nullptr ? table->read(requests, errors)
+                                : std::get<Hdf5Columns>(columns_).read(requests, errors);
     });
 }
 

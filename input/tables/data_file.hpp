@@ -37,11 +37,10 @@ public:
     [[nodiscard]] bool is_text() const { return std::holds_alternative<Csv>(columns_); }
     /// Of a text, parses all columns in one pass: for those who will read most of them, one after the other.
     void parse_all() const;
-    /// Lets go of what was parsed of a column; to read it again takes another pass.
-    void forget(int column) const;
+    /// @param last whether they are read for the last time, so that what was parsed of a text is let go column by column
     /// @returns the values of each request, all of one length; none after an error
-    [[nodiscard]] std::vector<std::vector<double>> read(const std::vector<ColumnRequest>& requests,
-                                                        InputErrors& errors) const;
+    [[nodiscard]] std::vector<std::vector<double>> read(const std::vector<ColumnRequest>& requests, InputErrors& errors,
+                                                        bool last = false) const;
 
 private:
     static std::optional<DataFile> open_any(const std::filesystem::path& path, const SourceLocation& mentioned,

@@ -16,12 +16,14 @@ using How = Resampling::How;
 
 RecordedColumn column_of(std::vector<double> value, double interval = 0.05) {
     RecordedColumn column;
+    std::vector<double> time;
     column.name = column.heading = "bulk_temperature";
     column.unit = "degC";
     column.si = "K";
     for (std::size_t i = 0; i < value.size(); ++i) {
-        column.time.push_back(interval * static_cast<double>(i));
+        time.push_back(interval * static_cast<double>(i));
     }
+    column.time = std::move(time);
     column.value = std::move(value);
     return column;
 }
