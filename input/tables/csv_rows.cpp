@@ -65,6 +65,7 @@ bool CsvRows::is_row(const std::vector<std::string_view>& fields) const {
 }
 
 void CsvRows::parse(const std::vector<int>& columns, const std::vector<ColumnHead>& heads) {
+    const std::lock_guard lock(parsing_);
     std::vector<ColumnParser> parsers;
     for (const int index : columns) {
         const FieldForm form = heads[static_cast<std::size_t>(index)].form;
@@ -102,7 +103,9 @@ void CsvRows::parse(const std::vector<int>& columns, const std::vector<ColumnHea
         }
         ++row;
     }
-    size_ = row;
+    if (is_first) {
+        size_ = row;
+    }
 }
 
 CsvLine CsvRows::row(std::size_t index) const {

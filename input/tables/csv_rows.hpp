@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,10 +43,16 @@ public:
     /// Parses those of the columns that have not been parsed, all in one pass over the text.
     void parse(const std::vector<int>& columns, const std::vector<ColumnHead>& heads);
     /// Lets go of a column.
-    void forget(int column) { columns_.erase(column); }
+    void forget(int column) {
+        const std::lock_guard lock(parsing_);
+        columns_.erase(column);
+    }
 
     // After that:
-    [[nodiscard]] const Column& column(int index) const { return columns_.at(index); }
+    [[nodiscard]] const Column& column(int index) const {
+        const std::lock_guard lock(parsing_);
+        return columns_.at(index);
+    }
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] CsvLine row(std::size_t index) const;
     [[nodiscard]] std::string_view field(const CsvLine& row, int column) const;
@@ -69,6 +76,7 @@ private:
     int first_line_ = 0;
     char separator_ = ',';
     std::size_t n_columns_ = 0;
+    mutable std::mutex parsing_;  ///< variants of a case are read in several threads
     std::map<int, Column> columns_;
     std::vector<CsvLine> marked_;  ///< every so many rows
     std::size_t size_ = 0;
