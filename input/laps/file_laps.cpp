@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <span>
 #include <variant>
 
 #include "input/laps/track_laps.hpp"
 #include "input/loggers/heading_names.hpp"
 #include "input/loggers/logger_units.hpp"
+#include "input/text/column_names.hpp"
 #include "input/text/units.hpp"
 
 namespace tiretherm::input {
@@ -27,11 +30,31 @@ bool is_one_of(std::string_view name, const std::array<std::string_view, N>& wor
     return std::ranges::find(words, bare) != words.end();
 }
 
+/// Whether a name says this direction, and nothing else but where it comes from: "GPS_Lat", "Latitude (deg)", "posLng".
+bool is_position(std::string_view name, std::span<const std::string_view> direction) {
+    constexpr std::array<std::string_view, 14> around{"gps",      "gnss",     "pos", "position",  "car",
+                                                      "vehicle",  "deg",      "raw", "degrees",   "decimal",
+                                                      "location", "filtered", "wgs", "coordinate"};
+    std::size_t found = 0;
+    for (const std::string& word : words_of(name)) {
+        const bool is_number = std::isdigit(static_cast<unsigned char>(word.front())) != 0;
+        const bool says = std::ranges::find(direction, word) != direction.end();
+        if (!says && !is_number && std::ranges::find(around, word) == around.end()) {
+            return false;
+        }
+        found += says ? 1 : 0;
+    }
+    return found == 1;
+}
+
 bool is_latitude(std::string_view name) {
-    return is_one_of(name, std::array<std::string_view, 3>{"latitude", "lat", "gpslatitude"});
+    constexpr std::array<std::string_view, 4> words{"lat", "latitude", "gpslat", "gpslatitude"};
+    return is_position(name, words);
 }
 bool is_longitude(std::string_view name) {
-    return is_one_of(name, std::array<std::string_view, 4>{"longitude", "long", "lon", "gpslongitude"});
+    constexpr std::array<std::string_view, 7> words{"lon",    "long",    "lng",         "longitude",
+                                                    "gpslon", "gpslong", "gpslongitude"};
+    return is_position(name, words);
 }
 
 int find_column(const DataFile& file, bool (*is)(std::string_view name)) {

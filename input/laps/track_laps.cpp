@@ -52,10 +52,13 @@ bool is_known(const Positions& positions, std::size_t i) {
 }  // namespace
 
 std::vector<double> crossings_of(const Positions& positions, const StartLine& line) {
+    struct Crossing {
+        double time = 0.0;
+        bool to_left = false;
+    };
     const Plane plane(line.latitude_a, line.longitude_a);
     const Point along = plane.of(line.latitude_b, line.longitude_b);
-    std::vector<double> times;
-    double direction = 0.0;
+    std::vector<Crossing> crossings;
     std::optional<std::size_t> before;
     for (std::size_t i = 0; i < positions.time.size(); ++i) {
         if (!is_known(positions, i)) {
@@ -71,16 +74,25 @@ std::vector<double> crossings_of(const Positions& positions, const StartLine& li
                 const double share = side_from / (side_from - side_to);
                 const Point there = from + share * (to - from);
                 const double place = (there.x * along.x + there.y * along.y) / (along.x * along.x + along.y * along.y);
-                const double time = positions.time[*before] + share * (positions.time[i] - positions.time[*before]);
-                const double sense = side_to - side_from > 0.0 ? 1.0 : -1.0;
-                const bool late = times.empty() || time > times.back() + shortest_lap;
-                if (place >= 0.0 && place <= 1.0 && late && (direction == 0.0 || sense == direction)) {
-                    direction = sense;
-                    times.push_back(time);
+                if (place >= 0.0 && place <= 1.0) {
+                    crossings.push_back(
+                        {.time = positions.time[*before] + share * (positions.time[i] - positions.time[*before]),
+                         .to_left = side_to > side_from});
                 }
             }
         }
         before = i;
+    }
+    // The way from the pits, or a turn at them, may cross it the other way.
+    const auto to_left = static_cast<std::size_t>(std::ranges::count(crossings, true, &Crossing::to_left));
+    const bool is_first_way = 2 * to_left == crossings.size();
+    std::vector<double> times;
+    for (const Crossing& crossing : crossings) {
+        const bool right_way =
+            crossing.to_left == (is_first_way ? crossings.front().to_left : 2 * to_left > crossings.size());
+        if (right_way && (times.empty() || crossing.time > times.back() + shortest_lap)) {
+            times.push_back(crossing.time);
+        }
     }
     return times;
 }

@@ -16,7 +16,7 @@ struct Positions {
     std::vector<double> longitude;  ///< [n] degrees, east
 };
 
-/// Times at which the car crosses the line, from the side on which it crosses it first; between two samples straight. Of
+/// Times at which the car crosses the line in the direction in which it does so more often; between two samples straight. Of
 /// crossings within 10 s the first counts.
 /// @returns s, ascending
 [[nodiscard]] std::vector<double> crossings_of(const Positions& positions, const StartLine& line);

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "input/laps/file_laps.hpp"
+#include "input/loggers/binary_logs.hpp"
 #include "input/loggers/heading_names.hpp"
 #include "input/loggers/logger_units.hpp"
 #include "input/measurements/data_warnings.hpp"
@@ -115,6 +116,20 @@ std::vector<std::string> doubts_of(const Recording& recording) {
     return sentences;
 }
 
+/// What was said of the file when it was read, without its name.
+std::vector<std::string> said_while_reading(const InputErrors& errors, const std::string& path) {
+    std::vector<std::string> sentences;
+    for (const std::string& warning : errors.warnings()) {
+        const bool is_of_line = warning.starts_with(path + ":") && !warning.starts_with(path + ": ");
+        const std::size_t name = warning.starts_with(path) ? path.size() + (is_of_line ? 1 : 2) : 0;
+        std::string sentence = (is_of_line ? "line " : "") + warning.substr(name);
+        if (std::ranges::find(sentences, sentence) == sentences.end()) {
+            sentences.push_back(std::move(sentence));
+        }
+    }
+    return sentences;
+}
+
 }  // namespace
 
 std::optional<LogSurvey> survey_log(const std::filesystem::path& path, const std::vector<GivenUnit>& units,
@@ -139,6 +154,7 @@ std::optional<LogSurvey> survey_log(const std::filesystem::path& path, const std
         auto all = file->read({{.column = 0, .name = "time", .spec = {.unit = "s"}, .purpose = Purpose::clock}}, again);
         time = all.empty() ? time : SampleTimes(std::move(all.front()));
     }
+    survey.doubts = said_while_reading(errors, survey.path);
     survey.from = time.front();
     survey.to = time.back();
     survey.rows = time.size();
@@ -190,9 +206,7 @@ std::optional<LogSurvey> survey_log(const std::filesystem::path& path, const std
 }
 
 bool is_log_file(const std::filesystem::path& path) {
-    constexpr std::array<std::string_view, 9> endings{".csv", ".txt",  ".tsv", ".dat", ".log",
-                                                      ".h5",  ".hdf5", ".ld",  ".vbo"};
-    return std::ranges::find(endings, in_small_letters(path.extension().string())) != endings.end();
+    return is_ending_of_log(in_small_letters(path.extension().string()));
 }
 
 }  // namespace tiretherm::input

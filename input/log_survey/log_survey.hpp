@@ -47,7 +47,7 @@ struct LogSurvey {
 [[nodiscard]] std::optional<LogSurvey> survey_log(const std::filesystem::path& path,
                                                   const std::vector<GivenUnit>& units, InputErrors& errors);
 
-/// Whether a file is a log by the ending of its name: .csv, .txt, .tsv, .dat, .log, .h5, .hdf5, .ld, .vbo.
+/// Whether a file is a log by the ending of its name: .csv, .ld, .ibt ..., and those that only their makers' programs read.
 [[nodiscard]] bool is_log_file(const std::filesystem::path& path);
 
 }  // namespace tiretherm::input

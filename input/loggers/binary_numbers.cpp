@@ -3,11 +3,13 @@
 
 #include "input/loggers/binary_numbers.hpp"
 
+#include <array>
 #include <bit>
 #include <cassert>
 #include <cmath>
 #include <limits>
 
+#include "input/text/encoding.hpp"
 #include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
@@ -43,6 +45,11 @@ double from_half(std::uint16_t bits) {
     return exponent == 0 ? sign * std::ldexp(fraction, -24) : sign * std::ldexp(fraction + 1024, exponent - 25);
 }
 
+std::size_t size_of(SampleType type) {
+    constexpr std::array<std::size_t, 6> sizes{1, 2, 4, 2, 4, 8};
+    return sizes[static_cast<std::size_t>(type)];
+}
+
 std::uint16_t BinaryNumbers::unsigned16(std::size_t at) const {
     assert(at + 2 <= bytes_.size());
     return assemble16(bytes_, at);
@@ -57,29 +64,31 @@ std::string BinaryNumbers::text(std::size_t at, std::size_t length) const {
     assert(at + length <= bytes_.size());
     std::string_view field = bytes_.substr(at, length);
     field = field.substr(0, field.find('\0'));
-    return std::string(trim(printable(field)));
+    return std::string(trim(printable(as_utf8(std::string(field)))));
+}
+
+double BinaryNumbers::number(std::size_t at, SampleType type) const {
+    switch (type) {
+        case SampleType::uint8:
+            return static_cast<unsigned char>(bytes_[at]);
+        case SampleType::int16:
+            return static_cast<std::int16_t>(assemble16(bytes_, at));
+        case SampleType::int32:
+            return static_cast<std::int32_t>(assemble<std::uint32_t>(bytes_, at));
+        case SampleType::float16:
+            return from_half(assemble16(bytes_, at));
+        case SampleType::float32:
+            return static_cast<double>(std::bit_cast<float>(assemble<std::uint32_t>(bytes_, at)));
+        case SampleType::float64:
+            break;
+    }
+    return std::bit_cast<double>(assemble<std::uint64_t>(bytes_, at));
 }
 
 std::vector<double> BinaryNumbers::samples(std::size_t at, std::size_t count, SampleType type) const {
     std::vector<double> values(count);
     for (std::size_t i = 0; i < count; ++i) {
-        switch (type) {
-            case SampleType::int16:
-                values[i] = static_cast<std::int16_t>(assemble16(bytes_, at + 2 * i));
-                break;
-            case SampleType::int32:
-                values[i] = static_cast<std::int32_t>(assemble<std::uint32_t>(bytes_, at + 4 * i));
-                break;
-            case SampleType::float16:
-                values[i] = from_half(assemble16(bytes_, at + 2 * i));
-                break;
-            case SampleType::float32:
-                values[i] = static_cast<double>(std::bit_cast<float>(assemble<std::uint32_t>(bytes_, at + 4 * i)));
-                break;
-            case SampleType::float64:
-                values[i] = std::bit_cast<double>(assemble<std::uint64_t>(bytes_, at + 8 * i));
-                break;
-        }
+        values[i] = number(at + i * size_of(type), type);
     }
     return values;
 }

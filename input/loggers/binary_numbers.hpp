@@ -9,7 +9,9 @@
 
 namespace tiretherm::input {
 
-enum class SampleType : std::uint8_t { int16, int32, float16, float32, float64 };
+enum class SampleType : std::uint8_t { uint8, int16, int32, float16, float32, float64 };
+/// @returns bytes
+[[nodiscard]] std::size_t size_of(SampleType type);
 
 /// Numbers at addresses of a file. The caller has compared them with the size.
 class BinaryNumbers {
@@ -22,6 +24,7 @@ public:
     [[nodiscard]] int signed16(std::size_t at) const { return static_cast<std::int16_t>(unsigned16(at)); }
     /// A text of at most so many bytes, which a zero may end; printable, without blanks round it.
     [[nodiscard]] std::string text(std::size_t at, std::size_t length) const;
+    [[nodiscard]] double number(std::size_t at, SampleType type) const;
     /// @returns [count]
     [[nodiscard]] std::vector<double> samples(std::size_t at, std::size_t count, SampleType type) const;
 

@@ -16,7 +16,9 @@ namespace tiretherm::input {
 namespace {
 
 /// The surer before the less sure; small letters without blanks and marks.
-constexpr std::array<std::string_view, 4> names{"time", "timestamp", "elapsedtime", "sessiontime"};
+constexpr std::array<std::string_view, 13> names{"time",      "timestamp",   "datetime",    "dateandtime", "timedate",
+                                                 "date/time", "elapsedtime", "sessiontime", "elapsed",     "devicetime",
+                                                 "localtime", "gpstime",     "utctime"};
 
 /// "Session Time", "session_time" and "SessionTime" as "sessiontime".
 std::string bare(std::string_view heading) {
@@ -27,7 +29,7 @@ std::string bare(std::string_view heading) {
 
 /// "timestampms" is "timestamp" with "ms". @returns the unit; empty: none at the end of a name of a time
 std::string_view unit_at_end(std::string_view name) {
-    for (const std::string_view unit : {"ms", "sec", "s"}) {
+    for (const std::string_view unit : {"ms", "seconds", "sec", "s", "minutes", "min", "hours", "h"}) {
         if (name.ends_with(unit) &&
             std::ranges::find(names, name.substr(0, name.size() - unit.size())) != names.end()) {
             return unit;
@@ -82,6 +84,14 @@ FieldForm form_of(const ColumnHead& head, std::string_view first,
     constexpr double before_loggers = 3e8;  // s since 1970, in 1979
     constexpr double after_them = 1e10;     // s; a number of milliseconds since 1979 is larger
     constexpr double least_digits = 1e4;    // one o'clock; a clock of seconds from the start begins at less
+    const bool is_named = rank_of(head.heading.name) != names.size();
+    const auto is_nothing = [](std::string_view field) { return field.empty() || field == "-"; };
+    if (is_named && is_nothing(first)) {
+        visit([&](std::string_view field) {
+            first = field;
+            return is_nothing(field);
+        });
+    }
     if (is_clock(first)) {
         return FieldForm::clock;
     }
@@ -90,7 +100,7 @@ FieldForm form_of(const ColumnHead& head, std::string_view first,
         return FieldForm::since;
     }
     const std::optional<Number> number = leading_number(first);
-    if (rank_of(head.heading.name) == names.size() || !number || !number->rest.empty()) {
+    if (!is_named || !number || !number->rest.empty()) {
         return FieldForm::number;
     }
     if ((unit.empty() || unit == "s") && number->value > before_loggers && number->value < after_them) {
@@ -123,6 +133,18 @@ void mark_clock(std::vector<ColumnHead>& heads) {
     const auto has_clock = [](const ColumnHead& head) { return head.form != FieldForm::number; };
     if (std::ranges::count_if(heads, has_clock) == 1) {
         std::ranges::find_if(heads, has_clock)->is_clock = true;
+    }
+}
+
+void find_dates(std::vector<ColumnHead>& heads, const std::vector<std::string_view>& first) {
+    const auto clock = std::ranges::find_if(heads, [](const ColumnHead& head) {
+        return (head.is_clock || head.heading.name == "time") && head.form == FieldForm::clock;
+    });
+    const auto dates = std::ranges::find_if(first, is_date);
+    if (clock != heads.end() && dates != first.end()) {
+        const auto at = static_cast<std::size_t>(clock - heads.begin());
+        const bool is_undated = at < first.size() && read_stamp(first[at], FieldForm::clock).orders == 0;
+        clock->date_column = is_undated ? static_cast<int>(dates - first.begin()) : -1;
     }
 }
 

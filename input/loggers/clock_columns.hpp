@@ -26,4 +26,8 @@ void take_time_units(std::vector<ColumnHead>& heads);
 /// day.
 void mark_clock(std::vector<ColumnHead>& heads);
 
+/// Notes the column that has the dates of the file's time, where that is a clock without any.
+/// @param first [n] fields of the first row, at most one for each head
+void find_dates(std::vector<ColumnHead>& heads, const std::vector<std::string_view>& first);
+
 }  // namespace tiretherm::input

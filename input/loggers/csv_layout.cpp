@@ -9,7 +9,7 @@ namespace tiretherm::input {
 
 bool is_comment(std::string_view line) {
     line = trim(line);
-    return line.starts_with('#') || line.starts_with("//");
+    return line.starts_with('#') || line.starts_with("//") || line.starts_with("MARK ");
 }
 
 std::vector<std::string> read_detail(std::string_view line, char separator, LogDescription& into) {
@@ -30,7 +30,7 @@ std::vector<std::string> read_detail(std::string_view line, char separator, LogD
 }
 
 CsvLayout find_csv_layout(std::string_view text) {
-    for (const auto find : {find_key_value_layout, find_racechrono_layout, find_vbox_layout}) {
+    for (const auto find : {find_key_value_layout, find_racechrono_layout, find_vbox_layout, find_marked_layout}) {
         if (std::optional<CsvLayout> layout = find(text)) {
             return std::move(*layout);
         }

@@ -12,13 +12,21 @@
 
 namespace tiretherm::input {
 
+/// A column of which a program's files do not say all that is known.
+struct KnownColumn {
+    std::string_view heading;  ///< as it is written, without unit
+    std::string_view name;     ///< in its place; empty: it stays
+    std::string_view unit;     ///< where it has none
+};
+
 /// How the text of a logger is laid out.
 struct CsvLayout {
     LogDescription description{};
     HeadLines lines{};
     char separator = ',';
-    Csv::Line sources{};                ///< names the device of each column; without number: none
-    std::vector<std::string> units{};   ///< of the columns, where no line has them; empty: that of `lines`
+    Csv::Line sources{};               ///< names the device of each column; without number: none
+    std::vector<std::string> units{};  ///< of the columns, where no line has them; empty: that of `lines`
+    std::vector<KnownColumn> known{};
     bool round_brackets = false;        ///< headings are written "Speed (m/s) *gps"
     int defect_line = 0;                ///< where `defect` stands
     std::optional<ErrorText> defect{};  ///< the file names a logger and is not laid out as its files are
@@ -36,8 +44,10 @@ struct CsvLayout {
 [[nodiscard]] std::optional<CsvLayout> find_racechrono_layout(std::string_view text);
 /// Racelogic VBOX, .vbo: sections in brackets, values separated by blanks.
 [[nodiscard]] std::optional<CsvLayout> find_vbox_layout(std::string_view text);
+/// TrackAddict, RaceCapture, Torque, Accessport, TunerStudio.
+[[nodiscard]] std::optional<CsvLayout> find_marked_layout(std::string_view text);
 
-/// Whether a line is a comment: # or // at its beginning.
+/// Whether a line is a comment: # or // at its beginning, or a mark that the driver set in a log of TunerStudio.
 [[nodiscard]] bool is_comment(std::string_view line);
 
 /// Splits "Session,Test" or "\"Session\";\"Test\"" as a detail; empty values are left out. @returns the fields after the key

@@ -78,17 +78,41 @@ void number_duplicates(std::vector<ColumnHead>& heads) {
     }
 }
 
+namespace {
+
+/// "AccelX"|"g"|-3.0|3.0|25 of RaceCapture: name, unit, range and rate.
+std::optional<Heading> read_barred_heading(std::string_view text) {
+    const std::size_t name_end = text.find("\"|\"");
+    const std::size_t unit_end = text.find("\"|", std::min(name_end, text.size() - 1) + 1);
+    if (!text.starts_with('"') || name_end == std::string_view::npos || unit_end == std::string_view::npos) {
+        return std::nullopt;
+    }
+    const std::string unit(trim(text.substr(name_end + 3, unit_end - name_end - 3)));
+    return Heading{std::string(trim(text.substr(1, name_end - 1))), unit.empty() ? std::nullopt : std::optional(unit)};
+}
+
+}  // namespace
+
 Heading read_heading_of_logger(std::string_view text) {
+    text = trim(text);
+    if (text.find('|') != std::string_view::npos) {
+        if (std::optional<Heading> barred = read_barred_heading(text)) {
+            return std::move(*barred);
+        }
+    }
     Heading heading = read_heading(text);
-    if (heading.unit || !trim(text).ends_with(')')) {
+    const std::size_t close = text.rfind(')');
+    const std::size_t open = close == std::string_view::npos ? close : text.rfind('(', close);
+    if (heading.unit || open == std::string_view::npos || open == 0) {
         return heading;
     }
-    text = trim(text);
-    const std::size_t open = text.rfind('(');
-    const std::string_view name = open == std::string_view::npos ? text : trim(text.substr(0, open));
-    const std::string_view unit =
-        open == std::string_view::npos ? "" : trim(text.substr(open + 1, text.size() - open - 2));
-    return name.empty() || !is_logger_unit(unit) ? heading : Heading{std::string(name), std::string(unit)};
+    const std::string_view behind = text.substr(close + 1);  // "Speed (km/h) *OBD"
+    const std::string_view unit = trim(text.substr(open + 1, close - open - 1));
+    const std::string_view name = trim(text.substr(0, open));
+    if (name.empty() || !is_logger_unit(unit) || !(behind.empty() || behind.starts_with(" *"))) {
+        return heading;
+    }
+    return {fmt::format("{}{}", name, behind), std::string(unit)};
 }
 
 }  // namespace tiretherm::input

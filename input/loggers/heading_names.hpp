@@ -19,7 +19,8 @@ void distinguish(std::vector<ColumnHead>& heads, const std::vector<std::string_v
 /// The second of two columns that are called Time is "Time (2)".
 void number_duplicates(std::vector<ColumnHead>& heads);
 
-/// "speed [km/h]", and "Speed (km/h)" where the round brackets have a unit that loggers write.
+/// "speed [km/h]", "Speed (km/h)" and "Speed (km/h) *OBD" where the round brackets have a unit that loggers write, and
+/// "Speed"|"km/h"|0|300|10.
 [[nodiscard]] Heading read_heading_of_logger(std::string_view text);
 
 /// A name in small letters.

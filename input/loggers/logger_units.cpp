@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "input/loggers/clock_words.hpp"
 #include "input/loggers/heading_names.hpp"
 #include "input/text/column_names.hpp"
 #include "input/text/suggestions.hpp"
@@ -35,7 +37,15 @@ constexpr std::array spellings{Spelling{"kmh", "km/h"},
                                Spelling{"sec", "s"},
                                Spelling{"secs", "s"},
                                Spelling{"seconds", "s"},
+                               Spelling{"mins", "min"},
+                               Spelling{"minutes", "min"},
+                               Spelling{"hr", "h"},
+                               Spelling{"hrs", "h"},
+                               Spelling{"hours", "h"},
+                               Spelling{"meters/second", "m/s"},
+                               Spelling{"m/sec", "m/s"},
                                Spelling{"rpm", "rpm"},
+                               Spelling{"revs/min", "rpm"},
                                Spelling{"deg/s", "degree/s"},
                                Spelling{"deg/sec", "degree/s"},
                                Spelling{"dps", "degree/s"},
@@ -81,22 +91,35 @@ bool name_agrees(std::string_view name, const Ambiguous& unit) {
            small.starts_with("g ") || small.ends_with(" g");
 }
 
-/// The sign of degrees as it is meant: in Latin-1 it is one byte, and a program that takes each byte for a letter writes two signs.
+/// The sign of degrees as it is meant. What is written for it: its byte of Latin-1, of DOS and of the old Macintosh, also taken for Latin-1; two
+/// letters, where UTF-8 was taken for Latin-1; the signs of the ordinal and of the ring; what stands for a byte that was lost.
 std::string with_sign_of_degrees(std::string_view written) {
     constexpr std::string_view sign = "\u00B0";
-    constexpr std::string_view twice = "\u00C2\u00B0";
-    constexpr char latin = '\xB0';
+    constexpr std::array<std::string_view, 9> others{"\u00C2\u00B0", "\u00C2\u00BA", "\u00BA", "\u02DA", "\uFFFD",
+                                                     "\u00F8",       "\u00A1",       "\xB0",   "\xBA"};
     std::string text(trim(written));
-    if (const std::size_t at = text.find(twice); at != std::string::npos) {
-        text.replace(at, twice.size(), sign);
-    } else if (const std::size_t byte = text.find(latin);
-               byte != std::string::npos && (byte == 0 || text[byte - 1] != sign.front())) {
-        text.replace(byte, 1, sign);
+    for (const auto& [one, letter] :
+         {std::pair{"\u2103", "C"}, std::pair{"\u2109", "F"}}) {  // a sign and a letter in one
+        if (text == one) {
+            return std::string(sign) + letter;
+        }
     }
+    if (!text.starts_with(sign)) {
+        const auto other = std::ranges::find_if(others, [&](std::string_view one) { return text.starts_with(one); });
+        if (other == others.end()) {
+            return text;
+        }
+        text.replace(0, other->size(), sign);
+    }
+    const std::size_t letter = text.find_first_not_of(' ', sign.size());
+    text.erase(sign.size(), std::min(letter, text.size()) - sign.size());  // "\u00B0 C"
     return text;
 }
 
 std::string spelt(std::string_view text) {
+    if (clock_spelling(text)) {
+        return "s";  // times of the day are read in seconds, however they are written
+    }
     const std::string written = with_sign_of_degrees(text);
     const std::string small = in_small_letters(written);
     // One letter in capitals is another unit: M is no metre. Nm and nm are a moment and a length.
@@ -108,11 +131,11 @@ std::string spelt(std::string_view text) {
 }  // namespace
 
 bool is_logger_unit(std::string_view written) {
-    constexpr std::array<std::string_view, 27> plain{"s",  "ms", "min", "m",    "mm",    "km", "ft",  "c",   "f",
-                                                     "k",  "g",  "m/s", "m/s2", "m/s^2", "mg", "deg", "rad", "rad/s",
-                                                     "hz", "v",  "mv",  "a",    "n",     "kn", "pa",  "%",   "l"};
-    const std::string small = in_small_letters(trim(written));
-    return std::ranges::find(plain, small) != plain.end() ||
+    constexpr std::array<std::string_view, 30> plain{
+        "s",     "ms", "us",  "min", "h",     "m",  "mm", "km", "ft", "c", "f",  "k",  "g", "m/s", "m/s2",
+        "m/s^2", "mg", "deg", "rad", "rad/s", "hz", "v",  "mv", "a",  "n", "kn", "pa", "%", "l",   "degc"};
+    const std::string small = in_small_letters(with_sign_of_degrees(written));
+    return std::ranges::find(plain, small) != plain.end() || clock_spelling(written).has_value() ||
            std::ranges::any_of(spellings, [&](const Spelling& spelling) { return spelling[0] == small; });
 }
 

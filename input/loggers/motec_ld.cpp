@@ -3,6 +3,7 @@
 
 #include "input/loggers/motec_ld.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <set>
@@ -10,8 +11,10 @@
 #include <fmt/format.h>
 
 #include "input/loggers/binary_numbers.hpp"
+#include "input/loggers/logger_units.hpp"
 #include "input/loggers/motec_ldx.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/text/units.hpp"
 
 namespace tiretherm::input {
 
@@ -33,6 +36,7 @@ struct Record {
     int scale = 1;
     int decimals = 0;
     std::string name;
+    std::string short_name;  ///< up to the unit's end, where the one runs into the other
     std::string unit;
 };
 
@@ -84,6 +88,7 @@ public:
             }
             at = take_record(at, seen.size(), found);
         }
+        take_units_from_short_names(found);
         if (found.empty() && errors_.count() == before) {
             errors_.add(place_, "the file has no channel with samples", "");
         }
@@ -102,6 +107,7 @@ private:
                       .scale = in_.signed16(at + 28),
                       .decimals = in_.signed16(at + 30),
                       .name = in_.text(at + 32, 32),
+                      .short_name = in_.text(at + 64, 12),
                       .unit = in_.text(at + 72, 12)};
         if (record.name.empty()) {
             record.name = in_.text(at + 64, 8);
@@ -148,7 +154,22 @@ private:
         return next;
     }
 
-    void add(Record record, std::vector<ChannelTable::Channel>& into) const {
+    /// Some programs write no short names, and the units in their place.
+    void take_units_from_short_names(std::vector<ChannelTable::Channel>& channels) const {
+        const auto is_unit = [](const std::string& text) {
+            return text.empty() || is_logger_unit(text) || !signature(text).empty();
+        };
+        const bool has_units =
+            std::ranges::any_of(channels, [](const ChannelTable::Channel& channel) { return !channel.unit.empty(); });
+        if (!has_units && std::ranges::all_of(short_names_, is_unit)) {
+            for (std::size_t i = 0; i < channels.size(); ++i) {
+                channels[i].unit = short_names_[i];
+            }
+        }
+    }
+
+    void add(Record record, std::vector<ChannelTable::Channel>& into) {
+        short_names_.push_back(record.short_name);
         ChannelTable::Channel channel{
             .name = record.name, .unit = record.unit, .rate = static_cast<double>(record.rate), .count = record.count};
         channel.samples = [bytes = bytes_, record = std::move(record)] {
@@ -167,7 +188,8 @@ private:
     BinaryNumbers in_;
     SourceLocation place_;
     InputErrors& errors_;
-    std::uint64_t samples_ = 0;  ///< bytes of all channels
+    std::uint64_t samples_ = 0;             ///< bytes of all channels
+    std::vector<std::string> short_names_;  ///< of the channels that are kept
 };
 
 }  // namespace

@@ -29,8 +29,10 @@ std::vector<double> read_ldx_markers(const std::filesystem::path& ld_file) {
     std::ifstream stream(file, std::ios::binary);
     const std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
     std::vector<double> markers;
-    for (std::size_t at = text.find("<Marker "); at != std::string::npos; at = text.find("<Marker ", at + 1)) {
-        const std::string_view element = std::string_view(text).substr(at, text.find('>', at) - at);
+    std::size_t end = 0;
+    for (std::size_t at = text.find("<Marker "); at != std::string::npos; at = text.find("<Marker ", end)) {
+        end = std::min(text.find_first_of("<>", at + 1), text.size());  // of a damaged element at the next one
+        const std::string_view element = std::string_view(text).substr(at, end - at);
         const std::size_t time = element.find(" Time=\"");
         if (element.find("ClassName=\"BCN\"") == std::string_view::npos || time == std::string_view::npos) {
             continue;

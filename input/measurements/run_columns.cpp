@@ -17,7 +17,7 @@ namespace tiretherm::input {
 namespace {
 
 void apply_unit(ColumnHead& head, const LocatedString& unit, InputErrors& errors) {
-    if (head.heading.unit && *head.heading.unit != unit.text) {
+    if (head.heading.unit && *head.heading.unit != unit.text && head.form == FieldForm::number) {
         errors.warn(unit.place, fmt::format("the column {} is in [{}] by its heading; {} is taken instead",
                                             head.heading.name, *head.heading.unit, unit.text));
     }

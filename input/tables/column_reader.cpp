@@ -90,7 +90,7 @@ ErrorText ColumnReader::error_text(std::string_view field, double written, bool 
     const std::string empty_it = may_miss ? "leave the field empty where nothing was measured" : "";
     if (clock && !is_number) {
         return {fmt::format("{} is \"{}\", which is no time", name, field),
-                "write seconds, or clocks of the day such as 11:49:03.250 (in VBOX files 114903.25)"};
+                "write seconds, or clocks such as 11:49:03.250 or 2026-10-24 11:49:03.250 (in VBOX files 114903.25)"};
     }
     if (!is_number) {
         return {fmt::format("{} is \"{}\"; a number is wanted", name, field), empty_it};

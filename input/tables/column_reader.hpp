@@ -21,6 +21,7 @@ struct ColumnHead {
     SourceLocation unit_place{};  ///< of the unit, where it stands on its own; file -1: within `place`
     FieldForm form = FieldForm::number;
     bool is_clock = false;  ///< the time of the file, where no column is called `time`
+    int date_column = -1;   ///< of a clock: the column that has its dates; -1: none
 };
 
 /// What a column of a file is read for.

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "input/loggers/clock_columns.hpp"
+#include "input/loggers/clock_words.hpp"
 #include "input/loggers/csv_layout.hpp"
 #include "input/loggers/heading_names.hpp"
 #include "input/text/suggestions.hpp"
@@ -24,7 +25,10 @@ std::string_view unquoted(std::string_view field) {
 std::size_t end_of_field(std::string_view line, char separator) {
     const std::size_t first = line.find_first_not_of(" \t");
     if (first != std::string_view::npos && line[first] == '"') {
-        const std::size_t closing = line.find('"', first + 1);
+        std::size_t closing = line.find('"', first + 1);
+        while (closing != std::string_view::npos && line.substr(closing + 1).starts_with('"')) {  // a quote within
+            closing = line.find('"', closing + 2);
+        }
         const std::size_t after =
             closing == std::string_view::npos ? closing : line.find_first_not_of(' ', closing + 1);
         if (closing != std::string_view::npos && (after == std::string_view::npos || line[after] == separator)) {
@@ -151,11 +155,21 @@ void Csv::read_heads(const CsvLayout& layout) {
     split_fields(layout.lines.names.text, separator_, fields);
     heads_.reserve(fields.size());
     for (const SourceLocation& spot : places(layout.lines.names, fields)) {
-        const std::string_view field = fields[heads_.size()];
+        std::string field(fields[heads_.size()]);
+        for (std::size_t at = 0; (at = field.find("\"\"", at)) != std::string::npos; ++at) {
+            field.erase(at, 1);  // a quote within quotes
+        }
         heads_.push_back({.heading = layout.round_brackets ? read_round_heading(field) : read_heading_of_logger(field),
                           .place = spot});
     }
     read_units(layout);
+    for (ColumnHead& head : heads_) {
+        const auto known = std::ranges::find(layout.known, head.heading.name, &KnownColumn::heading);
+        if (known != layout.known.end()) {
+            head.heading.name = known->name.empty() ? head.heading.name : std::string(known->name);
+            head.heading.unit = head.heading.unit ? head.heading.unit : std::optional<std::string>(known->unit);
+        }
+    }
     if (layout.sources.number > 0) {
         split_fields(layout.sources.text, separator_, fields);
         distinguish(heads_, fields);
@@ -189,13 +203,11 @@ void Csv::read_units(const CsvLayout& layout) {
 }
 
 void Csv::visit_column(std::size_t column, const FieldVisitor& take) const {
+    CsvLine line;
     std::string_view rest = body_;
     std::vector<std::string_view> fields;
-    while (const auto line = next_line(rest)) {
-        if (is_blank(*line) || is_comment(*line)) {
-            continue;
-        }
-        split_fields(*line, separator_, fields);
+    while (next_row(rest, names_, line)) {
+        split_fields(line.text, separator_, fields);
         if (column >= fields.size() || !take(fields[column])) {
             return;
         }
@@ -204,24 +216,24 @@ void Csv::visit_column(std::size_t column, const FieldVisitor& take) const {
 
 void Csv::find_clocks() {
     std::string_view rest = body_;
-    Line first = next_filled_line(rest, 0);
-    while (first.number > 0 && is_comment(first.text)) {
-        first = next_filled_line(rest, first.number);
-    }
+    Line first;
+    static_cast<void>(next_row(rest, names_, first));
     take_time_units(heads_);
     std::vector<std::string_view> fields;
     split_fields(first.text, separator_, fields);
-    for (std::size_t i = 0; i < std::min(fields.size(), heads_.size()); ++i) {
+    fields.resize(std::min(fields.size(), heads_.size()));
+    for (std::size_t i = 0; i < fields.size(); ++i) {
         ColumnHead& head = heads_[i];
         const bool is_vbox = description_.west_is_positive && head.heading.name == "time" && !is_clock(fields[i]);
         head.form = is_vbox ? FieldForm::digits
                             : form_of(head, fields[i], [&](const FieldVisitor& take) { visit_column(i, take); });
-        if (head.form != FieldForm::number) {
+        if (head.form != FieldForm::number && !clock_spelling(head.heading.unit.value_or(""))) {
             head.heading.unit = "s";
             head.unit_place = {};
         }
     }
     mark_clock(heads_);
+    find_dates(heads_, fields);
 }
 
 std::optional<Csv> Csv::open(const TextFile& file, InputErrors& errors) {
@@ -237,6 +249,7 @@ std::optional<Csv> Csv::open(const TextFile& file, InputErrors& errors) {
                    std::move(*layout.defect));
         return std::nullopt;
     }
+    csv.names_ = layout.lines.names.text;
     csv.body_ = layout.lines.body;
     csv.separator_ = layout.separator;
     csv.description_ = std::move(layout.description);
@@ -250,7 +263,7 @@ std::optional<Csv> Csv::open(const TextFile& file, InputErrors& errors) {
     csv.rows_ = errors.rows(csv.file_);
     if (!csv.rows_) {
         const int last = std::max({layout.lines.names.number, layout.lines.units.number, layout.sources.number});
-        csv.rows_ = std::make_shared<CsvRows>(csv.body_, last + 1, csv.separator_, csv.heads_.size());
+        csv.rows_ = std::make_shared<CsvRows>(csv.body_, last + 1, csv.separator_, csv.names_, csv.heads_.size());
         errors.rows(csv.file_) = csv.rows_;
     }
     return csv;

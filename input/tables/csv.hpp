@@ -53,13 +53,17 @@ private:
     void visit_column(std::size_t column, const std::function<bool(std::string_view)>& take) const;
     /// Which columns hold clocks, and which is the file's time.
     void find_clocks();
+    /// The numbers of a column as it is asked for, where they are not those that are written: times of clocks, and times in
+    /// numbers that are too coarse for all the lines.
+    [[nodiscard]] std::optional<std::vector<double>> times_of(const ColumnRequest& request, InputErrors& errors) const;
     /// What is wrong with the lines of the file.
     void report_lines(InputErrors& errors) const;
     /// Of all fields of a line in one pass: a line may have a hundred thousand of them.
     [[nodiscard]] std::vector<SourceLocation> places(const Line& line,
                                                      const std::vector<std::string_view>& fields) const;
 
-    std::string_view body_;  ///< the lines after the headings
+    std::string_view names_;  ///< the line of the headings
+    std::string_view body_;   ///< the lines after them
     std::shared_ptr<CsvRows> rows_;
     int file_ = -1;
     char separator_ = ',';

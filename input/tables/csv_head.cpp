@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <deque>
 
+#include "input/loggers/clock.hpp"
 #include "input/loggers/csv_layout.hpp"
 #include "input/tables/csv.hpp"
 #include "input/text/suggestions.hpp"
@@ -16,6 +17,7 @@ constexpr int searched = 500;  // lines; no logger writes more about itself
 
 /// What the fields of a line are.
 struct Fields {
+    std::size_t written = 0;
     std::size_t all = 0;  ///< without an empty one after a last separator
     std::size_t numbers = 0;
     std::size_t ones = 0;  ///< numbers that are 1, which is also a unit
@@ -24,18 +26,25 @@ struct Fields {
     [[nodiscard]] bool are_names() const { return all >= 2 && texts >= 2 && numbers == 0; }
     [[nodiscard]] bool are_units() const { return texts >= 1 && numbers == ones; }
     [[nodiscard]] bool are_data() const { return numbers >= 1; }
+    /// The last of them may be empty, as the unit of a pure number.
+    [[nodiscard]] bool are_as_many_as(const Fields& others) const {
+        return all == others.all || written == others.written;
+    }
 };
 
 Fields count(std::string_view line, char separator) {
     std::vector<std::string_view> fields;
     split_fields(line, separator, fields);
+    Fields counted{.written = fields.size()};
     if (fields.size() > 1 && fields.back().empty()) {
         fields.pop_back();
     }
-    Fields counted{.all = fields.size()};
+    counted.all = fields.size();
     for (const std::string_view field : fields) {
         const std::optional<Number> number = leading_number(field);
-        if (number && (number->rest.empty() || number->rest.starts_with(','))) {
+        if (is_clock(field)) {
+            ++counted.numbers;
+        } else if (number && (number->rest.empty() || number->rest.starts_with(','))) {
             ++counted.numbers;
             counted.ones += number->value == 1.0 && number->rest.empty() ? 1 : 0;
         } else if (!field.empty()) {
@@ -108,9 +117,9 @@ HeadLines find_head_lines(std::string_view text) {
         const char separator = separator_of(next[0].line.text);
         const Fields names = count(next[0].line.text, separator);
         const Fields second = count(next[1].line.text, separator);
-        if (names.are_names() && second.all == names.all) {
+        if (names.are_names() && second.are_as_many_as(names)) {
             const Fields third = count(next[2].line.text, separator);
-            if (second.are_units() && third.all == names.all && third.are_data() && !third.are_units()) {
+            if (second.are_units() && third.are_as_many_as(names) && third.are_data() && !third.are_units()) {
                 return {.names = next[0].line, .units = next[1].line, .body = next[1].rest};
             }
             if (second.are_data() && !second.are_units()) {

@@ -2,11 +2,13 @@
 // Reads the requested columns of a CSV file and reports lines with the wrong number of fields.
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <numeric>
 
 #include <fmt/format.h>
 
+#include "input/loggers/clock_times.hpp"
 #include "input/loggers/csv_layout.hpp"
 #include "input/tables/csv.hpp"
 #include "input/text/error_limiter.hpp"
@@ -77,6 +79,39 @@ void Csv::parse_all() const {
     rows_->parse(all, heads_);
 }
 
+std::optional<std::vector<double>> Csv::times_of(const ColumnRequest& request, InputErrors& errors) const {
+    const ColumnHead& head = heads_[static_cast<std::size_t>(request.column)];
+    const CsvRows::Column& column = rows_->column(request.column);
+    const bool is_time = request.purpose == Purpose::clock;
+    if (head.form != FieldForm::number) {
+        const bool is_picture = request.purpose == Purpose::frame || request.purpose == Purpose::point;
+        ClockTimes found = clock_times(column.stamp, head.form, head.heading, !is_picture);
+        for (const std::string& remark : is_time ? found.remarks : std::vector<std::string>{}) {
+            errors.warn(head.place, remark);
+        }
+        if (is_time && found.question) {
+            errors.add(head.place, std::move(*found.question));
+        }
+        return std::move(found.seconds);
+    }
+    // Of numbers, two at one time are a jump and three a mistake, unless the clock is too coarse for all the lines.
+    constexpr std::size_t least = 3;
+    constexpr std::size_t looked_at = 5000;  // lines, before all are
+    const std::vector<double>& written = column.number;
+    const auto first = static_cast<std::ptrdiff_t>(is_time ? std::min(looked_at, written.size()) : 0);
+    std::vector<double> times(written.begin(), written.begin() + first);
+    if (share_out(times, least).empty()) {
+        return std::nullopt;
+    }
+    times = written;
+    const std::string remark = share_out(times, least);
+    if (remark.empty()) {
+        return std::nullopt;
+    }
+    errors.warn(head.place, fmt::format("{}: {}", head.heading.name, remark));
+    return times;
+}
+
 std::vector<std::vector<double>> Csv::read(const std::vector<ColumnRequest>& requests, InputErrors& errors,
                                            bool last) const {
     const std::size_t before = errors.count();
@@ -96,12 +131,16 @@ std::vector<std::vector<double>> Csv::read(const std::vector<ColumnRequest>& req
         const CsvRows::Column& column = rows_->column(request.column);
         const bool is_used = request.purpose != Purpose::unused;
         ColumnReader reader(heads_[static_cast<std::size_t>(request.column)], request, errors);
-        reader.values.reserve(column.number.size());
+        const std::optional<std::vector<double>> times = times_of(request, errors);
+        const std::vector<double>& numbers = times ? *times : column.number;
+        reader.values.reserve(numbers.size());
         auto text = column.text.begin();
-        for (std::size_t row = 0; row < column.number.size(); ++row) {
-            const bool is_text = text != column.text.end() && *text == row;
-            text += is_text ? 1 : 0;
-            reader.take(column.number[row], !is_text, [&] {
+        for (std::size_t row = 0; row < numbers.size(); ++row) {
+            const bool is_unread = text != column.text.end() && *text == row;
+            text += is_unread ? 1 : 0;
+            const bool is_no_day =
+                row < column.stamp.size() && !std::isnan(column.stamp[row].seconds) && std::isnan(numbers[row]);
+            reader.take(numbers[row], !is_unread && !is_no_day, [&] {
                 const Line line = rows_->row(row);
                 const std::string_view field = rows_->field(line, request.column);
                 std::string room;

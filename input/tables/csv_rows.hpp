@@ -20,13 +20,18 @@ struct CsvLine {
     int number = 0;
 };
 
+/// Goes on to the next line that is neither blank nor a comment, and has not the headings again, as where a logger was started anew.
+/// @param names the line of the headings  @param line the last one; out: the next  @returns false at the end
+[[nodiscard]] bool next_row(std::string_view& rest, std::string_view names, CsvLine& line);
+
 /// The lines below the headings that have a field for each column. All that open the file with the same InputErrors share them:
 /// the corners of a car, a case's passes over its log. Keeps no text of its own: the file must outlive it.
 class CsvRows {
 public:
     /// @param body the lines after the headings  @param first_line number of the first of them
-    CsvRows(std::string_view body, int first_line, char separator, std::size_t n_columns)
-        : body_(body), first_line_(first_line), separator_(separator), n_columns_(n_columns) {}
+    /// @param names the line of the headings
+    CsvRows(std::string_view body, int first_line, char separator, std::string_view names, std::size_t n_columns)
+        : body_(body), names_(names), first_line_(first_line), separator_(separator), n_columns_(n_columns) {}
 
     /// The first field of a column with a decimal comma, or with a point.
     struct Mark {
@@ -35,7 +40,8 @@ public:
     };
     struct Column {
         FieldForm form = FieldForm::number;
-        std::vector<double> number{};       ///< [size()] as written, of clocks s; NaN where no number stands alone
+        std::vector<double> number{};       ///< [size()] as written; NaN where no number stands alone; of clocks none
+        std::vector<Stamp> stamp{};         ///< [size()] of clocks
         std::vector<std::uint32_t> text{};  ///< rows in which something else stands, ascending
         Mark comma{};                       ///< none where commas separate the columns
         Mark point{};
@@ -68,11 +74,10 @@ public:
     [[nodiscard]] std::size_t lines_split() const { return lines_split_; }
 
 private:
-    /// Goes on to the next line that is neither blank nor a comment. @returns false at the end
-    static bool advance(std::string_view& rest, CsvLine& line);
     [[nodiscard]] bool is_row(const std::vector<std::string_view>& fields) const;
 
     std::string_view body_;
+    std::string_view names_;
     int first_line_ = 0;
     char separator_ = ',';
     std::size_t n_columns_ = 0;

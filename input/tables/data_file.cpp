@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Chooses HDF5 by the name of the file, MoTeC .ld by its first bytes, CSV otherwise, and passes the calls on.
+// Chooses HDF5 by the name of the file, binary logs by their first bytes, text otherwise, and passes the calls on.
 
 #include "input/tables/data_file.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <fstream>
+#include <iterator>
 
 #include <fmt/format.h>
 
-#include "input/loggers/motec_ld.hpp"
+#include "input/loggers/binary_logs.hpp"
 #include "input/text/enough_memory.hpp"
 #include "input/text/regular_file.hpp"
 
@@ -25,20 +25,16 @@ bool is_hdf5(const std::filesystem::path& path) {
     return ending == ".h5" || ending == ".hdf5";
 }
 
-/// All bytes of a MoTeC .ld file; nothing for another one, and for one that is too large, of which read_text says so.
-std::optional<std::string> read_ld_bytes(const std::filesystem::path& path) {
+/// The first bytes of a file; empty for one that cannot be read, or is too large: `read_foreign_text` says so.
+std::string first_bytes_of(const std::filesystem::path& path) {
     if (!not_readable(path, largest_text).what.empty()) {
-        return std::nullopt;
+        return {};
     }
     std::ifstream stream(path, std::ios::binary);
-    std::array<char, 4> first{};
-    stream.read(first.data(), first.size());
-    if (!stream || !is_motec_ld({first.data(), first.size()})) {
-        return std::nullopt;
-    }
-    std::string bytes(first.data(), first.size());
-    bytes.append(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
-    return bytes;
+    std::string first(first_bytes_of_log, '\0');
+    stream.read(first.data(), static_cast<std::streamsize>(first.size()));
+    first.resize(static_cast<std::size_t>(stream.gcount()));
+    return first;
 }
 
 }  // namespace
@@ -60,16 +56,27 @@ std::optional<DataFile> DataFile::open_any(const std::filesystem::path& path, co
         file.columns_ = std::move(*columns);
         return file;
     }
-    if (std::optional<std::string> bytes = read_ld_bytes(path)) {
+    const std::string first = first_bytes_of(path);
+    if (const BinaryLog* log = find_binary_log(first)) {
+        std::ifstream stream(path, std::ios::binary);
+        std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
         file.number_ = errors.add_file(path.generic_string(), "");
-        std::optional<ChannelTable> table = read_motec_ld(std::move(*bytes), path, file.number_, errors);
+        std::optional<ChannelTable> table = log->read(std::move(bytes), path, file.number_, errors);
         if (!table) {
             return std::nullopt;
         }
         file.columns_ = std::move(*table);
         return file;
     }
-    const std::optional<TextFile> text = read_text(path, mentioned, errors);
+    if (ErrorText unread = first.empty() ? ErrorText{} : unread_log(path, first); !unread.what.empty()) {
+        const bool is_argument = mentioned.file < 0;
+        const SourceLocation place =
+            is_argument ? SourceLocation{.file = errors.add_file(path.generic_string(), "")} : mentioned;
+        const std::string name = is_argument ? "" : path.generic_string() + " ";
+        errors.add(place, fmt::format("the file {}{}", name, unread.what), std::move(unread.remedy));
+        return std::nullopt;
+    }
+    const std::optional<TextFile> text = read_foreign_text(path, mentioned, errors);
     if (!text) {
         return std::nullopt;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A file of measured columns, CSV, HDF5 or MoTeC .ld, behind one interface.
+// A file of measured columns, CSV, HDF5 or a logger's binary file, behind one interface.
 #pragma once
 
 #include <filesystem>
@@ -12,8 +12,8 @@
 
 namespace tiretherm::input {
 
-/// A file of measured columns: HDF5 where its name ends in .h5 or .hdf5, MoTeC .ld by its first bytes, otherwise text of any of
-/// the loggers that Csv knows.
+/// A file of measured columns: HDF5 where its name ends in .h5 or .hdf5, MoTeC .ld and iRacing .ibt by their first bytes,
+/// otherwise text of any of the loggers that Csv knows.
 class DataFile {
 public:
     /// @param mentioned where the case names it; file -1 when it was given beside the case

@@ -8,29 +8,13 @@
 
 #include <fmt/format.h>
 
+#include "input/text/encoding.hpp"
+
 namespace tiretherm::input {
 
 namespace {
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
-
-/// How many bytes the UTF-8 character at the start of a text has; 0 where there is none.
-std::size_t character_size(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const std::size_t size = byte(0) < 0x80U ? 1 : byte(0) < 0xC2U ? 0 : byte(0) < 0xE0U ? 2 : byte(0) < 0xF0U ? 3 : 4;
-    if (size == 0 || byte(0) > 0xF4U || size > text.size()) {
-        return 0;
-    }
-    for (std::size_t i = 1; i < size; ++i) {
-        if ((byte(i) & 0xC0U) != 0x80U) {
-            return 0;
-        }
-    }
-    // Overlong forms, surrogates and what lies beyond the last plane.
-    const bool wrong = size > 2 && ((byte(0) == 0xE0U && byte(1) < 0xA0U) || (byte(0) == 0xEDU && byte(1) > 0x9FU) ||
-                                    (byte(0) == 0xF0U && byte(1) < 0x90U) || (byte(0) == 0xF4U && byte(1) > 0x8FU));
-    return wrong ? 0 : size;
-}
 
 /// @param character in UTF-8: one of the two blocks of control characters
 bool is_control(std::string_view character) {
@@ -121,7 +105,7 @@ std::string_view trim(std::string_view text) {
 std::string printable(std::string_view text) {
     std::string result;
     while (!text.empty()) {
-        const std::size_t size = character_size(text);
+        const std::size_t size = utf8_size(text);
         if (size == 0) {
             result += '?';
         } else {

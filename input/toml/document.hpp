@@ -53,6 +53,9 @@ struct TextFile {
 };
 [[nodiscard]] std::optional<TextFile> read_text(const std::filesystem::path& path, const SourceLocation& mentioned,
                                                 InputErrors& errors);
+/// The same of a file that other programs write, in whatever encoding, as UTF-8 with line feeds.
+[[nodiscard]] std::optional<TextFile> read_foreign_text(const std::filesystem::path& path,
+                                                        const SourceLocation& mentioned, InputErrors& errors);
 
 /// The tables of one TOML file, or nothing after an error.
 [[nodiscard]] std::optional<TomlValue> parse_toml(const TextFile& file, InputErrors& errors);

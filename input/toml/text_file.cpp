@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads a text file whole; refuses pipes, devices, UTF-16, binary, empty and huge files, and suggests a similar name for
-// a missing one.
+// Reads a text file whole; refuses pipes, devices, binary, empty and huge files, of cases UTF-16 as well, and suggests a
+// similar name for a missing one.
 
 #include <algorithm>
 #include <cerrno>
@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "input/text/encoding.hpp"
 #include "input/text/enough_memory.hpp"
 #include "input/text/nearby_file.hpp"
 #include "input/text/regular_file.hpp"
@@ -50,7 +51,7 @@ std::string neighbour(const std::filesystem::path& path, bool is_argument) {
 }
 
 std::optional<TextFile> read_whole(const std::filesystem::path& path, const SourceLocation& mentioned,
-                                   InputErrors& errors) {
+                                   InputErrors& errors, bool is_foreign) {
     const std::string shown = path.generic_string();
     if (const int number = errors.find_file(shown); number >= 0) {
         return TextFile{number, *errors.text(number)};
@@ -90,6 +91,9 @@ std::optional<TextFile> read_whole(const std::filesystem::path& path, const Sour
     if (std::ferror(file.get()) != 0) {
         return refuse(fmt::format("cannot be read: {}", std::system_category().message(errno)), "");
     }
+    if (is_foreign) {
+        bytes = as_utf8(std::move(bytes));
+    }
     if (const ErrorText reason = defect(bytes); !reason.what.empty()) {
         return refuse(reason.what, reason.remedy);
     }
@@ -101,7 +105,14 @@ std::optional<TextFile> read_whole(const std::filesystem::path& path, const Sour
 
 std::optional<TextFile> read_text(const std::filesystem::path& path, const SourceLocation& mentioned,
                                   InputErrors& errors) {
-    return with_memory(path.generic_string(), mentioned, errors, [&] { return read_whole(path, mentioned, errors); });
+    return with_memory(path.generic_string(), mentioned, errors,
+                       [&] { return read_whole(path, mentioned, errors, false); });
+}
+
+std::optional<TextFile> read_foreign_text(const std::filesystem::path& path, const SourceLocation& mentioned,
+                                          InputErrors& errors) {
+    return with_memory(path.generic_string(), mentioned, errors,
+                       [&] { return read_whole(path, mentioned, errors, true); });
 }
 
 }  // namespace tiretherm::input

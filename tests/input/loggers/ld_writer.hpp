@@ -26,6 +26,7 @@ struct LdChannel {
     std::uint32_t count = 0;
     std::uint32_t next_override = 0xFFFFFFFF;  ///< address of the next record in place of the true one
     std::uint32_t data_override = 0xFFFFFFFF;
+    bool has_short_name = true;  ///< else the unit stands in its place
 };
 
 class LdWriter {
@@ -69,7 +70,7 @@ public:
             for (const int number : {0, c.kind, c.size, c.rate, c.shift, c.multiplier, c.scale, c.decimals}) {
                 record += bytes_of(static_cast<std::uint16_t>(number));
             }
-            record += fixed(c.name, 32) + fixed(c.name.substr(0, 3), 8) + fixed(c.unit, 12);
+            record += fixed(c.name, 32) + (c.has_short_name ? fixed(c.name.substr(0, 3), 8) : "") + fixed(c.unit, 12);
             record.resize(record_size, '\0');
             bytes += record;
             samples += c.samples;

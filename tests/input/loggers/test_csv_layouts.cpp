@@ -132,6 +132,22 @@ TEST(VboxVbo, PassesMidnightAndCrossesItsStartLine) {
     }
 }
 
+// As the session above: the car crosses the line at 5 pi, 15 pi and 25 pi s, whatever its longitude is called.
+TEST(VboxVbo, LongitudeHasSeveralNames) {
+    const Session session(2200, 0.05);
+    for (const char* name : {"lng", "lon", "longitude"}) {
+        std::string text = made_up::vbox_vbo(session, 36000.0);
+        const std::string old = "sats time lat long ";
+        ASSERT_NE(text.find(old), std::string::npos);
+        text.replace(text.find(old), old.size(), std::string("sats time lat ") + name + " ");
+        ReadBack file("session.vbo", text);
+        ASSERT_TRUE(file.is_open()) << file.messages();
+        const Laps laps = find_laps(file.file(), session.time, std::nullopt, false, file.errors());
+        EXPECT_EQ(laps.source, LapSource::start_line) << name;
+        EXPECT_EQ(laps.laps.size(), 4U) << name;
+    }
+}
+
 // Newer loggers have units for the last columns, and some of these are no standard ones: of four columns before the units' own none is in bar.
 TEST(VboxVbo, UnitsAreThoseOfTheLastColumns) {
     std::string text = made_up::vbox_vbo(Session(20, 0.05), 36000.0);

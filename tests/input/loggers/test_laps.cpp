@@ -7,9 +7,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "input/laps/file_laps.hpp"
 #include "input/laps/laps.hpp"
 #include "input/laps/track_laps.hpp"
 #include "input/loggers/logger_files.hpp"
+#include "input/loggers/read_back.hpp"
 #include "input/measurements/measured_bench.hpp"
 
 namespace tiretherm::input {
@@ -132,6 +134,52 @@ TEST(Track, ALineAlongTheWayIsPutAcross) {
     const StartLine again = line_across(positions, across);
     EXPECT_EQ(again.latitude_a, across.latitude_a);
     EXPECT_EQ(again.longitude_b, across.longitude_b);
+}
+
+// From the pits a car crosses the line the other way and turns; then it laps four times in 110 s.
+TEST(Track, TheDirectionIsThatOfMostCrossings) {
+    Positions positions = driven_circuit(110.0, 0.1);
+    const StartLine line{.latitude_a = Session::latitude,
+                         .longitude_a = Session::longitude + (Session::radius - 15.0) / 111320.0 /
+                                                                 std::cos(Session::latitude * std::acos(-1.0) / 180.0),
+                         .latitude_b = Session::latitude,
+                         .longitude_b = Session::longitude + (Session::radius + 15.0) / 111320.0 /
+                                                                 std::cos(Session::latitude * std::acos(-1.0) / 180.0)};
+    const std::vector<double> laps = crossings_of(positions, line);
+    ASSERT_EQ(laps.size(), 4U);
+    // 10 m further out, from north to south, in the 20 s before.
+    Positions out;
+    for (int i = 0; i < 20; ++i) {
+        out.time.push_back(-20.0 + i);
+        out.latitude.push_back(Session::latitude + (10.0 - i) / 111320.0);
+        out.longitude.push_back(line.longitude_b - 5.0 / 111320.0);
+    }
+    for (auto [whole, more] : {std::pair{&out.time, &positions.time}, std::pair{&out.latitude, &positions.latitude},
+                               std::pair{&out.longitude, &positions.longitude}}) {
+        whole->insert(whole->end(), more->begin(), more->end());
+    }
+    EXPECT_EQ(crossings_of(out, line), laps);
+}
+
+// Of loggers and their converters; what is of something else is no position.
+TEST(Track, KnowsTheNamesOfPositions) {
+    const Session session(2201, 0.05);
+    const auto laps_of = [&](const std::string& north, const std::string& east) {
+        std::string text = "time [s]," + north + "," + east + "\n";
+        for (const double t : session.time) {
+            text += fmt::format("{:.2f},{:.8f},{:.8f}\n", t, Session::north(t), Session::east(t));
+        }
+        ReadBack file("log.csv", text);
+        return file.is_open() ? find_laps(file.file(), session.time, std::nullopt, true, file.errors()).laps.size() : 0;
+    };
+    for (const auto& [north, east] :
+         {std::pair{"lat", "lng"}, std::pair{"GPS_Lat", "GPS_Lng"},
+          std::pair{"GPS Latitude [deg]", "GPS Longitude [deg]"}, std::pair{"gpsLat", "gpsLong"},
+          std::pair{"Latitude (deg) *gps", "Longitude (deg) *gps"}, std::pair{"PosLat", "PosLon"},
+          std::pair{"Vehicle Latitude", "Vehicle Longitude"}, std::pair{"LAT", "LON"}}) {
+        EXPECT_GT(laps_of(north, east), 2U) << north;
+    }
+    EXPECT_EQ(laps_of("Lat Acc", "Long Acc"), 0U);
 }
 
 // A counter without a number on the way out of the pits, for 20 s: its lap 1 is a whole one.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // MoTeC .ld files that were written byte by byte: types, scales, rates of channels, and files that are damaged or hostile.
 
+#include <chrono>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -62,6 +63,16 @@ TEST(MotecLd, ReadsEveryType) {
     }
 }
 
+// 80 km/h are 22.2 m/s whether a short name of 8 bytes stands before the unit or not.
+TEST(MotecLd, UnitsMayStandInThePlaceOfShortNames) {
+    LdChannel speed = integers("Ground Speed", "km/h", 1, {80, 90});
+    LdChannel tread = integers("Tyre Temp FL", "C", 1, {60, 61});
+    speed.has_short_name = tread.has_short_name = false;
+    ReadBack file("session.ld", LdWriter::file({speed, tread}));
+    EXPECT_DOUBLE_EQ(file.column("Ground Speed", "m s-1").front(), 80.0 / 3.6);
+    EXPECT_EQ(file.column("Tyre Temp FL", "K"), (std::vector<double>{333.15, 334.15}));
+}
+
 // Of IEEE 754: 1, the largest 65504, the smallest 2^-24, minus infinity, not a number.
 TEST(MotecLd, KnowsTheNumbersOfHalfPrecision) {
     EXPECT_EQ(from_half(0x3C00), 1.0);
@@ -103,6 +114,23 @@ TEST(MotecLd, HasItsLapsInTheFileBesideIt) {
     const auto file = DataFile::open(path, {}, errors);
     ASSERT_TRUE(file.has_value());
     EXPECT_EQ(file->description().markers, (std::vector<double>{30.5, 61.5}));
+}
+
+// Elements that end nowhere: 1e6 bytes of them are looked at once, which takes milliseconds and took half a minute.
+TEST(HostileLdx, OfElementsWithoutEndIsReadOnce) {
+    const Written written;
+    const auto path = written.add("session.ld", LdWriter::file({integers("speed", "km/h", 1, {80, 81})}));
+    std::string text;
+    while (text.size() < 1'000'000) {
+        text += "<Marker ";
+    }
+    written.add("session.ldx", text + "<Marker ClassName=\"BCN\" Time=\"5e5\"/>");
+    InputErrors errors;
+    const auto begin = std::chrono::steady_clock::now();
+    const auto file = DataFile::open(path, {}, errors);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+    ASSERT_TRUE(file.has_value());
+    EXPECT_EQ(file->description().markers, std::vector<double>{0.5});
 }
 
 TEST(HostileLd, IsRefusedWithASentence) {

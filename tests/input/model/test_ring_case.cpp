@@ -23,7 +23,7 @@ Reading read(const std::string& more) {
         "include = [\"" + (source_folder() / "tests/bad_cases/good/section.toml").string() + "\"]\n" + more));
 }
 
-const physics::ActiveEffect& effect(const solver::Problem& problem, std::string_view id) {
+const physics::ActiveEffect& ring_effect(const solver::Problem& problem, std::string_view id) {
     return *std::ranges::find_if(problem.effects, [&](const auto& active) { return active.effect->id == id; });
 }
 
@@ -67,7 +67,7 @@ TEST(RingCase, TurnsTheWheelWhereAnEffectFollowsTheContact) {
     ASSERT_TRUE(problem.input_signals.gives(angle));
     const physics::Inputs end = problem.input_signals.at(2.0, solver::JumpSide::before);
     EXPECT_NEAR(end.wheel_angle, 2.0 * end.speed / problem.tire.rolling_radius(end.vertical_load), 1e-9);
-    EXPECT_EQ(effect(problem, "travelling_contact").effect->n_coefficients(), 4) << "of one column";
+    EXPECT_EQ(ring_effect(problem, "travelling_contact").effect->n_coefficients(), 4) << "of one column";
     // The strip is as wide as the tread, the contact is not.
     ASSERT_EQ(reading.warnings.size(), 1U) << render(reading);
     EXPECT_NE(reading.warnings[0].find("times as wide as the contact area over its length"), std::string::npos);

@@ -17,7 +17,7 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr double zero = 273.15;
+constexpr double zero_celsius = 273.15;
 
 solver::Problem read_section(const std::string& text) {
     const Written written;
@@ -104,10 +104,11 @@ TEST(SectionCase, GasAndRimStartWithTheAir) {
     const auto at = [&](std::string_view name) {
         return problem.initial[static_cast<std::size_t>(problem.mesh.find_lumped_node(name))];
     };
-    EXPECT_NEAR(at("gas"), zero + 10.0, 1e-12);
-    EXPECT_NEAR(at("rim"), zero + 10.0, 1e-12);
+    EXPECT_NEAR(at("gas"), zero_celsius + 10.0, 1e-12);
+    EXPECT_NEAR(at("rim"), zero_celsius + 10.0, 1e-12);
     const solver::Problem stated = read_section(included(effects + "[initial]\nrim = \"60 degC\"\n"));
-    EXPECT_NEAR(stated.initial[static_cast<std::size_t>(stated.mesh.find_lumped_node("rim"))], zero + 60.0, 1e-12);
+    EXPECT_NEAR(stated.initial[static_cast<std::size_t>(stated.mesh.find_lumped_node("rim"))], zero_celsius + 60.0,
+                1e-12);
 }
 
 // (51) F_R = SEL R_R/(V R_L); (52) with the bulk's temperature; (60) lambda_Tb = CP / K; and the lateral force that (59)
@@ -188,8 +189,9 @@ kind = "gas_pressure"
     const solver::Report report = run(problem);
     ASSERT_TRUE(report.status.ok()) << report.status.message;
     const double gas = report.channel_final[channel(problem, "gas")];
-    EXPECT_GT(gas, zero + 30.0);
-    EXPECT_NEAR(report.channel_final[channel(problem, "pressure")], 321325.0 * gas / (zero + 23.0) - 101325.0, 1e-3);
+    EXPECT_GT(gas, zero_celsius + 30.0);
+    EXPECT_NEAR(report.channel_final[channel(problem, "pressure")], 321325.0 * gas / (zero_celsius + 23.0) - 101325.0,
+                1e-3);
 }
 
 // One offset for a sensor, another for a second.

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every address and count of the file is compared with its size before it is used.
+
+#include "input/loggers/iracing_ibt.hpp"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "input/loggers/binary_numbers.hpp"
+#include "input/text/suggestions.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+constexpr std::size_t ibt_head_size = 144;         ///< of both heads
+constexpr std::size_t ibt_description_size = 144;  ///< of a channel
+constexpr std::size_t most_ibt_channels = 10000;
+constexpr std::uint32_t highest_ibt_rate = 1000;  ///< Hz
+
+/// Where the rows of a file stand.
+struct IbtRows {
+    std::size_t first = 0;  ///< address
+    std::size_t length = 0;
+    std::size_t count = 0;
+    double rate = 60.0;  ///< Hz
+};
+
+/// A type of numbers; nothing for letters and bits.
+std::optional<SampleType> ibt_type_of(std::uint32_t number) {
+    constexpr std::array<std::optional<SampleType>, 6> types{std::nullopt, SampleType::uint8,   SampleType::int32,
+                                                             std::nullopt, SampleType::float32, SampleType::float64};
+    return number < types.size() ? types[number] : std::nullopt;
+}
+
+/// The value of a key in the session's description, such as "TrackDisplayName: Road Atlanta".
+std::string value_of_key(std::string_view yaml, std::string_view key) {
+    const std::size_t at = yaml.find(key);
+    if (at == std::string_view::npos) {
+        return {};
+    }
+    const std::string_view rest = yaml.substr(at + key.size());
+    return printable(trim(rest.substr(0, rest.find('\n'))));
+}
+
+LogDescription describe_session(std::string_view yaml) {
+    LogDescription description{.format = "iRacing .ibt"};
+    for (const auto& [name, key] : {std::pair{"Track", "TrackDisplayName:"}, std::pair{"Vehicle", "CarScreenName:"}}) {
+        if (std::string value = value_of_key(yaml, key); !value.empty()) {
+            description.details.push_back({name, std::move(value)});
+        }
+    }
+    return description;
+}
+
+/// The channel of a description; nothing where it is no channel, or lies beyond the rows.
+std::optional<ChannelTable::Channel> channel_at(const std::shared_ptr<const std::string>& bytes, std::size_t at,
+                                                const IbtRows& rows) {
+    const BinaryNumbers in(*bytes);
+    const std::optional<SampleType> type = ibt_type_of(in.unsigned32(at));
+    const std::size_t place = in.unsigned32(at + 4);
+    const std::size_t count = in.unsigned32(at + 8);
+    const bool is_faster = (*bytes)[at + 12] != '\0';  // several times in a row
+    const std::size_t size = type ? size_of(*type) : 0;
+    if (!type || count == 0 || (count > 1 && !is_faster) || place > rows.length ||
+        count > (rows.length - place) / size) {
+        return std::nullopt;
+    }
+    const std::string unit = in.text(at + 112, 32);
+    const double factor = unit == "%" ? 100.0 : 1.0;
+    ChannelTable::Channel channel{.name = in.text(at + 16, 32),
+                                  .unit = unit.starts_with("irsdk_") ? "" : unit,
+                                  .rate = rows.rate * static_cast<double>(count),
+                                  .count = rows.count * count};
+    channel.samples = [bytes, rows, place, count, factor, kind = *type] {
+        std::vector<double> values;
+        values.reserve(rows.count * count);
+        const BinaryNumbers from(*bytes);
+        for (std::size_t row = 0; row < rows.count; ++row) {
+            for (std::size_t i = 0; i < count; ++i) {
+                const std::size_t there = rows.first + row * rows.length + place + i * size_of(kind);
+                values.push_back(factor * from.number(there, kind));
+            }
+        }
+        return values;
+    };
+    return channel.name.empty() ? std::nullopt : std::optional(std::move(channel));
+}
+
+}  // namespace
+
+bool is_iracing_ibt(std::string_view first_bytes) {
+    if (first_bytes.size() < 48) {
+        return false;
+    }
+    const BinaryNumbers in(first_bytes);
+    const std::uint32_t version = in.unsigned32(0);
+    const std::uint32_t buffers = in.unsigned32(32);
+    return (version == 1 || version == 2) && in.unsigned32(4) <= 1 && in.unsigned32(8) > 0 &&
+           in.unsigned32(8) <= highest_ibt_rate && buffers > 0 && buffers <= 4;
+}
+
+std::optional<ChannelTable> read_iracing_ibt(std::string bytes, const std::filesystem::path& /*path*/, int file,
+                                             InputErrors& errors) {
+    const auto refuse = [&](const std::string& what) {
+        errors.add({.file = file}, what,
+                   "the file is damaged or incomplete: copy it from the simulator's folder again");
+        return std::nullopt;
+    };
+    if (bytes.size() < ibt_head_size) {
+        return refuse(
+            fmt::format("the file ends within the head of an iRacing .ibt file: it has {} bytes", bytes.size()));
+    }
+    const auto shared = std::make_shared<const std::string>(std::move(bytes));
+    const BinaryNumbers in(*shared);
+    const std::size_t described = in.unsigned32(24);
+    const std::size_t descriptions = in.unsigned32(28);
+    IbtRows rows{
+        .first = in.unsigned32(52), .length = in.unsigned32(36), .rate = static_cast<double>(in.unsigned32(8))};
+    if (described > most_ibt_channels || descriptions > in.size() ||
+        described > (in.size() - descriptions) / ibt_description_size) {
+        return refuse(
+            fmt::format("the descriptions of {} channels from byte {} on lie beyond the end of the file at byte {}",
+                        described, descriptions, in.size()));
+    }
+    if (rows.first > in.size() || rows.length == 0) {
+        return refuse(fmt::format("the rows of {} bytes from byte {} on lie beyond the end of the file at byte {}",
+                                  rows.length, rows.first, in.size()));
+    }
+    rows.count = (in.size() - rows.first) / rows.length;
+    std::vector<ChannelTable::Channel> channels;
+    for (std::size_t i = 0; i < described && rows.count > 0; ++i) {
+        if (auto channel = channel_at(shared, descriptions + i * ibt_description_size, rows)) {
+            channels.push_back(std::move(*channel));
+        }
+    }
+    if (channels.empty()) {
+        return refuse("the file has no channel with samples");
+    }
+    const std::size_t session = std::min<std::size_t>(in.unsigned32(20), in.size());
+    return ChannelTable(std::move(channels),
+                        describe_session(std::string_view(*shared).substr(session, in.unsigned32(16))), file);
+}
+
+}  // namespace tiretherm::input
