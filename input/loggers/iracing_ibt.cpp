@@ -62,28 +62,20 @@ std::optional<ChannelTable::Channel> channel_at(const std::shared_ptr<const std:
     const BinaryNumbers in(*bytes);
     const std::optional<SampleType> type = ibt_type_of(in.unsigned32(at));
     const std::size_t place = in.unsigned32(at + 4);
-    const std::size_t count = in.unsigned32(at + 8);
-    const bool is_faster = (*bytes)[at + 12] != '\0';  // several times in a row
-    const std::size_t size = type ? size_of(*type) : 0;
-    if (!type || count == 0 || (count > 1 && !is_faster) || place > rows.length ||
-        count > (rows.length - place) / size) {
+    const bool is_list = in.unsigned32(at + 8) != 1;  // of all cars, or of times within a row
+    if (!type || is_list || place > rows.length || size_of(*type) > rows.length - place) {
         return std::nullopt;
     }
     const std::string unit = in.text(at + 112, 32);
     const double factor = unit == "%" ? 100.0 : 1.0;
     ChannelTable::Channel channel{.name = in.text(at + 16, 32),
                                   .unit = unit.starts_with("irsdk_") ? "" : unit,
-                                  .rate = rows.rate * static_cast<double>(count),
-                                  .count = rows.count * count};
-    channel.samples = [bytes, rows, place, count, factor, kind = *type] {
-        std::vector<double> values;
-        values.reserve(rows.count * count);
-        const BinaryNumbers from(*bytes);
+                                  .rate = rows.rate,
+                                  .count = rows.count};
+    channel.samples = [bytes, rows, place, factor, kind = *type] {
+        std::vector<double> values(rows.count);
         for (std::size_t row = 0; row < rows.count; ++row) {
-            for (std::size_t i = 0; i < count; ++i) {
-                const std::size_t there = rows.first + row * rows.length + place + i * size_of(kind);
-                values.push_back(factor * from.number(there, kind));
-            }
+            values[row] = factor * BinaryNumbers(*bytes).number(rows.first + row * rows.length + place, kind);
         }
         return values;
     };

@@ -18,7 +18,6 @@ struct IbtChannel {
     std::string unit{};
     int type = 4;  ///< 1 truth, 2 integer, 3 bits, 4 and 5 numbers of 4 and 8 bytes
     int count = 1;
-    bool is_time = false;
     std::vector<std::string> rows{};  ///< bytes
 };
 
@@ -35,7 +34,6 @@ std::string ibt_file(const std::vector<IbtChannel>& channels) {
         put(one, 0,
             int32(static_cast<std::size_t>(channel.type)) + int32(length) +
                 int32(static_cast<std::size_t>(channel.count)));
-        one[12] = channel.is_time ? '\1' : '\0';
         put(one, 16, channel.name);
         put(one, 112, channel.unit);
         described += one;
@@ -70,28 +68,24 @@ std::vector<IbtChannel> channels_of_two_rows() {
             {.name = "LatAccel_ST",
              .unit = "m/s^2",
              .count = 2,
-             .is_time = true,
              .rows = {real(1.0F) + real(2.0F), real(3.0F) + real(4.0F)}}};
 }
 
 }  // namespace
 
-// Rows at 60 Hz; a channel with two samples a row is one at 120 Hz. A share of 0.25 is 25 %. Bits and lists of cars are left out.
-TEST(IracingIbt, HasItsChannelsAtTheirRates) {
+// Rows at 60 Hz. A share of 0.25 is 25 %. Bits, lists of cars and lists of times within a row are left out.
+TEST(IracingIbt, HasItsChannels) {
     ReadBack file("session.ibt", ibt_file(channels_of_two_rows()));
     ASSERT_TRUE(file.is_open()) << file.messages();
-    EXPECT_EQ(file.file().heads().size(), 7U);  // the time and six channels
+    EXPECT_EQ(file.file().heads().size(), 6U);  // the time and five channels
     EXPECT_EQ(file.file().description().format, "iRacing .ibt");
     ASSERT_FALSE(file.file().description().details.empty());
     EXPECT_EQ(file.file().description().details[0].value, "Road Atlanta");
-    file.file().choose_rows({file.file().find("LFtempCM")});
     EXPECT_EQ(file.column("time", "s", Purpose::clock), (std::vector<double>{0.0, 1.0 / 60.0}));
     EXPECT_EQ(file.column("LFtempCM", "K"), (std::vector<double>{333.65, 334.15}));
     EXPECT_EQ(file.column("Throttle", "1"), (std::vector<double>{0.25, 1.0}));
     EXPECT_EQ(file.column("Lap", "1"), (std::vector<double>{3.0, 4.0}));
     EXPECT_EQ(file.column("OnTrack", "1"), (std::vector<double>{0.0, 1.0}));
-    file.file().choose_rows({file.file().find("LatAccel_ST")});
-    EXPECT_EQ(file.column("LatAccel_ST", "m s-2"), (std::vector<double>{1.0, 2.0, 3.0, 4.0}));
 }
 
 // Cut anywhere it is refused or has fewer rows; with other numbers in its head it is refused.
