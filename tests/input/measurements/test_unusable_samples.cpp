@@ -12,13 +12,13 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr std::size_t n_samples = 600;
+constexpr std::size_t n_rows_each = 600;
 
 double to_step(double value, double step) { return step * std::round(value / step); }
 
 /// Ten minutes, a sample a second; rolling from 60 s on, with noise of 0.3 K written to 0.01 K.
 MadeUpLog session() {
-    MadeUpLog log(n_samples, 1.0);
+    MadeUpLog log(n_rows_each, 1.0);
     Noise noise(0.3);
     const auto warm = [](double t) { return t < 60.0 ? 0.0 : 1.0 - std::exp(-(t - 60.0) / 150.0); };
     log.add("speed", "km/h", [](double t) { return t < 60.0 ? 0.0 : 100.0 + 10.0 * std::sin(t / 20.0); });
@@ -102,7 +102,7 @@ TEST(UnusableSamples, ASpikeThatNoTireHasIsLeftOut) {
 // Half of a sensor's samples stand still. What scatters in the other half is as it always was.
 TEST(UnusableSamples, AStuckHalfMakesNoOutliersOfTheOther) {
     MadeUpLog log = session();
-    std::fill_n(bulk(log).begin() + static_cast<std::ptrdiff_t>(n_samples / 2), n_samples - n_samples / 2, 0.0);
+    std::fill_n(bulk(log).begin() + static_cast<std::ptrdiff_t>(n_rows_each / 2), n_rows_each - n_rows_each / 2, 0.0);
     for (const std::string& finding : read(log).findings) {
         EXPECT_EQ(finding.find("outlier"), std::string::npos) << finding;
     }
@@ -111,14 +111,14 @@ TEST(UnusableSamples, AStuckHalfMakesNoOutliersOfTheOther) {
 // In whole degrees without noise, the bulk comes to rest at 85 degC as its own law says: nothing is stuck or clipped.
 TEST(UnusableSamples, ACoarseSensorAtRestIsKept) {
     MadeUpLog log = session();
-    for (std::size_t i = 0; i < n_samples; ++i) {
+    for (std::size_t i = 0; i < n_rows_each; ++i) {
         const double t = static_cast<double>(i);
         bulk(log)[i] = std::round(25.0 + 60.0 * (t < 60.0 ? 0.0 : 1.0 - std::exp(-(t - 60.0) / 60.0)));
     }
     EXPECT_EQ(read(log).missing(), 0U);
     // Noise that flickers between two steps of the logger is no clipping either.
     Noise noise(0.3);
-    for (std::size_t i = 0; i < n_samples; ++i) {
+    for (std::size_t i = 0; i < n_rows_each; ++i) {
         const double t = static_cast<double>(i);
         bulk(log)[i] = std::round(25.0 + 60.4 * (t < 60.0 ? 0.0 : 1.0 - std::exp(-(t - 60.0) / 60.0)) + noise());
     }
@@ -151,7 +151,7 @@ TEST(UnusableSamples, AClippedSensorIsLeftOutAtTheRail) {
     // What stands at the rail for less than five samples stays.
     EXPECT_GT(found.missing(), clipped * 9 / 10);
     EXPECT_LE(found.missing(), clipped);
-    for (std::size_t i = 0; i < n_samples; ++i) {
+    for (std::size_t i = 0; i < n_rows_each; ++i) {
         EXPECT_TRUE(!std::isnan(found.series.value[i]) || bulk(log)[i] == 75.0) << i;
     }
 }
@@ -191,8 +191,8 @@ TEST(UnusableSamples, SensorsThatStandStillTogetherAreLeftOut) {
     MadeUpLog log = session();
     for (std::size_t c : {4U, 5U}) {
         std::vector<double>& value = log.columns[c].value;
-        for (std::size_t i = 0; i < n_samples; ++i) {
-            value[i] = to_step(25.0 + (c == 4 ? 20.0 : 60.0) * (static_cast<double>(i) / n_samples), 0.05);
+        for (std::size_t i = 0; i < n_rows_each; ++i) {
+            value[i] = to_step(25.0 + (c == 4 ? 20.0 : 60.0) * (static_cast<double>(i) / n_rows_each), 0.05);
         }
         std::fill_n(value.begin() + 300, 40, value[300]);
     }
