@@ -125,6 +125,7 @@ std::string as_utf8(std::string bytes) {
     } else if (std::ranges::any_of(bytes, [](char c) { return byte_of(c) >= 0x80U; })) {
         bytes = from_windows(bytes);
     }
+    bytes.resize(bytes.find_last_not_of('\0') + 1);
     if (bytes.find('\n') == std::string::npos) {
         std::ranges::replace(bytes, '\r', '\n');
     }

@@ -73,6 +73,12 @@ TEST(Encoding, OfPairsAndHalvesOfUtf16) {
     EXPECT_EQ(as_utf8("5 \xC2\xB5m \xB5m"), "5 \xC2\xB5m \xC2\xB5m");
 }
 
+// A logger that lost its power leaves the room that it had reserved.
+TEST(CsvLog, MayEndInZeros) {
+    ReadBack file("log.csv", "Time [s],speed [km/h]\n0,36\n1,72\n" + std::string(4096, '\0'));
+    EXPECT_EQ(file.column("speed", "m s-1"), (std::vector<double>{10.0, 20.0}));
+}
+
 TEST(CsvLog, LinesMayEndWithCarriageReturnsAlone) {
     ReadBack file("log.csv", "# by an old program\rTime [s],speed [km/h]\r0,36\r1,72\r");
     EXPECT_EQ(file.column("speed", "m s-1"), (std::vector<double>{10.0, 20.0}));
