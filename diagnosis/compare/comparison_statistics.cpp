@@ -196,32 +196,34 @@ std::vector<Bin> bins(const Pieces& regressor, const Pieces& differences) {
             samples.emplace_back(regressor[p][i], differences[p][i]);
         }
     }
-    std::sort(samples.begin(), samples.end());
     const double together = correlated_samples(differences);
     constexpr std::size_t fifths = 5;
     std::vector<Bin> result;
-    std::size_t first = 0;
+    auto first = samples.begin();
     for (std::size_t k = 1; k <= fifths; ++k) {
-        std::size_t end = samples.size() * k / fifths;
+        auto end = samples.begin() + static_cast<std::ptrdiff_t>(samples.size() * k / fifths);
         if (end <= first) {  // equal values have taken this fifth already
             continue;
         }
-        while (end < samples.size() && samples[end].first == samples[end - 1].first) {
-            ++end;
-        }
+        const auto regressor_of = [](const auto& sample) { return sample.first; };
+        std::ranges::nth_element(first, end - 1, samples.end(), {}, regressor_of);
+        const double high = (end - 1)->first;
+        end = std::partition(end, samples.end(), [&](const auto& sample) { return sample.first == high; });
         const auto n = static_cast<double>(end - first);
+        double low = high;
         double sum = 0.0;
         double squares = 0.0;
-        for (std::size_t i = first; i < end; ++i) {
-            sum += samples[i].second;
+        for (auto sample = first; sample != end; ++sample) {
+            low = std::min(low, sample->first);
+            sum += sample->second;
         }
-        for (std::size_t i = first; i < end; ++i) {
-            squares += std::pow(samples[i].second - sum / n, 2);
+        for (auto sample = first; sample != end; ++sample) {
+            squares += (sample->second - sum / n) * (sample->second - sum / n);
         }
         const double scatter = end - first > 1 ? std::sqrt(squares / (n - 1.0)) : 0.0;
-        result.push_back({.low = samples[first].first,
-                          .high = samples[end - 1].first,
-                          .samples = end - first,
+        result.push_back({.low = low,
+                          .high = high,
+                          .samples = static_cast<std::size_t>(end - first),
                           .mean = sum / n,
                           .deviation = scatter / std::sqrt(std::max(1.0, n / together))});
         first = end;
