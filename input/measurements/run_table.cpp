@@ -175,9 +175,13 @@ std::vector<RunTable> read_run_tables(TomlTable& root, const std::string& case_n
         runs.back().keys->fall_back_on(of_data.keys);
     });
     report_duplicates(runs, root.errors());
-    if (!root.has("run")) {
-        RunTable itself{.table = nullptr, .place = {}, .name = fs::path(case_name).filename().string()};
-        runs.push_back(std::move(itself));
+    if (const TomlValue* tables = root.content().find("run");
+        tables != nullptr && tables->kind == TomlValue::Kind::array && tables->items.empty()) {
+        root.add_error("run", "run is an empty list", "remove it, or add [[run]] with file = \"....csv\"");
+    }
+    if (runs.empty()) {  // none is said, or nothing that is one: whoever reads on finds the case itself
+        const SourceLocation place = root.has("run") ? root.place("run") : SourceLocation{};
+        runs.push_back({.table = nullptr, .place = place, .name = fs::path(case_name).filename().string()});
     }
     return at_corners(runs, corners, root.errors());
 }

@@ -11,6 +11,7 @@
 #include "input/effects/user_effects.hpp"
 #include "input/measurements/runs.hpp"
 #include "input/model/problem_builder.hpp"
+#include "input/text/run_name.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/toml/document.hpp"
 #include "input/vehicle/vehicle_log.hpp"
@@ -32,7 +33,7 @@ std::string case_name(const fs::path& file) {
             below /= part;
         }
     }
-    return ((found ? below : fs::path()) / whole.stem()).generic_string();
+    return ((found ? below : fs::path()) / plain_stem(whole)).generic_string();
 }
 
 namespace {

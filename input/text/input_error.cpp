@@ -111,11 +111,15 @@ std::vector<std::string> InputErrors::files() const {
 }
 
 void InputErrors::add(const SourceLocation& place, std::string what, std::string remedy) {
-    found_.push_back({place, {shortened(std::move(what)), shortened(std::move(remedy))}});
+    SourceLocation where = place;
+    if (where.file < 0) {  // of what nobody wrote, as a run that is the case itself: of the file that all began with
+        where = {.file = files_.empty() ? add_file("input", "") : 0};
+    }
+    found_.push_back({where, {shortened(std::move(what)), shortened(std::move(remedy))}});
 }
 
 void InputErrors::warn(const SourceLocation& place, const std::string& what) {
-    warnings_.push_back(place.file >= 0 ? fmt::format("{}: {}", spell(place), what) : what);
+    warnings_.push_back(place.file >= 0 ? fmt::format("{}: {}", spell(place), shortened(what)) : shortened(what));
 }
 
 std::string InputErrors::spell(const SourceLocation& place) const {

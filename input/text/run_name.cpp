@@ -22,8 +22,14 @@ std::string name_of_laps(std::string_view laps) {
 
 }  // namespace
 
+std::string plain_stem(const std::filesystem::path& file) {
+    const std::string stem = file.stem().string();
+    const std::size_t first = stem.find_first_not_of('.');
+    return first == std::string::npos ? "unnamed" : stem.substr(first);
+}
+
 std::string run_name(const std::filesystem::path& file, std::string_view laps) {
-    return file.stem().string() + name_of_laps(laps);
+    return plain_stem(file) + name_of_laps(laps);
 }
 
 }  // namespace tiretherm::input

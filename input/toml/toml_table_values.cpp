@@ -54,8 +54,10 @@ std::optional<std::string> TomlTable::name(std::string_view key, Need need) {
     }
     const bool control =
         std::any_of(name->begin(), name->end(), [](char c) { return static_cast<unsigned char>(c) < ' '; });
-    if (name->empty() || trim(*name) != *name || control || name->find_first_of("[]{}\"'`,;/\\") != std::string::npos) {
-        add_error(key, fmt::format("{} is \"{}\", which cannot name a column", key, *name),
+    // A dot begins the folders "..", of somebody else, and ".tiretherm", of the program.
+    if (name->empty() || name->front() == '.' || trim(*name) != *name || control ||
+        name->find_first_of("[]{}\"'`,;/\\") != std::string::npos) {
+        add_error(key, fmt::format("{} is \"{}\", which cannot name a column or a folder", key, *name),
                   "use letters, digits and underscores");
         return std::nullopt;
     }
