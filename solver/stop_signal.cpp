@@ -5,7 +5,6 @@
 
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <csignal>
 #include <cstdint>
 #include <limits>
@@ -25,6 +24,8 @@ std::int64_t now() {
     return deadline == never ? 0 : std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
 }
 
+thread_local bool may_leave_reading = false;
+
 extern "C" void request(int /*signal*/) { requested = true; }
 
 }  // namespace
@@ -41,7 +42,9 @@ bool stop_requested() { return requested || now() >= deadline; }
 
 void stop_after(double seconds) {
     const auto from = std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
-    deadline = std::isfinite(seconds) ? from + static_cast<std::int64_t>(1e9 * seconds) : never;
+    // Some hundred years fit into 64 bits; what is longer has no end.
+    const bool fits = 1e9 * seconds < static_cast<double>(never - from);
+    deadline = fits ? from + static_cast<std::int64_t>(1e9 * seconds) : never;
 }
 
 bool is_time_up() { return !requested && now() >= deadline; }
@@ -49,6 +52,16 @@ bool is_time_up() { return !requested && now() >= deadline; }
 void leave_if_stopped() {
     if (stop_requested()) {
         throw Interrupted();
+    }
+}
+
+InterruptibleReading::InterruptibleReading() { may_leave_reading = true; }
+
+InterruptibleReading::~InterruptibleReading() { may_leave_reading = false; }
+
+void leave_reading_if_stopped() {
+    if (may_leave_reading) {
+        leave_if_stopped();
     }
 }
 

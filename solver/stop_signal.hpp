@@ -26,4 +26,17 @@ public:
 /// @errors Interrupted when the user has asked for an end
 void leave_if_stopped();
 
+/// While it lives, the readers of this thread give up when the user asks for an end. Without it they go on to their end:
+/// what is read again late in a call, beside results that are still to be written, is not given up.
+class InterruptibleReading {
+public:
+    InterruptibleReading();
+    ~InterruptibleReading();
+    InterruptibleReading(const InterruptibleReading&) = delete;
+    InterruptibleReading& operator=(const InterruptibleReading&) = delete;
+};
+
+/// For every loop of a reader over lines, columns or files. @errors Interrupted, see InterruptibleReading
+void leave_reading_if_stopped();
+
 }  // namespace tiretherm::solver

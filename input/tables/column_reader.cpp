@@ -11,6 +11,14 @@
 
 namespace tiretherm::input {
 
+namespace {
+
+constexpr double seconds_of_a_day = 86400.0;
+/// No logger waits longer in one file: its clock was set, as from 0 to the seconds since 1970.
+constexpr double longest_pause = 100.0 * seconds_of_a_day;
+
+}  // namespace
+
 ColumnReader::ColumnReader(const ColumnHead& head, const ColumnRequest& request, InputErrors& errors)
     : request_(&request),
       form_(head.form),
@@ -51,7 +59,11 @@ bool ColumnReader::accept(double written, bool is_number) {
     const bool orders = request_->purpose == Purpose::clock || request_->purpose == Purpose::frame;
     const bool third = request_->purpose == Purpose::clock && value == before_last_;
     const bool late = !orders || (value >= last_ && !third);
-    return is_number && !std::isnan(written) && (!has_unit_ || (inside && late));
+    return is_number && !std::isnan(written) && (!has_unit_ || (inside && late && !leaps(value)));
+}
+
+bool ColumnReader::leaps(double value) const {
+    return request_->purpose == Purpose::clock && std::isfinite(last_) && value - last_ > longest_pause;
 }
 
 void ColumnReader::report(const FieldLocation& field, double written, bool is_number) {
@@ -106,6 +118,10 @@ ErrorText ColumnReader::error_text(std::string_view field, double written, bool 
                                        : empty_it;
         }
         return *parsed.error;
+    }
+    if (const double value = conversion_.to_si(written); leaps(value)) {
+        return {fmt::format("{} jumps by {:.0f} days to {}", name, (value - last_) / seconds_of_a_day, shown),
+                "remove the lines before the clock was set, or split the file there"};
     }
     return conversion_.to_si(written) == last_ && clock
                ? ErrorText{fmt::format("a third line has the same {}, {}", name, shown),

@@ -72,6 +72,8 @@ public:
     std::vector<double> values;  ///< SI
 
 private:
+    /// Whether a clock that shows this next was set to another time.
+    [[nodiscard]] bool leaps(double value) const;
     /// Appends the value. @returns false for a wrong one
     bool accept(double written, bool is_number);
     void report(const FieldLocation& field, double written, bool is_number);

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "solver/stop_signal.hpp"
 #include "solver/time_integration/output_sampler.hpp"
 #include "solver/time_integration/stepper.hpp"
 
@@ -122,6 +123,10 @@ private:
         const double smallest = 1e-10 * (settings.end - settings.start);
         wanted_ = settings.fixed_step.value_or(wanted_);
         while (stepper_.time() < settings.end - smallest) {
+            if (stop_requested()) {  // also between rows that are far apart, and where steps are refused without end
+                static_cast<void>(sampler_.show());
+                return stopped();
+            }
             const double t = stepper_.time();
             const double stop = next_stop(t);
             if (fresh_ && !settings.fixed_step) {
@@ -131,11 +136,17 @@ private:
                 wanted_ = wanted_ > 0.0 ? std::min(wanted_, first) : first;
             }
             fresh_ = false;
-            double t1 = settings.fixed_step ? t + wanted_ : on_sample(t, t + wanted_, smallest);
-            if (t1 > stop - smallest) {
+            // Of a short step after a long time the smallest one is a large part: a refused step would be tried for ever.
+            const double slack = std::min(smallest, 0.01 * wanted_);
+            double t1 = settings.fixed_step ? t + wanted_ : on_sample(t, t + wanted_, slack);
+            if (t1 > stop - slack) {
                 t1 = stop;
             } else if (!settings.fixed_step && t1 + wanted_ > stop) {
                 t1 = 0.5 * (t + stop);  // two equal steps rather than a whole one and a sliver
+            }
+            if (!(t1 > t)) {  // less than the time's last digit
+                return stepper_.failure_at_largest_error(
+                    fmt::format("the step of {:.1e} s is too short beside the time of {:.6g} s", wanted_, t));
             }
             const bool closed = settings.fixed_step || t1 > settings.end - smallest;
             Stepper::Attempt attempt = stepper_.attempt(t1, closed);

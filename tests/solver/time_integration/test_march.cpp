@@ -5,10 +5,12 @@
 #include "solver/time_integration/march.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
 #include "solver/bench.hpp"
+#include "solver/stop_signal.hpp"
 
 namespace tiretherm::solver {
 
@@ -233,6 +235,19 @@ TEST(Run, StopsWhenTheObserverSaysSo) {
     const Report report = run(problem, [&](const Snapshot&) { return ++rows < 4; });
     EXPECT_EQ(report.status.outcome, Outcome::stopped);
     EXPECT_EQ(rows, 4);
+}
+
+// The next row is at the end of the run: the signal is heard before it, and the state of that moment is shown.
+TEST(Run, HearsTheStopSignalBetweenRows) {
+    Problem problem = heated_strip(5);
+    problem.settings.output_interval = problem.settings.end;
+    stop_after(0.0);
+    Rows rows;
+    const Report report = collect(problem, rows);
+    stop_after(std::numeric_limits<double>::infinity());
+    EXPECT_EQ(report.status.outcome, Outcome::stopped);
+    EXPECT_LT(report.simulated, 0.5 * problem.settings.end);
+    EXPECT_TRUE(rows.field.back());
 }
 
 TEST(Run, SaysWhereAndWhenTheBalanceIsNotANumber) {
