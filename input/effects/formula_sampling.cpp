@@ -21,6 +21,7 @@ constexpr int first_pieces = 4096;  // over the run where the time itself is fol
 constexpr int denser = 8;           // by so much where that missed something
 constexpr int attempts = 3;
 constexpr int most_rounds = 6;           // of a tighter tolerance, until the integral is right
+constexpr int deepest = 1000;            // calls within one another: halving takes 40, a switch after another the rest
 constexpr int probes = 2039;             // a prime; places at which the result is looked at
 constexpr int dip_steps = 30;            // of the golden section that looks for a margin's zero
 constexpr double margin_of_place = 0.5;  // beyond the ends, as a parabola's vertex is not quite that of the margin
@@ -34,6 +35,18 @@ struct Sample {
 
     [[nodiscard]] bool finite() const { return std::isfinite(value); }
     [[nodiscard]] bool decides_as(const Sample& other) const { return decisions.taken == other.decisions.taken; }
+};
+
+/// Counts calls within one another.
+class Level {
+public:
+    explicit Level(int& depth) : depth_(depth) { ++depth_; }
+    ~Level() { --depth_; }
+    Level(const Level&) = delete;
+    Level& operator=(const Level&) = delete;
+
+private:
+    int& depth_;
 };
 
 /// One attempt with one density and one tolerance.
@@ -221,10 +234,13 @@ private:
     /// Points inside of (left, right), whose ends decide the same.
     void smooth(const Sample& left, const Sample& right) {
         const double width = right.t - left.t;
+        const Level level(depth_);
+        samples_.too_fast = samples_.too_fast || depth_ > deepest;
         if (samples_.too_fast) {
             return;
         }
-        if (width <= 1e-12 * std::max(std::abs(left.t), std::abs(right.t))) {
+        // Towards t = 0 numbers get finer without end: there the distance of the knots is the measure.
+        if (width <= std::max(1e-12 * std::max(std::abs(left.t), std::abs(right.t)), 1e-15 * width_)) {
             deviation_ += detail_ == FormulaDetail::jumps ? 0.0 : width * std::abs(right.value - left.value);
             return;
         }
@@ -276,6 +292,7 @@ private:
     double jump_share_;
     double tolerance_;
     double width_ = 0.0;
+    int depth_ = 0;  ///< calls of smooth() within one another
     double largest_ = 0.0;
     double deviation_ = 0.0;
     double integral_ = 0.0;

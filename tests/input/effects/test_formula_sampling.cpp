@@ -69,6 +69,30 @@ TEST(FormulaSampling, KeepsTheIntegralOfPulses) {
     }
 }
 
+// Towards t = 0 numbers get finer without end; pieces of an hour do not. time^p is 3600^(p+1)/(p+1).
+TEST(FormulaSampling, WhatIsSteepAtTheStartComesToAnEnd) {
+    const std::vector<Expected> table{
+        {"time ? 1 : 2", hour, 1e-6},
+        {"time == 0 ? 2 : 1", hour, 1e-6},
+        {"time^1e-6", std::pow(hour, 1.0 + 1e-6) / (1.0 + 1e-6), 1e-4},
+        {"time^0.01", std::pow(hour, 1.01) / 1.01, 1e-4},
+        {"1 + 0^time", hour, 1e-6},
+        {"sqrt(time)", std::pow(hour, 1.5) / 1.5, 1e-4},
+        {"exp(-1e6*time) + 1", hour, 1e-4},
+    };
+    for (const Expected& row : table) {
+        const FormulaSamples samples = samples_of(row.formula);
+        EXPECT_FALSE(samples.too_fast) << row.formula;
+        EXPECT_NEAR(integral(samples.history), row.integral, row.accuracy * row.integral) << row.formula;
+    }
+    // Nothing but its first point, infinitely many turns, and no number at the start: an answer or "too fast", but an end.
+    for (const std::string formula : {"0^time", "sin(1/time)", "sin(1/time) ? 1 : 0", "sin(1/time) > 0", "ln(time)",
+                                      "1/time", "time^-0.5", "rint(1/time)", "sin(time) ? 1 : 0", "abs(sin(1/time))",
+                                      "sin(1/(time-1800)) > 0", "(time-1800) ? 1 : 2", "0^abs(time-1800)"}) {
+        static_cast<void>(samples_of(formula));
+    }
+}
+
 // rint(time/1000): 0 up to 500 s, then 1, 2 and 3 for 1000 s each up to 3500 s, 4 for the last 100 s: the sum above.
 
 // Trains of pulses of all lengths and pauses: on time = pulses * width.
