@@ -30,6 +30,9 @@ constexpr const char* lock_name = "lock";
 constexpr const char* list_name = "commit";
 constexpr const char* stage_name = "new";
 
+/// Bytes: of a journal without a record, which has a head alone, or fewer.
+constexpr std::uintmax_t head_of_journal = 24;
+
 /// Marks of the lines of the list.
 constexpr char moved = '+';
 constexpr char removed = '-';
@@ -42,6 +45,14 @@ std::vector<std::string> names_in(const fs::path& folder) {
     }
     std::ranges::sort(names);
     return names;
+}
+
+/// First line of a list: which folder it was written for. A list that came with a copy, an archive or a repository has
+/// another number in it, and what it names is somebody's.
+std::string head_of_list(const fs::path& hidden) {
+    struct stat about {};
+    const bool known = stat(hidden.c_str(), &about) == 0;
+    return fmt::format("tiretherm {}", known ? about.st_ino : 0);
 }
 
 bool is_own_directory(const fs::path& path) {
@@ -95,6 +106,13 @@ OutputFolder::~OutputFolder() {
 fs::path OutputFolder::journal(const std::string& name) {
     journals_.push_back(name);
     return hidden_ / name;
+}
+
+bool OutputFolder::has_journal() const {
+    return std::ranges::any_of(journals_, [this](const std::string& name) {
+        std::error_code error;
+        return fs::file_size(hidden_ / name, error) > head_of_journal && !error;
+    });
 }
 
 /// The lock's file goes last and under the lock, so that nobody else holds it.
@@ -180,7 +198,7 @@ void OutputFolder::commit(std::vector<std::string> stale) {
     });
     refuse_inputs(fresh);
     refuse_inputs(stale);
-    std::string list;
+    std::string list = head_of_list(hidden_) + "\n";
     const auto add = [&](char mark, const std::vector<std::string>& names) {
         for (const std::string& name : names) {
             if (is_own_directory(folder_ / name)) {
@@ -203,11 +221,23 @@ void OutputFolder::roll_forward() const {
         return;
     }
     std::istringstream lines(read_text(list));
-    for (std::string line; std::getline(lines, line) && !line.empty();) {
-        const fs::path name =
-            fs::path(line.substr(1)).filename();  // a list that somebody else wrote leads nowhere else
+    std::string line;
+    if (!std::getline(lines, line) || line != head_of_list(hidden_)) {
+        throw OutputError(fmt::format(
+            "{} was not written by a call in this folder, and would remove or replace files of it: look into "
+            "{} and remove it",
+            list.string(), hidden_.string()));
+    }
+    std::vector<std::pair<char, std::string>> steps;
+    std::vector<std::string> names;
+    while (std::getline(lines, line) && !line.empty()) {
+        names.push_back(fs::path(line.substr(1)).filename().string());  // nothing leads out of the folder
+        steps.emplace_back(line.front(), names.back());
+    }
+    refuse_inputs(names);
+    for (const auto& [mark, name] : steps) {
         const fs::path target = folder_ / name;
-        if (line.front() == removed) {
+        if (mark == removed) {
             fs::remove(target, error);
         } else if (fs::exists(fs::symlink_status(stage_ / name))) {  // otherwise it has been moved
             fs::rename(stage_ / name, target, error);

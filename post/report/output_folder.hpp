@@ -19,7 +19,8 @@ public:
 
 /// A folder of results. Opening it takes a lock; files are written to `stage()`, and `commit` moves them into place
 /// together. Whatever ends the program before, the files of an earlier call stay as they are: a `commit` that was begun
-/// is finished by the next call, anything else in the stage is thrown away. Other files in the folder are left alone, and
+/// is finished by the next call, unless its list was written for another folder or names a file that this call reads;
+/// anything else in the stage is thrown away. Other files in the folder are left alone, and
 /// a link in the place of a file is replaced, never written through.
 ///
 /// All of it lives in the hidden folder `.tiretherm` inside, which is gone when the call has ended regularly and no other,
@@ -28,7 +29,7 @@ class OutputFolder {
 public:
     /// Creates the folder with those above it, locks it and finishes what an earlier call has left half done.
     /// @param inputs files that the call reads: none of them is ever replaced
-    /// @errors FileError; OutputError when another call works there
+    /// @errors FileError; OutputError when another call works there, or a list of moves is somebody else's
     explicit OutputFolder(std::filesystem::path folder, std::vector<std::string> inputs = {});
     /// Removes the stage and, unless `keep_journals`, the journals of this call; those of others stay.
     ~OutputFolder();
@@ -42,6 +43,8 @@ public:
     [[nodiscard]] const std::filesystem::path& stage() const { return stage_; }
     /// A file beside the stage, which the next call finds when this one is killed; gone at the end of this one.
     [[nodiscard]] std::filesystem::path journal(const std::string& name);
+    /// Whether a journal of this call holds anything.
+    [[nodiscard]] bool has_journal() const;
     /// Where a file of the stage will stand.
     [[nodiscard]] std::filesystem::path home(const std::filesystem::path& staged) const;
     [[nodiscard]] std::vector<std::filesystem::path> homes(const std::vector<std::filesystem::path>& staged) const;

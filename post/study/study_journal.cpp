@@ -87,6 +87,15 @@ std::optional<StudyOutcome> outcome_of(const Json& json, std::size_t channels) {
     return outcome;
 }
 
+/// Whether the first line of a text was one of ours, before it was cut off or damaged.
+bool was_ours(const std::string& text) {
+    const std::string first = text.substr(0, text.find('\n'));
+    constexpr std::string_view begin = "{\"run\":\"";
+    const bool has_keys =
+        first.find("\"values\":[") != std::string::npos && first.find("\"build\":") != std::string::npos;
+    return begin.starts_with(first) || (first.starts_with(begin) && (has_keys || !Json::accept(first)));
+}
+
 }  // namespace
 
 /// The lock is the system's and ends with the process, however that ends.
@@ -114,32 +123,46 @@ StudyJournal::StudyJournal(const std::filesystem::path& path, std::size_t channe
     if (flock(lines_->file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
         throw Busy(fmt::format("another call of tiretherm study works in {}", path.parent_path().string()));
     }
-    const std::string text = fresh ? std::string() : read_text(path);
-    const std::size_t whole = text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1;
+    const std::string text = read_text(path);
+    std::size_t whole = text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1;
+    const std::vector<std::string_view> damaged = read(std::string_view(text).substr(0, whole));
+    const bool has_ours = !done_.empty() || outdated_ > 0;
+    if (!has_ours && text.find_first_not_of(" \n") != std::string::npos && !was_ours(text)) {
+        throw FileError("use", path, "it holds something else than the runs of a study and is left as it is");
+    }
+    if (fresh) {
+        whole = 0;
+        done_.clear();
+        outdated_ = 0;
+    }
     if (ftruncate(lines_->file, static_cast<off_t>(whole)) != 0) {  // what follows was cut off by the program's end
         throw FileError("write", path, system_reason(errno));
     }
-    read(text.substr(0, whole));
+    for (const std::string_view line : fresh ? std::vector<std::string_view>() : damaged) {
+        // Blanks in its place: the next call need not tell of it again.
+        ++damaged_;
+        const std::string blank(line.size(), ' ');
+        if (pwrite(lines_->file, blank.data(), blank.size(), line.data() - text.data()) < 0) {
+            throw FileError("write", path_, system_reason(errno));
+        }
+    }
     lseek(lines_->file, 0, SEEK_END);
 }
 
-void StudyJournal::read(const std::string& text) {
+std::vector<std::string_view> StudyJournal::read(std::string_view text) {
+    std::vector<std::string_view> damaged;
     for (std::size_t from = 0; from < text.size();) {
         const std::size_t end = text.find('\n', from);
-        const std::string line = text.substr(from, end - from);
-        if (line.find_first_not_of(' ') != std::string::npos && !take(line)) {
-            // Blanks in its place: the next call need not tell of it again.
-            ++damaged_;
-            const std::string blank(line.size(), ' ');
-            if (pwrite(lines_->file, blank.data(), blank.size(), static_cast<off_t>(from)) < 0) {
-                throw FileError("write", path_, system_reason(errno));
-            }
+        const std::string_view line = text.substr(from, end - from);
+        if (line.find_first_not_of(' ') != std::string_view::npos && !take(line)) {
+            damaged.push_back(line);
         }
         from = end + 1;
     }
+    return damaged;
 }
 
-bool StudyJournal::take(const std::string& line) {
+bool StudyJournal::take(std::string_view line) {
     try {
         const Json json = Json::parse(line);
         if (json.at("build").get<std::string>() != build_) {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "diagnosis/study/study_runs.hpp"
@@ -20,7 +21,7 @@ class StudyJournal final : public diagnosis::CompletedRuns {
 public:
     /// Opens the journal of a folder and keeps others from writing there meanwhile.
     /// @param channels of each run   @param build of the program   @param fresh forget what is done
-    /// @errors FileError; StudyJournal::Busy when another call works in this folder
+    /// @errors FileError, also where a file of that name holds something else; StudyJournal::Busy when another call works in this folder
     StudyJournal(const std::filesystem::path& path, std::size_t channels, std::string build, bool fresh);
     ~StudyJournal() override;
     StudyJournal(const StudyJournal&) = delete;
@@ -41,8 +42,9 @@ public:
     };
 
 private:
-    void read(const std::string& text);
-    [[nodiscard]] bool take(const std::string& line);  ///< false: damaged
+    /// @returns the lines that are damaged or none of ours
+    [[nodiscard]] std::vector<std::string_view> read(std::string_view text);
+    [[nodiscard]] bool take(std::string_view line);  ///< false: damaged
 
     std::filesystem::path path_;
     std::size_t channels_;

@@ -3,6 +3,9 @@
 
 #include "post/report/output_folder.hpp"
 
+#include <sys/stat.h>
+
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "post/report/file.hpp"
@@ -27,6 +30,12 @@ struct Earlier {
     void write(const std::string& name, const std::string& text) const {
         fs::create_directories((folder / name).parent_path());
         replace_file(folder / name, text);
+    }
+    /// First line of a list of this folder, which has a hidden folder already.
+    [[nodiscard]] std::string head() const {
+        struct stat about {};
+        EXPECT_EQ(stat((folder / ".tiretherm").c_str(), &about), 0);
+        return fmt::format("tiretherm {}\n", about.st_ino);
     }
     [[nodiscard]] std::string text(const std::string& name) const {
         return fs::exists(folder / name) ? read_text(folder / name) : "none";
@@ -81,9 +90,9 @@ TEST(OutputFolder, CommitReplacesRemovesWhatIsStaleAndLeavesTheRest) {
 TEST(OutputFolder, NextCallFinishesACommitThatWasCutShort) {
     for (int done = 0; done <= 3; ++done) {
         const Earlier earlier;
-        earlier.write(".tiretherm/commit", "-stale.csv\n+a.csv\n+b.csv\n");
         earlier.write(".tiretherm/new/a.csv", "new a");
         earlier.write(".tiretherm/new/b.csv", "new b");
+        earlier.write(".tiretherm/commit", earlier.head() + "-stale.csv\n+a.csv\n+b.csv\n");
         if (done > 0) {
             fs::remove(earlier.folder / "stale.csv");
         }
@@ -107,10 +116,38 @@ TEST(OutputFolder, StageWithoutAListIsThrownAway) {
 TEST(OutputFolder, AListLeadsNowhereElse) {
     const Earlier earlier;
     replace_file(earlier.scratch / "victim", "victim");
-    earlier.write(".tiretherm/commit", "-../victim\n\nnonsense\n");
     fs::create_directories(earlier.folder / ".tiretherm/new");
+    earlier.write(".tiretherm/commit", earlier.head() + "-../victim\n\nnonsense\n");
     { const OutputFolder folder(earlier.folder); }
     EXPECT_EQ(read_text(earlier.scratch / "victim"), "victim");
+    earlier.expect_old();
+}
+
+// A list that came with an archive or a repository knows no number of the folder that it was unpacked to.
+TEST(OutputFolder, AListThatWasNotWrittenInThisFolderIsRefused) {
+    for (const std::string head : {"", "tiretherm 1\n", "tiretherm 0\n", "\n"}) {
+        const Earlier earlier;
+        earlier.write(".tiretherm/new/b.csv", "planted");
+        earlier.write(".tiretherm/commit", head + "-mine.txt\n-a.csv\n+b.csv\n");
+        try {
+            const OutputFolder folder(earlier.folder);
+            ADD_FAILURE() << "the list was followed";
+        } catch (const OutputError& error) {
+            EXPECT_NE(std::string(error.what()).find(".tiretherm/commit was not written by a call in this folder"),
+                      std::string::npos)
+                << error.what();
+        }
+        earlier.expect_old();
+        EXPECT_EQ(earlier.text(".tiretherm/new/b.csv"), "planted");
+    }
+}
+
+// An earlier call may have been about to replace what this one reads, a fitted case for one.
+TEST(OutputFolder, AListThatNamesAnInputIsRefused) {
+    const Earlier earlier;
+    fs::create_directories(earlier.folder / ".tiretherm/new");
+    earlier.write(".tiretherm/commit", earlier.head() + "-stale.csv\n-a.csv\n");
+    EXPECT_THROW(OutputFolder(earlier.folder, {(earlier.folder / "a.csv").string()}), OutputError);
     earlier.expect_old();
 }
 

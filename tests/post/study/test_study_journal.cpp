@@ -57,6 +57,24 @@ TEST(StudyJournal, GivesBackEveryDigit) {
     EXPECT_EQ(journal.find(run(3)), nullptr);
 }
 
+// Somebody's log of another program, a note, a list of runs without what ours have: nothing of them changes.
+TEST(StudyJournal, FileOfSomebodyElseIsRefusedAndLeftAsItIs) {
+    const sample::Scratch scratch;
+    for (const std::string text :
+         {"precious\n", "no end of a line", "{\"run\": 1, \"loss\": 0.5}\n{\"run\": 2, \"loss\": 0.4}\n",
+          "{\"run\":\"a\",\"accuracy\":0.9}\n", "[]\n\n", "\n\xFF\xFE\n"}) {
+        for (const bool fresh : {false, true}) {
+            replace_file(scratch / "runs.jsonl", text);
+            EXPECT_THROW(StudyJournal(scratch / "runs.jsonl", 2, "build 1", fresh), FileError) << text;
+            EXPECT_EQ(read_text(scratch / "runs.jsonl"), text);
+        }
+    }
+    for (const char* nothing : {"", "\n", "   \n\n"}) {
+        replace_file(scratch / "runs.jsonl", nothing);
+        EXPECT_NO_THROW(StudyJournal(scratch / "runs.jsonl", 2, "build 1", false)) << nothing;
+    }
+}
+
 TEST(StudyJournal, LineThatWasCutOffIsDroppedAndTheNextOneIsWhole) {
     const sample::Scratch scratch;
     write_two(scratch / "runs.jsonl");
