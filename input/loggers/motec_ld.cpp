@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 #include <set>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -15,6 +16,7 @@
 #include "input/loggers/motec_ldx.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/units.hpp"
+#include "solver/stop_signal.hpp"
 
 namespace tiretherm::input {
 
@@ -174,6 +176,7 @@ private:
             .name = record.name, .unit = record.unit, .rate = static_cast<double>(record.rate), .count = record.count};
         channel.samples = [bytes = bytes_, record = std::move(record)] {
             const BinaryNumbers in(*bytes);
+            solver::leave_reading_if_stopped();
             std::vector<double> values = in.samples(record.data, record.count, record.type);
             const double power = std::pow(10.0, record.decimals);
             for (double& value : values) {
@@ -221,7 +224,11 @@ std::optional<ChannelTable> read_motec_ld(std::string bytes, const std::filesyst
     if (!channels) {
         return std::nullopt;
     }
-    description.markers = read_ldx_markers(path);
+    std::error_code ignored;
+    if (const std::filesystem::path beacons = ldx_file(path); std::filesystem::exists(beacons, ignored)) {
+        static_cast<void>(errors.add_file(beacons.generic_string(), ""));  // results follow from it, too
+        description.markers = read_ldx_markers(path);
+    }
     return ChannelTable(std::move(*channels), std::move(description), file);
 }
 

@@ -20,9 +20,12 @@ constexpr double microsecond = 1e-6;
 
 }  // namespace
 
+std::filesystem::path ldx_file(const std::filesystem::path& ld_file) {
+    return std::filesystem::path(ld_file).replace_extension(".ldx");
+}
+
 std::vector<double> read_ldx_markers(const std::filesystem::path& ld_file) {
-    std::filesystem::path file = ld_file;
-    file.replace_extension(".ldx");
+    const std::filesystem::path file = ldx_file(ld_file);
     if (!not_readable(file, largest).what.empty()) {
         return {};
     }

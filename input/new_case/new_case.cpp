@@ -67,6 +67,7 @@ bool read_mesh_and_log(CaseDraft& draft) {
         }
     }
     draft.result.errors = errors.in_order();
+    draft.result.files = errors.files();
     return draft.result.errors.empty();
 }
 

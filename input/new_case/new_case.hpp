@@ -46,6 +46,7 @@ struct NewCase {
     std::vector<MissingPart> missing;
     std::vector<InputError> errors;     ///< of the log; of the case, where its values do not make a tire
     std::vector<std::string> warnings;  ///< of the reader, and what is suspicious in the log
+    std::vector<std::string> files;     ///< that were read of the log: itself, and what stands beside it
 };
 
 /// Makes the text of a case that runs as it is, and reads it as `tiretherm run` would. Writes no file. Never throws on

@@ -66,6 +66,17 @@ std::string drawing_page(const PageCharts& page, const PictureRequest& request) 
     return text + "</body>\n</html>\n";
 }
 
+/// A path as an address: what means something else there, such as # and %, by its code.
+std::string file_address(const fs::path& file) {
+    std::string address = "file://";
+    for (const char c : file.string()) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                           std::string_view("/-_.~").find(c) != std::string_view::npos;
+        address += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+    return address;
+}
+
 std::vector<std::string> call_of(const fs::path& browser, const fs::path& page, const fs::path& profile) {
     std::vector<std::string> call{browser.string(),
                                   "--headless=new",
@@ -82,7 +93,7 @@ std::vector<std::string> call_of(const fs::path& browser, const fs::path& page, 
     if (geteuid() == 0) {
         call.emplace_back("--no-sandbox");  // Chromium refuses to run as root with it
     }
-    call.push_back("file://" + page.string());
+    call.push_back(file_address(page));
     return call;
 }
 

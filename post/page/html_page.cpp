@@ -22,10 +22,34 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
     }
 }
 
+/// "80 degC" with the sign of degrees; a name of the user's that has these letters in it, "log_degC.csv", stays as it is.
+std::string with_degree_sign(std::string text) {
+    constexpr std::string_view unit = "degC";
+    if (text == unit) {
+        return "°C";
+    }
+    const auto ends_with_value = [](std::string_view before) {
+        const bool blank = before.size() > 1 && before.back() == ' ';
+        const char last = blank ? before[before.size() - 2] : before.empty() ? ' ' : before.back();
+        return blank ? (last >= '0' && last <= '9') || before.ends_with(" in ") : last == '[' || last == '(';
+    };
+    const auto ends_word = [](std::string_view after) {
+        const std::size_t end = after.find_first_not_of(".,;:)]\"");
+        return end == std::string_view::npos || after[end] == ' ' || after[end] == '/';
+    };
+    for (std::size_t at = 0; (at = text.find(unit, at)) != std::string::npos; ++at) {
+        const std::string_view all = text;
+        if (ends_with_value(all.substr(0, at)) && ends_word(all.substr(at + unit.size()))) {
+            text.replace(at, unit.size(), "°C");
+        }
+    }
+    return text;
+}
+
 /// A text of the program or of the user's files as text of HTML.
 std::string html(std::string_view text) {
     std::string out;
-    for (const char c : text) {
+    for (const char c : with_degree_sign(input::printable(text))) {
         switch (c) {
             case '&':
                 out += "&amp;";
@@ -40,10 +64,9 @@ std::string html(std::string_view text) {
                 out += "&quot;";
                 break;
             default:
-                out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+                out += c;
         }
     }
-    replace_all(out, "degC", "°C");
     return out;
 }
 
@@ -114,6 +137,7 @@ std::string table_html(const DataTable& table) {
 
 std::string chart_html(const PageItem& item) {
     std::string data = compact_json(item.chart);
+    data = input::printable(data);
     replace_all(data, "<", "\\u003c");  // nothing in the data ends the element
     return fmt::format(
         "<figure class=\"chart\" tabindex=\"0\" aria-label=\"{0}\">\n<script type=\"application/json\">{1}</script>\n"

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `tiretherm new` as a user calls it: a first case that runs, from a size and from a log.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "input/new_case/new_case.hpp"
 #include "tests/app/program.hpp"
+#include "tests/input/loggers/ld_writer.hpp"
 
 namespace tiretherm::app_test {
 namespace {
@@ -192,6 +196,32 @@ TEST(New, MistakesOfALogAreReportedAtOnceAndNothingIsWritten) {
     const Json json = Json::parse(call("new drive.csv --out mine.toml --json", scratch.path()).out);
     EXPECT_EQ(json["mistakes"].size(), 2U);
     EXPECT_EQ(json["mistakes"][0]["line"], 2);
+}
+
+// The beacons of a .ld file stand in the file beside it: they are read, and never replaced. A result follows from them.
+TEST(New, BeaconsBesideALogAreAnInput) {
+    using input::made_up::LdWriter;
+    const sample::Scratch scratch;
+    input::made_up::LdChannel speed{.name = "Ground Speed", .unit = "km/h"};
+    input::made_up::LdChannel tire{.name = "Tyre Temp FL", .unit = "C"};
+    for (int i = 0; i < 100; ++i) {
+        speed.samples += LdWriter::bytes_of(static_cast<std::uint16_t>(60 + i % 7));
+        tire.samples += LdWriter::bytes_of(static_cast<std::uint16_t>(50 + i % 3));
+    }
+    speed.count = tire.count = 100;
+    post::replace_file(scratch / "motec.ld", LdWriter::file({speed, tire}));
+    const std::string beacons = "<Marker ClassName=\"BCN\" Time=\"3e7\"/>\n";
+    post::replace_file(scratch / "motec.ldx", beacons);
+    for (const char* target : {"motec.ldx", "motec.ld"}) {
+        const Call refused = call(std::string("new motec.ld --force --out ") + target, scratch.path());
+        EXPECT_EQ(refused.exit_code, 1) << refused.out;
+        EXPECT_NE(refused.err.find("would be replaced, and it is a file that the call reads"), std::string::npos)
+            << refused.err;
+    }
+    EXPECT_EQ(post::read_text(scratch / "motec.ldx"), beacons);
+    const input::NewCase made =
+        input::make_new_case({.size = {}, .log = scratch / "motec.ld", .target = scratch / "case.toml"});
+    EXPECT_TRUE(std::ranges::any_of(made.files, [](const std::string& file) { return file.ends_with("motec.ldx"); }));
 }
 
 }  // namespace

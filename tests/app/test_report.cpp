@@ -94,6 +94,22 @@ TEST(Report, SaysWhichPackageIsMissing) {
         true);
 }
 
+// In an address # begins a place in the page and % a code: of a path they are codes themselves.
+TEST(Report, FolderOfAnyNameIsAnAddress) {
+    const sample::Scratch scratch;
+    make_page(scratch);
+    const std::filesystem::path folder = scratch / "a#b%20c ?d";
+    std::filesystem::create_directories(folder);
+    const std::string note = (scratch / "address").string();
+    const std::string before =
+        with_browser(scratch, "for last; do :; done; printf %s \"$last\" >'" + note + "'; exit 3");
+    EXPECT_EQ(
+        call_with(before + "export TMPDIR='" + folder.string() + "'; ", "report o --png", scratch.path()).exit_code, 2);
+    const std::string address = post::read_text(note);
+    EXPECT_TRUE(address.starts_with("file:///")) << address;
+    EXPECT_NE(address.find("/a%23b%2520c%20%3Fd/tiretherm_report_"), std::string::npos) << address;
+}
+
 TEST(Report, BrowserThatFailsOrHangsLeavesNothing) {
     const sample::Scratch scratch;
     make_page(scratch);

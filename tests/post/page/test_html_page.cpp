@@ -65,6 +65,23 @@ TEST(HtmlPage, DegreesAreWrittenAsOnAThermometer) {
     EXPECT_EQ(count(page, "°C"), 2u);
 }
 
+// The letters of the unit in a name of the user's are no unit; a character that turns the line round is a blank.
+TEST(HtmlPage, NamesOfFilesStayAsTheyAre) {
+    for (const char* name : {"log_degC.csv", "degC.csv", "degC log.csv", "in degC.csv", "5 degCs.csv", "a/degC/b.csv",
+                             "[degC]x.csv", "Tire degC_2"}) {
+        Report report{.title = name};
+        EXPECT_EQ(count(own_part(report), name), 2u) << name;
+    }
+    for (const auto& [text, shown] :
+         {std::pair("T [degC]", "T [°C]"), std::pair("80.5 degC, 3 K", "80.5 °C, 3 K"), std::pair("in degC", "in °C"),
+          std::pair("8 degC/s", "8 °C/s"), std::pair("90 degC.", "90 °C."), std::pair("(degC)", "(°C)")}) {
+        Report report{.title = text};
+        EXPECT_EQ(count(own_part(report), shown), 2u) << text;
+    }
+    Report turned{.title = "log_\u202Evsc.exe \u2066x"};
+    EXPECT_EQ(count(own_part(turned), "log_ vsc.exe  x"), 2u);
+}
+
 TEST(HtmlPage, NothingIsFetched) {
     const std::string page = html_page(sample(), {.kind = "run", .source = "a.toml"});
     EXPECT_EQ(count(page, "src="), count(assets::charting_library(), "src=") + count(assets::script(), "src="));
