@@ -5,11 +5,14 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "input/loggers/clock_columns.hpp"
 #include "input/loggers/clock_words.hpp"
 #include "input/loggers/csv_layout.hpp"
 #include "input/loggers/heading_names.hpp"
 #include "input/text/suggestions.hpp"
+#include "solver/stop_signal.hpp"
 
 namespace tiretherm::input {
 
@@ -76,6 +79,7 @@ char separator_of(std::string_view headings) {
 }
 
 std::optional<std::string_view> next_line(std::string_view& text) {
+    solver::leave_reading_if_stopped();
     if (text.empty()) {
         return std::nullopt;
     }
@@ -258,6 +262,15 @@ std::optional<Csv> Csv::open(const TextFile& file, InputErrors& errors) {
         errors.add(csv.heads_.front().place, "the first line holds numbers; it must name the columns",
                    "write a first line such as time [s],speed [km/h]");
         return std::nullopt;
+    }
+    for (const ColumnHead& head : csv.heads_) {
+        constexpr std::size_t longest = 1000;  // bytes; every page and message repeats it
+        const std::size_t size = std::max(head.heading.name.size(), head.heading.unit.value_or("").size());
+        if (size > longest) {
+            errors.add(head.place, fmt::format("the heading of a column has {} characters", size),
+                       "name each column in a few words, as in time [s],speed [km/h]");
+            return std::nullopt;
+        }
     }
     csv.find_clocks();
     csv.rows_ = errors.rows(csv.file_);

@@ -4,7 +4,11 @@
 #include "input/tables/hdf5_trial.hpp"
 
 #include <cstdint>
+#include <map>
+#include <mutex>
 #include <string>
+#include <system_error>
+#include <tuple>
 #include <vector>
 
 #include "input/tables/hdf5_handle.hpp"
@@ -62,17 +66,37 @@ herr_t try_object(hid_t file, const char* name, const H5O_info_t* about, void* d
     return 0;
 }
 
+constexpr unsigned most_seconds = 10;  ///< of CPU: 64 MB of values take one
+
+/// A file as it was when it was tried.
+using FileState = std::tuple<std::string, std::uintmax_t, std::filesystem::file_time_type>;
+
+FileState state_of(const std::filesystem::path& path) {
+    std::error_code error;
+    return {std::filesystem::absolute(path, error).string(), std::filesystem::file_size(path, error),
+            std::filesystem::last_write_time(path, error)};
+}
+
+bool survives_now(const std::filesystem::path& path) {
+    const auto visit = [&] {
+        silence_hdf5();
+        const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
+        std::uint64_t left = most_bytes;
+        H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, try_object, &left, H5O_INFO_BASIC);
+        return std::string();
+    };
+    return in_own_process(visit, most_seconds).has_value();
+}
+
 }  // namespace
 
 bool survives_hdf5(const std::filesystem::path& path) {
-    return in_own_process([&] {
-               silence_hdf5();
-               const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
-               std::uint64_t left = most_bytes;
-               H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, try_object, &left, H5O_INFO_BASIC);
-               return std::string();
-           })
-        .has_value();
+    static std::mutex talk;
+    static std::map<FileState, bool> tried;
+    const FileState state = state_of(path);
+    const std::lock_guard lock(talk);
+    const auto known = tried.find(state);
+    return known != tried.end() ? known->second : tried.emplace(state, survives_now(path)).first->second;
 }
 
 }  // namespace tiretherm::input

@@ -4,12 +4,17 @@
 #include "input/tables/own_process.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <chrono>
+#include <csignal>
+
+#include "solver/stop_signal.hpp"
 
 namespace tiretherm::input {
 
@@ -26,18 +31,55 @@ bool write_all(int file, const std::string& bytes) {
     return true;
 }
 
-std::string read_all(int file) {
-    std::string bytes;
-    std::array<char, 65536> piece{};
-    for (;;) {
-        const ssize_t now = read(file, piece.data(), piece.size());
-        if (now > 0) {
-            bytes.append(piece.data(), static_cast<std::size_t>(now));
-        } else if (now == 0 || errno != EINTR) {
-            return bytes;
+/// A child that is ended and waited for when it goes, whatever has come of it.
+class Child {
+public:
+    Child(pid_t process, int pipe) : process_(process), pipe_(pipe) {}
+    ~Child() {
+        close(pipe_);
+        if (process_ > 0) {
+            kill(process_, SIGKILL);
+            static_cast<void>(status());
         }
     }
-}
+    Child(const Child&) = delete;
+    Child& operator=(const Child&) = delete;
+
+    /// All that it writes until it closes its end. @returns nothing where that takes longer
+    [[nodiscard]] std::optional<std::string> output(std::chrono::seconds longest) const {
+        constexpr int tick = 50;  // ms, between two looks at the clock and the stop signal
+        const auto end = std::chrono::steady_clock::now() + longest;
+        std::string bytes;
+        std::array<char, 65536> piece{};
+        while (std::chrono::steady_clock::now() < end) {
+            solver::leave_reading_if_stopped();
+            pollfd ready{.fd = pipe_, .events = POLLIN, .revents = 0};
+            if (poll(&ready, 1, tick) <= 0) {
+                continue;
+            }
+            const ssize_t now = read(pipe_, piece.data(), piece.size());
+            if (now > 0) {
+                bytes.append(piece.data(), static_cast<std::size_t>(now));
+            } else if (now == 0 || errno != EINTR) {
+                return bytes;
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// Waits for its end. @returns how that was, as waitpid says it
+    int status() {
+        int status = 0;
+        while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+        }
+        process_ = -1;
+        return status;
+    }
+
+private:
+    pid_t process_;
+    int pipe_;
+};
 
 [[noreturn]] void answer(int pipe, const std::function<std::string()>& work, unsigned cpu_seconds) {
     const rlimit no_core{.rlim_cur = 0, .rlim_max = 0};
@@ -72,12 +114,13 @@ std::optional<std::string> in_own_process(const std::function<std::string()>& wo
         close(ends[0]);
         return work();
     }
-    std::string bytes = read_all(ends[0]);
-    close(ends[0]);
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    Child running(child, ends[0]);
+    std::optional<std::string> bytes = running.output(std::chrono::seconds(4 * cpu_seconds));
+    if (!bytes) {
+        return std::nullopt;
     }
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? std::optional(std::move(bytes)) : std::nullopt;
+    const int status = running.status();
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? std::move(bytes) : std::nullopt;
 }
 
 }  // namespace tiretherm::input

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,34 +18,43 @@ namespace {
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
-/// @param character in UTF-8: one of the two blocks of control characters
+/// @param character in UTF-8: one of the two blocks of control characters, or one that turns the direction of the text
+/// about it (U+202A to U+202E, U+2066 to U+2069), so that "exe.csv" can be made to read "vsc.exe"
 bool is_control(std::string_view character) {
     const auto first = static_cast<unsigned char>(character.front());
     return first < 0x20U || first == 0x7FU ||
-           (first == 0xC2U && character.size() > 1 && static_cast<unsigned char>(character[1]) < 0xA0U);
+           (first == 0xC2U && character.size() > 1 && static_cast<unsigned char>(character[1]) < 0xA0U) ||
+           (character >= "\xE2\x80\xAA" && character <= "\xE2\x80\xAE") ||
+           (character >= "\xE2\x81\xA6" && character <= "\xE2\x81\xA9");
 }
 
 }  // namespace
 
 std::size_t distance(std::string_view a, std::string_view b) {
-    std::vector<std::vector<std::size_t>> edits(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-    for (std::size_t i = 0; i <= a.size(); ++i) {
-        for (std::size_t j = 0; j <= b.size(); ++j) {
-            if (i == 0 || j == 0) {
-                edits[i][j] = std::max(i, j);
-                continue;
-            }
+    // Rows of the table of edits between the beginnings of both: this one and the two before it.
+    std::vector<std::size_t> before_last;
+    std::vector<std::size_t> last(b.size() + 1);
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        before_last = std::exchange(last, row);
+        row.front() = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
             const bool same = lower(a[i - 1]) == lower(b[j - 1]);
-            edits[i][j] = std::min({edits[i - 1][j] + 1, edits[i][j - 1] + 1, edits[i - 1][j - 1] + (same ? 0 : 1)});
+            row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (same ? 0 : 1)});
             if (i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1])) {
-                edits[i][j] = std::min(edits[i][j], edits[i - 2][j - 2] + 1);
+                row[j] = std::min(row[j], before_last[j - 2] + 1);
             }
         }
     }
-    return edits[a.size()][b.size()];
+    return row.back();
 }
 
 std::string nearest(std::string_view word, const std::vector<std::string>& known) {
+    constexpr std::size_t longest = 100;  // no word that somebody types is longer, and the edits cost its square
+    if (word.size() > longest) {
+        return {};
+    }
     std::string best;
     std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
     for (const std::string& candidate : known) {

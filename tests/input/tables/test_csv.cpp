@@ -52,6 +52,17 @@ void expect_samples(const Reading& reading) {
 TEST(Csv, Commas) {
     expect_samples(read_log("time [s],speed [km/h],road_temperature [degC]\n0,0,23\n2,36,24\n5,54.0,2.5e1\n"));
 }
+// Every page and message repeats a heading: one of 10 MB made pages of 60 MB.
+TEST(Csv, HeadingsWithoutEndAreRefused) {
+    const std::string endless(1'000'000, 'x');
+    for (const std::string& heading : {endless, "load [" + endless + "]"}) {
+        const Reading reading = read_log("time [s],speed [km/h]," + heading + "\n0,0,1\n2,36,2\n");
+        const std::string said = error_report(reading);
+        EXPECT_NE(said.find("logs/run.csv:1:23: the heading of a column has 1000000 characters"), std::string::npos)
+            << said.substr(0, 500);
+        EXPECT_LT(said.size(), 1000U);
+    }
+}
 TEST(Csv, Semicolons) {
     expect_samples(read_log("time [s];speed [km/h];road_temperature [degC]\n0;0;23\n2;36;24\n5;54;25\n"));
 }

@@ -3,12 +3,18 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
 #include "input/tables/own_process.hpp"
+#include "solver/stop_signal.hpp"
 
 namespace tiretherm::input {
 namespace {
@@ -46,6 +52,38 @@ TEST(OwnProcess, ThatNeverEndsIsEnded) {
                   },
                   1),
               std::nullopt);
+}
+
+// It computes nothing, as one that waits for a lock that no thread of its own holds.
+TEST(OwnProcess, ThatWaitsForEverIsEnded) {
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_EQ(in_own_process(
+                  [] {
+                      for (;;) {
+                          pause();
+                      }
+                      return std::string();
+                  },
+                  1),
+              std::nullopt);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+}
+
+// The deadline of a call is heard where reading may be given up, and the child is not left behind.
+TEST(OwnProcess, IsGivenUpWhenTheTimeIsUp) {
+    const auto wait = [] {
+        for (;;) {
+            pause();
+        }
+        return std::string();
+    };
+    solver::stop_after(0.2);
+    {
+        const solver::InterruptibleReading reading;
+        EXPECT_THROW(static_cast<void>(in_own_process(wait)), solver::Interrupted);
+    }
+    solver::stop_after(std::numeric_limits<double>::infinity());
+    EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);
 }
 
 }  // namespace

@@ -29,6 +29,25 @@ TEST(Suggestions, OnlyNearWordsAreSuggested) {
     EXPECT_EQ(nearest(std::string(100000, 'x'), known), "");
 }
 
+// The table of all edits of 20 000 letters is 3 GB, and no name is misspelt at such a length; two of its lines are 48 kB
+// for 3 000 letters.
+TEST(Suggestions, LongNamesTakeNeitherMemoryNorTime) {
+    const std::vector<std::string> known{std::string(20'000, 'a'), std::string(20'000, 'b') + "c"};
+    EXPECT_EQ(nearest(std::string(20'000, 'a') + "x", known), "");
+    EXPECT_EQ(distance(std::string(3'000, 'a'), std::string(3'001, 'a')), 1U);
+}
+
+// Of 10 MB of a field a warning shows its ends.
+TEST(InputErrors, LongTextsAreCutInErrorsAndWarnings) {
+    InputErrors errors;
+    const int file = errors.add_file("a.csv", "x\n");
+    const std::string field(10'000'000, 'x');
+    errors.warn({.file = file, .line = 1}, "the column " + field + " is not used");
+    errors.add({.file = file, .line = 1}, "the column " + field, "remove " + field);
+    EXPECT_LT(errors.warnings().front().size(), 600U);
+    EXPECT_LT(render(errors.in_order().front()).size(), 1200U);
+}
+
 TEST(Render, ShowsPlaceLineCaretAndRemedy) {
     const InputError error{.file = "a.toml",
                            .line = 3,
