@@ -50,7 +50,7 @@ int compare(const MeasuredCall& call) {
     if (!page) {
         return Exit::input_error;
     }
-    print_report(*page, call.json);
+    print_page(call, *page);
     return Exit::done;
 }
 

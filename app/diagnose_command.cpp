@@ -32,9 +32,9 @@ namespace tiretherm::app {
 namespace {
 
 struct DiagnoseOptions : MeasuredCall {
-    std::optional<double> time_limit;  ///< s
-    bool by_run = false;               ///< each run alone, too, however long that takes
-    bool no_by_run = false;            ///< neither: where that is quick
+    double time_limit = 0.0;  ///< s; 0: none
+    bool by_run = false;      ///< each run alone, too, however long that takes
+    bool no_by_run = false;   ///< neither: where that is quick
 };
 
 /// Each run alone, where there are several and nobody has asked for an end; or why not.
@@ -67,13 +67,9 @@ std::optional<input::Experiment> on_layers(const MeasuredCall& call, const input
 }
 
 int diagnose(const DiagnoseOptions& call, const TableOptions& of_table) {
-    if (call.time_limit && !(*call.time_limit > 0.0)) {
-        report_error(fmt::format("the time limit is {} s", *call.time_limit), "give more than 0 s", call.json);
-        return Exit::input_error;
-    }
     solver::install_stop_handlers();
-    if (call.time_limit) {
-        solver::stop_after(*call.time_limit);
+    if (call.time_limit > 0.0) {
+        solver::stop_after(call.time_limit);
     }
     if (input::is_validation_table(call.case_file)) {
         return diagnose_table(call, of_table);
@@ -132,7 +128,7 @@ int diagnose(const DiagnoseOptions& call, const TableOptions& of_table) {
             options.richer.push_back({.name = "layers", .experiment = &*layers, .change = {.layers = *thickness}});
         }
     }
-    SimulationCount count;
+    SimulationCount count(call.quiet);
     options.progress = count.stages();
     const diagnosis::Diagnosis result = diagnosis::diagnose(experiment, observations, options);
     diagnosis::RunVerdicts by_run;
@@ -162,8 +158,13 @@ int diagnose(const DiagnoseOptions& call, const TableOptions& of_table) {
     if (!files) {
         return Exit::input_error;
     }
-    print_report(post::diagnosis_report(record, *files), call.json);
+    print_page(call, post::diagnosis_report(record, *files));
     const bool complete = result.stopped.empty() && !record.by_run.are_cut_short();
+    if (const std::string rest = complete ? "" : kept_for_next_call(*folder, *journal); !rest.empty()) {
+        std::fflush(stdout);
+        fmt::print(stderr, "tiretherm: {}\n", rest);
+    }
+    tell_of_journal(*journal);
     return complete || solver::is_time_up() ? Exit::done : Exit::interrupted;
 }
 
@@ -176,10 +177,10 @@ void add_diagnose_command(CLI::App& program, int& exit_code) {
     add_measured_options(*command, *call, "[[run]] and [[parameter]]",
                          "files of an earlier diagnosis there are replaced. Default: out/<case name>");
     add_fresh_option(*command, call->fresh);
-    command
-        ->add_option("--time-limit", call->time_limit,
-                     "Seconds of wall time after which the best answer so far is given; Ctrl-C does the same")
-        ->option_text("SECONDS");
+    add_seconds_option(
+        *command, "--time-limit", call->time_limit,
+        "Of wall time after which the best answer so far is given; Ctrl-C does the same. The same call, as "
+        "often as it is made, goes on from there");
     CLI::Option* by_run = command->add_flag(
         "--by-run", call->by_run,
         "Each of several runs alone as well, however long that takes. Default: where all together took up to 60 s");
@@ -219,11 +220,12 @@ void add_diagnose_command(CLI::App& program, int& exit_code) {
         "that windows of the runs lack). Charts as pictures: tiretherm report DIR --png\n\n"
         "The files appear together at the end, also after Ctrl-C or --time-limit: they then hold the best answer so "
         "far.\n"
-        "A diagnosis that was killed goes on when the same call "
-        "is\n"
-        "made again: its simulations are kept in the hidden folder .tiretherm until then.\n\n"
-        "Exit code: 0 done, whatever the answer; 1 an error in the call, the case or the data; 2 the solver failed;\n"
-        "130 interrupted.\n\n"
+        "A diagnosis that was killed, interrupted or cut short by --time-limit goes on when the same call is made "
+        "again:\n"
+        "its simulations are kept in the hidden folder .tiretherm until then.\n\n"
+        "Exit code: 0 done, whatever the answer, also the best one within --time-limit; 1 an error in the call, the "
+        "case\n"
+        "or the data; 2 the solver failed, or --time-limit passed before there was an answer; 130 interrupted.\n\n"
         "Example:\n"
         "  tiretherm diagnose cases/practice/two_node_bench.toml \\\n"
         "      --data cases/practice/puzzle1.csv --out out/puzzle");

@@ -12,6 +12,7 @@
 #include "app/failure.hpp"
 #include "app/messages.hpp"
 #include "diagnosis/quoted/quoted_diagnosis.hpp"
+#include "input/text/run_name.hpp"
 #include "input/validation/validation.hpp"
 #include "post/quoted/quoted_report.hpp"
 #include "solver/stop_signal.hpp"
@@ -50,13 +51,12 @@ bool refuses(const MeasuredCall& call, const input::ValidationReading& reading, 
 int diagnose_table(const MeasuredCall& call, const TableOptions& options) {
     const auto model =
         static_cast<std::size_t>(std::ranges::find(input::model_names, options.model) - input::model_names.begin());
-    now_doing(fmt::format("reading {} and the files that it names", call.case_file));
-    const input::ValidationReading reading = input::read_validation(call.case_file);
+    const input::ValidationReading reading =
+        while_reading(call.case_file, [&] { return input::read_validation(call.case_file); });
     if (refuses(call, reading, model)) {
         return Exit::input_error;
     }
-    const std::filesystem::path directory =
-        folder_of(call, "out/" + std::filesystem::path(call.case_file).stem().string());
+    const std::filesystem::path directory = folder_of(call, "out/" + input::plain_stem(call.case_file));
     const std::vector<std::string> names = post::quoted_names();
     now_doing(fmt::format("diagnosing {} and writing to {}", call.case_file, directory.string()));
     std::vector<std::string> inputs{call.case_file};
@@ -71,20 +71,20 @@ int diagnose_table(const MeasuredCall& call, const TableOptions& options) {
     }
     using Clock = std::chrono::steady_clock;
     const Clock::time_point begin = Clock::now();
-    SimulationCount count;
+    SimulationCount count(call.quiet);
     diagnosis::quoted::Trials trials(*reading.table, model, options.threads, count.shown());
     const auto stopped = [&] {
         count.wipe();
         return was_stopped(consequence, call.json);
     };
     if (solver::stop_requested() && stopped()) {
-        return Exit::interrupted;
+        return stop_exit();
     }
     const diagnosis::quoted::QuotedDiagnosis result =
         diagnosis::quoted::diagnose_quoted(*reading.table, trials, {.model = model, .threads = options.threads});
     count.wipe();
     if (solver::stop_requested() && stopped()) {
-        return Exit::interrupted;
+        return stop_exit();
     }
     const std::vector<std::string> failures = trials.failures();
     post::QuotedRecord record{.result = result,
@@ -104,7 +104,7 @@ int diagnose_table(const MeasuredCall& call, const TableOptions& options) {
     if (options.markdown) {
         fmt::print("{}", post::quoted_markdown(record));
     } else {
-        print_report(*page, call.json);
+        print_page(call, *page);
     }
     return failures.empty() ? Exit::done : Exit::numerical_failure;
 }

@@ -43,6 +43,8 @@ bool is_lost_output(const std::exception& error) {
     return true;
 }
 
+const std::string& now_done() { return doing(); }
+
 void now_doing(std::string what) { doing() = std::move(what); }
 
 Failure failure_of(const std::exception& error) {

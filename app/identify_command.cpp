@@ -88,7 +88,7 @@ int plan(const IdentifyOptions& options, input::ExperimentReading& reading) {
     if (!page) {
         return Exit::input_error;
     }
-    print_report(*page, options.json);
+    print_page(options, *page);
     return Exit::done;
 }
 
@@ -121,11 +121,6 @@ std::optional<std::vector<diagnosis::NamedFold>> what_to_leave_out(const Identif
 }
 
 int identify(const IdentifyOptions& options) {
-    if (!(options.correlation_time >= 0.0)) {
-        report_error(fmt::format("the correlation time is {} s", options.correlation_time), "give 0 s or more",
-                     options.json);
-        return Exit::input_error;
-    }
     if (options.plan && options.profile) {
         report_error("a plan is of first order and has no profiles", "leave out --profile", options.json);
         return Exit::input_error;
@@ -163,7 +158,7 @@ int identify(const IdentifyOptions& options) {
         finer = input::read_experiment(options.case_file, options.data_files(), input::ReadMode::measured, {.finer = 2})
                     .experiment;
     }
-    SimulationCount count;
+    SimulationCount count(options.quiet);
     const diagnosis::Identification result = diagnosis::identify(experiment, observations,
                                                                  {.profile = options.profile,
                                                                   .finer = finer ? &*finer : nullptr,
@@ -196,7 +191,8 @@ int identify(const IdentifyOptions& options) {
     if (!page) {
         return Exit::input_error;
     }
-    print_report(*page, options.json);
+    tell_of_journal(*journal);
+    print_page(options, *page);
     return result.converged ? Exit::done : Exit::numerical_failure;
 }
 
@@ -218,9 +214,8 @@ void add_identify_command(CLI::App& program, int& exit_code) {
                      "Each lap, or each run, is predicted by a fit without it as well: some three fits for each")
         ->option_text("lap|run")
         ->check(CLI::IsMember({"lap", "run"}));
-    command
-        ->add_option("--correlation-time", options->correlation_time, "Of the noise that a plan assumes. Default: 10")
-        ->option_text("SECONDS");
+    add_seconds_option(*command, "--correlation-time", options->correlation_time,
+                       "Of the noise that a plan assumes. Default: 10", Seconds::from_zero);
     command->footer(
         "All runs and channels are fitted at once. The noise of each channel, correlated and white, is estimated from\n"
         "what no parameter can explain. A parameter that the data do not see is named as such.\n"

@@ -17,8 +17,10 @@
 #include "app/failure.hpp"
 #include "app/help/help_text.hpp"
 #include "app/messages.hpp"
+#include "app/output.hpp"
 #include "input/text/suggestions.hpp"
 #include "solver/linear/petsc_factor.hpp"
+#include "solver/stop_signal.hpp"
 
 namespace {
 
@@ -168,6 +170,9 @@ int run_call(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         report_wrong_call(program, error, arguments, json);
         return app::Exit::input_error;
+    } catch (const solver::Interrupted&) {
+        app::report_error(app::stop_sentence() + " while " + app::now_done(), "nothing was written", json);
+        return app::stop_exit();
     } catch (const std::exception& error) {
         if (!app::is_lost_output(error)) {  // which is said at the end
             const app::Failure failure = app::failure_of(error);

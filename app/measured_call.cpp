@@ -14,6 +14,7 @@
 #include "app/failure.hpp"
 #include "app/messages.hpp"
 #include "post/page/html_page.hpp"
+#include "solver/stop_signal.hpp"
 
 namespace tiretherm::app {
 
@@ -27,13 +28,14 @@ void add_measured_options(CLI::App& command, MeasuredCall& call, const char* cas
         ->option_text("FILE ...");
     add_out_option(command, call.directory, fmt::format("Where the files go; {}", out_is));
     command.add_flag("--no-report", call.no_report, "No report.html and no page.txt");
+    add_quiet_option(command, call.quiet);
     command.add_flag("--json", call.json, "One JSON object instead of the page");
 }
 
 std::optional<input::ExperimentReading> read_measured(const MeasuredCall& call, const char* consequence,
                                                       input::ReadMode mode) {
-    now_doing(fmt::format("reading {} and the files that it names", call.case_file));
-    input::ExperimentReading reading = input::read_experiment(call.case_file, call.data_files(), mode);
+    input::ExperimentReading reading =
+        while_reading(call.case_file, [&] { return input::read_experiment(call.case_file, call.data_files(), mode); });
     if (!reading.experiment) {
         report_errors({.problem = std::nullopt, .errors = reading.errors, .warnings = reading.warnings}, consequence,
                       call.json);
@@ -81,16 +83,34 @@ int report_failure(const MeasuredCall& call, const solver::Status& status, post:
         report_error(status.message, consequence, call.json);
         return Exit::numerical_failure;
     }
+    const std::string what = solver::is_time_up() ? stop_sentence() + " before there was an answer" : status.message;
+    const std::string kept = kept_for_next_call(folder, journal);
+    report_error(what, kept.empty() ? consequence : fmt::format("{}; {}", consequence, kept), call.json);
+    tell_of_journal(journal);
+    return stop_exit();
+}
+
+std::string kept_for_next_call(post::OutputFolder& folder, const post::PredictionJournal& journal) {
     if (journal.size() == 0) {
-        report_error(status.message, consequence, call.json);
-        return Exit::interrupted;
+        return {};
     }
     folder.keep_journals();
-    report_error(status.message,
-                 fmt::format("{}; {} simulations are kept in {}, the same call goes on from there", consequence,
-                             journal.size(), folder.path().string()),
-                 call.json);
-    return Exit::interrupted;
+    return fmt::format("{} {} kept in {}, the same call goes on from there", journal.size(),
+                       journal.size() == 1 ? "simulation is" : "simulations are", folder.path().string());
+}
+
+void tell_of_journal(const post::PredictionJournal& journal) {
+    if (journal.lacked_room()) {
+        fmt::print(stderr,
+                   "tiretherm: the disk is nearly full: not all simulations were kept for a call that goes on; the "
+                   "answer is not affected\n");
+    }
+}
+
+void print_page(const MeasuredCall& call, const post::Report& page) {
+    if (call.json || !call.quiet) {
+        print_report(page, call.json);
+    }
 }
 
 std::filesystem::path folder_of(const MeasuredCall& call, const std::filesystem::path& standard) {

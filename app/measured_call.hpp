@@ -31,11 +31,12 @@ struct MeasuredCall {
     bool json = false;
     bool fresh = false;  ///< of identify and diagnose
     bool no_report = false;
+    bool quiet = false;
 
     [[nodiscard]] std::vector<std::filesystem::path> data_files() const { return {data.begin(), data.end()}; }
 };
 
-/// CASE, --data, --out, --no-report and --json.
+/// CASE, --data, --out, --no-report, --quiet and --json.
 /// @param case_is what the case must have   @param out_is what --out does to files that are there
 void add_measured_options(CLI::App& command, MeasuredCall& call, const char* case_is, const char* out_is);
 
@@ -47,9 +48,14 @@ void add_measured_options(CLI::App& command, MeasuredCall& call, const char* cas
 /// Whether the case has any parameter to fit; reports it when not.
 [[nodiscard]] bool has_free_parameters(const MeasuredCall& call, const input::Experiment& experiment);
 
+/// The page on stdout, unless the call is quiet.
+void print_page(const MeasuredCall& call, const post::Report& page);
+
 /// Says on stderr what is being done and counts simulations for a person who waits.
 class SimulationCount {
 public:
+    explicit SimulationCount(bool quiet) : line_(stderr, quiet) {}
+
     [[nodiscard]] std::function<void(long)> shown() {
         return [this](long simulations) { show({}, simulations); };
     }
@@ -75,7 +81,7 @@ private:
                     .thing = "simulation"});
     }
 
-    post::ProgressLine line_{stderr, false};
+    post::ProgressLine line_;
     std::string doing_{};
     std::size_t number_ = 0;
     double begun_ = 0.0;  ///< s of wall time, when this stage began
@@ -87,6 +93,10 @@ private:
                                                                     post::OutputFolder& folder,
                                                                     const std::string& command,
                                                                     const std::vector<std::string>& files);
+/// Leaves the simulations to the next call. @returns a sentence about them without full stop; empty where there are none
+[[nodiscard]] std::string kept_for_next_call(post::OutputFolder& folder, const post::PredictionJournal& journal);
+/// Says where the journal had no room, which changes no answer.
+void tell_of_journal(const post::PredictionJournal& journal);
 /// Reports how a fit or a diagnosis failed or was stopped, and what of it is kept. @param consequence "nothing was fitted"
 /// @returns the exit code
 [[nodiscard]] int report_failure(const MeasuredCall& call, const solver::Status& status, post::OutputFolder& folder,

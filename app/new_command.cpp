@@ -224,11 +224,11 @@ int make_case(const NewOptions& options) {
                      "replace it with --force, or write elsewhere with --out FILE", options.json);
         return Exit::input_error;
     }
-    if (request->log && replaces_input(request->target, {request->log->string()}, options.json)) {
+    const input::NewCase made =
+        while_reading(request->log ? request->log->string() : file, [&] { return input::make_new_case(*request); });
+    if (replaces_input(request->target, made.files, options.json)) {
         return Exit::input_error;
     }
-    now_doing(request->log ? fmt::format("reading {}", request->log->string()) : "making " + file);
-    const input::NewCase made = input::make_new_case(*request);
     if (!made.errors.empty()) {
         report_errors({.problem = std::nullopt, .errors = made.errors, .warnings = made.warnings},
                       "no case was written", options.json);

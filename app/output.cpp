@@ -3,6 +3,8 @@
 
 #include "app/output.hpp"
 
+#include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <system_error>
 #include <utility>
@@ -11,6 +13,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/build_identity.hpp"
+#include "app/commands.hpp"
 #include "app/messages.hpp"
 #include "post/report/file.hpp"
 #include "post/report/record_file.hpp"
@@ -53,12 +56,20 @@ bool write_output(post::OutputFolder& folder, const std::vector<std::string>& st
         write();
         folder.commit(stale);
         return true;
-    } catch (const post::FileError& error) {
-        report_error(folder.in_place(error.what()), unchanged, json);
-    } catch (const post::OutputError& error) {
-        report_error(error.what(), unchanged, json);
-    } catch (const std::filesystem::filesystem_error& error) {
-        report_error(folder.in_place(error.what()), unchanged, json);
+    } catch (const std::exception& error) {
+        const bool of_files = dynamic_cast<const post::FileError*>(&error) != nullptr ||
+                              dynamic_cast<const post::OutputError*>(&error) != nullptr ||
+                              dynamic_cast<const std::filesystem::filesystem_error*>(&error) != nullptr;
+        // What was computed is worth more than the room that it takes: with a disk that is less full the call goes on.
+        folder.keep_journals();
+        if (!of_files) {
+            throw;
+        }
+        report_error(folder.in_place(error.what()),
+                     folder.has_journal()
+                         ? fmt::format("{}, or make room: the same call goes on from what is kept", unchanged)
+                         : unchanged,
+                     json);
     }
     return false;
 }
@@ -86,6 +97,26 @@ solver::Digest::Value call_identity(const std::vector<std::string>& files, const
     return digest.value();
 }
 
+void add_quiet_option(CLI::App& command, bool& quiet) {
+    command.add_flag("--quiet", quiet, "No summary and no progress");
+}
+
+void add_seconds_option(CLI::App& command, const std::string& name, double& seconds, const std::string& what,
+                        Seconds range) {
+    const CLI::Validator is_duration(
+        [range](const std::string& text) {
+            double number = -1.0;
+            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+            const bool is_number = error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
+            const bool above = range == Seconds::above_zero;
+            return is_number && (number > 0.0 || (number == 0.0 && !above))
+                       ? std::string()
+                       : fmt::format("\"{}\" is no number of seconds {}", text, above ? "above 0" : "from 0 on");
+        },
+        "");
+    command.add_option(name, seconds, what)->option_text("SECONDS")->check(is_duration);
+}
+
 void add_fresh_option(CLI::App& command, bool& fresh) {
     command.add_flag("--fresh", fresh, "Begin anew where an interrupted call of the same would be continued");
 }
@@ -102,8 +133,12 @@ bool was_stopped(const std::string& consequence, bool json) {
     if (!solver::stop_requested()) {
         return false;
     }
-    report_error("stopped", consequence, json);
+    report_error(stop_sentence(), consequence, json);
     return true;
 }
+
+std::string stop_sentence() { return solver::is_time_up() ? "the time limit has passed" : "stopped"; }
+
+int stop_exit() { return solver::is_time_up() ? Exit::numerical_failure : Exit::interrupted; }
 
 }  // namespace tiretherm::app

@@ -40,6 +40,14 @@ void add_out_option(CLI::App& command, std::string& target, const std::string& w
 [[nodiscard]] solver::Digest::Value call_identity(const std::vector<std::string>& files,
                                                   const std::vector<std::string>& arguments);
 
+/// --quiet, of a command that takes long and prints a page.
+void add_quiet_option(CLI::App& command, bool& quiet);
+
+/// An option of seconds: a finite number above 0, or from 0 on.
+enum class Seconds { above_zero, from_zero };
+void add_seconds_option(CLI::App& command, const std::string& name, double& seconds, const std::string& what,
+                        Seconds range = Seconds::above_zero);
+
 /// --fresh.
 void add_fresh_option(CLI::App& command, bool& fresh);
 
@@ -51,5 +59,10 @@ void tell_of_damage(const std::string& consequence);
 
 /// Whether Ctrl-C or SIGTERM asks for an end; reports it. @param consequence "nothing was run"
 [[nodiscard]] bool was_stopped(const std::string& consequence, bool json);
+
+/// "stopped", or that the time limit has passed.
+[[nodiscard]] std::string stop_sentence();
+/// The exit code of a call that was stopped before it had an answer: a signal is not a time limit that was too short.
+[[nodiscard]] int stop_exit();
 
 }  // namespace tiretherm::app

@@ -2,9 +2,7 @@
 // `tiretherm run`: simulates a case and writes channels, fields, pictures and, for [[critical]] temperatures, the hot
 // spots.
 
-#include <charconv>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -82,13 +80,6 @@ solver::Report march(const solver::Problem& problem, post::RunFiles& files, diag
     return solver::run(problem, watch, continuation);
 }
 
-/// Whether a text is a finite number above 0.
-bool is_duration(const std::string& text) {
-    double seconds = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
-    return error == std::errc() && end == text.data() + text.size() && std::isfinite(seconds) && seconds > 0.0;
-}
-
 /// What the files of a run follow from.
 solver::Digest::Value identity_of(const RunOptions& options, const std::vector<std::string>& files) {
     std::vector<std::string> arguments{"run", options.case_file, options.run,
@@ -99,8 +90,8 @@ solver::Digest::Value identity_of(const RunOptions& options, const std::vector<s
 
 int run(const RunOptions& options) {
     solver::install_stop_handlers();
-    now_doing(fmt::format("reading {} and the files that it names", options.case_file));
-    input::Reading reading = input::read_case_run(options.case_file, options.run);
+    input::Reading reading =
+        while_reading(options.case_file, [&] { return input::read_case_run(options.case_file, options.run); });
     if (!reading.problem) {
         report_errors(reading, "nothing was run", options.json);
         return Exit::input_error;
@@ -198,13 +189,8 @@ void add_run_command(CLI::App& program, int& exit_code) {
         *command, options->directory,
         "Where the files go; files of an earlier run there are replaced at the end. Default: out/<case name>, "
         "with --run a folder of the run's name in it");
-    command->add_option("--fields", options->field_interval, "Store the field this often, whatever the case says")
-        ->option_text("SECONDS")
-        ->check(CLI::Validator(
-            [](const std::string& text) {
-                return is_duration(text) ? std::string() : fmt::format("{} is no number of seconds above 0", text);
-            },
-            ""));
+    add_seconds_option(*command, "--fields", options->field_interval,
+                       "Store the field this often, whatever the case says");
     for (const post::OutputFormat* format : post::output_formats()) {
         if (format->use != post::OutputFormat::Use::always) {
             const bool wanted = format->use == post::OutputFormat::Use::on_request;
@@ -216,7 +202,7 @@ void add_run_command(CLI::App& program, int& exit_code) {
     command->add_flag_callback(
         "--no-report", [options] { options->switched.insert("report"); }, "No report.html and no page.txt");
     add_fresh_option(*command, options->fresh);
-    command->add_flag("--quiet", options->quiet, "No summary and no progress");
+    add_quiet_option(*command, options->quiet);
     command->add_flag("--json", options->json, "One JSON object instead of the summary");
     command->footer(
         "Files: report.html (the summary with charts, for a browser), page.txt (the summary), results.h5 (everything, "

@@ -85,8 +85,8 @@ int report_failed(const std::vector<std::size_t>& failed, std::size_t runs, cons
 
 int study(const StudyOptions& options) {
     solver::install_stop_handlers();
-    now_doing(fmt::format("reading {} and the files that it names", options.study_file));
-    input::StudyReading reading = input::read_study(options.study_file);
+    input::StudyReading reading =
+        while_reading(options.study_file, [&] { return input::read_study(options.study_file); });
     if (was_stopped("nothing was run", options.json)) {
         return Exit::interrupted;
     }
@@ -255,7 +255,7 @@ void add_study_command(CLI::App& program, int& exit_code) {
         ->excludes(part);
     command->add_flag("--fresh", options->fresh, "Make all runs again, also those that are kept");
     command->add_flag("--no-report", options->no_report, "No report.html and no page.txt");
-    command->add_flag("--quiet", options->quiet, "No summary and no progress");
+    add_quiet_option(*command, options->quiet);
     command->add_flag("--json", options->json, "One JSON object instead of the summary");
     command->footer(
         "A study names a case and what to change in it:\n"

@@ -18,6 +18,7 @@
 #include "app/messages.hpp"
 #include "diagnosis/validation/validation_rows.hpp"
 #include "diagnosis/validation/validation_runs.hpp"
+#include "input/text/run_name.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/validation/validation.hpp"
 #include "post/report/progress.hpp"
@@ -74,7 +75,7 @@ int finish(const ValidateOptions& options, const diagnosis::ValidationRecord& re
     if (!page) {
         return Exit::input_error;
     }
-    print_report(*page, options.json);
+    print_page(options, *page);
     return Exit::done;
 }
 
@@ -91,24 +92,23 @@ std::vector<std::string> files_of(const ValidateOptions& options, const input::V
 
 int validate(const ValidateOptions& options) {
     solver::install_stop_handlers();
-    now_doing(fmt::format("reading {} and the files that it names", options.table));
-    input::ValidationReading reading = input::read_validation(options.table);
+    input::ValidationReading reading =
+        while_reading(options.table, [&] { return input::read_validation(options.table); });
     if (refuses(reading, options)) {
         return Exit::input_error;
     }
     const input::Validation& table = *reading.table;
     std::unique_ptr<post::OutputFolder> folder;
     if (!options.markdown) {  // a table for a page of documentation is printed alone
-        folder =
-            open_output(folder_of(options, "out/" + std::filesystem::path(options.table).stem().string() + "/validate"),
-                        files_of(options, table), post::validation_names(), "nothing was run", options.json);
+        folder = open_output(folder_of(options, "out/" + input::plain_stem(options.table) + "/validate"),
+                             files_of(options, table), post::validation_names(), "nothing was run", options.json);
         if (!folder) {
             return Exit::input_error;
         }
     }
     now_doing("making the runs of " + options.table);
     const Clock::time_point begin = Clock::now();
-    post::ProgressLine line(stderr, false);
+    post::ProgressLine line(stderr, options.quiet);
     const diagnosis::RunResults results = diagnosis::run_all(
         table.runs, options.threads, [&](std::size_t done) { line.show({.done = done, .total = table.runs.size()}); });
     line.wipe();
@@ -159,6 +159,7 @@ void add_validate_command(CLI::App& program, int& exit_code) {
                    "Where the files go; those of an earlier validation there are replaced. Default: out/<table "
                    "name>/validate");
     command->add_flag("--no-report", options->no_report, "No report.html and no page.txt");
+    add_quiet_option(*command, options->quiet);
     command->add_flag("--json", options->json, "One JSON object instead of the table");
     command->add_flag("--markdown", options->markdown, "The table for a README alone, and no files")
         ->excludes("--json")

@@ -17,6 +17,7 @@
 #include "input/measurements/data_warnings.hpp"
 #include "input/new_case/log_columns.hpp"
 #include "input/text/suggestions.hpp"
+#include "solver/stop_signal.hpp"
 
 namespace tiretherm::input {
 
@@ -181,6 +182,7 @@ std::optional<LogSurvey> survey_log(const std::filesystem::path& path, const std
         if (survey.laps.source == LapSource::column && column.heading.name == survey.laps.column && !column.is_used()) {
             found.use = "laps";
         }
+        solver::leave_reading_if_stopped();
         Known known = known_of(*file, column.column, time, again);
         set_rate(found, known, survey.from, survey.to);
         if (!known.value.empty()) {

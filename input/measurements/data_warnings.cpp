@@ -12,6 +12,8 @@
 
 #include <fmt/format.h>
 
+#include "solver/stop_signal.hpp"
+
 namespace tiretherm::input {
 
 namespace {
@@ -91,6 +93,7 @@ std::vector<std::string> find_suspicious(const Recording& recording) {
     for (const RecordedColumn& column : recording.columns) {
         const std::string aside = column.heading == column.name ? "" : fmt::format(" (column {})", column.heading);
         for (const Rule& rule : rules) {
+            solver::leave_reading_if_stopped();
             const std::string sentence = column.value.empty() ? "" : rule.look(recording, column);
             if (!sentence.empty()) {
                 sentences.push_back(fmt::format("{}: {}{} {}", recording.file, column.name, aside, sentence));
@@ -116,6 +119,7 @@ void leave_out_unusable(const Recording& recording, MeasuredRun& run) {
         return;
     }
     for (const RecordedColumn& column : recording.columns) {
+        solver::leave_reading_if_stopped();
         if (column.is_input || column.value.empty()) {
             continue;
         }

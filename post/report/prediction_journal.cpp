@@ -20,14 +20,14 @@ constexpr double bytes_a_second = 10e6;
 }  // namespace
 
 PredictionJournal::PredictionJournal(OutputFolder& folder, const std::string& name,
-                                     const solver::Digest::Value& identity, bool fresh) {
-    const std::filesystem::path path = folder.journal(name);
+                                     const solver::Digest::Value& identity, bool fresh)
+    : path_(folder.journal(name)) {
     std::error_code ignored;
     if (fresh) {
-        std::filesystem::remove(path, ignored);
+        std::filesystem::remove(path_, ignored);
     }
     try {
-        file_ = std::make_unique<RecordFile>(path, identity);
+        file_ = std::make_unique<RecordFile>(path_, identity);
         is_damaged_ = file_->dropped() > 0;
         for (std::size_t r = 0; r < file_->size(); ++r) {
             if (const std::vector<double> numbers = file_->read(r); numbers.size() > 2) {
@@ -43,6 +43,12 @@ PredictionJournal::PredictionJournal(OutputFolder& folder, const std::string& na
 
 bool PredictionJournal::is_late() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count() >= checkpoint_interval();
+}
+
+bool PredictionJournal::has_room(std::uint64_t more) const {
+    std::error_code error;
+    const std::filesystem::space_info disk = std::filesystem::space(path_.parent_path(), error);
+    return error || disk.available >= file_->bytes() + 2 * more;
 }
 
 bool PredictionJournal::is_active() { return found_ > 0 || is_late(); }
@@ -66,15 +72,19 @@ void PredictionJournal::add(const solver::Digest::Value& key, std::span<const do
     try {
         const std::lock_guard lock(talk_);
         const bool worth = static_cast<double>(result.size_bytes()) <= bytes_a_second * seconds;
-        const bool room = file_ && file_->bytes() + result.size_bytes() <= most_bytes;
+        const bool room = file_ && !lacked_room_ && file_->bytes() + result.size_bytes() <= most_bytes;
         if (!is_late() || (checkpoint_interval() > 0.0 && !worth) || !room || places_.contains(key)) {
+            return;
+        }
+        if (!has_room(result.size_bytes())) {
+            lacked_room_ = true;
             return;
         }
         const std::array<double, 2> head{std::bit_cast<double>(key[0]), std::bit_cast<double>(key[1])};
         file_->append({head, result});
         places_[key] = file_->size() - 1;
     } catch (const std::exception&) {
-        file_.reset();
+        lacked_room_ = true;  // what it has is still read
     }
 }
 

@@ -13,8 +13,8 @@
 namespace tiretherm::post {
 
 /// Results of simulations in a file of the output folder. The first `checkpoint_interval()` keeps none, so that a short call
-/// costs nothing; results that are large beside the time they took are not kept, nor more than a gigabyte in all. Where
-/// the file cannot be written, the call goes on without it.
+/// costs nothing; results that are large beside the time they took are not kept, nor more than a gigabyte in all, nor more
+/// than half of the room that the disk has for them. Where the file cannot be written, the call goes on without it.
 class PredictionJournal final : public solver::KeptResults {
 public:
     /// @param identity of the call  @param fresh forget what an interrupted call has left
@@ -29,17 +29,23 @@ public:
     [[nodiscard]] std::size_t found() const { return found_; }
     /// Whether something of an interrupted call was cut off or damaged; its simulations are made again.
     [[nodiscard]] bool is_damaged() const { return is_damaged_; }
+    /// Whether results were not kept for want of room on the disk.
+    [[nodiscard]] bool lacked_room() const { return lacked_room_; }
     /// Results that the next call would find.
     [[nodiscard]] std::size_t size() const { return places_.size(); }
 
 private:
     [[nodiscard]] bool is_late() const;
+    /// Whether the disk has as much room left as the file takes with so many bytes more.
+    [[nodiscard]] bool has_room(std::uint64_t more) const;
 
+    std::filesystem::path path_;
     std::mutex talk_;
     std::unique_ptr<RecordFile> file_;
     std::map<solver::Digest::Value, std::size_t> places_;  ///< records
     std::size_t found_ = 0;
     bool is_damaged_ = false;
+    bool lacked_room_ = false;
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 

@@ -135,6 +135,9 @@ void RecordFile::append(std::initializer_list<std::span<const double>> parts) {
     }
     if (pwrite(file_, buffer_.data(), buffer_.size(), static_cast<off_t>(end_)) !=
         static_cast<ssize_t>(buffer_.size())) {
+        const int reason = errno;
+        static_cast<void>(ftruncate(file_, static_cast<off_t>(end_)));  // a full disk gets the torn piece back
+        errno = reason;
         fail("write");
     }
     records_.push_back({.at = end_ + record_head_bytes, .count = count});

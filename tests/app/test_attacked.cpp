@@ -93,6 +93,97 @@ TEST(Attacked, DamagedJournalOfAStudyIsMadeAnewAndToldOf) {
     }
 }
 
+// A list of what is to be moved and removed, as an archive may bring it along in a hidden folder.
+TEST(Attacked, PlantedListOfRemovalsIsRefusedByEveryCommand) {
+    for (const std::string& command :
+         {"run case.toml", "compare " + bench, "study study.toml", std::string("validate table.toml")}) {
+        const sample::Scratch scratch;
+        post::replace_file(scratch / "case.toml", "include = [\"" + two_node + "\"]\n");
+        post::replace_file(scratch / "study.toml", three);
+        post::replace_file(scratch / "table.toml", post::read_text(cases + "validation.toml"));
+        post::replace_file(scratch / "precious.txt", "mine");
+        fs::create_directories(scratch / ".tiretherm/new");
+        post::replace_file(scratch / ".tiretherm/new/precious.txt", "planted");
+        post::replace_file(scratch / ".tiretherm/commit", "-case.toml\n-study.toml\n+precious.txt\n");
+        const auto before = files_of(scratch.path());
+        const Call refused = call(command + " --out .", scratch.path());
+        EXPECT_EQ(refused.exit_code, 1) << command;
+        EXPECT_EQ(files_of(scratch.path()), before) << refused.err;
+    }
+}
+
+TEST(Attacked, RunsOfAnotherProgramAreLeftAsTheyAre) {
+    const sample::Scratch scratch;
+    post::replace_file(scratch / "study.toml", three);
+    fs::create_directories(scratch / "o");
+    post::replace_file(scratch / "o/runs.jsonl", "{\"run\": 1, \"loss\": 0.5}\n");
+    for (const char* more : {"", " --fresh"}) {
+        const Call refused = call(std::string("study study.toml --out o") + more, scratch.path());
+        EXPECT_EQ(refused.exit_code, 1);
+        EXPECT_TRUE(
+            has(refused.err, "runs.jsonl: it holds something else than the runs of a study and is left as it is"))
+            << refused.err;
+        EXPECT_EQ(post::read_text(scratch / "o/runs.jsonl"), "{\"run\": 1, \"loss\": 0.5}\n");
+    }
+}
+
+// Names of files of dots alone lead to the folder above: "...csv" and "...toml" are called "..".
+TEST(Attacked, ResultsStayInTheirFolderWhateverTheFilesAreCalled) {
+    const sample::Scratch scratch;
+    const fs::path here = scratch / "here";
+    fs::create_directories(here);
+    fs::copy_file(cases + "practice/run1.csv", here / "...csv");
+    post::replace_file(here / "...toml",
+                       "include = [\"" + cases + "practice/two_node_bench.toml\"]\n[[run]]\nfile = \"...csv\"\n");
+    EXPECT_EQ(call("run ...toml --run .. --no-report", here).exit_code, 1);
+    const Call run = call("run ...toml --run unnamed --no-report", here);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(call("run ...toml --no-report", here).exit_code, 0);
+    EXPECT_TRUE(fs::exists(here / "out/unnamed/unnamed/results.h5"));
+    EXPECT_TRUE(fs::exists(here / "out/unnamed/results.h5"));
+    EXPECT_FALSE(fs::exists(scratch / "results.h5"));
+    EXPECT_FALSE(fs::exists(here / "results.h5"));
+    EXPECT_FALSE(fs::exists(here / "out/results.h5"));
+}
+
+// [run] where [[run]] is meant: every command names the line, as of every other slip.
+TEST(Attacked, RunsThatAreNoListAreASentenceForEveryCommand) {
+    const sample::Scratch scratch;
+    for (const std::string runs : {"[run]\nfile = \"run1.csv\"\n", "[run]\n", "run = 3\n", "run = \"run1.csv\"\n",
+                                   "run = []\n", "run = [1, \"a\"]\n", "run = true\n"}) {
+        const std::string text = "include = [\"" + cases + "practice/two_node_bench.toml\"]\n";
+        post::replace_file(scratch / "case.toml", runs.starts_with("run =") ? runs + text : text + runs);
+        for (const char* command : {"check", "run", "compare", "identify", "diagnose"}) {
+            const Call refused = call(std::string(command) + " case.toml", scratch.path());
+            EXPECT_EQ(refused.exit_code, 1) << command << " " << runs;
+            EXPECT_TRUE(has(refused.err + refused.out, "case.toml:")) << runs << refused.err << refused.out;
+            EXPECT_TRUE(has(refused.err + refused.out, "remedy: ")) << runs << refused.err << refused.out;
+        }
+    }
+}
+
+// A quarter of a second after 1e9 s, and a tolerance that refuses it: as small a part of the run as the smallest step.
+TEST(Attacked, ShortStepsAfterALongTimeComeToAnEnd) {
+    const sample::Scratch scratch;
+    std::string rows = "[0, 0], [999999980, 0]";
+    for (int i = 1; i <= 60; ++i) {
+        rows += fmt::format(", [{:.2f}, {}]", 999999980.0 + 0.25 * i, i % 2 == 0 ? 20 : 150);
+    }
+    for (const char* tolerance : {"5e-4 K", "2e-4 K", "1e-4 K"}) {
+        post::replace_file(
+            scratch / "case.toml",
+            fmt::format("include = [\"{}\"]\nunset = [\"drive.speed\"]\n[time]\nend = \"1e9 s\"\noutput = "
+                        "\"1e9 s\"\ntolerance = \"{}\"\n[[drive.schedule]]\ncolumns = [\"time [s]\", "
+                        "\"speed [km/h]\"]\nrows = [{}]\n",
+                        two_node, tolerance, rows));
+        EXPECT_NE(shell(fmt::format("cd '{}' && timeout -s KILL 60 '{}' run case.toml --quiet --no-report --no-vtk "
+                                    "--no-pictures >/dev/null 2>&1",
+                                    scratch.path().string(), TIRETHERM_PROGRAM)),
+                  137)
+            << tolerance;
+    }
+}
+
 // ---- full disks -----------------------------------------------------------------------------------------------------
 
 TEST(Attacked, FullDiskIsASentenceForEveryCommandAndLeavesNoDraft) {

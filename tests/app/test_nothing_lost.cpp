@@ -267,6 +267,24 @@ TEST(Stopped, ConvertNewValidateAndAStudyBeforeItsRunsEndWithASentence) {
     }
 }
 
+// Reading 400 000 lines takes longer than the signal: the first one is heard, and there is no case.
+TEST(Stopped, NewHearsTheFirstSignalWhileItReads) {
+    const sample::Scratch scratch;
+    std::string log = "time [s],speed [km/h],vertical_load [N],surface_temperature [degC],air_temperature [degC]\n";
+    for (int i = 0; i < 400'000; ++i) {
+        log += fmt::format("{:.2f},{},4000,{},20\n", 0.01 * i, 100 + i % 7, 40 + i % 5);
+    }
+    post::replace_file(scratch / "log.csv", log);
+    Spawned call("new log.csv --out case.toml", scratch.path());
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    call.send(SIGINT);
+    EXPECT_EQ(call.end(), 130) << call.err();
+    EXPECT_LT(call.seconds(), 1.5);
+    EXPECT_EQ(call.err(),
+              "tiretherm: stopped while reading log.csv and the files that it names; nothing was written\n");
+    EXPECT_FALSE(fs::exists(scratch / "case.toml"));
+}
+
 // ---- full disk ------------------------------------------------------------------------------------------------------
 
 TEST(NothingLost, FullDiskIsASentenceAndCostsNothing) {

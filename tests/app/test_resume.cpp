@@ -189,4 +189,41 @@ TEST(Resume, WhatIsKeptCountsForTheSameCallAlone) {
     }
 }
 
+// Each call is cut short as soon as it has kept something more; none begins anew before there is an answer.
+TEST(Resume, ADiagnosisGoesOnAfterEveryTimeLimit) {
+    const sample::Scratch scratch;
+    const std::string folder = TIRETHERM_SOURCE_DIR "/cases/practice/";
+    const std::string command = fmt::format(
+        "diagnose {0}section_bench.toml --data {0}section_run1.csv --no-by-run --quiet --out o --time-limit 4", folder);
+    bool kept = false;
+    for (int i = 0; i < 5; ++i) {
+        Spawned call(command, scratch.path(), "0");
+        const int end = call.end();
+        EXPECT_EQ(call.err().find("an interrupted call is continued: ") != std::string::npos, kept) << call.err();
+        kept = call.err().find("simulations are kept in o, the same call goes on from there") != std::string::npos;
+        EXPECT_TRUE(end == 0 || (end == 2 && kept)) << call.err();
+        EXPECT_EQ(std::filesystem::exists(scratch / "o/.tiretherm/diagnose.simulations"), kept);
+        EXPECT_EQ(call.out(), "");
+        if (!kept) {
+            break;  // a quick machine
+        }
+    }
+}
+
+// A time that does not fit into a clock of 64 bits is as good as none; one of a moment is no signal: not 130.
+TEST(Resume, TimeLimitsThatAreLongOrShortAreNoSignals) {
+    const sample::Scratch scratch;
+    const std::string folder = TIRETHERM_SOURCE_DIR "/cases/practice/";
+    const std::string command = fmt::format(
+        "diagnose {0}two_node_bench.toml --data {0}puzzle1.csv --no-by-run --quiet --out o --time-limit ", folder);
+    for (const char* limit : {"1e10", "1e18", "1e300"}) {
+        const Call whole = call(command + limit, scratch.path());
+        EXPECT_EQ(whole.exit_code, 0) << limit << whole.err;
+        EXPECT_EQ(whole.out + whole.err, "");
+    }
+    const Call cut = call(command + "1e-6", scratch.path());
+    EXPECT_EQ(cut.exit_code, 2);
+    EXPECT_TRUE(cut.err.starts_with("tiretherm: the time limit has passed")) << cut.err;
+}
+
 }  // namespace tiretherm::app_test

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every key that a reader knows, in every table where it stands, with a value of every type in its place.
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "input/measurements/measured_bench.hpp"
+#include "input/reference/case_keys.hpp"
+#include "input/studies/study.hpp"
+#include "input/toml/toml_text.hpp"
+#include "input/validation/validation.hpp"
+
+namespace tiretherm::input {
+
+namespace wrong_types {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Types of TOML as bits, so that a reader may take several. A list of tables is a list, too.
+enum Type : unsigned { number = 1, text = 2, boolean = 4, list = 8, table = 16, tables = 32, date = 64, every = 127 };
+
+struct Value {
+    std::string_view literal;  ///< empty: the key is left out
+    unsigned type;
+};
+constexpr Value values[] = {{"3", number},
+                            {"1.5", number},
+                            {"-1e300", number},
+                            {"nan", number},
+                            {"\"word\"", text},
+                            {"\"\"", text},
+                            {"true", boolean},
+                            {"[]", list},
+                            {"[1, \"word\", [], {}]", list},
+                            {"{}", table},
+                            {"{ x = 1 }", table},
+                            {"[{ x = 1 }]", tables},
+                            {"2024-05-01", date},
+                            {"", every}};
+
+/// The types that the calls of readers for a key take. What they take as it stands they judge themselves: those below.
+unsigned types_of(const KeyUse& use) {
+    switch (use.form) {
+        case KeyForm::mentioned:
+        case KeyForm::any:
+            return 0;
+        case KeyForm::text:
+        case KeyForm::name:
+        case KeyForm::choice:
+            return text;
+        case KeyForm::texts:
+            return text | list;
+        case KeyForm::flag:
+            return boolean;
+        case KeyForm::count:
+            return number;
+        case KeyForm::quantity:
+            return use.spec.is_pure() ? number | text : text;
+        case KeyForm::table:
+            return table;
+        case KeyForm::tables:
+            return tables | list;
+    }
+    return 0;
+}
+
+/// A table in a document: keys, and places in lists, from the top down.
+struct Place {
+    std::string name;  ///< as messages call it, without brackets: "mesh.layer"; the document itself is ""
+    std::vector<std::pair<std::string, std::size_t>> steps{};
+};
+
+TomlValue& found_at(TomlValue& root, const Place& place) {
+    TomlValue* node = &root;
+    for (const auto& [key, item] : place.steps) {
+        node = &std::ranges::find(node->entries, key, &Entry::key)->value;
+        node = node->kind == TomlValue::Kind::array ? &node->items[item] : node;
+    }
+    return *node;
+}
+
+void find_tables(const TomlValue& node, const Place& place, std::vector<Place>& found) {
+    found.push_back(place);
+    for (const Entry& entry : node.entries) {
+        Place below{.name = place.name.empty() ? entry.key : place.name + "." + entry.key, .steps = place.steps};
+        below.steps.emplace_back(entry.key, 0);
+        if (entry.value.kind == TomlValue::Kind::table) {
+            find_tables(entry.value, below, found);
+        }
+        for (std::size_t i = 0; i < entry.value.items.size(); ++i) {
+            if (entry.value.items[i].kind == TomlValue::Kind::table) {
+                below.steps.back().second = i;
+                find_tables(entry.value.items[i], below, found);
+            }
+        }
+    }
+}
+
+/// "mesh section" of [mesh] whose kind is section: its keys are those of the kind.
+std::string with_kind(std::string name, std::string_view kind) {
+    std::erase_if(name, [](char c) { return c == '[' || c == ']'; });
+    return (name.starts_with("the ") ? std::string() : name) + " " + std::string(kind);
+}
+
+std::vector<InputError> errors_of(const fs::path& file, const TomlValue& document) {
+    if (document.find("number") != nullptr) {
+        return read_validation(file).errors;
+    }
+    if (document.find("case") != nullptr) {
+        return read_study(file).errors;
+    }
+    return read_experiment(file, {}, ReadMode::measured).errors;
+}
+
+/// The keys that readers ask for while they read a file, by table and kind, with the types that they take.
+std::map<std::string, std::map<std::string, unsigned>> keys_of(const fs::path& file, const TomlValue& document) {
+    std::map<std::string, std::map<std::string, unsigned>> keys;
+    const KeyRecord record;
+    static_cast<void>(errors_of(file, document));
+    for (const KeyUse& use : record.uses()) {
+        keys[with_kind(use.table, use.variant)][use.key] |= types_of(use);
+    }
+    return keys;
+}
+
+/// A document with one value replaced, as a file has it, and the line of that value.
+struct Changed {
+    std::string content;
+    int line = 0;
+};
+Changed changed(TomlValue document, const Place& place, const std::string& key, const Value& value) {
+    constexpr std::string_view mark = "\"@@\"";
+    TomlValue& at = found_at(document, place);
+    std::erase_if(at.entries, [&](const Entry& entry) { return entry.key == key; });
+    if (!value.literal.empty()) {
+        toml_text::add(at, key, toml_text::text_value("@@"));
+    }
+    Changed result{.content = toml_text::document(document)};
+    const std::size_t begin = std::min(result.content.find(mark), result.content.size());
+    result.line = 1 + static_cast<int>(std::ranges::count(result.content.substr(0, begin), '\n'));
+    if (begin < result.content.size()) {
+        result.content.replace(begin, mark.size(), value.literal);
+    }
+    return result;
+}
+
+/// Tries all values of all keys of a made-up file that no earlier one had.
+struct Sweep {
+    const Written& written;
+    std::set<std::string> done{};
+    int keys = 0;
+    int calls = 0;
+
+    void through(const MadeUpFile& file) {
+        InputErrors errors;
+        const fs::path whole = written.add("whole.toml", toml_text::document(*read_document(
+                                                             written.folder() / file.name, errors)));
+        const TomlValue document = *read_document(whole, errors);
+        const auto known = keys_of(whole, document);
+        std::vector<Place> places;
+        find_tables(document, {.name = ""}, places);
+        for (const Place& place : places) {
+            TomlValue copy = document;
+            const TomlValue* kind = found_at(copy, place).find("kind");
+            const std::string of = with_kind(place.name, kind != nullptr ? kind->text : "");
+            const auto here = known.find(of);
+            for (const auto& [key, types] : here != known.end() ? here->second : std::map<std::string, unsigned>()) {
+                if (done.insert(of + " " + key).second) {
+                    ++keys;
+                    try_all(document, place, key, types);
+                }
+            }
+        }
+    }
+
+    void try_all(const TomlValue& document, const Place& place, const std::string& key, unsigned types) {
+        for (const Value& value : values) {
+            const Changed file = changed(document, place, key, value);
+            const std::string name = place.name + " " + key + " = " + std::string(value.literal);
+            std::ofstream("/tmp/h5/last.txt") << name << "\n";
+            const std::vector<InputError> errors = errors_of(written.add("case.toml", file.content), document);
+            ++calls;
+            const auto there = std::ranges::find_if(errors, [&](const InputError& error) {
+                return error.line == file.line && error.file.ends_with("case.toml");
+            });
+            if (there == errors.end()) {
+                if ((types & value.type) == 0) std::cerr << "SILENT " << name << std::endl;
+            } else if (there->remedy.empty()) {
+                std::cerr << "NOREMEDY " << name << ": " << there->what << std::endl;
+            }
+        }
+    }
+};
+
+}  // namespace
+}  // namespace wrong_types
+
+TEST(WrongTypes, EveryKeyWithEveryTypeIsTakenOrHasAMessageAtItsLine) {
+    const Written written;
+    written.add("run.csv", log_of_five);
+    for (const MadeUpFile& file : files_of_every_kind()) {
+        written.add(std::string(file.name), file.text);
+    }
+    wrong_types::Sweep sweep{.written = written};
+    for (const MadeUpFile& file : files_of_every_kind()) {
+        sweep.through(file);
+    }
+    RecordProperty("keys", sweep.keys);
+    RecordProperty("calls", sweep.calls);
+    std::cout << sweep.keys << " keys, " << sweep.calls << " calls\n";
+}
+
+}  // namespace tiretherm::input
