@@ -53,6 +53,7 @@ std::vector<Corner> read_corners(TomlTable& root, const std::shared_ptr<ColumnKe
     root.each("corner", [&](TomlTable& table) {
         table.declare_keys({"drive", "initial", "measured", "effects"});
         Corner corner{.name = {}, .table = &table.content(), .keys = std::make_shared<ColumnKeys>()};
+        check_overlaid(table.content(), "corner", table.errors());
         corner.keys->read(table);
         corner.keys->fall_back_on(of_data);
         const std::optional<std::size_t> name = table.choice("name", corner_names, Need::required);
@@ -68,6 +69,18 @@ std::vector<Corner> read_corners(TomlTable& root, const std::shared_ptr<ColumnKe
         corners.push_back(std::move(corner));
     });
     return corners;
+}
+
+void check_overlaid(const TomlValue& over, const std::string& name, InputErrors& errors) {
+    for (const std::string_view key : {"drive", "initial", "time", "vehicle", "effects", "measured"}) {
+        const TomlValue* value = over.find(key);
+        const bool list = key == "measured";
+        if (value != nullptr && value->kind != (list ? TomlValue::Kind::array : TomlValue::Kind::table)) {
+            errors.add(value->place,
+                       fmt::format("{} is {}; a {} is wanted", key, shown(*value), list ? "list of tables" : "table"),
+                       fmt::format("write {}{}.{}{}", list ? "[[" : "[", name, key, list ? "]]" : "]"));
+        }
+    }
 }
 
 void read_corners_of_run(TomlTable& run) {
@@ -87,6 +100,12 @@ void read_corners_of_run(TomlTable& run) {
             run.errors().add(corner.place, fmt::format("\"{}\" is not a corner", corner.key),
                              suggest(corner.key, names, "corners"));
         }
+        if (corner.value.kind != TomlValue::Kind::table) {
+            run.errors().add(corner.value.place,
+                             fmt::format("{} is {}; a table is wanted", corner.key, shown(corner.value)),
+                             fmt::format("write {} = {{ initial = {{ temperature = \"40 degC\" }} }}", corner.key));
+        }
+        check_overlaid(corner.value, "run.corner." + corner.key, run.errors());
         for (const Entry& entry : corner.value.entries) {
             if (std::ranges::find(keys, entry.key) == keys.end()) {
                 run.errors().add(entry.place, fmt::format("\"{}\" is not a key of a corner in a run", entry.key),

@@ -28,6 +28,10 @@ enum class CornerGroup : std::uint8_t { all, axle, side, corner };
 /// The list [[corner]]. @param of_data the keys of [data], which count where a corner says nothing
 [[nodiscard]] std::vector<Corner> read_corners(TomlTable& root, const std::shared_ptr<ColumnKeys>& of_data);
 
+/// Reports what a run or a corner lays over the tables of the case and is of another type, which override_tables leaves out.
+/// @param name of the table, for the remedy: "run"
+void check_overlaid(const TomlValue& over, const std::string& name, InputErrors& errors);
+
 /// The key `corner` of a [[run]]: what differs at a corner in this run alone. Declares its keys.
 void read_corners_of_run(TomlTable& run);
 

@@ -200,7 +200,7 @@ ActiveEffect read_active(TomlTable& table, const Effect& effect, const ProblemBu
         }
     }
     if (effect.field() != physics::FieldOf::nothing) {  // read when the run's times are known
-        table.declare_keys({"field"});
+        static_cast<void>(table.text("field"));         // here also of an effect that is off
         if (effect.field() != physics::FieldOf::pressure) {
             table.declare_keys({"use"});
         }
@@ -209,7 +209,7 @@ ActiveEffect read_active(TomlTable& table, const Effect& effect, const ProblemBu
         }
     }
     if (effect.sensor_model() != nullptr) {  // read when the sensors are known
-        table.declare_keys({"channels"});
+        static_cast<void>(table.texts("channels"));
         for (const ParameterSpec& parameter : effect.parameters) {
             table.declare_keys({std::string(parameter.key) + "_by_channel"});
         }

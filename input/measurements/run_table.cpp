@@ -99,6 +99,7 @@ RunTable read_run(TomlTable& table) {
     const std::optional<std::string> file = table.text("file");
     table.declare_keys({"name", "drive", "initial", "time", "measured", "vehicle", "columns", "units", "unit_names",
                         "ignore", "hold", "keep_suspicious", "from", "to", "laps", "repeat_first_lap", "start_line"});
+    check_overlaid(table.content(), "run", table.errors());
     read_corners_of_run(table);
     if (file) {
         run.place = table.place("file");

@@ -188,7 +188,8 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
         root.allow_unknown_keys();  // its keys are reported by the readers below
         tables = read_run_tables(root, name, data);
     }
-    const bool measured = !data.empty() || document.find("run") != nullptr;
+    const bool has_runs = tables.front().table != nullptr;  // [[run]] that is no list has none, which is reported
+    const bool measured = !data.empty() || has_runs;
     const std::vector<std::string> sensors = sensor_names(document);
     std::vector<std::string> followed = followed_names(document);
     add_vehicle_columns(document, followed);

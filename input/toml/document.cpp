@@ -214,7 +214,8 @@ private:
         merged.kind = TomlValue::Kind::table;
         for (const TomlValue& item : list) {
             if (item.kind != TomlValue::Kind::text) {
-                errors_->add(item.place, fmt::format("include has {}; the path of a file is wanted", shown(item)));
+                errors_->add(item.place, fmt::format("include has {}; the path of a file is wanted", shown(item)),
+                             "write include = [\"../tires/some_tire.toml\"]");
                 complete = false;
                 continue;
             }
@@ -274,7 +275,9 @@ void override_tables(TomlValue& document, const TomlValue& over, std::span<const
     tables.kind = TomlValue::Kind::table;
     tables.place = document.place;
     for (const Entry& entry : over.entries) {
-        if (std::find(names.begin(), names.end(), entry.key) != names.end()) {
+        const TomlValue* known = document.find(entry.key);
+        const bool is_alike = known == nullptr || known->kind == entry.value.kind;
+        if (is_alike && std::find(names.begin(), names.end(), entry.key) != names.end()) {
             tables.entries.push_back(entry);
             tables.entries.back().value.in_braces = false;
         }

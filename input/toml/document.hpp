@@ -69,7 +69,7 @@ struct TextFile {
                                                      const std::string* text = nullptr);
 
 /// The tables `names` of `over` laid over those of a document as an including file's are, also where they stand in
-/// braces.
+/// braces. What is of another type than in the document is left out, for its reader to report.
 void override_tables(TomlValue& document, const TomlValue& over, std::span<const std::string_view> names);
 
 }  // namespace tiretherm::input

@@ -122,7 +122,8 @@ std::vector<LocatedString> TomlTable::texts(std::string_view key, Need need) {
         if (item.kind == TomlValue::Kind::text) {
             words.push_back({item.text, item.place});
         } else {
-            errors_->add(item.place, fmt::format("{} has {}; a text is wanted", key, shown(item)));
+            errors_->add(item.place, fmt::format("{} has {}; a text is wanted", key, shown(item)),
+                         fmt::format("write {} = [\"...\"]", key));
         }
     }
     return words;

@@ -31,7 +31,8 @@ std::string with_degree_sign(std::string text) {
     const auto ends_with_value = [](std::string_view before) {
         const bool blank = before.size() > 1 && before.back() == ' ';
         const char last = blank ? before[before.size() - 2] : before.empty() ? ' ' : before.back();
-        return blank ? (last >= '0' && last <= '9') || before.ends_with(" in ") : last == '[' || last == '(';
+        const bool in = before == "in " || before.ends_with(" in ");
+        return blank ? in || (last >= '0' && last <= '9') : last == '[' || last == '(';
     };
     const auto ends_word = [](std::string_view after) {
         const std::size_t end = after.find_first_not_of(".,;:)]\"");
@@ -136,8 +137,7 @@ std::string table_html(const DataTable& table) {
 }
 
 std::string chart_html(const PageItem& item) {
-    std::string data = compact_json(item.chart);
-    data = input::printable(data);
+    std::string data = input::printable(compact_json(item.chart));
     replace_all(data, "<", "\\u003c");  // nothing in the data ends the element
     return fmt::format(
         "<figure class=\"chart\" tabindex=\"0\" aria-label=\"{0}\">\n<script type=\"application/json\">{1}</script>\n"

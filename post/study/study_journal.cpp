@@ -87,9 +87,10 @@ std::optional<StudyOutcome> outcome_of(const Json& json, std::size_t channels) {
     return outcome;
 }
 
-/// Whether the first line of a text was one of ours, before it was cut off or damaged.
+/// Whether the first line of a text that is not blank was one of ours, before it was cut off or damaged.
 bool was_ours(const std::string& text) {
-    const std::string first = text.substr(0, text.find('\n'));
+    const std::size_t from = text.find_first_not_of(" \n");
+    const std::string first = from == std::string::npos ? "" : text.substr(from, text.find('\n', from) - from);
     constexpr std::string_view begin = "{\"run\":\"";
     const bool has_keys =
         first.find("\"values\":[") != std::string::npos && first.find("\"build\":") != std::string::npos;
@@ -127,7 +128,7 @@ StudyJournal::StudyJournal(const std::filesystem::path& path, std::size_t channe
     std::size_t whole = text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1;
     const std::vector<std::string_view> damaged = read(std::string_view(text).substr(0, whole));
     const bool has_ours = !done_.empty() || outdated_ > 0;
-    if (!has_ours && text.find_first_not_of(" \n") != std::string::npos && !was_ours(text)) {
+    if (!has_ours && !was_ours(text)) {
         throw FileError("use", path, "it holds something else than the runs of a study and is left as it is");
     }
     if (fresh) {

@@ -95,8 +95,8 @@ TEST(Attacked, DamagedJournalOfAStudyIsMadeAnewAndToldOf) {
 
 // A list of what is to be moved and removed, as an archive may bring it along in a hidden folder.
 TEST(Attacked, PlantedListOfRemovalsIsRefusedByEveryCommand) {
-    for (const std::string& command :
-         {"run case.toml", "compare " + bench, "study study.toml", std::string("validate table.toml")}) {
+    for (const std::string& command : {std::string("run case.toml"), "compare " + bench,
+                                       std::string("study study.toml"), std::string("validate table.toml")}) {
         const sample::Scratch scratch;
         post::replace_file(scratch / "case.toml", "include = [\"" + two_node + "\"]\n");
         post::replace_file(scratch / "study.toml", three);

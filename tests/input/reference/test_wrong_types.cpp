@@ -28,22 +28,42 @@ struct Value {
     std::string_view literal;  ///< empty: the key is left out
     unsigned type;
 };
-constexpr Value values[] = {{"3", number},
-                            {"1.5", number},
-                            {"-1e300", number},
-                            {"nan", number},
-                            {"\"word\"", text},
-                            {"\"\"", text},
-                            {"true", boolean},
-                            {"[]", list},
-                            {"[1, \"word\", [], {}]", list},
-                            {"{}", table},
-                            {"{ x = 1 }", table},
-                            {"[{ x = 1 }]", tables},
-                            {"2024-05-01", date},
-                            {"", every}};
+constexpr Value values[] = {{"3", number},        {"1.5", number},      {"-1e300", number},
+                            {"nan", number},      {"\"word\"", text},   {"\"\"", text},
+                            {"true", boolean},    {"[]", list},         {"[1, \"word\", [], {}]", list},
+                            {"{}", table},        {"{ x = 1 }", table}, {"[{ x = 1 }]", tables},
+                            {"2024-05-01", date}, {"", every}};
 
-/// The types that the calls of readers for a key take. What they take as it stands they judge themselves: those below.
+/// Keys whose values readers take as they stand and judge themselves, by hand.
+struct Judged {
+    std::string_view table;
+    std::string_view key;
+    unsigned types;
+};
+constexpr Judged judged[] = {
+    {"", "include", text | list},
+    {"", "pyrometer", list},
+    {"corner", "drive", table},
+    {"corner", "effects", table},
+    {"corner", "initial", table},
+    {"corner", "measured", list},
+    {"run", "corner", table},
+    {"run", "drive", table},
+    {"run", "frames", table | text},
+    {"run", "initial", table},
+    {"run", "measured", list},
+    {"run", "time", table},
+    {"parameter", "layer", text},
+    {"parameter", "zone", text},
+    {"draw", "high", number},
+    {"draw", "low", number},
+    {"draw", "mean", number},
+    {"draw", "standard_deviation", number},
+    {"sensor", "standard_deviation",
+     every},  // of a sensor with another error: what it measures, and its unit, is not known
+};
+
+/// The types that the call of a reader for a key takes.
 unsigned types_of(const KeyUse& use) {
     switch (use.form) {
         case KeyForm::mentioned:
@@ -149,6 +169,13 @@ Changed changed(TomlValue document, const Place& place, const std::string& key, 
     return result;
 }
 
+/// Whether what is wrong says what to do.
+bool says_remedy(std::string_view what) {
+    return std::ranges::any_of(
+        std::initializer_list<std::string_view>{"must be", "is wanted", "not a finite number", "cannot be read"},
+        [&](std::string_view words) { return what.find(words) != std::string_view::npos; });
+}
+
 /// Tries all values of all keys of a made-up file that no earlier one had.
 struct Sweep {
     const Written& written;
@@ -158,8 +185,8 @@ struct Sweep {
 
     void through(const MadeUpFile& file) {
         InputErrors errors;
-        const fs::path whole = written.add("whole.toml", toml_text::document(*read_document(
-                                                             written.folder() / file.name, errors)));
+        const fs::path whole =
+            written.add("whole.toml", toml_text::document(*read_document(written.folder() / file.name, errors)));
         const TomlValue document = *read_document(whole, errors);
         const auto known = keys_of(whole, document);
         std::vector<Place> places;
@@ -179,19 +206,24 @@ struct Sweep {
     }
 
     void try_all(const TomlValue& document, const Place& place, const std::string& key, unsigned types) {
+        const auto by_hand =
+            std::ranges::find_if(judged, [&](const Judged& one) { return one.table == place.name && one.key == key; });
+        types |= by_hand != std::end(judged) ? by_hand->types : 0U;
         for (const Value& value : values) {
             const Changed file = changed(document, place, key, value);
-            const std::string name = place.name + " " + key + " = " + std::string(value.literal);
-            std::ofstream("/tmp/h5/last.txt") << name << "\n";
+            SCOPED_TRACE("[" + place.name + "] " + key + " = " + std::string(value.literal));
             const std::vector<InputError> errors = errors_of(written.add("case.toml", file.content), document);
             ++calls;
             const auto there = std::ranges::find_if(errors, [&](const InputError& error) {
                 return error.line == file.line && error.file.ends_with("case.toml");
             });
+            if (value.literal.empty()) {
+                continue;  // no crash is all that is wanted: a key that may be left out has no line
+            }
             if (there == errors.end()) {
-                if ((types & value.type) == 0) std::cerr << "SILENT " << name << std::endl;
-            } else if (there->remedy.empty()) {
-                std::cerr << "NOREMEDY " << name << ": " << there->what << std::endl;
+                EXPECT_NE(types & value.type, 0U) << "taken without a word";
+            } else {
+                EXPECT_TRUE(!there->remedy.empty() || says_remedy(there->what)) << there->what;
             }
         }
     }
@@ -203,6 +235,7 @@ struct Sweep {
 TEST(WrongTypes, EveryKeyWithEveryTypeIsTakenOrHasAMessageAtItsLine) {
     const Written written;
     written.add("run.csv", log_of_five);
+    written.add("log.csv", log_of_five);
     for (const MadeUpFile& file : files_of_every_kind()) {
         written.add(std::string(file.name), file.text);
     }
@@ -210,9 +243,8 @@ TEST(WrongTypes, EveryKeyWithEveryTypeIsTakenOrHasAMessageAtItsLine) {
     for (const MadeUpFile& file : files_of_every_kind()) {
         sweep.through(file);
     }
-    RecordProperty("keys", sweep.keys);
-    RecordProperty("calls", sweep.calls);
     std::cout << sweep.keys << " keys, " << sweep.calls << " calls\n";
+    EXPECT_GT(sweep.keys, 600);
 }
 
 }  // namespace tiretherm::input
