@@ -297,9 +297,8 @@ Stamp read_stamp(std::string_view field, FieldForm form) {
     if (!number || !number->rest.empty() || !std::isfinite(number->value)) {
         return {};
     }
-    return {.seconds = form == FieldForm::digits        ? read_clock_digits(number->value)
-                       : form == FieldForm::since_in_ms ? 1e-3 * number->value
-                                                        : number->value};
+    return {.seconds =
+                form == FieldForm::digits ? read_clock_digits(number->value) : seconds_of_one(form) * number->value};
 }
 
 bool is_clock(std::string_view field) { return !std::isnan(read_stamp(field, FieldForm::clock).seconds); }

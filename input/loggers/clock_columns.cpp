@@ -29,7 +29,7 @@ std::string bare(std::string_view heading) {
 
 /// "timestampms" is "timestamp" with "ms". @returns the unit; empty: none at the end of a name of a time
 std::string_view unit_at_end(std::string_view name) {
-    for (const std::string_view unit : {"ms", "seconds", "sec", "s", "minutes", "min", "hours", "h"}) {
+    for (const std::string_view unit : {"ms", "us", "ns", "seconds", "sec", "s", "minutes", "min", "hours", "h"}) {
         if (name.ends_with(unit) &&
             std::ranges::find(names, name.substr(0, name.size() - unit.size())) != names.end()) {
             return unit;
@@ -82,7 +82,7 @@ void take_time_units(std::vector<ColumnHead>& heads) {
 FieldForm form_of(const ColumnHead& head, std::string_view first,
                   const std::function<void(const FieldVisitor&)>& visit) {
     constexpr double before_loggers = 3e8;  // s since 1970, in 1979
-    constexpr double after_them = 1e10;     // s; a number of milliseconds since 1979 is larger
+    constexpr double after_them = 1e10;     // s; as many milliseconds were gone in 1970
     constexpr double least_digits = 1e4;    // one o'clock; a clock of seconds from the start begins at less
     const bool is_named = rank_of(head.heading.name) != names.size();
     const auto is_nothing = [](std::string_view field) { return field.empty() || field == "-"; };
@@ -103,11 +103,16 @@ FieldForm form_of(const ColumnHead& head, std::string_view first,
     if (!is_named || !number || !number->rest.empty()) {
         return FieldForm::number;
     }
-    if ((unit.empty() || unit == "s") && number->value > before_loggers && number->value < after_them) {
-        return FieldForm::since;
-    }
-    if ((unit.empty() || unit == "ms") && number->value > 1e3 * before_loggers && number->value < 1e3 * after_them) {
-        return FieldForm::since_in_ms;
+    struct Since {
+        std::string_view unit;
+        FieldForm form;
+    };
+    for (const auto& [of, form] : {Since{"s", FieldForm::since}, Since{"ms", FieldForm::since_in_ms},
+                                   Since{"us", FieldForm::since_in_us}, Since{"ns", FieldForm::since_in_ns}}) {
+        const double seconds = seconds_of_one(form) * number->value;
+        if ((unit.empty() || unit == of) && seconds > before_loggers && seconds < after_them) {
+            return form;
+        }
     }
     const bool is_large = number->value >= least_digits && may_be_digits(number->value);
     return unit.empty() && is_large && are_digits(visit) ? FieldForm::digits : FieldForm::number;

@@ -69,7 +69,9 @@ std::optional<ChannelTable::Channel> channel_at(const std::shared_ptr<const std:
     const std::string unit = in.text(at + 112, 32);
     const double factor = unit == "%" ? 100.0 : 1.0;
     ChannelTable::Channel channel{.name = in.text(at + 16, 32),
-                                  .unit = unit.starts_with("irsdk_") ? "" : unit,
+                                  .unit = unit == "C"                  ? "degC"
+                                          : unit.starts_with("irsdk_") ? ""
+                                                                       : unit,
                                   .rate = rows.rate,
                                   .count = rows.count};
     channel.samples = [bytes, rows, place, factor, kind = *type] {

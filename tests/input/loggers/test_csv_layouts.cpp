@@ -296,6 +296,8 @@ TEST(CsvLog, TimesOfManyKindsCountFromTheFirstLine) {
               expected);
     EXPECT_EQ(times("Date and time", {"9/5/2025 10:28:00.000", "9/5/2025 10:28:00.050", "9/5/2025 10:28:00.100"}),
               expected);
+    EXPECT_EQ(times("timestamp_us", {"1757000000000000", "1757000000050000", "1757000000100000"}), expected);
+    EXPECT_EQ(times("Time [ns]", {"1757000000000000000", "1757000000050000000", "1757000000100000000"}), expected);
     EXPECT_EQ(times("TimestampMS", {"0", "50", "100"}), expected);
     EXPECT_EQ(times("timestamp_ms", {"0", "50", "100"}), expected);
     EXPECT_EQ(times("SessionTime [s]", {"0", "0.05", "0.1"}), expected);

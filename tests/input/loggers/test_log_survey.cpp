@@ -54,6 +54,16 @@ TEST(LogSurvey, SaysWhatIsInAnAimFile) {
     EXPECT_NEAR(*tread.high, 83.402, 5e-4);
 }
 
+// Two lines a minute under a clock without seconds; the second half of a file that is cut off.
+TEST(LogSurvey, SaysWhatWasDecidedWhileReading) {
+    const LogSurvey found = survey("log.csv",
+                                   "Time,speed [km/h]\n10/24/2026 11:20,36\n10/24/2026 11:20,36\n"
+                                   "10/24/2026 11:21,36\n10/24/2026 11:21,36\n10/24/2026 11:22");
+    EXPECT_EQ(found.to, 90.0);
+    EXPECT_TRUE(doubts(found, "line 1: Time: the clock goes on by 60 s, and up to 2 lines have one time"));
+    EXPECT_TRUE(doubts(found, "line 6: the last line has 1 of 2 values"));
+}
+
 // Five of every hundred samples are missing; a channel in C whose name tells nothing is asked for; rear is front with 2 K added.
 TEST(LogSurvey, SaysWhatLooksWrong) {
     std::string log = "time [s],speed [km/h],Front Temp [degC],Rear Temp [degC],Quantity [C]\n";
