@@ -155,6 +155,7 @@ int diagnose(const DiagnoseOptions& call, const TableOptions& of_table) {
     const auto files = write_measured(call, *folder, names, [&](const std::filesystem::path& stage) {
         return post::write_diagnosis(record, stage, folder->path());
     });
+    tell_of_journal(*journal);
     if (!files) {
         return Exit::input_error;
     }
@@ -164,7 +165,6 @@ int diagnose(const DiagnoseOptions& call, const TableOptions& of_table) {
         std::fflush(stdout);
         fmt::print(stderr, "tiretherm: {}\n", rest);
     }
-    tell_of_journal(*journal);
     return complete || solver::is_time_up() ? Exit::done : Exit::interrupted;
 }
 

@@ -188,10 +188,10 @@ int identify(const IdentifyOptions& options) {
             return files;
         },
         [&](const auto& files) { return post::identification_report(record, files); });
+    tell_of_journal(*journal);
     if (!page) {
         return Exit::input_error;
     }
-    tell_of_journal(*journal);
     print_page(options, *page);
     return result.converged ? Exit::done : Exit::numerical_failure;
 }

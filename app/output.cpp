@@ -61,15 +61,17 @@ bool write_output(post::OutputFolder& folder, const std::vector<std::string>& st
                               dynamic_cast<const post::OutputError*>(&error) != nullptr ||
                               dynamic_cast<const std::filesystem::filesystem_error*>(&error) != nullptr;
         // What was computed is worth more than the room that it takes: with a disk that is less full the call goes on.
-        folder.keep_journals();
+        const bool kept = folder.has_journal();
+        if (kept) {
+            folder.keep_journals();
+        }
         if (!of_files) {
             throw;
         }
-        report_error(folder.in_place(error.what()),
-                     folder.has_journal()
-                         ? fmt::format("{}, or make room: the same call goes on from what is kept", unchanged)
-                         : unchanged,
-                     json);
+        report_error(
+            folder.in_place(error.what()),
+            kept ? fmt::format("{}, or make room: the same call goes on from what is kept", unchanged) : unchanged,
+            json);
     }
     return false;
 }

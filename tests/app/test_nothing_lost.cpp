@@ -287,6 +287,38 @@ TEST(Stopped, NewHearsTheFirstSignalWhileItReads) {
 
 // ---- full disk ------------------------------------------------------------------------------------------------------
 
+// The journal of a diagnosis takes at most half of what is free: of 3.5 MB it leaves more than the 1.6 MB of the files. Where
+// they do not fit either, what was simulated is kept for the call that finds room.
+TEST(NothingLost, ADiagnosisOnANearlyFullDiskLosesNeitherAnswerNorJournal) {
+    const sample::Scratch scratch;
+    const fs::path disk = scratch / "disk";
+    fs::create_directories(disk);
+    if (mount("tmpfs", disk.c_str(), "tmpfs", 0, "size=16M") != 0) {
+        GTEST_SKIP() << "a small disk cannot be mounted here: that needs root";
+    }
+    const std::string command = "diagnose " + practice_bench + data({}) + " --no-by-run --quiet --out disk/o";
+    const auto leave = [&](std::size_t kilobytes) {
+        fs::remove_all(disk / "o");
+        fs::remove(disk / "fill");
+        post::replace_file(disk / "fill", std::string(fs::space(disk).available - kilobytes * 1024, 'x'));
+    };
+    leave(3500);
+    Spawned with_room(command, scratch.path(), "0");
+    EXPECT_EQ(with_room.end(), 0) << with_room.err();
+    EXPECT_TRUE(fs::exists(disk / "o/diagnosis.json"));
+    EXPECT_FALSE(fs::exists(disk / "o/.tiretherm"));
+    leave(900);
+    Spawned without(command, scratch.path(), "0");
+    EXPECT_EQ(without.end(), 1);
+    EXPECT_TRUE(has(without.err(), "make room: the same call goes on from what is kept")) << without.err();
+    EXPECT_TRUE(has(without.err(), "the disk is nearly full: not all simulations were kept")) << without.err();
+    fs::remove(disk / "fill");
+    Spawned next(command, scratch.path(), "0");
+    EXPECT_EQ(next.end(), 0) << next.err();
+    EXPECT_TRUE(has(next.err(), "an interrupted call is continued: ")) << next.err();
+    umount(disk.c_str());
+}
+
 TEST(NothingLost, FullDiskIsASentenceAndCostsNothing) {
     const sample::Scratch scratch;
     const fs::path disk = scratch / "disk";
