@@ -72,8 +72,7 @@ int plan(const IdentifyOptions& options, input::ExperimentReading& reading) {
         post::Section noise("");
         noise.say(
             fmt::format("Noise assumed: as stated with the sensors; {:.0f} % of its variance is white noise, the rest "
-                        "forgotten over "
-                        "{:g} s (--correlation-time).",
+                        "has a correlation time of {:g} s (--correlation-time).",
                         100.0 * (options.correlation_time > 0.0 ? white_share : 1.0), options.correlation_time));
         page.add(std::move(noise));
         return page;

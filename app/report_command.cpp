@@ -275,8 +275,7 @@ void add_report_command(CLI::App& program, int& exit_code) {
         "named,\n"
         "and the others are written.\n\n"
         "Exit code: 0 done; 1 an error in the call, no page, a damaged one, a chart that cannot be drawn, or no\n"
-        "Chromium; 2 Chromium failed or took\n"
-        "too long; 130 interrupted.\n\n"
+        "Chromium; 2 Chromium failed or took too long; 130 interrupted.\n\n"
         "Example:\n"
         "  tiretherm report out/laser --png --width 1200");
     command->callback([options, &exit_code] { exit_code = report(*options); });

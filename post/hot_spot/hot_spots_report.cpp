@@ -83,7 +83,7 @@ std::string surface_text(const HotSpots& all, const HotSpot& spot) {
         fmt::format("In a steady state with the hot spot at its critical temperature {} would read {} degC. ", name,
                     degrees(spot.surface_threshold));
     if (std::isnan(spot.surface_time)) {
-        return threshold + "It has not read so much by the end: it does not show what is inside.";
+        return threshold + "It stays below that until the end: the sensor does not reveal the hot spot.";
     }
     const double lag = spot.surface_time - spot.passing->time;
     return threshold + fmt::format("It passes that {} {} the hot spot passes its own.", span(std::abs(lag)),
@@ -96,10 +96,10 @@ std::string further_text(const HotSpot& spot) {
     }
     const FurtherSteps& further = *spot.further;
     if (!further.refusal.empty()) {
-        return "Not gone on with: " + further.refusal + ".";
+        return "Not continued: " + further.refusal + ".";
     }
     const std::string pattern =
-        fmt::format("Gone on with by {} km/h every {}, ", kmh(further.rise), minutes(further.duration));
+        fmt::format("Continued in steps of {} km/h every {}, ", kmh(further.rise), minutes(further.duration));
     if (!further.passing) {
         return pattern + fmt::format("the test does not pass {} degC up to {} km/h; the hottest is {} degC.",
                                      degrees(spot.history.critical().temperature), kmh(further.last_speed),

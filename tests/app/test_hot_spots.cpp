@@ -94,7 +94,7 @@ TEST(HotSpots, MarginAndFurtherStepsAreToldWhenNothingPasses) {
     const sample::Scratch scratch;
     const Call done = run(scratch, warming_plate + critical("75 degC") + three_steps, "");
     EXPECT_EQ(done.exit_code, 0) << done.err;
-    // Gone on with by 2 m/s every 10 min, the closed form passes 75 degC in the step of 32 m/s, the seventh; a source's
+    // Continued in steps of 2 m/s every 10 min, the closed form passes 75 degC in the step of 32 m/s, the seventh; a source's
     // formula is right to 16 mK of 164 K there, or 1.8 s.
     const Json spot = spots(warming_plate + critical("75 degC") + three_steps)["spots"][0];
     EXPECT_NEAR(spot["margin"].get<double>(), 75.0 - support::WarmingLump{}.at_end(2), 0.02);
