@@ -120,6 +120,7 @@ Comparison compare(const input::Experiment& experiment, const std::string& name)
     using Clock = std::chrono::steady_clock;
     Comparison result;
     result.name = name;
+    result.not_driven = input::not_driven(experiment);
     const std::vector<Regressor> regressors = regressors_of(experiment);
     std::vector<std::pair<std::string, std::string>> names;
     for (const Regressor& regressor : regressors) {

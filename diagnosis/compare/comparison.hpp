@@ -92,6 +92,7 @@ struct Comparison {
     std::vector<std::string> files;
     std::vector<solver::InputSignals> inputs;   ///< [runs] what was put in
     std::vector<std::vector<input::Lap>> laps;  ///< [runs] of a circuit; may be empty
+    std::vector<std::string> not_driven{};      ///< what of schedules and files is not simulated
     std::vector<ComparedChannel> channels;      ///< of which anything was logged
     std::vector<ComparedNumber> numbers;
     std::vector<ComparedImages> images;  ///< of cameras, run by run

@@ -9,6 +9,16 @@
 
 namespace tiretherm::input {
 
+std::vector<std::string> not_driven(const Experiment& experiment) {
+    std::vector<std::string> sentences;
+    for (const MeasuredRun& run : experiment.runs) {
+        for (const std::string& sentence : run.not_driven) {
+            sentences.push_back((run.recording.empty() ? run.name : run.recording) + ": " + sentence);
+        }
+    }
+    return unique(sentences);
+}
+
 ExperimentReading read_experiment(const std::filesystem::path& file, const std::vector<std::filesystem::path>& data,
                                   ReadMode mode, const MeshChange& change) {
     InputErrors errors;

@@ -96,6 +96,8 @@ struct MeasuredRun {
     std::vector<MeasuredFrames> frames;
     std::vector<Lap> laps{};  ///< of the file, those that lie in the run
     RepeatedLap repeated{};   ///< that goes before it
+    std::vector<std::string>
+        not_driven{};  ///< what of the case's schedule or of the file is not simulated, a sentence each
 };
 
 /// A case with its measured runs and the numbers of it that may be fitted.
@@ -108,6 +110,9 @@ struct Experiment {
     std::vector<std::string> candidates{};  ///< effects (or "effect.key") that a diagnosis may name; empty: all
     std::vector<Instrument> instruments{};  ///< those of the case first, then those that are assumed
 };
+
+/// What of schedules and files is not simulated, with the runs' names; a sentence of all corners of a car once.
+[[nodiscard]] std::vector<std::string> not_driven(const Experiment& experiment);
 
 /// An experiment that has been read. There is one exactly when there is no error.
 struct ExperimentReading {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "input/laps/file_laps.hpp"
+#include "input/measurements/step_times.hpp"
 #include "input/model/probes.hpp"
 #include "input/text/quantity_specs.hpp"
 
@@ -188,11 +189,20 @@ std::optional<ErrorText> gap_error(const std::string& name, const std::vector<do
     return std::nullopt;
 }
 
-std::optional<RunFile> open_run_file(const RunTable& run, const std::vector<std::string>& sensors,
-                                     const std::vector<std::string>& followed, InputErrors& errors) {
+std::optional<RunFile> open_run_file(const RunTable& run, const TomlValue& document,
+                                     const std::vector<std::string>& sensors, const std::vector<std::string>& followed,
+                                     InputErrors& errors) {
     std::optional<DataFile> file = DataFile::open(*run.file, run.place, errors);
     if (!file) {
         return std::nullopt;
+    }
+    ProbeTable* probes = file->probe_table();
+    if (probes != nullptr && probes->axis() != ProbeTable::Axis::time) {
+        std::optional<std::vector<double>> times = step_times(*probes, document, errors);
+        if (!times) {
+            return std::nullopt;
+        }
+        probes->take_times(std::move(*times));
     }
     RunColumns columns = classify_columns(*file, *run.keys, sensors, followed, errors);
     RunFile opened{.file = std::move(*file), .columns = std::move(columns)};
@@ -295,6 +305,8 @@ RunInputs read_run_inputs(const RunTable& run, const RunFile* file, InputErrors&
     const std::vector<double> time(file->time.begin() + first, file->time.begin() + last);
     into.lead = file->repeated.lead();
     into.left_out = file->left_out;
+    into.file_first = file->time.front();
+    into.part_of_file = run.from || run.laps;
     into.first = time.front() - into.lead;
     into.last = time.back();
     for (std::size_t i = 0; i < read.size(); ++i) {

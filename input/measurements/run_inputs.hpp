@@ -24,8 +24,10 @@ struct RunFile {
 };
 
 /// Opens the run's file and finds its samples; nothing after an error.
+/// @param document the case with the run's tables over it
 /// @param sensors names of the case's sensors  @param followed names that user effects refer to
-[[nodiscard]] std::optional<RunFile> open_run_file(const RunTable& run, const std::vector<std::string>& sensors,
+[[nodiscard]] std::optional<RunFile> open_run_file(const RunTable& run, const TomlValue& document,
+                                                   const std::vector<std::string>& sensors,
                                                    const std::vector<std::string>& followed, InputErrors& errors);
 
 /// An input may be missing in this share of its samples, or of a run's time.

@@ -18,6 +18,7 @@
 #include "input/measurements/pyrometer.hpp"
 #include "input/measurements/run_readings.hpp"
 #include "input/model/probes.hpp"
+#include "input/model/run_span.hpp"
 #include "input/parameters/hot_spots.hpp"
 #include "input/parameters/parameters.hpp"
 #include "input/text/suggestions.hpp"
@@ -204,7 +205,8 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
         const RunTable& table = reading.table;
         ProblemBuilder& builder = reading.builder;
         MeasuredRun& run = reading.run;
-        std::optional<RunFile> file = table.file ? open_run_file(table, sensors, followed, errors) : std::nullopt;
+        std::optional<RunFile> file =
+            table.file ? open_run_file(table, reading.document, sensors, followed, errors) : std::nullopt;
         if (!file) {
             table.keys->allow_unknown_keys();
         }
@@ -220,6 +222,10 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
         TomlTable root(reading.document, "the case", errors);
         root.declare_keys({"include", "unset"});
         read_tables(root, builder);
+        run.not_driven = not_driven(builder);
+        for (const std::string& sentence : run.not_driven) {
+            errors.warn(builder.run->place, sentence);
+        }
         root.declare_keys({"run", "data", "parameter", "identify", "diagnose", "instrument", "critical", "uncertain",
                            "corner", "pyrometer"});
         run.name = table.name;
@@ -259,7 +265,7 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
         }
         if (runs.size() == 1) {
             read_identify(root, into.experiment);
-            static_cast<void>(read_critical(root, builder.problem, builder.has_mesh));
+            into.critical = read_critical(root, builder.problem, builder.has_mesh);
             static_cast<void>(read_uncertain(root));
             signals = read_diagnose(root, builder.problem, into.experiment);
             into.experiment.instruments = read_instruments(root, builder.problem);

@@ -10,6 +10,7 @@
 #include "input/measurements/experiment.hpp"
 #include "input/model/size_limits.hpp"
 #include "input/toml/document.hpp"
+#include "solver/hot_spot/hot_spot.hpp"
 
 namespace tiretherm::input {
 
@@ -20,7 +21,8 @@ struct Runs {
     std::vector<std::string> data_warnings;  ///< those of several corners once
     std::vector<std::string> corners{};      ///< of the case: FL, FR ...; empty: it is of one tire
     SizeLimits limits;
-    std::vector<PlySummary> plies{};  ///< materials of cords in rubber that layers are made of
+    std::vector<solver::Critical> critical{};  ///< of `problem`
+    std::vector<PlySummary> plies{};           ///< materials of cords in rubber that layers are made of
 
     /// The problem of a run by its name; of the first where that is empty or unknown.
     [[nodiscard]] const solver::Problem& problem_of(const std::string& run) const;

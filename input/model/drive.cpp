@@ -64,6 +64,7 @@ void read_schedule(TomlTable& table, ProblemBuilder& builder) {
         const bool is_new = !overridden && register_signal(signal->name, column.place, column.place, builder, errors);
         std::vector<double> values = read_numbers(column, quantity_specs::of(*signal), errors);
         if (is_new && ordered && !values.empty()) {
+            builder.take_driven(time);
             builder.problem.input_signals.add(
                 solver::Series{.signal = signal, .time = time, .value = std::move(values), .logged = false});
         }

@@ -165,6 +165,9 @@ void read_logged(TomlTable& table, ProblemBuilder& builder) {
     const std::vector<double> time = std::move(values.front());
     builder.logged_from = std::min(builder.logged_from.value_or(time.front()), time.front());
     builder.logged_to = std::max(builder.logged_to.value_or(time.back()), time.back());
+    if (values.size() > 1) {
+        builder.take_driven(time);
+    }
     for (std::size_t i = 1; i < values.size(); ++i) {
         const std::string& name = requested_columns[i].name;
         solver::SignalHistory known = known_samples(time, values[i]);

@@ -3,6 +3,7 @@
 // errors.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <map>
 #include <optional>
@@ -57,11 +58,15 @@ struct RunInputs {
     std::vector<UserColumn> columns{};    ///< that user effects follow; without points after an error
     std::vector<std::string> headings{};  ///< of all columns of the file
     std::vector<StartReading> start_readings{};
-    std::optional<double> first{};      ///< s, first time in the file, less `lead`
+    double file_first = 0.0;            ///< s, of the file's first sample, whether or not it is in the run
+    std::optional<double> first{};      ///< s, first time in the run's part of the file, less `lead`
+    bool part_of_file = false;          ///< `from` or `laps` choose where it begins
     double lead = 0.0;                  ///< s, for which laps are driven before
     std::vector<LapWindow> left_out{};  ///< whose readings do not count
     std::optional<double> last{};       ///< s, last time in the file
 
+    /// Whether the file gives anything that acts on the tire.
+    [[nodiscard]] bool drives() const { return unreadable || !inputs.empty() || !columns.empty(); }
     /// Whether the run has a value of its own for the key of a table.
     [[nodiscard]] bool says(std::string_view of_table, std::string_view key) const;
     /// Whether a signal that stands in [drive] at this key comes from the file instead.
@@ -99,12 +104,19 @@ struct ProblemBuilder {
     SizeLimits limits{};
     std::optional<double> logged_from;    ///< s, first sample of any log
     std::optional<double> logged_to;      ///< s, last sample of any log
+    std::optional<double> driven_from;    ///< s, first row of any schedule or log
+    std::optional<double> driven_to;      ///< s, last row of any schedule or log
     std::optional<RunInputs> run{};       ///< the measured run that is being read
     std::vector<std::string> followed{};  ///< what user effects refer to: inputs, columns
     std::vector<UserColumn> columns{};    ///< of them those that a log of [drive] gives
 
     std::vector<Camera> cameras{};
 
+    /// Takes note of the times of a schedule or log. @param time s, ascending
+    void take_driven(const std::vector<double>& time) {
+        driven_from = std::min(driven_from.value_or(time.front()), time.front());
+        driven_to = std::max(driven_to.value_or(time.back()), time.back());
+    }
     /// Whether the measured run's file gives a signal that stands in [drive] at this key.
     [[nodiscard]] bool overridden(std::string_view key, std::string_view signal) const {
         return run && run->overrides(key, signal);

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "input/model/problem_builder.hpp"
+#include "input/model/run_span.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "solver/linear/petsc_factor.hpp"
 
@@ -18,10 +18,6 @@ namespace {
 constexpr std::array<std::string_view, 2> methods{"tr_bdf2", "backward_euler"};
 constexpr std::array<std::string_view, 4> linear_solvers{"automatic", "cholesky", "conjugate_gradient", "petsc"};
 constexpr double many_steps = 1e7;
-
-std::string in_minutes(double seconds) {
-    return seconds < 600.0 ? fmt::format("{:.4g} s", seconds) : fmt::format("{:.4g} min", seconds / 60.0);
-}
 
 /// A log goes on beyond the run, which somebody who included the run's end from another file does not see.
 void warn_of_cut_log(const TomlTable& time, const ProblemBuilder& builder) {
@@ -61,7 +57,7 @@ void read_time_settings(TomlTable& root, ProblemBuilder& builder) {
         time.quantity("end", quantity_specs::moment, implied || into.steady ? Need::optional : Need::required);
     into.end = end.value_or(builder.logged_to.value_or(into.start));
     if (of_file) {
-        into.start = own_start ? into.start : *builder.run->first;
+        into.start = own_start ? into.start : start_of_run(builder, into.start, end);
         into.end = own_end ? into.end : *builder.run->last;
     }
     if (own_start && builder.run->lead > 0.0) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Chooses HDF5 by the name of the file, binary logs by their first bytes, text otherwise, and passes the calls on.
+// Chooses HDF5 by the name of the file, binary logs by their first bytes, a table of probes by its headings, other text
+// otherwise, and passes the calls on.
 
 #include "input/tables/data_file.hpp"
 
@@ -82,6 +83,10 @@ std::optional<DataFile> DataFile::open_any(const std::filesystem::path& path, co
     }
     file.number_ = text->number;
     file.text_ = errors.text(file.number_);
+    if (std::optional<ProbeTable> table = ProbeTable::find(*text)) {
+        file.columns_ = std::move(*table);
+        return file;
+    }
     std::optional<Csv> csv = Csv::open(*text, errors);
     if (!csv) {
         return std::nullopt;
@@ -105,8 +110,12 @@ int DataFile::find(std::string_view name) const {
 
 const LogDescription& DataFile::description() const {
     static const LogDescription of_hdf5{.format = "HDF5"};
+    static const LogDescription of_probes{.format = "table of probes"};
     if (const Csv* csv = std::get_if<Csv>(&columns_)) {
         return csv->description();
+    }
+    if (std::holds_alternative<ProbeTable>(columns_)) {
+        return of_probes;
     }
     const ChannelTable* table = channel_table();
     return table != nullptr ? table->description() : of_hdf5;
@@ -127,7 +136,7 @@ std::string DataFile::unit_remedy(const ColumnHead& head, const QuantitySpec& sp
         name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") == std::string::npos;
     const std::string key = bare ? name : fmt::format("\"{}\"", name);
     const std::string there =
-        std::holds_alternative<Csv>(columns_) ? fmt::format("write \"{} [{}]\", or say it in the case: ", name, unit)
+        text_ != nullptr ? fmt::format("write \"{} [{}]\", or say it in the case: ", name, unit)
         : std::holds_alternative<Hdf5Columns>(columns_)
             ? fmt::format("give the dataset an attribute units = \"{}\", or say it in the case: ", unit)
             : std::string("say it in the case: ");
@@ -146,6 +155,9 @@ std::string DataFile::unit_remedy(const ColumnHead& head, const QuantitySpec& sp
 ColumnReader::FieldLocation DataFile::spot(std::size_t row) const {
     if (const Csv* csv = std::get_if<Csv>(&columns_)) {
         return {.place = csv->row(row)};
+    }
+    if (const auto* table = std::get_if<ProbeTable>(&columns_)) {
+        return {.place = table->row(row)};
     }
     return {.place = {.file = number_}, .aside = fmt::format(" (value {})", row + 1)};
 }

@@ -254,6 +254,7 @@ Report comparison_report(const Comparison& comparison, const std::vector<std::fi
                    {"seconds", comparison.seconds},  {"runs", runs},
                    {"channels", of_channels.data()}, {"numbers", numbers.data()}};
     report.verdict = verdict_of(comparison);
+    report.verdict.insert(report.verdict.begin(), comparison.not_driven.begin(), comparison.not_driven.end());
     if (!comparison.channels.empty()) {
         report.add(per_run(comparison, std::move(of_channels)));
         report.add(interpretation(comparison));

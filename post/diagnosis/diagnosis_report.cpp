@@ -383,6 +383,8 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
                                plural(record.experiment.parameters.size(), "free parameter"), result.simulations,
                                seconds_text(result.seconds)),
                    "Differences are simulated - measured."};
+    const std::vector<std::string> not_driven = input::not_driven(record.experiment);
+    report.lead.insert(report.lead.begin(), not_driven.begin(), not_driven.end());
     report.data = {{"case", record.case_file.generic_string()},
                    {"verdict", word_of(result.verdict)},
                    {"causes", causes_data(result)},
