@@ -19,9 +19,6 @@ using solver::FreeParameter;
 
 constexpr double least = 2.5;
 constexpr double chance_of_any = 0.05;
-/// A move of a parameter that the data do not see has no variance: it is not measured by less than this share of the
-/// prior's standard deviation.
-constexpr double least_spread = 0.1;
 
 std::string with_unit(const FreeParameter& parameter, double value) {
     return parameter.unit == "1" ? fmt::format("{:.3g}", value) : fmt::format("{:.3g} {}", value, parameter.unit);
@@ -32,18 +29,18 @@ std::vector<std::string> observations_of(const FreeParameter& parameter, const F
                                          double least_conflict, const physics::PlausibleRange* range) {
     std::vector<std::string> parts;
     if (fitted.at_bound) {
-        parts.emplace_back("ended at the bound of what is allowed");
+        parts.emplace_back("the bound of what is allowed");
     }
     if (const double conflict = conflict_with_prior(parameter, fitted); std::abs(conflict) > least_conflict) {
-        parts.push_back(fmt::format("is {:.1f} standard deviations {} what was known before ({:.3g} +- {:.2g})",
+        parts.push_back(fmt::format("{:.1f} standard deviations {} the {:.3g} +- {:.2g} that were known before",
                                     std::abs(conflict), conflict > 0.0 ? "above" : "below", parameter.prior,
                                     parameter.standard_deviation));
     }
     if (range != nullptr) {
         const double beyond = std::max(range->low - fitted.value, fitted.value - range->high);
         if (beyond > 0.0 && beyond > fitted.standard_deviation) {
-            parts.push_back(fmt::format("lies outside {:.3g} to {:.3g}, where it is expected ({})", range->low,
-                                        range->high, range->source));
+            parts.push_back(fmt::format("outside {:.3g} to {:.3g}, where it is expected ({})", range->low, range->high,
+                                        range->source));
         }
     }
     return parts;
@@ -56,8 +53,7 @@ double conflict_with_prior(const FreeParameter& parameter, const FittedParameter
     if (!std::isfinite(prior) || !std::isfinite(fitted.standard_deviation)) {
         return 0.0;
     }
-    const double variance = prior * prior - fitted.standard_deviation * fitted.standard_deviation;
-    return (fitted.value - parameter.prior) / std::sqrt(std::max(variance, std::pow(least_spread * prior, 2)));
+    return (fitted.value - parameter.prior) / prior;
 }
 
 double least_conflict(std::size_t n_with_prior) {
@@ -123,9 +119,9 @@ std::vector<ParameterFinding> parameter_findings(const input::Experiment& experi
         if (!parts.empty()) {
             const bool is_above =
                 fitted[j].value > (std::isfinite(parameter.standard_deviation) ? parameter.prior : before[j]);
-            found.push_back(
-                {j, fmt::format("{}: the fitted {} {}: {}", parameter.name, with_unit(parameter, fitted[j].value),
-                                fmt::join(parts, " and "), advice(experiment, parameter, is_above, range))});
+            found.push_back({j, fmt::format("{}: the data pull it to {}, {}: {}", parameter.name,
+                                            with_unit(parameter, fitted[j].value), fmt::join(parts, " and "),
+                                            advice(experiment, parameter, is_above, range))});
         }
     }
     return found;

@@ -20,10 +20,10 @@ struct FittedParameter {
     bool at_bound = false;  ///< the fit ended at the bound of what is allowed
 };
 
-/// How far a fit has moved a parameter from what was known before, in standard deviations of that move if model and
-/// prior are right. The prior is part of the fit, so that the fitted value and the prior are correlated: the move has the
-/// variance s_prior^2 - s_fitted^2, not the sum. 0 where nothing was known before.
-/// Source: Evans and Moshonov, Bayesian Analysis 1 (2006) 893 (checks for conflict of prior and data), linear model
+/// How far a fit has moved a parameter from what was known before, in standard deviations of what was known: (fitted - prior) /
+/// s_prior. The one measure of such a move that sentences state. If model and prior are right the move has the variance
+/// s_prior^2 - s_fitted^2, so that a move beyond z of them is at most as likely as a normal number beyond z. 0 where nothing was
+/// known before, or the data do not determine the parameter.
 [[nodiscard]] double conflict_with_prior(const solver::FreeParameter& parameter, const FittedParameter& fitted);
 
 /// A conflict is reported beyond so many standard deviations: 2.5, and more where so many parameters have a prior that one
