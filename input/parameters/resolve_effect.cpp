@@ -210,6 +210,18 @@ void report_unknown_effect(const CaseAsRead& in, const LocatedString& id) {
                       : suggest(id.text, known, "effects"));
 }
 
+/// An effect on layers that is switched on without naming them leaves the outermost one out: a number that is to move all of them
+/// would then move some.
+std::string with_layers(const Effect& effect, const CaseAsRead& in) {
+    const std::vector<std::string>& layers = in.builder.problem.mesh.layers;
+    if (!effect.on_layers || !in.builder.has_mesh || layers.size() < 2) {
+        return {};
+    }
+    return fmt::format(
+        " with layers = [\"{}\"], or those of them that it is to act on; without layers it leaves {} out",
+        fmt::join(layers, "\", \""), layers.front());
+}
+
 }  // namespace
 
 std::optional<FreeParameters> resolve_effect(const ParameterPath& path, const CaseAsRead& in) {
@@ -232,7 +244,7 @@ std::optional<FreeParameters> resolve_effect(const ParameterPath& path, const Ca
         const bool named = effects != nullptr && effects->find(id.text) != nullptr;
         in.errors.add(id.place, fmt::format("{} is off: its numbers change nothing", id.text),
                       named ? fmt::format("switch it on: remove on = false from [effects.{}]", id.text)
-                            : fmt::format("switch it on: add [effects.{}]", id.text));
+                            : fmt::format("switch it on: add [effects.{}]{}", id.text, with_layers(*effect, in)));
         return std::nullopt;
     }
     const int word = physics::find_choice(*effect, key.key);

@@ -264,6 +264,9 @@ TEST(ParameterPath, SaysWhichOfItsKeysIsWrong) {
               "did you mean `air_convection`?"},
              {"effects.rim_conduction.bead", 16, "rim_conduction is off: its numbers change nothing",
               "switch it on: add [effects.rim_conduction]"},
+             {"effects.layer_conductivity.scale", 16, "layer_conductivity is off: its numbers change nothing",
+              "switch it on: add [effects.layer_conductivity] with layers = [\"tread\", \"carcass\"], or those of them "
+              "that it is to act on; without layers it leaves tread out"},
              {"effects.air_convection.lamda_h", 31, "air_convection has no parameter \"lamda_h\"",
               "did you mean `lambda_h`?"},
              {"effects.air_convection", 16, "effects.air_convection does not end at a number",
