@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "input/text/suggestions.hpp"
+#include "input/tire_property_file/tir_bounds.hpp"
 #include "input/tire_property_file/tir_keys.hpp"
 
 namespace tiretherm::input {
@@ -87,6 +88,20 @@ void check_key(const TirLines& lines, const TirLines::Entry& entry, const Law& l
     }
 }
 
+/// With a peak D below 0 the slope B = K / (C D) changes its sign as well, so that the force D sin(C atan(B x ...)) is that of
+/// -D: such a file means the friction's size.
+void turn_negative_peak(const TirLines& lines, std::string_view key, double& friction, double& with_load,
+                        InputErrors& errors) {
+    if (friction < 0.0) {
+        friction = -friction;
+        with_load = -with_load;
+        errors.warn(lines.find(key)->place,
+                    fmt::format("{} is below 0: the force does not depend on the sign of D, and is "
+                                "that of {:g}",
+                                key, friction));
+    }
+}
+
 }  // namespace
 
 void require_tir_key(const TirLines& lines, const SourceLocation& whole, std::string_view key, std::string_view section,
@@ -108,6 +123,9 @@ void read_tir_coefficients(const TirLines& lines, const SourceLocation& whole, p
             law.lambda.*member = *value;
         }
     }
+    check_tir_bounds(lines, errors);
+    turn_negative_peak(lines, "PDX1", law.pDx1, law.pDx2, errors);
+    turn_negative_peak(lines, "PDY1", law.pDy1, law.pDy2, errors);
     bool longitudinal = false;
     for (const TirLines::Entry& entry : lines.entries()) {
         if (entry.section == "UNITS" || entry.value.empty()) {
@@ -125,9 +143,6 @@ void read_tir_coefficients(const TirLines& lines, const SourceLocation& whole, p
     }
     for (const std::string_view key : {"PCY1", "PDY1", "PKY1", "PKY2"}) {
         require_tir_key(lines, whole, key, "LATERAL_COEFFICIENTS", errors);
-    }
-    if (lines.find("PKY2") != nullptr && law.pKy2 == 0.0) {
-        errors.add(lines.find("PKY2")->place, "PKY2 is 0; the cornering stiffness is a law of the load over it");
     }
 }
 

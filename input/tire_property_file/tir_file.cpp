@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -29,6 +30,7 @@ public:
     [[nodiscard]] TirFile read() {
         read_units();
         read_version();
+        read_side();
         read_tir_coefficients(lines_, whole_, tire_.law, *errors_);
         read_dimensions();
         check_pressure();
@@ -90,25 +92,45 @@ private:
         }
     }
 
-    /// A size that must be above 0, in SI units.
-    void positive(std::string_view key, double to_si, double& target) {
-        const std::optional<double> value = lines_.number(key, *errors_);
-        if (value && *value <= 0.0) {
-            errors_->add(lines_.find(key)->place,
-                         fmt::format("{} is {}; it must be above 0", key, lines_.find(key)->value));
+    void read_side() {
+        const Entry* entry = lines_.find("TYRESIDE");
+        if (entry == nullptr) {
+            return;
         }
-        target = value ? *value * to_si : target;
+        const std::string first = entry->value.substr(0, 1);
+        tire_.is_left = first == "L" || first == "l";
+        if (!tire_.is_left && first != "R" && first != "r") {
+            errors_->warn(entry->place,
+                          fmt::format("TYRESIDE is {}, neither LEFT nor RIGHT: the tire is taken for one on the right",
+                                      entry->value));
+        }
+    }
+
+    /// A size between two that tires have, in SI units. @param unit_key of [UNITS] that it is in
+    void size(std::string_view key, double to_si, std::string_view unit_key, const QuantitySpec& possible,
+              double& target) {
+        const std::optional<double> value = lines_.number(key, *errors_);
+        if (!value) {
+            return;
+        }
+        target = *value * to_si;
+        if (target < possible.low || target > possible.high) {
+            errors_->add(lines_.find(key)->place,
+                         fmt::format("{} is {:.3g} {}; {:g} to {:g} {} are possible", key, target, possible.unit,
+                                     possible.low, possible.high, possible.unit),
+                         fmt::format("correct it, or {} in [UNITS]", unit_key));
+        }
     }
 
     void read_dimensions() {
         require_tir_key(lines_, whole_, "UNLOADED_RADIUS", "DIMENSION", *errors_);
         require_tir_key(lines_, whole_, "WIDTH", "DIMENSION", *errors_);
         require_tir_key(lines_, whole_, "FNOMIN", "VERTICAL", *errors_);
-        positive("UNLOADED_RADIUS", length_, tire_.unloaded_radius);
-        positive("WIDTH", length_, tire_.width);
-        positive("FNOMIN", force_, tire_.law.nominal_load);
-        positive("LONGVL", length_ / time_, tire_.law.reference_speed);
-        positive("LFZO", 1.0, tire_.law.lambda.Fz0);
+        size("UNLOADED_RADIUS", length_, "LENGTH", {.unit = "m", .low = 0.005, .high = 2.5}, tire_.unloaded_radius);
+        size("WIDTH", length_, "LENGTH", {.unit = "m", .low = 0.001, .high = 2.0}, tire_.width);
+        size("FNOMIN", force_, "FORCE", {.unit = "N", .low = 10.0, .high = 1e6}, tire_.law.nominal_load);
+        size("LONGVL", length_ / time_, "LENGTH", {.unit = "m/s", .low = 0.1, .high = 200.0},
+             tire_.law.reference_speed);
         const std::optional<double> low = lines_.number("FZMIN", *errors_);
         const std::optional<double> high = lines_.number("FZMAX", *errors_);
         if (low && high && *low >= *high) {
@@ -123,6 +145,23 @@ private:
 
     /// MF 6.1 knows the inflation pressure; here it is evaluated at the nominal one.
     void check_pressure() {
+        std::vector<std::string> terms;
+        const Entry* first = nullptr;
+        for (const Entry& entry : lines_.entries()) {
+            const bool is_term =
+                entry.key.size() == 4 && (entry.key.starts_with("PPX") || entry.key.starts_with("PPY"));
+            if (is_term && lines_.find(entry.key) == &entry &&
+                lines_.number(entry.key, *errors_).value_or(0.0) != 0.0) {
+                first = first != nullptr ? first : &entry;
+                terms.push_back(entry.key);
+            }
+        }
+        if (first != nullptr) {
+            errors_->warn(first->place,
+                          fmt::format("terms of the pressure are not used ({}): the forces are those at the "
+                                      "nominal pressure",
+                                      fmt::join(terms, ", ")));
+        }
         const std::optional<double> own = lines_.number("INFLPRES", *errors_);
         const std::optional<double> nominal = lines_.number("NOMPRES", *errors_);
         if (tire_.law.version == Version::mf61 && own && nominal && *own != *nominal) {
@@ -142,6 +181,16 @@ private:
 };
 
 }  // namespace
+
+physics::MagicFormula TirFile::law_on_the_right() const {
+    // F'(alpha, gamma) = -F(-alpha, -gamma): what is odd in neither changes its sign.
+    physics::MagicFormula turned = law;
+    const double sign = is_left ? -1.0 : 1.0;
+    for (double* number : {&turned.pHy1, &turned.pHy2, &turned.pVy1, &turned.pVy2, &turned.pEy3}) {
+        *number *= sign;
+    }
+    return turned;
+}
 
 std::optional<TirFile> read_tir_file(const std::filesystem::path& path, const SourceLocation& mentioned,
                                      InputErrors& errors) {

@@ -15,6 +15,10 @@ struct TirFile {
     physics::MagicFormula law;
     double unloaded_radius = 0.0;  ///< m
     double width = 0.0;            ///< m
+    bool is_left = false;          ///< TYRESIDE = 'LEFT': the shifts are those of a tire on the left
+
+    /// The law of the tire on the right of a car: the mirror image of what was measured on the left.
+    [[nodiscard]] physics::MagicFormula law_on_the_right() const;
 
     struct LoadRange {
         double low = 0.0;   ///< N, FZMIN
@@ -26,8 +30,8 @@ struct TirFile {
 /// Reads the coefficients of pure slip and the dimensions. FITTYP 5, 6 and 21, and PROPERTY_FILE_FORMAT = 'PAC2002'
 /// without one, are MF 5.2; 61 and 62 are MF 6.1 at the nominal inflation pressure, where both agree in pure slip.
 /// [UNITS] holds for dimensions, loads and speeds; the coefficients are pure or per radian whatever it says. Warned of:
-/// coefficients of pure slip that are unknown or that the version does not use. Those of combined slip, moments and
-/// pressure are passed over. Without longitudinal coefficients F_x is 0, with a warning.
+/// coefficients of pure slip that are unknown or that the version does not use, and terms of pressure, which are not used.
+/// Those of combined slip and moments are passed over. Signs and sizes that no tire has are errors. Without longitudinal coefficients F_x is 0, with a warning.
 /// @param mentioned where the path was written; its file is -1 for one that the user named
 /// @returns nothing after an error; all errors of the file are reported
 [[nodiscard]] std::optional<TirFile> read_tir_file(const std::filesystem::path& path, const SourceLocation& mentioned,

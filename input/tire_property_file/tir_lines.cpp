@@ -4,6 +4,7 @@
 #include "input/tire_property_file/tir_lines.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 
@@ -39,6 +40,19 @@ std::size_t comment_start(std::string_view line) {
         }
     }
     return line.size();
+}
+
+/// Whether nothing in a section is read but keys that any part may have: shapes, curves and contact models of solvers.
+bool is_passed_over(std::string_view section) {
+    constexpr std::array<std::string_view, 8> read{"",
+                                                   "MODEL",
+                                                   "UNITS",
+                                                   "DIMENSION",
+                                                   "VERTICAL",
+                                                   "SCALING_COEFFICIENTS",
+                                                   "LONGITUDINAL_COEFFICIENTS",
+                                                   "LATERAL_COEFFICIENTS"};
+    return std::ranges::find(read, section) == read.end();
 }
 
 /// One line and its place in the file.
@@ -110,6 +124,9 @@ TirLines::TirLines(const TextFile& file, InputErrors& errors) {
         }
         in_table = in_table || written.front() == '{';
         if (in_table && written.find('=') == std::string_view::npos) {
+            continue;
+        }
+        if (is_passed_over(section) && written.find('=') == std::string_view::npos) {
             continue;
         }
         Entry entry = read_entry(line, written, errors);

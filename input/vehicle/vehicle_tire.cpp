@@ -32,7 +32,7 @@ std::optional<physics::MagicFormula> law_of(TomlTable& table, std::string_view k
     const SourceLocation mentioned = table.place(key);
     const std::filesystem::path beside = std::filesystem::path(table.errors().file(mentioned.file)).parent_path();
     const auto file = read_tir_file((beside / *path).lexically_normal(), mentioned, table.errors());
-    return file ? std::optional(file->law) : std::nullopt;
+    return file ? std::optional(file->law_on_the_right()) : std::nullopt;
 }
 
 /// @param rear of the rear tires, where they are others

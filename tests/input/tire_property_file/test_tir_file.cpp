@@ -88,9 +88,9 @@ TEST(TirFile, EverythingThatIsWrongIsToldAtOnce) {
           "wrong.tir:8:1: the line is neither [SECTION] nor KEY = value nor a comment",
           "wrong.tir:9:24: the quotes round PROPERTY_FILE_FORMAT are not closed",
           "wrong.tir:11:19: UNLOADED_RADIUS is 0,33; a number is wanted", "remedy: write a decimal point",
-          "wrong.tir:12:9: WIDTH is -0.2; it must be above 0", "wrong.tir:14:10: FNOMIN is many; a number is wanted",
-          "wrong.tir:17:9: FZMAX is 200, not above FZMIN = 9000", "wrong.tir: PKX1 is missing",
-          "remedy: write PKX1 = a number in [LONGITUDINAL_COEFFICIENTS]",
+          "wrong.tir:12:9: WIDTH is -0.2 m; 0.001 to 2 m are possible",
+          "wrong.tir:14:10: FNOMIN is many; a number is wanted", "wrong.tir:17:9: FZMAX is 200, not above FZMIN = 9000",
+          "wrong.tir: PKX1 is missing", "remedy: write PKX1 = a number in [LONGITUDINAL_COEFFICIENTS]",
           "wrong.tir:22:1: the section's name does not end with ]", "wrong.tir:25:1: PDY1 stands twice in",
           "wrong.tir:27:8: PKY2 is 0", "wrong.tir:31:1: PKY1 stands in two sections, first at"}) {
         EXPECT_TRUE(contains(result.report, part)) << part << "\nis not in\n" << result.report;
@@ -130,7 +130,7 @@ TEST(TirFile, FormulaVersion61BringsItsOwnCoefficients) {
         EXPECT_EQ(result.tire->law.version, physics::MagicFormulaVersion::mf61);
         EXPECT_DOUBLE_EQ(result.tire->law.pKy4, 1.9);
         EXPECT_DOUBLE_EQ(result.tire->law.pKy6, -0.8);
-        EXPECT_TRUE(result.warnings.empty());
+        expect_warning(result, "terms of the pressure are not used (PPY1)");
     }
 }
 
@@ -201,6 +201,71 @@ TEST(TirFile, AVeryLongValueIsShownByItsEnds) {
     EXPECT_TRUE(contains(result.report, "PDX2 is first")) << result.report;
     EXPECT_TRUE(contains(result.report, "xlast; a number is wanted")) << result.report;
     EXPECT_TRUE(contains(result.report, "characters) ...")) << result.report;
+}
+
+// D sin(C atan(K x / (C D))) is even in D: a file with a peak below 0 has the force of its size.
+TEST(TirFile, ANegativePeakHasTheForceOfItsSize) {
+    const Read plus = read_text_as_file(shortest("FITTYP = 5") + "PDY2 = -0.2\n");
+    const std::string text = shortest("FITTYP = 5") + "PDY2 = 0.2\n";
+    const Read minus =
+        read_text_as_file(text.substr(0, text.find("PDY1 = 1")) + "PDY1 = -1" + text.substr(text.find("PDY1 = 1") + 8));
+    ASSERT_TRUE(plus.tire && minus.tire) << minus.report;
+    expect_warning(minus, "PDY1 is below 0: the force does not depend on the sign of D, and is that of 1");
+    const physics::PureSlipState state{.load = 6000.0, .slip = 0.1};
+    EXPECT_DOUBLE_EQ(minus.tire->law.lateral(state).force, plus.tire->law.lateral(state).force);
+    EXPECT_LT(minus.tire->law.lateral(state).force, -4000.0);
+}
+
+// Each of these was taken as it stands, and turned the force off, reversed it or made it of another planet's size.
+TEST(TirFile, SignsAndSizesThatNoTireHasAreErrors) {
+    const auto with = [](const std::string& from, const std::string& to) {
+        std::string text = shortest("FITTYP = 5");
+        const std::size_t at = text.find(from);
+        return read_text_as_file(text.replace(at, from.size(), to));
+    };
+    EXPECT_TRUE(
+        contains(with("PCY1 = 1.3", "PCY1 = 0").report,
+                 "PCY1 is 0; 0.1 to 3 are possible\n    PCY1 = 0\n           ^\n    remedy: correct it: PCY1 is a "
+                 "shape factor C, 1 to 2 for tires"));
+    EXPECT_TRUE(
+        contains(with("PDY1 = 1", "PDY1 = 1e300").report, "PDY1 is 1e300; 0.1 to 5 of either sign are possible"));
+    EXPECT_TRUE(contains(with("PKY2 = 2\n", "PKY2 = 2\n[SCALING_COEFFICIENTS]\nLMUY = -1\n").report,
+                         "LMUY is -1; 0.01 to 10 are possible"));
+    EXPECT_TRUE(
+        contains(with("FNOMIN = 4000", "FNOMIN = 1e-300").report, "FNOMIN is 1e-300 N; 10 to 1e+06 N are possible"));
+    EXPECT_TRUE(contains(with("[DIMENSION]", "[UNITS]\nLENGTH = 'parsec'\n[DIMENSION]").report,
+                         "remedy: correct it, or LENGTH in [UNITS]"));
+}
+
+// [SHAPE] has rows of numbers with or without braces above them, contact models lines of their own.
+TEST(TirFile, SectionsThatAreNotReadArePassedOver) {
+    const Read result = read_text_as_file(shortest("FITTYP = 5") +
+                                          "[SHAPE]\n 1.0 0.0\n 0.9 0.5\n[BOTTOMING_CURVE]\n{pen fz}\n0 0\n"
+                                          "[CONTACT_COEFFICIENTS]\nellipse 12 3.5\n");
+    EXPECT_TRUE(result.tire) << result.report;
+    const Read broken = read_text_as_file(shortest("FITTYP = 5") + "PEY1 0.3\n");
+    EXPECT_TRUE(contains(broken.report, "the line is neither [SECTION] nor KEY = value")) << broken.report;
+}
+
+// The tire on the left is the mirror image: F(alpha) on the right is -F(-alpha) of the left one, at every camber.
+TEST(TirFile, ATireOfTheLeftSideIsTurnedForTheRight) {
+    const std::string shifts = "PHY1 = 0.004\nPVY1 = 0.05\nPVY3 = 0.3\nPEY3 = 0.2\nPHY3 = 0.02\n";
+    const Read left = read_text_as_file(shortest("FITTYP = 5\nTYRESIDE = 'LEFT'") + shifts);
+    const Read right = read_text_as_file(shortest("FITTYP = 5\nTYRESIDE = 'Right'") + shifts);
+    ASSERT_TRUE(left.tire && right.tire) << left.report;
+    EXPECT_TRUE(left.tire->is_left && !right.tire->is_left);
+    for (const double slip : {-0.08, 0.0, 0.05}) {
+        const physics::PureSlipState state{.load = 5000.0, .slip = slip, .camber = 0.03};
+        const physics::PureSlipState turned{.load = 5000.0, .slip = -slip, .camber = -0.03};
+        EXPECT_NEAR(left.tire->law_on_the_right().lateral(state).force, -left.tire->law.lateral(turned).force, 1e-9);
+        EXPECT_EQ(right.tire->law_on_the_right().lateral(state).force, right.tire->law.lateral(state).force);
+    }
+    expect_warning(read_text_as_file(shortest("FITTYP = 5\nTYRESIDE = 'NEARSIDE'")), "neither LEFT nor RIGHT");
+}
+
+TEST(TirFile, TermsOfThePressureAreSaidNotToBeUsed) {
+    expect_warning(read_text_as_file(shortest("FITTYP = 61") + "PPY1 = 0.3\nPPY2 = 0\nPPY3 = -0.1\n"),
+                   "terms of the pressure are not used (PPY1, PPY3): the forces are those at the nominal pressure");
 }
 
 }  // namespace tiretherm::input
