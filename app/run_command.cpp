@@ -137,7 +137,7 @@ int run(const RunOptions& options) {
         seconds = journal.checkpoint() != nullptr ? journal.seconds() : 0.0;
         report = march(problem, *files, tracker, journal, options);
         seconds += std::chrono::duration<double>(Clock::now() - begin).count();
-        files->finish();
+        files->finish(report);
         hot_spots = tracker.report();
         if (hot_spots) {
             files->write_hot_spots(*hot_spots);

@@ -124,8 +124,8 @@ struct HeatEffect {
     void (*evaluate_coefficients)(const ActiveEffect& active, const OperatingPoint& point,
                                   std::span<double> coefficients) = nullptr;
     void (*add_terms)(const EvaluationState& state, Terms& terms) = nullptr;  ///< never null
-    /// A sentence for the user when the temperatures that its patches saw, or all layers where it has none, leave the range its law is known for, or an
-    /// empty one. @param coldest, hottest K
+    /// The range that its law is known for, in a sentence without what was reached, when the temperatures that its patches saw,
+    /// or all layers where it has none, left it; otherwise empty. @param coldest, hottest K
     std::string (*range_warning)(const ActiveEffect& active, double coldest, double hottest) = nullptr;
 };
 

@@ -246,4 +246,10 @@ std::vector<int> all_nodes(const mesh::Mesh& mesh) {
     return nodes;
 }
 
+std::vector<int> nodes_of_layers(const mesh::Mesh& mesh) {
+    std::vector<int> nodes = all_nodes(mesh);
+    std::erase_if(nodes, [&](int node) { return mesh.layer[at(node)] < 0; });
+    return nodes;
+}
+
 }  // namespace tiretherm::solver

@@ -77,5 +77,10 @@ private:
 
 /// Every node of a mesh, ascending.
 [[nodiscard]] std::vector<int> all_nodes(const mesh::Mesh& mesh);
+/// Those of layers: without gas, rim and other lumps beside the tire.
+[[nodiscard]] std::vector<int> nodes_of_layers(const mesh::Mesh& mesh);
+
+/// K; what a plateau still rises by says nothing about when its peak was reached.
+inline constexpr double creeping_rise = 0.005;
 
 }  // namespace tiretherm::solver

@@ -50,8 +50,8 @@ RunResults run_all(const std::vector<input::ValidationRun>& runs, unsigned threa
         }
         const std::lock_guard lock(talk);
         if (run_end.failure.empty()) {
-            for (const std::string& warning : run_end.report.warnings) {
-                warnings[run].push_back(fmt::format("{}: {}", problem.name, warning));
+            for (const solver::RangeWarning& warning : run_end.report.warnings) {
+                warnings[run].push_back(fmt::format("{}: {}", problem.name, warning.text()));
             }
             results.energy_closure = std::max(results.energy_closure, run_end.report.energy_closure);
         }

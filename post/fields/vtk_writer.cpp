@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <system_error>
 #include <utility>
 
@@ -124,7 +125,8 @@ VtkWriter::VtkWriter(std::filesystem::path directory, const solver::Problem& pro
       problem_(problem),
       drawn_(problem.mesh),
       whole_(whole_drawing(problem.mesh)),
-      grid_(std::make_unique<Grid>()) {
+      grid_(std::make_unique<Grid>()),
+      finder_(problem.mesh, solver::nodes_of_layers(problem.mesh)) {
     for (const std::string& name : names_in(directory_)) {
         std::error_code error;
         std::filesystem::remove(directory_ / name, error);
@@ -172,12 +174,10 @@ std::vector<std::string> VtkWriter::names_in(const std::filesystem::path& direct
 void VtkWriter::write(double time, std::span<const double> temperature) {
     const auto see = [&](double celsius) {
         low_ = std::min(low_, celsius);
-        if (celsius > high_) {
-            high_ = celsius;
-            hottest_time_ = time;
-        }
+        high_ = std::max(high_, celsius);
         return static_cast<float>(celsius);
     };
+    hottest_time_ = end_ = time;  // until the run says otherwise
     for (std::size_t cell = 0; cell < whole_.cell.size(); ++cell) {
         grid_->in_cells->SetValue(static_cast<vtkIdType>(cell),
                                   see(solver::celsius(temperature[static_cast<std::size_t>(whole_.cell[cell])])));
@@ -199,6 +199,17 @@ void VtkWriter::take(const solver::Snapshot& snapshot) {
     if (snapshot.field) {
         write(snapshot.time, snapshot.temperature);
     }
+}
+
+void VtkWriter::take_hottest(double time, std::span<const double> temperature) {
+    const double end = end_;
+    if (std::ranges::find(times_, time) == times_.end()) {
+        write(time, temperature);
+    }
+    end_ = end;
+    hottest_time_ = time;
+    // The peak lies between the centres of cells.
+    high_ = std::max(high_, solver::celsius(finder_.find(temperature).temperature));
 }
 
 void VtkWriter::finish() {
@@ -245,7 +256,10 @@ void VtkWriter::write_series() const {
         "<VTKFile type=\"Collection\" version=\"0.1\">\n"
         "  <!-- timestep: s -->\n"
         "  <Collection>\n";
-    for (std::size_t index = 0; index < times_.size(); ++index) {
+    std::vector<std::size_t> order(times_.size());  // the hottest field is written last
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::stable_sort(order, {}, [&](std::size_t index) { return times_[index]; });
+    for (const std::size_t index : order) {
         fmt::format_to(std::back_inserter(text), "    <DataSet timestep=\"{:.12g}\" file=\"{}\"/>\n", times_[index],
                        field_name(index));
     }
@@ -259,7 +273,7 @@ void VtkWriter::write_view() const {
                                      .low = low_,
                                      .high = high_,
                                      .hottest_time = hottest_time_,
-                                     .end = times_.back()}));
+                                     .end = end_}));
 }
 
 namespace formats {

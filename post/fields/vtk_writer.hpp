@@ -11,6 +11,7 @@
 #include "post/fields/output_format.hpp"
 #include "post/fields/whole_drawing.hpp"
 #include "post/pictures/drawn_field.hpp"
+#include "solver/hot_spot_finder.hpp"
 
 namespace tiretherm::post {
 
@@ -41,6 +42,8 @@ public:
 
     /// Writes the field of a snapshot that has one. @errors FileError
     void take(const solver::Snapshot& snapshot) override;
+    /// Writes the field of the hottest step, where its moment has none yet. @errors FileError
+    void take_hottest(double time, std::span<const double> temperature) override;
     /// Writes borders and view. @errors FileError
     void finish() override;
     [[nodiscard]] std::vector<std::filesystem::path> files() const override;
@@ -63,6 +66,8 @@ private:
     double low_ = 1e300;  ///< degC, of all that is drawn at all times
     double high_ = -1e300;
     double hottest_time_ = 0.0;
+    double end_ = 0.0;  ///< s, of the last row with a field
+    solver::HotSpotFinder finder_;
     bool has_view_ = false;
 };
 

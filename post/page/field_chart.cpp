@@ -130,37 +130,34 @@ FieldFrames::FieldFrames(const solver::Problem& problem)
     : problem_(problem),
       folded_(!problem.mesh.columns.empty() && !problem.mesh.drawing.places.empty()),
       section_(folded_ && problem.mesh.sectors > 1 ? mesh::drawn_section(problem.mesh) : mesh::Mesh{}),
-      drawn_(problem.mesh.sectors > 1 ? section_ : problem.mesh) {
+      drawn_(problem.mesh.sectors > 1 ? section_ : problem.mesh),
+      finder_(problem.mesh, solver::nodes_of_layers(problem.mesh)) {
     if (folded_) {
         section_shape_.emplace(drawn_mesh());
     }
 }
 
-FieldFrames::Frame FieldFrames::frame_of(const solver::Snapshot& snapshot) const {
+FieldFrames::Frame FieldFrames::frame_of(double time, std::span<const double> temperature) const {
     Frame frame;
-    frame.time = snapshot.time;
-    frame.hottest = -1e300;
+    frame.time = time;
     if (!folded_) {
-        const SectionPlane plane = section_plane(problem_, snapshot.temperature, Shading::cells);
+        const SectionPlane plane = section_plane(problem_, temperature, Shading::cells);
         const std::size_t width = plane.x.size() - 1;
-        for (std::size_t i = 0; i < plane.kelvin.size(); ++i) {
-            const double celsius = solver::celsius(plane.kelvin[i]);
-            frame.celsius.push_back(static_cast<float>(celsius));
-            if (celsius > frame.hottest) {
-                const std::size_t column = i % width;
-                const std::size_t row = i / width;
-                frame.hottest = celsius;
-                frame.at = {mm(0.5 * (plane.x[column] + plane.x[column + 1])),
-                            mm(0.5 * (plane.depth[row] + plane.depth[row + 1]))};
-            }
+        for (const double kelvin : plane.kelvin) {
+            frame.celsius.push_back(static_cast<float>(solver::celsius(kelvin)));
         }
+        const auto cell = static_cast<std::size_t>(std::ranges::max_element(plane.kelvin) - plane.kelvin.begin());
+        const std::size_t column = cell % width;
+        const std::size_t row = cell / width;
+        frame.hottest = solver::celsius(finder_.find(temperature).temperature);
+        frame.at = {mm(0.5 * (plane.x[column] + plane.x[column + 1])),
+                    mm(0.5 * (plane.depth[row] + plane.depth[row + 1]))};
         return frame;
     }
     const bool is_ring = problem_.mesh.sectors > 1;
     const mesh::Mesh& mesh = is_ring ? section_ : problem_.mesh;
-    const std::vector<double> mean =
-        is_ring ? mesh::around(problem_.mesh, snapshot.temperature) : std::vector<double>{};
-    const std::vector<double> kelvin = drawn_.at_points(is_ring ? std::span<const double>(mean) : snapshot.temperature);
+    const std::vector<double> mean = is_ring ? mesh::around(problem_.mesh, temperature) : std::vector<double>{};
+    const std::vector<double> kelvin = drawn_.at_points(is_ring ? std::span<const double>(mean) : temperature);
     for (int cell = 0; cell < mesh.n_cells; ++cell) {
         double sum = 0.0;
         for (std::size_t i = 0; i < 4; ++i) {
@@ -169,7 +166,7 @@ FieldFrames::Frame FieldFrames::frame_of(const solver::Snapshot& snapshot) const
         frame.celsius.push_back(static_cast<float>(solver::celsius(0.25 * sum)));
     }
     const solver::HotSpotFinder::Found hottest =
-        section_shape_->hottest(is_ring ? std::span<const double>(mean) : snapshot.temperature);
+        section_shape_->hottest(is_ring ? std::span<const double>(mean) : temperature);
     frame.hottest = solver::celsius(hottest.temperature);
     if (const auto at = section_shape_->place(hottest.point[0], hottest.point[2])) {
         frame.at = {mm((*at)[0]), mm((*at)[1])};
@@ -177,20 +174,24 @@ FieldFrames::Frame FieldFrames::frame_of(const solver::Snapshot& snapshot) const
     return frame;
 }
 
+bool FieldFrames::is_drawn() const { return has_section(problem_.mesh) || folded_; }
+
 void FieldFrames::take(const solver::Snapshot& snapshot) {
-    if (!snapshot.field || !(has_section(problem_.mesh) || folded_)) {
+    if (!snapshot.field || !is_drawn()) {
         return;
     }
-    Frame frame = frame_of(snapshot);
-    if (seen_ == 0 || frame.hottest > hottest_.hottest) {
-        hottest_ = frame;
-    }
+    last_ = frame_of(snapshot.time, snapshot.temperature);
     if (seen_ % stride_ == 0) {
-        frames_.push_back(frame);
+        frames_.push_back(last_);
         thin();
     }
     ++seen_;
-    last_ = std::move(frame);
+}
+
+void FieldFrames::take_hottest(double time, std::span<const double> temperature) {
+    if (is_drawn() && seen_ > 0) {
+        hottest_ = frame_of(time, temperature);
+    }
 }
 
 void FieldFrames::thin() {
@@ -295,11 +296,13 @@ Value::List FieldFrames::spots(const diagnosis::HotSpots& hot_spots, const std::
         const std::vector<double>& time = spot.history.time();
         Value::List places;
         for (const Frame* frame : shown) {
-            const auto row = static_cast<std::size_t>(std::ranges::lower_bound(time, frame->time) - time.begin());
+            auto row = static_cast<std::size_t>(std::ranges::lower_bound(time, frame->time) - time.begin());
             if (row >= time.size()) {
                 places.emplace_back();
                 continue;
             }
+            // The hottest step may lie between two rows.
+            row -= row > 0 && frame->time - time[row - 1] < time[row] - frame->time ? 1 : 0;
             const solver::HotSpotFinder::Found& found = spot.history.found(row);
             const auto at = section_shape_->place(found.point[0], found.point[2]);
             places.push_back(
@@ -319,7 +322,8 @@ Value FieldFrames::chart(const diagnosis::HotSpots* hot_spots) const {
     for (const Frame& frame : frames_) {
         shown.push_back(&frame);
     }
-    for (const Frame* extra : {&hottest_, &last_}) {
+    const Frame& hottest_frame = hottest_ ? *hottest_ : last_;
+    for (const Frame* extra : {&hottest_frame, &last_}) {
         if (std::ranges::none_of(shown, [&](const Frame* frame) { return frame->time == extra->time; })) {
             shown.push_back(extra);
         }
@@ -327,6 +331,7 @@ Value FieldFrames::chart(const diagnosis::HotSpots* hot_spots) const {
     std::ranges::sort(shown, {}, &Frame::time);
     Range range;
     for (const Frame* frame : shown) {
+        range.include(frame->hottest);
         for (const float celsius : frame->celsius) {
             range.include(static_cast<double>(celsius));
         }
@@ -350,7 +355,7 @@ Value FieldFrames::chart(const diagnosis::HotSpots* hot_spots) const {
         }
         times.emplace_back(rounded(frame.time / unit.seconds));
         marks.emplace_back(Value::List{frame.at[0], frame.at[1], rounded(frame.hottest, 7)});
-        hottest = frame.time == hottest_.time ? f : hottest;
+        hottest = frame.time == hottest_frame.time ? f : hottest;
     }
     Value data{{"kind", "field"},
                {"times", times},

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,13 +19,15 @@
 namespace tiretherm::post {
 
 /// Keeps stored fields as they will be drawn: the folded section of a tire, or the plane through a specimen's thickness. Where
-/// there are too many for a page, every second one is left out, but for the hottest and the last.
+/// there are too many for a page, every second one is left out, but for the last. The field at the hottest step is added.
 class FieldFrames {
 public:
     explicit FieldFrames(const solver::Problem& problem);
 
     /// A row of the run; a field is kept where it is due for storing.
     void take(const solver::Snapshot& snapshot);
+    /// The field at the hottest step of the run. @param time s  @param temperature [n_nodes] K
+    void take_hottest(double time, std::span<const double> temperature);
     /// Whether the mesh has something to draw and a field was taken.
     [[nodiscard]] bool empty() const { return frames_.empty(); }
     /// @param hot_spots marked with their names where they are at each moment; null: none  @pre !empty()
@@ -39,7 +42,8 @@ private:
         double hottest = 0.0;        ///< degC
         std::array<double, 2> at{};  ///< mm, where it is that hot
     };
-    [[nodiscard]] Frame frame_of(const solver::Snapshot& snapshot) const;
+    [[nodiscard]] bool is_drawn() const;
+    [[nodiscard]] Frame frame_of(double time, std::span<const double> temperature) const;
     [[nodiscard]] const mesh::Mesh& drawn_mesh() const { return problem_.mesh.sectors > 1 ? section_ : problem_.mesh; }
     [[nodiscard]] Value outline() const;
     [[nodiscard]] Value::List spots(const diagnosis::HotSpots& hot_spots, const std::vector<const Frame*>& shown) const;
@@ -50,8 +54,9 @@ private:
     mesh::Mesh section_;  ///< of a ring, or empty
     DrawnField drawn_;
     std::optional<FoldedSection> section_shape_;
+    solver::HotSpotFinder finder_;  ///< of what is not folded
     std::vector<Frame> frames_;
-    Frame hottest_;
+    std::optional<Frame> hottest_;
     std::size_t stride_ = 1;  ///< of the fields that are kept
     std::size_t seen_ = 0;
     Frame last_;

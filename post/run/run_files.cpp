@@ -60,7 +60,15 @@ void RunFiles::write_hot_spots(const diagnosis::HotSpots& hot_spots) {
     write_hot_spots_csv(of_hot_spots_.emplace_back(directory_ / "hot_spots.csv"), hot_spots, problem_);
 }
 
-void RunFiles::finish() {
+void RunFiles::finish(const solver::Report& report) {
+    if (report.hottest.node >= 0) {
+        if (with_page_) {
+            fields_.take_hottest(report.hottest.time, report.hottest_field);
+        }
+        for (const std::unique_ptr<RunOutput>& output : outputs_) {
+            output->take_hottest(report.hottest.time, report.hottest_field);
+        }
+    }
     for (const std::unique_ptr<RunOutput>& output : outputs_) {
         output->finish();
     }

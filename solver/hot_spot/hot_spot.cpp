@@ -14,9 +14,6 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// What a plateau still rises by says nothing about when it was reached. K
-constexpr double creeping = 0.005;
-
 }  // namespace
 
 HotSpotHistory::HotSpotHistory(const mesh::Mesh& mesh, Critical critical)
@@ -34,7 +31,7 @@ void HotSpotHistory::take(const Snapshot& snapshot) {
         surface = critical_.surface(snapshot.temperature);
     }
     surface_.push_back(surface);
-    if (rows() == 1 || found.temperature > temperature_[hottest_row_] + creeping) {
+    if (rows() == 1 || found.temperature > temperature_[hottest_row_] + creeping_rise) {
         hottest_row_ = rows() - 1;
         hottest_place_ = finder_.functional(snapshot.temperature);
     }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -27,12 +28,16 @@ std::string degrees(double kelvin) {
 
 }  // namespace
 
-std::vector<std::string> law_range_warnings(const mesh::Mesh& mesh, const physics::MaterialModel& material_model,
-                                            std::span<const LayerExtremes> extremes) {
-    std::vector<std::string> sentences;
-    const auto add = [&](std::string sentence) {
-        if (std::ranges::count(sentences, sentence) == 0) {
-            sentences.push_back(std::move(sentence));
+std::string RangeWarning::text() const {
+    return fmt::format("{}; {} between {} and {} degC", law, what, degrees(coldest), degrees(hottest));
+}
+
+std::vector<RangeWarning> law_range_warnings(const mesh::Mesh& mesh, const physics::MaterialModel& material_model,
+                                             std::span<const LayerExtremes> extremes) {
+    std::vector<RangeWarning> warnings;
+    const auto add = [&](RangeWarning warning) {
+        if (std::ranges::count(warnings, warning) == 0) {
+            warnings.push_back(std::move(warning));
         }
     };
     for (std::size_t layer = 0; layer < extremes.size(); ++layer) {
@@ -56,29 +61,30 @@ std::vector<std::string> law_range_warnings(const mesh::Mesh& mesh, const physic
             const bool same =
                 law.what.starts_with("conductivity along") && law.curve == material.along(mesh::Axis::through);
             if (range && !same && (all.coldest < (*range)[0] - slack || all.hottest > (*range)[1] + slack)) {
-                add(fmt::format(
-                    "the {} of \"{}\" is known from {:.4g} to {:.4g} degC and held beyond; it was between {} and "
-                    "{} degC",
-                    law.what, material.name, (*range)[0] - zero_celsius, (*range)[1] - zero_celsius,
-                    degrees(all.coldest), degrees(all.hottest)));
+                add({.law =
+                         fmt::format("the {} of \"{}\" is known from {:.4g} to {:.4g} degC and held beyond", law.what,
+                                     material.name, (*range)[0] - zero_celsius, (*range)[1] - zero_celsius),
+                     .coldest = all.coldest,
+                     .hottest = all.hottest});
             }
         }
     }
     std::vector<std::string> reverting;
-    double hottest = 0.0;
+    LayerExtremes all{.coldest = std::numeric_limits<double>::infinity(), .hottest = 0.0};
     for (std::size_t layer = 0; layer < extremes.size(); ++layer) {
         if (extremes[layer].hottest > reversion) {
             reverting.push_back(mesh.layers[layer]);
-            hottest = std::max(hottest, extremes[layer].hottest);
+            all.coldest = std::min(all.coldest, extremes[layer].coldest);
+            all.hottest = std::max(all.hottest, extremes[layer].hottest);
         }
     }
     if (!reverting.empty()) {
-        add(fmt::format(
-            "{} reached {} degC: above 150 degC vulcanised rubber reverts (its cross-links break), and no law "
-            "here knows that",
-            fmt::join(reverting, ", "), degrees(hottest)));
+        add({.law = "above 150 degC vulcanised rubber reverts (its cross-links break), and no law here knows that",
+             .what = fmt::format("{} {}", fmt::join(reverting, ", "), reverting.size() == 1 ? "was" : "were"),
+             .coldest = all.coldest,
+             .hottest = all.hottest});
     }
-    return sentences;
+    return warnings;
 }
 
 }  // namespace tiretherm::solver

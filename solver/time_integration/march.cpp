@@ -95,7 +95,8 @@ private:
             archive(extreme->time);
             archive.whole(extreme->node);
         }
-        for (std::vector<double>* values : {&report_.channel_final, &report_.channel_min, &report_.channel_max}) {
+        for (std::vector<double>* values :
+             {&report_.hottest_field, &report_.channel_final, &report_.channel_min, &report_.channel_max}) {
             archive(*values);
         }
     }

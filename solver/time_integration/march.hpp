@@ -10,6 +10,7 @@
 #include "solver/problem.hpp"
 #include "solver/status.hpp"
 #include "solver/time_integration/checkpoint.hpp"
+#include "solver/time_integration/law_ranges.hpp"
 
 namespace tiretherm::solver {
 
@@ -47,13 +48,16 @@ struct Report {
         double time = 0.0;         ///< s
         int node = -1;
     };
-    Extreme hottest;  ///< the peak between the centres of cells, see HotSpotFinder
+    /// The peak between the centres of cells, see HotSpotFinder, at the step that first came within `creeping_rise` of the
+    /// highest.
+    Extreme hottest;
+    std::vector<double> hottest_field;  ///< [n_nodes] K, at that time
     Extreme coldest;
     std::vector<double> channel_final;  ///< [n_channels] K
     std::vector<double> channel_min;
     std::vector<double> channel_max;
-    std::vector<std::string> warnings;  ///< sentences for the user
-    std::vector<double> seconds;        ///< [assembly, factor, solve, output] wall time
+    std::vector<RangeWarning> warnings;
+    std::vector<double> seconds;  ///< [assembly, factor, solve, output] wall time
 };
 
 /// Called at the start, at every output time and at the end; returns false to stop the run (outcome `stopped`).

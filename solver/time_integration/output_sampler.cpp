@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -50,8 +51,9 @@ void OutputSampler::take_step() {
 void OutputSampler::watch(Report& report) {
     const std::span<const double> T = stepper_->temperature();
     const HotSpotFinder::Found hottest = hot_spot_finder_.find(T);
-    if (hottest.temperature > report.hottest.temperature) {
+    if (hottest.temperature > report.hottest.temperature + creeping_rise) {
         report.hottest = {hottest.temperature, stepper_->time(), hottest.node};
+        report.hottest_field.assign(T.begin(), T.end());
     }
     for (std::size_t n = 0; n < T.size(); ++n) {
         if (T[n] < report.coldest.temperature) {
@@ -96,22 +98,20 @@ void OutputSampler::watch(Report& report) {
     }
 }
 
-std::vector<std::string> OutputSampler::range_warnings() const {
-    std::vector<std::string> sentences;
+std::vector<RangeWarning> OutputSampler::range_warnings() const {
+    std::vector<RangeWarning> warnings;
     for (std::size_t e = 0; e < problem_->effects.size(); ++e) {
         const physics::ActiveEffect& active = problem_->effects[e];
         const physics::HeatEffect* heat = active.effect->heat_effect();
         if (heat != nullptr && heat->range_warning != nullptr) {
-            if (std::string sentence = heat->range_warning(active, coldest_[e], hottest_[e]); !sentence.empty()) {
-                sentences.push_back(std::move(sentence));
+            if (std::string law = heat->range_warning(active, coldest_[e], hottest_[e]); !law.empty()) {
+                warnings.push_back({.law = std::move(law), .coldest = coldest_[e], .hottest = hottest_[e]});
             }
         }
     }
-    for (std::string& sentence :
-         law_range_warnings(problem_->mesh, stepper_->system().material_model(), layer_extremes_)) {
-        sentences.push_back(std::move(sentence));
-    }
-    return sentences;
+    std::ranges::move(law_range_warnings(problem_->mesh, stepper_->system().material_model(), layer_extremes_),
+                      std::back_inserter(warnings));
+    return warnings;
 }
 
 bool OutputSampler::emit(double t, std::span<const double> T, std::span<const double> joules, double stored,

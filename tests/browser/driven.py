@@ -60,7 +60,9 @@ def wrong_slider(browser, page):
         if len(data["times"]) < 2:
             continue
         hottest = [max(frame_values(data, f)) for f in range(len(data["times"]))]
-        warmest = next(f for f, value in enumerate(hottest) if value == max(hottest))
+        warmest = data["hottest"]
+        if hottest[warmest] < max(hottest) - 0.05:  # a plateau creeps on, and colours are means of cells
+            said.append(f"the hottest moment is not the hottest: {hottest[warmest]} of {max(hottest)}")
         drawn = {}
 
         def check(frame, how):

@@ -100,21 +100,16 @@ void add_terms(const EvaluationState& m, Terms& terms) {
 }
 
 /// The thesis's surfaces were between 15 and 50 degC; beyond, the exponential doubles every 8 K, and nothing stops it.
-std::string range_warning(const ActiveEffect& active, double coldest, double hottest) {
+std::string range_warning(const ActiveEffect& active, double /*coldest*/, double hottest) {
     constexpr double zero_celsius = 273.15;
     constexpr double known_up_to = zero_celsius + 50.0;
     const bool too_hot = hottest > known_up_to && active[clamp_high] > known_up_to;
     if (active.choices[exponential] != unbounded || !too_hot) {
         return {};
     }
-    const auto degrees = [](double kelvin) {
-        const double celsius = kelvin - zero_celsius;
-        return std::abs(celsius) < 1e5 ? fmt::format("{:.1f}", celsius) : fmt::format("{:.3g}", celsius);
-    };
-    return fmt::format(
-        "air_convection: the outer surface was between {} and {} degC, and above 50 degC the exponential of (33) is an "
-        "extrapolation that doubles every 8 K; bound it with exponential = \"bounded\", or hold it with clamp_high",
-        degrees(coldest), degrees(hottest));
+    return "air_convection: above 50 degC of the outer surface the exponential of (33) is an extrapolation that "
+           "doubles "
+           "every 8 K: bound it with exponential = \"bounded\", or hold it with clamp_high";
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ int main(int, char** argv) {
         files.take(snapshot);
         return true;
     });
-    files.finish();
+    files.finish(report);
     if (!report.status.ok()) {
         std::puts(report.status.message.c_str());
         return 1;

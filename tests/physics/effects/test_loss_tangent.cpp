@@ -76,7 +76,7 @@ TEST(StrainEnergyLoss, SaysWhereTheColdBranchCounts) {
         return loss.effect->heat_effect()->range_warning(loss, coldest, 330.0);
     };
     EXPECT_EQ(warning(266.0), "");
-    EXPECT_NE(warning(243.15).find("as cold as -30.0 degC; below -8 degC"), std::string::npos) << warning(243.15);
+    EXPECT_NE(warning(243.15).find("below -8 degC the loss tangent"), std::string::npos) << warning(243.15);
     set(loss, "tan_delta_peak", 0.0);
     EXPECT_EQ(warning(243.15), "") << "the Gaussian alone was asked for";
 }

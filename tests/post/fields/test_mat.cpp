@@ -66,7 +66,7 @@ TEST(Mat, ChannelsAreVectorsInTheUnitsOfTheCsv) {
     RunFiles files(scratch.path(), problem, provenance, {"vtk", "pictures", "mat"});
     files.take(sample::Moment(problem, 0.0, {296.15, 250.0}, true).snapshot);
     files.take(sample::Moment(problem, 30.5, {353.15, 303.123456}, true).snapshot);
-    files.finish();
+    files.finish({});
     EXPECT_EQ(files.written().back(), scratch / "channels.mat");
     const std::map<std::string, Matrix> read = read_mat(read_text(scratch / "channels.mat"));
     ASSERT_EQ(read.size(), 5u);
@@ -87,7 +87,7 @@ TEST(Mat, IsWrittenOnRequestAndNeverLeftFromAnEarlierRun) {
     replace_file(scratch / "channels.mat", "of an earlier run");
     RunFiles files(scratch.path(), problem, provenance, {"vtk", "pictures", "report"});
     files.take(sample::Moment(problem, 0.0, {296.15, 250.0}, true).snapshot);
-    files.finish();
+    files.finish({});
     EXPECT_EQ(files.written().size(), 2u);
     EXPECT_FALSE(std::filesystem::exists(scratch / "channels.mat"));
 }

@@ -301,6 +301,8 @@ TEST(Vtk, ViewNamesFilesAndArraysThatAreThereAndTheRangeOfAllTimes) {
         writer.write(time, sample::Moment(problem, time, {}, true).snapshot.temperature);
     }
     EXPECT_EQ(writer.files(), std::vector{scratch / "field.pvd"});
+    writer.take_hottest(60.0, sample::Moment(problem, 60.0, {}, true).snapshot.temperature);
+    EXPECT_FALSE(std::filesystem::exists(scratch / "field_0003.vtu"));  // its moment has one
     writer.finish();
     EXPECT_EQ(writer.files(), (std::vector{scratch / "field.pvd", scratch / "field_view.py"}));
     const std::string view = read_text(writer.view());
@@ -334,4 +336,22 @@ TEST(Vtk, FullOrMissingDirectoryIsAnErrorWithItsPath) {
 }
 
 }  // namespace
+// Rows at 0 and 60 s, the hottest step between them: a third file, which stands second in the series; the peak lies between cells.
+TEST(Vtk, TheHottestStepIsAddedInItsPlace) {
+    const sample::Scratch scratch;
+    const solver::Problem problem = sample::problem();
+    VtkWriter writer(scratch.path(), problem);
+    for (const double time : {0.0, 60.0}) {
+        writer.write(time, sample::Moment(problem, time, {}, true).snapshot.temperature);
+    }
+    writer.take_hottest(45.0, sample::Moment(problem, 100.0, {}, true).snapshot.temperature);
+    writer.finish();
+    const std::string series = read_text(writer.series());
+    EXPECT_LT(series.find("timestep=\"45\" file=\"field_0002.vtu\""), series.find("timestep=\"60\"")) << series;
+    const std::string view = read_text(writer.view());
+    EXPECT_NE(view.find("HOTTEST_TIME = 45 "), std::string::npos);
+    EXPECT_NE(view.find("HIGHEST = 150.85 "), std::string::npos);  // 26.85 + 24 + 100
+    EXPECT_NE(view.find("END = 60 "), std::string::npos);
+}
+
 }  // namespace tiretherm::post

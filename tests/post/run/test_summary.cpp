@@ -66,7 +66,7 @@ TEST(Summary, TextIsThisLineByLine) {
               "\n"
               "Warnings\n"
               "  spot.toml:3: 8 m is an unusual thickness\n"
-              "  air_convection: the surface left the range of its correlation\n"
+              "  air_convection is known up to 50 degC; it was between 20.0 and 57.0 degC\n"
               "\n"
               "Cite\n"
               "  A thesis, chapter III\n"

@@ -37,9 +37,9 @@ TEST(LawRanges, SaysWhatWasLeftAndHowFar) {
     EXPECT_TRUE(law_range_warnings(made.mesh, made.model, inside).empty());
     const std::vector<LayerExtremes> outside{
         {zero - 30.0, zero + 90.0}, {zero + 20.0, zero + 131.5}, {zero, zero + 100.0}};
-    const std::vector<std::string> said = law_range_warnings(made.mesh, made.model, outside);
+    const std::vector<RangeWarning> said = law_range_warnings(made.mesh, made.model, outside);
     ASSERT_EQ(said.size(), 1U) << "two layers of one material share a sentence, three directions alike as well";
-    EXPECT_EQ(said.front(),
+    EXPECT_EQ(said.front().text(),
               "the conductivity of \"rubber\" is known from 20 to 120 degC and held beyond; it was between -30.0 and "
               "131.5 degC");
 }
@@ -48,12 +48,11 @@ TEST(LawRanges, SaysThatRubberReverts) {
     const Tread made = tread();
     const std::vector<LayerExtremes> hot{
         {zero + 20.0, zero + 90.0}, {zero + 20.0, zero + 90.0}, {zero + 20.0, zero + 207.0}};
-    const std::vector<std::string> said = law_range_warnings(made.mesh, made.model, hot);
+    const std::vector<RangeWarning> said = law_range_warnings(made.mesh, made.model, hot);
     ASSERT_EQ(said.size(), 1U);
-    EXPECT_EQ(said.front(),
-              "belt reached 207.0 degC: above 150 degC vulcanised rubber reverts (its cross-links break), and no law "
-              "here knows "
-              "that");
+    EXPECT_EQ(said.front().text(),
+              "above 150 degC vulcanised rubber reverts (its cross-links break), and no law here knows that; belt was "
+              "between 20.0 and 207.0 degC");
 }
 
 // A slab that starts at 160 degC and cools: the report has the sentence, whatever it ends with.
@@ -69,7 +68,8 @@ TEST(LawRanges, AreWatchedThroughARun) {
     problem.settings.end = 10000.0;
     const Report report = run(problem, {});
     ASSERT_EQ(report.warnings.size(), 1U);
-    EXPECT_NE(report.warnings.front().find("160.0 degC"), std::string::npos) << report.warnings.front();
+    const std::string said = report.warnings.front().text();
+    EXPECT_NE(said.find("160.0 degC"), std::string::npos) << said;
     support::start_at(problem, zero + 140.0);
     EXPECT_TRUE(run(problem, {}).warnings.empty());
 }

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "solver/bench.hpp"
+#include "solver/hot_spot_finder.hpp"
 #include "solver/stop_signal.hpp"
 
 namespace tiretherm::solver {
@@ -336,7 +337,7 @@ TEST(Run, WarnsWhenTheSurfaceLeavesTheRangeOfTheConvectionLaw) {
     problem.initial.assign(2, 393.15);
     const Report hot = quiet(problem);
     ASSERT_EQ(hot.warnings.size(), 1U);
-    EXPECT_NE(hot.warnings[0].find("120.0 degC"), std::string::npos) << hot.warnings[0];
+    EXPECT_NE(hot.warnings[0].text().find("120.0 degC"), std::string::npos) << hot.warnings[0].text();
     physics::ActiveEffect& air = problem.effects[3];
     air.parameters[static_cast<std::size_t>(physics::find_parameter(*air.effect, "clamp_high"))] = 323.15;
     EXPECT_TRUE(quiet(problem).warnings.empty());
@@ -389,6 +390,33 @@ TEST(March, HottestIsThePeakBetweenTheCells) {
     const Report report = run(problem, [](const Snapshot&) { return true; });
     ASSERT_TRUE(report.status.ok()) << report.status.message;
     EXPECT_NEAR(report.hottest.temperature, 329.5797, 1e-3);
+}
+
+// A strip of 300 K in air of 353.15 K for 1000 s and of 300 K afterwards is hottest when the air turns cold, at a time without a row:
+// its field is kept, and its peak is what the report calls the hottest. Its time constant is 1.98e6 0.01 / 40 = 495 s, so that
+// it has come to within some 7 K of the warm air.
+TEST(March, TheFieldOfTheHottestStepIsKept) {
+    Problem problem = strip(4);
+    problem.input_signals = {};
+    support::schedule(problem, "air_temperature", {0.0, 1000.0, 1000.0, 3000.0}, {353.15, 353.15, 300.0, 300.0});
+    problem.settings.end = 3000.0;
+    problem.settings.output_interval = 700.0;
+    const Report report = quiet(problem);
+    EXPECT_EQ(report.hottest.time, 1000.0);
+    ASSERT_EQ(report.hottest_field.size(), static_cast<std::size_t>(problem.mesh.n_nodes));
+    const double peak = HotSpotFinder(problem.mesh, all_nodes(problem.mesh)).find(report.hottest_field).temperature;
+    EXPECT_EQ(peak, report.hottest.temperature);
+    EXPECT_NEAR(peak, 346.0, 3.0);
+}
+
+// 1e5 W/m3 in 10 mm leave by two films of 20 W/m2K: 25 K at the surfaces and 1e5 0.01^2 / (8 0.29) = 4.3 K more in the middle, reached to
+// 5 mK after some 8.5 time constants of 495 s. What still rises by less is not a later peak.
+TEST(March, APlateauIsHottestWhenItIsReached) {
+    Problem problem = heated_strip(8);
+    problem.settings.end = 1e5;
+    const Report report = quiet(problem);
+    EXPECT_NEAR(report.hottest.temperature, 329.3, 0.2);
+    EXPECT_LT(report.hottest.time, 8000.0);
 }
 
 }  // namespace tiretherm::solver
