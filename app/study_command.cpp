@@ -2,9 +2,11 @@
 // `tiretherm study`: runs a case many times on a grid or with random draws, in several threads; runs that are already
 // there are kept.
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -173,7 +175,7 @@ int study(const StudyOptions& options) {
                          .files = {}};
     diagnosis::StudyRecord record = post::study_record(study, std::move(results.outcomes));
     record.warnings = std::move(reading.warnings);
-    record.warnings.insert(record.warnings.end(), results.warnings.begin(), results.warnings.end());
+    std::ranges::move(record.left_ranges(), std::back_inserter(record.warnings));
     for (const std::string& key : record.without_effect()) {
         record.warnings.push_back(fmt::format("\"{}\" changed nothing: no effect that is on looks at it", key));
     }

@@ -3,6 +3,8 @@
 
 #include "diagnosis/study/study_record.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace tiretherm::diagnosis {
@@ -28,6 +30,32 @@ std::vector<std::size_t> StudyRecord::failed() const {
         }
     }
     return found;
+}
+
+std::vector<std::string> StudyRecord::left_ranges() const {
+    struct Left {
+        solver::RangeWarning reached;
+        std::size_t runs = 0;
+    };
+    std::vector<Left> laws;
+    for (const StudyOutcome& outcome : outcomes) {
+        for (const solver::RangeWarning& warning : outcome.warnings) {
+            auto known = std::ranges::find(laws, warning.law, [](const Left& left) { return left.reached.law; });
+            if (known == laws.end()) {
+                known = laws.insert(laws.end(), {warning, 0});
+            }
+            // Which layers it was may differ from run to run.
+            known->reached.what = known->reached.what == warning.what ? warning.what : "they were";
+            known->reached.coldest = std::min(known->reached.coldest, warning.coldest);
+            known->reached.hottest = std::max(known->reached.hottest, warning.hottest);
+            ++known->runs;
+        }
+    }
+    std::vector<std::string> sentences;
+    for (const Left& left : laws) {
+        sentences.push_back(fmt::format("{} in {} of {} runs", left.reached.text(), left.runs, outcomes.size()));
+    }
+    return sentences;
 }
 
 std::vector<std::string> StudyRecord::without_effect() const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "solver/problem.hpp"
+#include "solver/time_integration/law_ranges.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -23,6 +24,14 @@ struct StudyOutcome {
     std::vector<double> channel_max{};
     double energy_closure = 0.0;
     long steps = 0;
+    /// The hottest place of a part with a critical temperature, over the rows of the run.
+    struct Part {
+        double hottest = 0.0;   ///< K
+        double critical = 0.0;  ///< K
+        friend bool operator==(const Part&, const Part&) = default;
+    };
+    std::vector<Part> parts{};                     ///< [[[critical]] of the case]
+    std::vector<solver::RangeWarning> warnings{};  ///< where it left the range of a law
 
     [[nodiscard]] bool ok() const { return failure.empty(); }
     friend bool operator==(const StudyOutcome&, const StudyOutcome&) = default;
@@ -56,11 +65,14 @@ struct StudyRecord {
     std::size_t samples = 1;           ///< runs at each point of the grid, side by side; 1 where nothing is drawn
     bool is_sampled = false;
     std::vector<solver::Channel> channels;
+    std::vector<std::string> parts{};    ///< names of the case's critical temperatures
     std::vector<StudyOutcome> outcomes;  ///< [runs]
     std::vector<std::string> warnings;
 
     [[nodiscard]] std::size_t points() const { return outcomes.size() / samples; }
     [[nodiscard]] std::vector<std::size_t> failed() const;  ///< indices of the runs that failed
+    /// Where runs left the ranges of laws, a sentence for each law: in how many runs, and how far.
+    [[nodiscard]] std::vector<std::string> left_ranges() const;
     /// Keys that changed nothing: the numbers of every run are those of its neighbour with another value of the key.
     [[nodiscard]] std::vector<std::string> without_effect() const;
 };

@@ -8,11 +8,13 @@
 #include <atomic>
 #include <chrono>
 #include <exception>
+#include <limits>
 #include <mutex>
 
 #include <fmt/format.h>
 
 #include "mesh/place.hpp"
+#include "solver/hot_spot_finder.hpp"
 #include "solver/in_parallel.hpp"
 #include "solver/stop_signal.hpp"
 #include "solver/time_integration/run_to_end.hpp"
@@ -23,7 +25,29 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-diagnosis::StudyOutcome outcome_of(const solver::Problem& problem, const solver::RunEnd& run_end) {
+/// The hottest place of each part of the case that has a critical temperature, row by row.
+class HottestParts {
+public:
+    explicit HottestParts(const input::StudyCase& of) {
+        for (const solver::Critical& critical : of.critical) {
+            finders_.emplace_back(of.problem.mesh, critical.nodes);
+            parts.push_back({.hottest = -std::numeric_limits<double>::infinity(), .critical = critical.temperature});
+        }
+    }
+    void take(const solver::Snapshot& snapshot) {
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            parts[i].hottest = std::max(parts[i].hottest, finders_[i].find(snapshot.temperature).temperature);
+        }
+    }
+
+    std::vector<diagnosis::StudyOutcome::Part> parts;
+
+private:
+    std::vector<solver::HotSpotFinder> finders_;
+};
+
+diagnosis::StudyOutcome outcome_of(const solver::Problem& problem, const solver::RunEnd& run_end,
+                                   std::vector<diagnosis::StudyOutcome::Part> parts) {
     const solver::Report& report = run_end.report;
     if (!run_end.failure.empty()) {
         return {.failure = run_end.failure};
@@ -39,7 +63,9 @@ diagnosis::StudyOutcome outcome_of(const solver::Problem& problem, const solver:
             .channel_min = report.channel_min,
             .channel_max = report.channel_max,
             .energy_closure = report.energy_closure,
-            .steps = report.steps};
+            .steps = report.steps,
+            .parts = std::move(parts),
+            .warnings = report.warnings};
 }
 
 }  // namespace
@@ -54,11 +80,11 @@ diagnosis::RunIdentity identity(const input::Study& study, std::size_t run) {
 
 StudyResults run_study(const input::Study& study, CompletedRuns& journal, unsigned threads,
                        const std::function<void(std::size_t done)>& progress, const StudyPart& part) {
-    StudyResults results{
-        .outcomes = std::vector<diagnosis::StudyOutcome>(study.runs.size()), .warnings = {}, .error = {}};
+    StudyResults results{.outcomes = std::vector<diagnosis::StudyOutcome>(study.runs.size()), .error = {}};
     std::vector<std::size_t> open;
     for (std::size_t run = part.index - 1; run < study.runs.size(); run += part.count) {
-        if (const diagnosis::StudyOutcome* known = journal.find(identity(study, run))) {
+        const diagnosis::StudyOutcome* known = journal.find(identity(study, run));
+        if (known != nullptr && (!known->ok() || known->parts.size() == study.parts.size())) {
             results.outcomes[run] = *known;
             ++results.kept;
         } else {
@@ -77,9 +103,11 @@ StudyResults run_study(const input::Study& study, CompletedRuns& journal, unsign
         solver::RunEnd run_end;
         diagnosis::StudyOutcome outcome;
         try {
-            const solver::Problem problem = study.problem(run);
-            run_end = solver::run_to_end(problem, [](const solver::Snapshot&) {});
-            outcome = outcome_of(problem, run_end);
+            const input::StudyCase made = study.case_of(run);
+            HottestParts hottest(made);
+            run_end =
+                solver::run_to_end(made.problem, [&](const solver::Snapshot& snapshot) { hottest.take(snapshot); });
+            outcome = outcome_of(made.problem, run_end, std::move(hottest.parts));
         } catch (const std::exception& error) {
             run_end.failure = error.what();
         }
@@ -100,11 +128,6 @@ StudyResults run_study(const input::Study& study, CompletedRuns& journal, unsign
         }
         results.outcomes[run] = outcome;
         results.run_seconds += std::chrono::duration<double>(Clock::now() - begin).count();
-        for (const std::string& warning : run_end.report.warnings) {
-            if (std::find(results.warnings.begin(), results.warnings.end(), warning) == results.warnings.end()) {
-                results.warnings.push_back(warning);
-            }
-        }
         progress(++results.done);
     };
     solver::in_parallel(open.size(), work, threads);

@@ -40,10 +40,9 @@ public:
 struct StudyResults {
     std::vector<StudyOutcome> outcomes;  ///< [runs]; of a run that was not made, empty
     std::size_t kept = 0;
-    std::size_t done = 0;               ///< kept or made
-    double run_seconds = 0.0;           ///< of those that were made, summed
-    std::vector<std::string> warnings;  ///< of the runs that were made, each once
-    std::string error;                  ///< why not all could be made; empty otherwise
+    std::size_t done = 0;      ///< kept or made
+    double run_seconds = 0.0;  ///< of those that were made, summed
+    std::string error;         ///< why not all could be made; empty otherwise
 };
 
 /// What a run of a study is made from, as its journal knows it.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -50,6 +51,39 @@ Chance passes_critical(const StudyRecord& study, std::size_t point) {
     const std::vector<double> sorted = hottest_at(study, point);
     const auto first = std::upper_bound(sorted.begin(), sorted.end(), solver::celsius(*study.critical));
     return chance(static_cast<std::size_t>(sorted.end() - first), sorted.size());
+}
+
+Chance part_passes(const StudyRecord& study, std::size_t point, std::size_t part) {
+    std::size_t times = 0;
+    std::size_t of = 0;
+    for (std::size_t r = point * study.samples; r < (point + 1) * study.samples; ++r) {
+        if (study.outcomes[r].ok()) {
+            const StudyOutcome::Part& reached = study.outcomes[r].parts[part];
+            times += reached.hottest > reached.critical ? 1 : 0;
+            ++of;
+        }
+    }
+    return chance(times, of);
+}
+
+Chance part_passes(const StudyRecord& study, std::size_t part) {
+    Chance all;
+    for (std::size_t point = 0; point < study.points(); ++point) {
+        const Chance here = part_passes(study, point, part);
+        all = chance(all.times + here.times, all.of + here.of);
+    }
+    return all;
+}
+
+std::string part_text(const StudyRecord& study, std::size_t part) {
+    std::set<double> limits;
+    for (const StudyOutcome& outcome : study.outcomes) {
+        if (outcome.ok()) {
+            limits.insert(outcome.parts[part].critical);
+        }
+    }
+    return limits.size() == 1 ? fmt::format("{} above {:.6g} degC", study.parts[part], solver::celsius(*limits.begin()))
+                              : fmt::format("{} above its critical temperature", study.parts[part]);
 }
 
 std::string point_text(const StudyRecord& study, std::size_t point) {

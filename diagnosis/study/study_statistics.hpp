@@ -32,6 +32,14 @@ struct Chance {
 /// How often the hottest place at a point of the grid passes the critical temperature. @pre study.critical
 [[nodiscard]] Chance passes_critical(const StudyRecord& study, std::size_t point);
 
+/// How often a part at a point of the grid passes its critical temperature. @param part index into StudyRecord::parts
+[[nodiscard]] Chance part_passes(const StudyRecord& study, std::size_t point, std::size_t part);
+/// The same of all runs.
+[[nodiscard]] Chance part_passes(const StudyRecord& study, std::size_t part);
+
+/// "belt edge above 110 degC"; without the number where it differs between runs.
+[[nodiscard]] std::string part_text(const StudyRecord& study, std::size_t part);
+
 /// "speed = 80 km/h, camber = 2 deg": the values of a point of the grid.
 [[nodiscard]] std::string point_text(const StudyRecord& study, std::size_t point);
 

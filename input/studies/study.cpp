@@ -5,6 +5,7 @@
 #include "input/studies/study.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <system_error>
 #include <tuple>
 
@@ -15,6 +16,7 @@
 #include "input/parameters/parameter_path.hpp"
 #include "input/studies/study_fingerprint.hpp"
 #include "input/text/quantity_specs.hpp"
+#include "input/text/suggestions.hpp"
 #include "solver/stop_signal.hpp"
 
 namespace tiretherm::input {
@@ -50,6 +52,58 @@ void put_in_order(std::vector<InputError>& errors, const std::string& study) {
         return rank(a) < rank(b);
     });
 }
+
+/// A sentence with its numbers taken out.
+std::string without_numbers(std::string_view sentence) {
+    std::string words;
+    for (const char c : sentence) {
+        const bool is_digit = std::isdigit(static_cast<unsigned char>(c)) != 0;
+        if (!is_digit && !((c == '.' || c == '-') && words.ends_with('#'))) {
+            words += c;
+        } else if (is_digit && !words.ends_with('#')) {
+            words += '#';
+        }
+    }
+    return words;
+}
+
+/// What runs say, each sentence once: of those that differ in their numbers alone the first.
+class SaidByRuns {
+public:
+    void take(const std::vector<std::string>& sentences) {
+        ++runs_;
+        for (const std::string& sentence : unique(sentences)) {
+            auto known = std::ranges::find(said_, without_numbers(sentence), &Said::words);
+            if (known == said_.end()) {
+                known = said_.insert(said_.end(), {without_numbers(sentence), sentence});
+            }
+            known->differs = known->differs || known->first != sentence;
+            known->runs += known->last_run == runs_ ? 0 : 1;
+            known->last_run = runs_;
+        }
+    }
+    [[nodiscard]] std::vector<std::string> sentences() const {
+        std::vector<std::string> all;
+        for (const Said& said : said_) {
+            all.push_back(said.runs == runs_ && !said.differs
+                              ? said.first
+                              : fmt::format("{} (in {} of {} runs{})", said.first, said.runs, runs_,
+                                            said.differs ? ", with numbers of their own" : ""));
+        }
+        return all;
+    }
+
+private:
+    struct Said {
+        std::string words;
+        std::string first;
+        bool differs = false;
+        std::size_t runs = 0;
+        std::size_t last_run = 0;
+    };
+    std::vector<Said> said_;
+    std::size_t runs_ = 0;
+};
 
 bool same_channels(const std::vector<solver::Channel>& a, const std::vector<solver::Channel>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
@@ -144,25 +198,30 @@ private:
 
     void read_runs_into(StudyReading& reading) {
         Fingerprints fingerprints;
+        SaidByRuns said;
         for (std::size_t r = 0; r < study_.runs.size() && !solver::stop_requested(); ++r) {
             InputErrors errors = study_.errors_;
             const TomlValue document = study_.document_of(r, errors);
-            const solver::Problem problem =
-                read_runs(document, study_.case_name, {}, ReadMode::measured, errors).problem;
+            const Runs made = read_runs(document, study_.case_name, {}, ReadMode::measured, errors);
+            const solver::Problem& problem = made.problem;
             if (r == 0) {
                 study_.channels = problem.channels;
+                study_.parts = names_of(made.critical);
+            } else if (errors.count() == 0 && study_.parts != names_of(made.critical)) {
+                errors.add({.file = 0}, fmt::format("run {} has other [[critical]] than the first run", r + 1),
+                           "vary no names of critical temperatures");
             } else if (errors.count() == 0 && !same_channels(study_.channels, problem.channels)) {
                 errors.add({.file = 0}, fmt::format("run {} has other channels than the first run", r + 1),
                            "vary no names of sensors");
             }
             add_new(reading.errors, errors.in_order());
-            reading.warnings.insert(reading.warnings.end(), errors.warnings().begin(), errors.warnings().end());
-            reading.warnings = unique(reading.warnings);
+            said.take(errors.warnings());
             const std::vector<std::string> files = errors.files();
             reading.files.insert(reading.files.end(), files.begin(), files.end());
             reading.files = unique(reading.files);
             study_.runs[r].fingerprint = fingerprints.of(document, errors);
         }
+        reading.warnings = said.sentences();
     }
 
     Study study_;
@@ -185,9 +244,10 @@ TomlValue Study::document_of(std::size_t run, InputErrors& errors) const {
     return document;
 }
 
-solver::Problem Study::problem(std::size_t run) const {
+StudyCase Study::case_of(std::size_t run) const {
     InputErrors errors = errors_;
-    return read_runs(document_of(run, errors), case_name, {}, ReadMode::measured, errors).problem;
+    Runs made = read_runs(document_of(run, errors), case_name, {}, ReadMode::measured, errors);
+    return {.problem = std::move(made.problem), .critical = std::move(made.critical)};
 }
 
 StudyReading read_study(const std::filesystem::path& file) { return StudyReader().read(file); }

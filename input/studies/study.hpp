@@ -12,6 +12,7 @@
 #include "input/studies/study_draw.hpp"
 #include "input/text/input_error.hpp"
 #include "input/toml/document.hpp"
+#include "solver/hot_spot/hot_spot.hpp"
 #include "solver/problem.hpp"
 
 /// Studies: one case run many times, with some of its values varied on a grid or drawn at random.
@@ -24,6 +25,12 @@ struct StudyInput {
     bool is_number = true;           ///< false: words, or true and false
     bool is_drawn = false;           ///< at random; otherwise a side of the grid
     std::vector<StudyValue> values;  ///< [side of the grid], or [samples]
+};
+
+/// The case with the values of a run.
+struct StudyCase {
+    solver::Problem problem;
+    std::vector<solver::Critical> critical{};  ///< the list [[critical]]
 };
 
 /// One run of a study.
@@ -46,13 +53,15 @@ public:
     std::uint64_t seed = 1;
     std::vector<StudyRun> runs;
     std::vector<solver::Channel> channels;  ///< the same in all runs
+    std::vector<std::string> parts{};       ///< names of the case's critical temperatures, the same in all runs
 
     [[nodiscard]] bool is_sampled() const;
     [[nodiscard]] const StudyValue& value(std::size_t run, std::size_t input) const {
         return inputs[input].values[runs[run].at[input]];
     }
     /// The case with the values of a run. Safe to be called by several threads.
-    [[nodiscard]] solver::Problem problem(std::size_t run) const;
+    [[nodiscard]] StudyCase case_of(std::size_t run) const;
+    [[nodiscard]] solver::Problem problem(std::size_t run) const { return case_of(run).problem; }
 
 private:
     friend class StudyReader;

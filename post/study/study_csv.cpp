@@ -25,6 +25,10 @@ std::vector<std::string> headings(const StudyRecord& study) {
             names.push_back(fmt::format("{}_{} [{}]", channel.name, what, solver::shown_unit(channel.quantity).name));
         }
     }
+    for (const std::string& part : study.parts) {
+        names.push_back(fmt::format("{}_hottest [degC]", part));
+        names.push_back(fmt::format("{}_critical [degC]", part));
+    }
     names.insert(names.end(), {"energy_closure [-]", "steps [-]"});
     return names;
 }
@@ -40,6 +44,10 @@ void add_outcome(Csv& csv, const StudyRecord& study, const StudyOutcome& run) {
         for (const double value : {run.channel_final[c], run.channel_min[c], run.channel_max[c]}) {
             csv.add(Decimals{unit.value(value), 4});
         }
+    }
+    for (const StudyOutcome::Part& part : run.parts) {
+        csv.add(Decimals{solver::celsius(part.hottest), 4});
+        csv.add(Decimals{solver::celsius(part.critical), 4});
     }
     csv.add(fmt::format("{:.2e}", run.energy_closure));
     csv.add(run.steps);
@@ -63,7 +71,7 @@ std::string study_csv(const StudyRecord& study) {
             add_outcome(csv, study, run);
         } else {
             csv.add(run.failure);
-            for (std::size_t empty = 0; empty < 6 + 3 * study.channels.size(); ++empty) {
+            for (std::size_t empty = 0; empty < 6 + 3 * study.channels.size() + 2 * study.parts.size(); ++empty) {
                 csv.add("");
             }
         }

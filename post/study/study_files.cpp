@@ -61,6 +61,7 @@ diagnosis::StudyRecord study_record(const input::Study& study, std::vector<diagn
                                   .samples = study.samples,
                                   .is_sampled = study.is_sampled(),
                                   .channels = study.channels,
+                                  .parts = study.parts,
                                   .outcomes = std::move(outcomes),
                                   .warnings = {}};
     for (std::size_t i = 0; i < study.inputs.size(); ++i) {

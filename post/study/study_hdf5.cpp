@@ -91,6 +91,17 @@ private:
               [](const StudyOutcome& run) { return run.hottest_time; });
         file_.write("/hottest/layer", layer, label("1", "layer of the highest temperature"));
         file_.write("/hottest/zone", zone, label("1", "zone of the highest temperature, of a section"));
+        for (std::size_t p = 0; p < study_.parts.size(); ++p) {
+            const std::string path = "/critical/" + plain(study_.parts[p]);
+            if (p == 0) {
+                file_.add_group("/critical");
+            }
+            file_.add_group(path);
+            write(path + "/hottest", "K", study_.parts[p] + ", highest temperature of the run",
+                  [p](const StudyOutcome& run) { return run.parts[p].hottest; });
+            write(path + "/critical", "K", study_.parts[p] + ", critical temperature",
+                  [p](const StudyOutcome& run) { return run.parts[p].critical; });
+        }
         write("/energy_closure", "1", "heat that is unaccounted for, over the heat turned over",
               [](const StudyOutcome& run) { return run.energy_closure; });
         write("/steps", "1", "time steps", [](const StudyOutcome& run) { return static_cast<double>(run.steps); });

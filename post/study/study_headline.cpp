@@ -88,6 +88,14 @@ std::vector<std::string> study_headline(const StudyRecord& study) {
             sentences.push_back(fmt::format("{}: {}.", place_of(study, point), of_samples(study, point)));
         }
     }
+    for (std::size_t part = 0; part < study.parts.size(); ++part) {
+        const Chance passes = part_passes(study, part);
+        sentences.push_back(
+            study.is_sampled && study.points() == 1
+                ? fmt::format("{} in {} % of {} ({} to {} %).", part_text(study, part), percent(passes.share),
+                              plural(passes.of, "sample"), percent(passes.low), percent(passes.high))
+                : fmt::format("{} in {} of {}.", part_text(study, part), passes.times, plural(passes.of, "run")));
+    }
     if (const std::size_t failed = study.failed().size(); failed > 0) {
         sentences.push_back(fmt::format("{} of {} failed and {} not counted.", failed,
                                         plural(study.outcomes.size(), "run"), failed == 1 ? "is" : "are"));

@@ -57,6 +57,14 @@ std::string line_of(const RunIdentity& run, const StudyOutcome& outcome, const s
         json["max"] = outcome.channel_max;
         json["energy_closure"] = outcome.energy_closure;
         json["steps"] = outcome.steps;
+        json["parts"] = Json::array();
+        for (const StudyOutcome::Part& part : outcome.parts) {
+            json["parts"].push_back({part.hottest, part.critical});
+        }
+        json["warnings"] = Json::array();
+        for (const solver::RangeWarning& warning : outcome.warnings) {
+            json["warnings"].push_back({warning.law, warning.what, warning.coldest, warning.hottest});
+        }
     }
     return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -84,6 +92,15 @@ std::optional<StudyOutcome> outcome_of(const Json& json, std::size_t channels) {
     outcome.channel_max = *high;
     outcome.energy_closure = number(json.at("energy_closure"));
     outcome.steps = json.at("steps").get<long>();
+    for (const Json& part : json.at("parts")) {
+        outcome.parts.push_back({part.at(0).get<double>(), part.at(1).get<double>()});
+    }
+    for (const Json& warning : json.at("warnings")) {
+        outcome.warnings.push_back({.law = warning.at(0).get<std::string>(),
+                                    .what = warning.at(1).get<std::string>(),
+                                    .coldest = warning.at(2).get<double>(),
+                                    .hottest = warning.at(3).get<double>()});
+    }
     return outcome;
 }
 

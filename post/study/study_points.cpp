@@ -79,14 +79,21 @@ DataTable study_points(const StudyRecord& study) {
             return right(spread ? fmt::format("{:.1f}", quantile(hottest, share)) : "");
         };
         const std::string name = study.sides.empty() ? plural(study.samples, "sample") : point_text(study, point);
-        DataTable::Row row{page_only("", name),
-                           page_only(sampled ? "5 %" : "", figure(0.05)),
-                           page_only(sampled ? "median" : "", right(median_text(hottest))),
-                           page_only(sampled ? "95 %" : "", figure(0.95)),
-                           page_only(above, spread && study.critical ? chance_text(passes_critical(study, point)) : ""),
-                           data_only("values", study_values(study, point * study.samples, true)),
-                           data_only("samples", study.samples),
-                           data_only("failed", study.samples - hottest.size())};
+        DataTable::Row row{
+            page_only("", name), page_only(sampled ? "5 %" : "", figure(0.05)),
+            page_only(sampled ? "median" : "", right(median_text(hottest))),
+            page_only(sampled ? "95 %" : "", figure(0.95)),
+            page_only(above, spread && study.critical ? chance_text(passes_critical(study, point)) : "")};
+        Value::List parts;
+        for (std::size_t part = 0; part < study.parts.size(); ++part) {
+            const Chance passes = part_passes(study, point, part);
+            row.push_back(page_only(sampled ? part_text(study, part) : "", spread ? chance_text(passes) : ""));
+            parts.emplace_back(Value{{"name", study.parts[part]}, {"passes", chance_data(passes)}});
+        }
+        row.insert(row.end(),
+                   {data_only("critical_parts", std::move(parts)),
+                    data_only("values", study_values(study, point * study.samples, true)),
+                    data_only("samples", study.samples), data_only("failed", study.samples - hottest.size())});
         if (spread) {
             row.push_back(data_only("hottest", {{"unit", "degC"},
                                                 {"p05", quantile(hottest, 0.05)},

@@ -106,6 +106,11 @@ Section extremes_section(const StudyRecord& study, Value& data) {
         section.line(
             fmt::format("{} of {} runs pass {:.6g} degC", passing, done.size(), solver::celsius(*study.critical)));
     }
+    for (std::size_t part = 0; part < study.parts.size(); ++part) {
+        const Chance all = part_passes(study, part);
+        section.line(fmt::format("{} in {} of {} {}", part_text(study, part), all.times, all.of,
+                                 study.is_sampled ? "samples" : "runs"));
+    }
     return section;
 }
 

@@ -310,4 +310,41 @@ TEST(StudyChart, IsNotDrawnOfNothing) {
     EXPECT_EQ(charts_of(one), 0U);
 }
 
+// Of the samples of 41 to 60 degC a part is 5 K colder and has 52 degC as its limit: 53, 54 and 55 pass it, of 58 to 60.
+TEST(StudyStatistics, CountPartsThatPassTheirOwnCriticalTemperature) {
+    StudyRecord study = samples();
+    study.parts = {"belt edge"};
+    for (StudyOutcome& outcome : study.outcomes) {
+        outcome.parts = {{.hottest = outcome.hottest - 5.0, .critical = zero + 52.0}};
+    }
+    EXPECT_EQ(part_passes(study, 0, 0).times, 3U);
+    EXPECT_EQ(part_passes(study, 0, 0).of, 20U);
+    EXPECT_EQ(part_text(study, 0), "belt edge above 52 degC");
+    const std::string csv = study_csv(study);
+    EXPECT_NE(csv.find(",belt edge_hottest [degC],belt edge_critical [degC],energy_closure"), std::string::npos) << csv;
+    EXPECT_NE(csv.find(",55.0000,52.0000,1.00e-13,30\n"), std::string::npos) << csv;
+    const Report page = study_report(study, made);
+    EXPECT_NE(page_text(page, false).find("belt edge above 52 degC in 3 of 20 samples"), std::string::npos);
+    const nlohmann::json data = nlohmann::json::parse(json_text(page.data));
+    EXPECT_EQ(data["points"][0]["critical_parts"][0]["name"], "belt edge");
+    EXPECT_EQ(data["points"][0]["critical_parts"][0]["passes"]["times"], 3);
+    study.outcomes[0].parts[0].critical = zero + 30.0;  // a study may vary it
+    EXPECT_EQ(part_passes(study, 0, 0).times, 4U);
+    EXPECT_EQ(part_text(study, 0), "belt edge above its critical temperature");
+}
+
+// Two of twenty runs left the range of one law, to 141 degC at most, and one of them that of another.
+TEST(StudyRecord, ALawsRangeIsToldOnceForAllRunsThatLeftIt) {
+    StudyRecord study = samples();
+    study.outcomes[3].warnings = {
+        {.law = "k is known up to 120 degC", .coldest = zero + 25.0, .hottest = zero + 130.0}};
+    study.outcomes[7].warnings = {
+        {.law = "k is known up to 120 degC", .coldest = zero + 20.0, .hottest = zero + 141.0},
+        {.law = "c is known up to 140 degC", .coldest = zero + 20.0, .hottest = zero + 141.0}};
+    EXPECT_EQ(
+        study.left_ranges(),
+        (std::vector<std::string>{"k is known up to 120 degC; it was between 20.0 and 141.0 degC in 2 of 20 runs",
+                                  "c is known up to 140 degC; it was between 20.0 and 141.0 degC in 1 of 20 runs"}));
+}
+
 }  // namespace tiretherm::post

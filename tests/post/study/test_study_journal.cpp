@@ -34,7 +34,9 @@ StudyOutcome outcome(int i) {
             .channel_min = {1.0 / 3.0, 2.0},
             .channel_max = {1e17 / 3.0, 3.0},
             .energy_closure = 1e-13 / 3.0,
-            .steps = 12 + i};
+            .steps = 12 + i,
+            .parts = {{.hottest = 310.0 + i / 11.0, .critical = 383.15}},
+            .warnings = {{.law = "k of \"rubber\"", .coldest = 293.0 + i / 13.0, .hottest = 400.0}}};
 }
 
 /// Two runs, written and closed.
