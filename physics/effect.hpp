@@ -56,6 +56,13 @@ enum class Scope : std::uint8_t { patch, layer, zone, channel };
 
 struct MeasuredLoss;
 
+/// Values of an input at which a law was compared with measurements.
+struct ComparedRange {
+    std::string_view signal;
+    double low = 0.0;  ///< SI
+    double high = 0.0;
+};
+
 /// One physical cause, as plain data: facts that all effects have, and the class it belongs to with the functions of that
 /// class. The classes act in the order in which the variant lists them; within a class the order of the effects does not
 /// matter, but for sensor models, whose order is that of the catalogue.
@@ -67,6 +74,7 @@ struct Effect {
     std::string_view source;
     std::string_view valid{};  ///< where its law and its standard numbers hold, and what is assumed of them
     std::string_view meaning;
+    std::span<const ComparedRange> compared{};  ///< inputs at which its law was compared with measurements
     std::span<const ParameterSpec> parameters{};
     std::span<const Choice> choices{};
     std::span<const Table> tables{};

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "solver/compared_ranges.hpp"
+
 namespace tiretherm::post {
 
 Section origin_section(const PageOrigin& origin) {
@@ -59,6 +61,18 @@ Section citations_section(const solver::Problem& problem) {
     for (const auto& [source, effects] : sources) {
         section.item(fmt::format("{} ({})", source, fmt::join(effects, ", ")));
     }
+    Section ranges("Where its laws hold");
+    const std::vector<solver::BeyondCompared> beyond = solver::beyond_compared(problem);
+    for (const physics::ActiveEffect& active : problem.effects) {
+        if (!active.effect->valid.empty()) {
+            std::string text = fmt::format("{}: {}", active.title(), active.effect->valid);
+            for (const solver::BeyondCompared& law : beyond) {
+                text += law.effect == active.effect->id ? "; " + law.text() : "";
+            }
+            ranges.item(std::move(text));
+        }
+    }
+    section.add(std::move(ranges));
     return section;
 }
 

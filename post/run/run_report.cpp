@@ -19,6 +19,7 @@
 #include "post/run/run_sections.hpp"
 #include "solver/celsius.hpp"
 #include "solver/channel_unit.hpp"
+#include "solver/compared_ranges.hpp"
 
 namespace tiretherm::post {
 
@@ -251,6 +252,27 @@ std::string measured_sentence(const RunRecord& run) {
                                        left_out > 0 ? fmt::format(", {} more below", left_out) : "");
 }
 
+/// Whether a hot spot passes its critical temperature, how sure that is, and how far the laws have been compared.
+std::string spot_verdict(const diagnosis::HotSpot& spot, const std::string& beyond) {
+    const solver::Critical& critical = spot.history.critical();
+    const double level = solver::celsius(critical.temperature);
+    const double peak = spot.history.temperature()[spot.history.hottest_row()];
+    std::string text;
+    if (spot.spread) {
+        const double above = spot.spread->chance_above(critical.temperature);
+        text = fmt::format("{} {:.1f} +- {:.1f} degC: {} its critical {:.5g} degC with a probability of {:.0f} %",
+                           critical.name, solver::celsius(spot.spread->mean), spot.spread->standard_deviation,
+                           above > 0.5 ? "above" : "below", level, 100.0 * std::max(above, 1.0 - above));
+        text += spot.passing ? "; it passes " + moment_text(*spot.passing) : "";
+    } else if (spot.passing) {
+        text = fmt::format("{} passes its critical {:.5g} degC {}", critical.name, level, moment_text(*spot.passing));
+    } else {
+        text = fmt::format("{} stays {:.1f} K below its critical {:.5g} degC", critical.name,
+                           critical.temperature - peak, level);
+    }
+    return text + beyond + ".";
+}
+
 /// The hottest place of the run, of each hot spot whether and when it passes its critical temperature, and what was measured.
 std::vector<std::string> verdict_of(const RunRecord& run) {
     std::vector<std::string> verdict;
@@ -265,15 +287,18 @@ std::vector<std::string> verdict_of(const RunRecord& run) {
     verdict.push_back(fmt::format(
         "Hottest: {:.1f} degC in {}{}.", solver::celsius(hottest.temperature), where,
         run.problem.settings.steady ? "" : fmt::format(", after {:.4g} {}", hottest.time / unit.seconds, unit.name)));
+    std::string beyond;
+    for (const solver::BeyondCompared& law : solver::beyond_compared(run.problem)) {
+        if (law.highest > law.high) {
+            std::string name(law.effect);
+            std::ranges::replace(name, '_', ' ');
+            beyond += fmt::format("{}{} {}", beyond.empty() ? " (" : "; ", name, law.text());
+        }
+    }
+    beyond += beyond.empty() ? "" : ")";
     for (const diagnosis::HotSpot& spot :
          run.hot_spots != nullptr ? run.hot_spots->spots : std::vector<diagnosis::HotSpot>{}) {
-        const solver::Critical& critical = spot.history.critical();
-        const double level = solver::celsius(critical.temperature);
-        const double peak = spot.history.temperature()[spot.history.hottest_row()];
-        verdict.push_back(spot.passing ? fmt::format("{} passes its critical {:.5g} degC {}.", critical.name, level,
-                                                     moment_text(*spot.passing))
-                                       : fmt::format("{} stays {:.1f} K below its critical {:.5g} degC.", critical.name,
-                                                     critical.temperature - peak, level));
+        verdict.push_back(spot_verdict(spot, beyond));
     }
     if (std::string measured = measured_sentence(run); !measured.empty()) {
         verdict.push_back(std::move(measured));
@@ -321,7 +346,12 @@ Report run_report(const RunRecord& run) {
     page.appendix.push_back(citations_section(run.problem));
     page.add(cost_section(run));
     std::vector<std::string> warnings = run.warnings;
-    warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
+    std::ranges::transform(report.warnings, std::back_inserter(warnings), &solver::RangeWarning::text);
+    for (const solver::BeyondCompared& law : solver::beyond_compared(run.problem)) {
+        if (law.highest > law.high) {
+            warnings.push_back(fmt::format("{} was {}: beyond, its law is an extrapolation", law.effect, law.text()));
+        }
+    }
     page.add("Warnings", "warnings", warnings);
     page.add("Cite", "sources", run.problem.sources);
     page.add(run.files);

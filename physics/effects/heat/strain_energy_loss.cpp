@@ -304,6 +304,9 @@ void add_terms(const EvaluationState& m, Terms& terms) {
     }
 }
 
+constexpr std::array compared{ComparedRange{"speed", 40.0 / 3.6, 150.0 / 3.6},
+                              ComparedRange{"vertical_load", 3000.0, 8000.0}};
+
 /// Below its peak the loss tangent is a mirror image.
 std::string range_warning(const ActiveEffect& active, double coldest, double /*hottest*/) {
     const bool mirrors = !active.tables[tan_delta] && !active.total && active[tan_delta_peak] > active[tan_delta_b];
@@ -312,10 +315,9 @@ std::string range_warning(const ActiveEffect& active, double coldest, double /*h
     }
     constexpr double zero_celsius = 273.15;
     return fmt::format(
-        "strain_energy_loss: the tire was as cold as {:.1f} degC; below {:.4g} degC the loss tangent is the mirror "
-        "image of "
-        "what it is above, not measured; give a table tan_delta of the compound",
-        coldest - zero_celsius, active[tan_delta_peak] - zero_celsius);
+        "strain_energy_loss: below {:.4g} degC the loss tangent is the mirror image of what it is above, not measured: "
+        "give a table tan_delta of the compound",
+        active[tan_delta_peak] - zero_celsius);
 }
 
 }  // namespace
@@ -347,6 +349,7 @@ const Effect strain_energy_loss{
         "strain. "
         "A field of a structural code may replace the weights, or the loss itself; a drum's table (total) or SAE J2452 "
         "coefficients (coastdown) the total, scaled by the lambdas and by laws that scale the loss.",
+    .compared = compared,
     .parameters = parameters,
     .choices = choices,
     .tables = tables,
