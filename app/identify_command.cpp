@@ -151,11 +151,16 @@ int identify(const IdentifyOptions& options) {
     }
     const auto journal = open_journal(options, *folder, "identify", reading->files);
     const solver::UseOfKeptResults kept(*journal);
-    // Thousands of pixels see the discretisation error of the grid, which a finer one shows.
+    // The data see the discretisation error of the grid, which a finer one shows; two nodes have none.
     std::optional<input::Experiment> finer;
-    if (!observations.images.empty()) {
+    if (!experiment.runs.front().problem.mesh.is_lumped()) {
         finer = input::read_experiment(options.case_file, options.data_files(), input::ReadMode::measured, {.finer = 2})
                     .experiment;
+        if (!finer) {
+            reading->warnings.emplace_back(
+                "the parameters are not corrected for the error of the grid: the case cannot be read with half the "
+                "spacing (see [limits])");
+        }
     }
     SimulationCount count(options.quiet);
     const diagnosis::Identification result = diagnosis::identify(experiment, observations,

@@ -39,9 +39,19 @@ void widen_doubtful(const std::vector<solver::FreeParameter>& parameters, Identi
     for (const ChannelFit& channel : into.channels) {
         if (channel.is_in_doubt) {
             is_in_doubt = true;
-            const double ratio = channel.stated > 0.0 ? channel.noise.sigma / channel.stated : without_data_sheet;
+            const double error =
+                channel.is_missed() ? std::max(channel.noise.sigma, channel.rmse_after) : channel.noise.sigma;
+            const double ratio = channel.stated > 0.0 ? error / channel.stated : without_data_sheet;
             into.widened = std::max(into.widened, ratio);
         }
+    }
+    if (const double off = into.numbers_off(); off > far_above_data_sheet) {
+        is_in_doubt = true;
+        into.widened = std::max(into.widened, off);
+        into.findings.push_back(fmt::format(
+            "the single measured numbers are off by {:.1f} of their standard uncertainties (rms): the model "
+            "does not describe them, and no parameter is determined; run diagnose",
+            off));
     }
     if (!is_in_doubt) {
         return;
@@ -63,6 +73,14 @@ void widen_doubtful(const std::vector<solver::FreeParameter>& parameters, Identi
         one.low = std::max(parameter.low, low);
         one.high = std::min(parameter.high, high);
     }
+}
+
+double Identification::numbers_off() const {
+    double sum = 0.0;
+    for (const NumberFit& number : numbers) {
+        sum += number.off() * number.off();
+    }
+    return numbers.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(numbers.size()));
 }
 
 void doubt_beside(const solver::FreeParameter& unexpected, Identification& into) {

@@ -56,12 +56,23 @@ Fitted assess_parameter(const Fit& fit, Eigen::Index j, double deviation, bool s
     return one;
 }
 
-/// Whether a fit has left a channel alone that the case had right: what its numbers cannot explain it takes for noise.
-bool is_given_up(const ChannelFit& fit) { return fit.rmse_after > worse * fit.rmse_before; }
+/// Whether a fit has left a channel alone that the case had right: what its numbers cannot explain it takes for noise. Within
+/// the data sheet there is nothing to explain.
+bool is_given_up(const ChannelFit& fit) {
+    return fit.rmse_after > worse * fit.rmse_before && fit.rmse_after > fit.stated;
+}
 
 /// What is to be said where a fit takes an error of the model for noise; empty where it has not.
 std::string given_up_sentence(const ChannelFit& fit, const solver::Channel& channel) {
     const double stated = fit.stated;
+    if (fit.is_missed() && fit.noise.sigma <= far_above_data_sheet * stated) {
+        return fmt::format(
+            "{}: after the fit it is {:.2g} {} rms off, {:.1f} times the sensor's {:.2g} {}: the model does not "
+            "describe "
+            "it, and no parameter is determined; see compare and diagnose",
+            fit.name, fit.rmse_after, solver::unit_of(channel.quantity), fit.rmse_after / stated, stated,
+            solver::unit_of(channel.quantity));
+    }
     if (is_given_up(fit)) {
         return fmt::format(
             "{}: its rms rose with the fit, from {:.2g} to {:.2g} {}: a missing effect passes for slow noise, and the "
@@ -173,7 +184,8 @@ void assess_channels(const Fit& fit, Identification& into) {
             if (std::string caution = given_up_sentence(found, channel); !caution.empty()) {
                 found.cautions.push_back(std::move(caution));
             }
-            found.is_in_doubt = is_in_doubt(found.noise, found.found, found.stated) || is_given_up(found);
+            found.is_in_doubt =
+                is_in_doubt(found.noise, found.found, found.stated) || is_given_up(found) || found.is_missed();
         }
         into.channels.push_back(std::move(found));
     }
@@ -181,6 +193,7 @@ void assess_channels(const Fit& fit, Identification& into) {
         for (Eigen::Index i = 0; block.channel < 0 && i < block.rows(); ++i) {
             const Eigen::Index row = block.first + i;
             into.numbers.push_back({.row = static_cast<std::size_t>(row),
+                                    .measured = observations.measured[row],
                                     .before = into.before[row],
                                     .after = into.after[row],
                                     .standard_deviation = block.standard_deviation[static_cast<std::size_t>(i)]});

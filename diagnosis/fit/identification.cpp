@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -75,18 +76,6 @@ void widen(const Eigen::VectorXd& moved, const Fit& fit, Identification& into) {
     }
 }
 
-/// The data less the error of grid and steps, at the values that were fitted.
-Observations corrected(Fit& fit, const input::Experiment& finer) {
-    Observations observations = fit.observations();
-    observations.measured -= change_by_refinement({.experiment = fit.experiment(),
-                                                   .observations = fit.observations(),
-                                                   .values = fit.values(),
-                                                   .simulated = fit.now().simulated,
-                                                   .steps = fit.simulator().steps()},
-                                                  &finer);
-    return observations;
-}
-
 /// What was fitted, as numbers, channels and intervals.
 void assess(const Fit& fit, Identification& into) {
     into.values = fit.values();
@@ -96,27 +85,68 @@ void assess(const Fit& fit, Identification& into) {
     into.simulations += fit.simulator().simulations();
 }
 
-/// Fits again to data that are corrected for the grid's error. @returns false when the model fails
-bool settle_corrected(Fit& rough, const input::Experiment& finer, Identification& into) {
-    const Observations observations = corrected(rough, finer);
-    Fit fit(rough.experiment(), observations);
-    fit.simulator().take_steps(rough.simulator().steps());
-    fit.take_covariance(rough.covariance());
-    into.simulations += rough.simulator().simulations() + 2 * static_cast<long>(observations.times.size());
-    if (!fit.move_to(rough.values())) {
-        return false;
+/// A fit to data that are corrected for the error of grid and steps, as it is at the values of a fit before.
+struct CorrectedFit {
+    Eigen::VectorXd change;  ///< [n_rows] SI, of what is simulated
+    Observations observations;
+    Fit fit;
+
+    CorrectedFit(Fit& rough, const input::Experiment& finer)
+        : change(change_by_refinement({.experiment = rough.experiment(),
+                                       .observations = rough.observations(),
+                                       .values = rough.values(),
+                                       .simulated = rough.now().simulated,
+                                       .steps = rough.simulator().steps()},
+                                      &finer)),
+          observations(less(rough.observations(), change)),
+          fit(rough.experiment(), observations) {
+        fit.simulator().take_steps(rough.simulator().steps());
+        fit.take_covariance(rough.covariance());
     }
-    const Fit::Turn turn = fit.minimise_squares();
-    into.iterations += turn.iterations;
-    into.converged = into.converged && turn.converged;
-    if (!fit.now().status.ok()) {
-        return false;
+
+    /// @returns false when the model fails
+    bool settle(const Eigen::VectorXd& from, Identification& into) {
+        into.simulations += 2 * static_cast<long>(observations.times.size());
+        if (!fit.move_to(from)) {
+            return false;
+        }
+        const Fit::Turn turn = fit.minimise_squares();
+        into.iterations += turn.iterations;
+        into.converged = into.converged && turn.converged;
+        if (!fit.now().status.ok()) {
+            return false;
+        }
+        fit.find_noise();
+        return true;
     }
-    fit.find_noise();
-    assess(fit, into);
-    widen(fit.values() - rough.values(), fit, into);
-    return true;
-}
+
+    /// What was simulated as it would be without the grid's error, in the place of data without it.
+    void correct(Identification& into) const {
+        into.before += change;
+        into.after += change;
+        for (NumberFit& number : into.numbers) {
+            const double by = change[static_cast<Eigen::Index>(number.row)];
+            number.measured += by;
+            number.before += by;
+            number.after += by;
+        }
+        for (ChannelFit& channel : into.channels) {
+            for (const Block& block : observations.blocks) {
+                if (block.channel >= 0 &&
+                    observations.channels[static_cast<std::size_t>(block.channel)] == channel.channel) {
+                    const auto rows = Eigen::seqN(block.first, block.rows());
+                    channel.grid_error = std::max(channel.grid_error, change(rows).cwiseAbs().maxCoeff());
+                }
+            }
+        }
+    }
+
+private:
+    static Observations less(Observations observations, const Eigen::VectorXd& change) {
+        observations.measured -= change;
+        return observations;
+    }
+};
 
 /// What the fitted parameters say, with the standard deviations that the noise makes: before intervals are widened.
 std::vector<ParameterFinding> findings_of(const input::Experiment& experiment, const Identification& result) {
@@ -189,20 +219,25 @@ void identify(const input::Experiment& experiment, const Observations& observati
         result.status = fit.now().status;
         return;
     }
-    if (choice.finer != nullptr && !observations.images.empty()) {
+    std::optional<CorrectedFit> corrected;
+    if (choice.finer != nullptr) {
         stage = "fit that is corrected for the grid's error";
-        if (!settle_corrected(fit, *choice.finer, result)) {
+        corrected.emplace(fit, *choice.finer);
+        if (!corrected->settle(fit.values(), result)) {
             result.status = {solver::Outcome::not_converged, "the fit that is corrected for the grid's error failed"};
             return;
         }
-    } else {
-        assess(fit, result);
+        result.simulations += fit.simulator().simulations();
+    }
+    Fit& last = corrected ? corrected->fit : fit;
+    assess(last, result);
+    if (observations.images.empty()) {
         stage = "comparison of correlated with white noise on data that are left out";
-        Covariance kept = keep_better_noise(fit, result);
+        Covariance kept = keep_better_noise(last, result);
         if (!choice.leave_out.empty()) {
             stage = "fits that leave something out";
-            Fit everything(experiment, observations);
-            everything.simulator().take_steps(fit.simulator().steps());
+            Fit everything(experiment, last.observations());
+            everything.simulator().take_steps(last.simulator().steps());
             everything.take_covariance(std::move(kept));
             if (everything.move_to(result.values)) {
                 result.left_out = leave_out_in_turn(everything, choice.leave_out, result.simulations);
@@ -211,9 +246,15 @@ void identify(const input::Experiment& experiment, const Observations& observati
     }
     if (choice.profile && result.white_noise_gain == 0.0) {
         stage = "search of the intervals by profile likelihood";
-        const long before = fit.simulator().simulations();
-        profile_intervals(fit.least_squares(), result);
-        result.simulations += fit.simulator().simulations() - before;
+        const long before = last.simulator().simulations();
+        profile_intervals(last.least_squares(), result);
+        result.simulations += last.simulator().simulations() - before;
+    }
+    if (corrected) {
+        widen(last.values() - fit.values(), last, result);
+        if (observations.images.empty()) {
+            corrected->correct(result);
+        }
     }
     for (ParameterFinding& one : findings_of(experiment, result)) {
         doubt_beside(experiment.parameters[one.parameter], result);

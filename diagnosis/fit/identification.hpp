@@ -39,8 +39,7 @@ struct Fitted {
     bool profiled = false;     ///< the interval is that of the profile likelihood, not the symmetric one (Wald)
     bool low_is_open = false;  ///< the interval reaches the bound to that side, or has no end
     bool high_is_open = false;
-    double by_grid =
-        0.0;  ///< by how much the correction for the discretisation error of the grid has moved it; of images only
+    double by_grid = 0.0;  ///< by how much the correction for the discretisation error of the grid has moved it
     Identifiability identifiability = Identifiability::determined;
 };
 
@@ -63,15 +62,23 @@ struct ChannelFit {
     Noise noise;
     ChannelNoise found;
     std::vector<std::string> cautions;
+    double grid_error = 0.0;   ///< SI, the largest that was corrected; 0 where nothing was, and of cameras
     bool is_in_doubt = false;  ///< its noise may be an error of the model: see is_in_doubt
+
+    /// Whether it is farther off than its sensor can be, however few samples say so.
+    [[nodiscard]] bool is_missed() const { return stated > 0.0 && rmse_after > far_above_data_sheet * stated; }
 };
 
 /// A single number's fit.
 struct NumberFit {
-    std::size_t row = 0;  ///< of the observations
-    double before = 0.0;  ///< SI, simulated
+    std::size_t row = 0;    ///< of the observations
+    double measured = 0.0;  ///< SI
+    double before = 0.0;    ///< SI, simulated
     double after = 0.0;
     double standard_deviation = 0.0;
+
+    /// Simulated - measured after the fit, in standard uncertainties.
+    [[nodiscard]] double off() const { return (after - measured) / standard_deviation; }
 };
 
 struct Identification {
@@ -96,13 +103,16 @@ struct Identification {
     int iterations = 0;
     long simulations = 0;
     double seconds = 0.0;
+
+    /// Root mean square of the single numbers' NumberFit::off; 0 without any.
+    [[nodiscard]] double numbers_off() const;
 };
 
 struct IdentificationOptions {
     bool profile = false;  ///< intervals by profile likelihood
-    /// The same experiment on a grid of half the spacing (read_experiment with finer = 2): thousands of pixels see the
-    /// discretisation error of the grid, so that where there are images it is corrected and what may be left of it
-    /// widens the intervals.
+    /// The same experiment on a grid of half the spacing (read_experiment with finer = 2): the data are corrected for the
+    /// discretisation error of the grid, which thousands of pixels see and a probe in a steep field as well, and what may be
+    /// left of it widens the intervals.
     const input::Experiment* finer = nullptr;
     std::vector<NamedFold> leave_out{};                ///< each is predicted by a fit without it
     std::function<void(long simulations)> progress{};  ///< called after each prediction

@@ -33,7 +33,7 @@ std::string duration(double seconds) {
 }  // namespace
 
 bool is_in_doubt(const Noise& noise, const ChannelNoise& found, double data_sheet) {
-    if (found.source != NoiseSource::estimated) {
+    if (found.source != NoiseSource::estimated || (data_sheet > 0.0 && noise.sigma <= data_sheet)) {
         return false;
     }
     const bool is_slowest = noise.correlation_time > 0.0 && is_at_longest_correlation(noise, found);

@@ -68,7 +68,8 @@ inline constexpr double far_above_data_sheet = 3.0;
 inline constexpr double correlated_above_data_sheet = 1.5;
 
 /// Whether an estimated noise may be an error of the model: its correlation time ended at the upper limit, or it is far
-/// above the data sheet in a channel of more than 100 samples, 1.5 times where it is correlated. Noise that was not estimated is not in doubt.
+/// above the data sheet in a channel of more than 100 samples, 1.5 times where it is correlated. Noise that was not estimated is not
+/// in doubt, nor is noise within the data sheet.
 /// @param data_sheet standard deviation, in the channel's unit; 0: not stated
 [[nodiscard]] bool is_in_doubt(const Noise& noise, const ChannelNoise& found, double data_sheet);
 

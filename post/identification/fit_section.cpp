@@ -2,6 +2,7 @@
 // How channels and single measured numbers fit, as tables, and the cautions about their noise.
 #include "post/identification/fit_section.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -31,6 +32,7 @@ DataTable fitted_channels(const IdentificationRecord& record) {
                                                                : "white")),
                    data_only("rho_1s", fit.noise.rho_1s()),
                    data_only("white_share", fit.noise.white_share),
+                   data_only("grid_error", unit.difference(fit.grid_error)),
                    data_only("in_doubt", fit.is_in_doubt),
                    data_only("cautions", fit.cautions)});
     }
@@ -43,8 +45,7 @@ DataTable fitted_single_numbers(const IdentificationRecord& record) {
         const Observations::Row& row = record.observations.rows[fit.row];
         const solver::Channel& channel = record.experiment.runs.front().problem.channels[row.channel];
         const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
-        const double si = record.observations.measured[static_cast<Eigen::Index>(fit.row)];
-        const double measured = unit.value(si);
+        const double measured = unit.value(fit.measured);
         table.add({{"channel", "channel", channel.name},
                    {"run", "run", record.experiment.runs[row.run].name},
                    data_only("unit", unit.name),
@@ -52,7 +53,7 @@ DataTable fitted_single_numbers(const IdentificationRecord& record) {
                    {"+-", "uncertainty", shown("{:.2g}", unit.difference(fit.standard_deviation))},
                    {"case", "before", shown("{:.2f}", unit.value(fit.before))},
                    {"fitted", "after", shown("{:.2f}", unit.value(fit.after))},
-                   page_only("off by", shown("{:+.1f} u", (fit.after - si) / fit.standard_deviation))});
+                   page_only("off by", shown("{:+.1f} u", fit.off()))});
     }
     return table;
 }
@@ -66,6 +67,15 @@ Section fit_section(const IdentificationRecord& record, DataTable of_channels, D
                 "A camera's frames are taken apart by size, so that what neighbouring pixels have in common counts as "
                 "few values and not as thousands: white noise of the pixels is the same in all its rows, the camera's "
                 "drift and missing effects stand in the lower ones.");
+        }
+        const auto most = std::ranges::max_element(record.result.channels, {}, &ChannelFit::grid_error);
+        if (most->grid_error > 0.0) {
+            const solver::Channel& channel = record.experiment.runs.front().problem.channels[most->channel];
+            const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
+            section.say(
+                fmt::format("What is simulated is corrected for the error of grid and steps, at most {:.2g} {} of {}.",
+                            unit.difference(most->grid_error),
+                            channel.quantity == solver::Quantity::temperature ? "K" : unit.name, most->name));
         }
         for (const ChannelFit& one : record.result.channels) {
             for (const std::string& caution : one.cautions) {

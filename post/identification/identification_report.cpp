@@ -71,6 +71,9 @@ std::string channels_in_doubt(const Identification& result) {
             names += (names.empty() ? "" : ", ") + fit.name;
         }
     }
+    if (result.numbers_off() > far_above_data_sheet) {
+        names += (names.empty() ? "" : ", ") + std::string("the single numbers");
+    }
     return names;
 }
 
@@ -95,8 +98,8 @@ Section numbers(const IdentificationRecord& record, DataTable table) {
     }
     if (record.result.widened > 1.0) {
         section.say(fmt::format(
-            "The noise of {} may be an error of the model (see Fit): what the data say of a parameter is in "
-            "doubt, and what they add to its interval is {:.2g} times as wide as that noise makes it.",
+            "The differences of {} may be an error of the model (see Fit): what the data say of a parameter is in "
+            "doubt, and what they add to its interval is {:.2g} times as wide as noise makes it.",
             channels_in_doubt(record.result), record.result.widened));
     }
     constexpr std::array meanings{
@@ -232,6 +235,8 @@ Report identification_report(const IdentificationRecord& record, const std::vect
                    {"freedom", result.freedom},
                    {"non_smooth_parameters", result.non_smooth_parameters}};
     report.verdict = identification_headline(record);
+    const std::vector<std::string> not_driven = input::not_driven(record.experiment);
+    report.verdict.insert(report.verdict.begin(), not_driven.begin(), not_driven.end());
     report.appendix.push_back(citations_section(record.experiment.runs.front().problem));
     report.add(numbers(record, std::move(of_parameters)));
     if (!record.planned) {

@@ -35,6 +35,7 @@ struct MadeUpFit {
 TEST(Doubt, SlowOrFarTooLargeNoiseIsInDoubt) {
     const ChannelNoise many{.samples = 500, .longest_correlation = 100.0};
     const ChannelNoise few{.samples = 50, .longest_correlation = 100.0};
+    EXPECT_FALSE(is_in_doubt({.sigma = 0.5, .correlation_time = 100.0, .white_share = 0.3}, many, 0.5));  // within it
     EXPECT_FALSE(is_in_doubt({.sigma = 0.6, .correlation_time = 20.0, .white_share = 0.3}, many, 0.5));
     EXPECT_TRUE(is_in_doubt({.sigma = 0.6, .correlation_time = 100.0, .white_share = 0.3}, many, 0.5));
     EXPECT_TRUE(is_in_doubt({.sigma = 0.8, .correlation_time = 20.0, .white_share = 0.3}, many, 0.5));
@@ -78,6 +79,40 @@ TEST(Doubt, NothingChangesWhereNoNoiseIsInDoubt) {
     EXPECT_EQ(fit.result.widened, 1.0);
     EXPECT_EQ(fit.result.fitted[0].high, 1.96);
     EXPECT_EQ(fit.result.fitted[0].identifiability, Identifiability::determined);
+}
+
+// Three samples, 43 K off beside a sensor of 1.5 K: nothing was estimated from them, and nothing is determined. 28.7 times the data
+// sheet, intervals as much wider.
+TEST(Doubt, WhatIsFartherOffThanItsSensorCanBeIsNeverDetermined) {
+    MadeUpFit fit;
+    ChannelFit& channel = fit.result.channels[0];
+    channel.stated = channel.noise.sigma = 1.5;
+    channel.samples = 3;
+    channel.rmse_after = 43.0;
+    EXPECT_TRUE(channel.is_missed());
+    widen_doubtful(fit.parameters, fit.result);
+    EXPECT_NEAR(fit.result.widened, 28.67, 0.01);
+    EXPECT_EQ(fit.result.fitted[0].identifiability, Identifiability::doubtful);
+    channel.rmse_after = 4.4;
+    EXPECT_FALSE(channel.is_missed());
+    channel.stated = 0.0;  // nothing to compare with
+    EXPECT_FALSE(channel.is_missed());
+}
+
+// Two single numbers of 1 K uncertainty, 3 and 5 K off: sqrt((9 + 25) / 2) = 4.12 of them.
+TEST(Doubt, SingleNumbersThatAreFarOffDetermineNothing) {
+    MadeUpFit fit;
+    fit.result.channels.clear();
+    for (const double off : {3.0, -5.0}) {
+        NumberFit& number = fit.result.numbers.emplace_back();
+        number.measured = 300.0;
+        number.after = 300.0 + off;
+        number.standard_deviation = 1.0;
+    }
+    widen_doubtful(fit.parameters, fit.result);
+    EXPECT_NEAR(fit.result.widened, 4.123, 0.001);
+    EXPECT_EQ(fit.result.fitted[0].identifiability, Identifiability::doubtful);
+    EXPECT_EQ(fit.result.findings.size(), 1U);
 }
 
 // A coefficient that had to move beyond what was known of it says that the model lacks something; a start says nothing of the model.
