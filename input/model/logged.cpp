@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include <fmt/format.h>
@@ -114,7 +115,11 @@ std::vector<ColumnRequest> requests(TomlTable& table, const DataFile& file, Prob
     }
     for (const LocatedString& word : ignored) {
         if (file.find(word.text) < 0) {
-            errors.add(word.place, fmt::format("the file has no column \"{}\"", word.text));
+            std::vector<std::string> known;
+            std::ranges::transform(file.heads(), std::back_inserter(known),
+                                   [](const ColumnHead& head) { return head.heading.name; });
+            errors.add(word.place, fmt::format("the file has no column \"{}\"", word.text),
+                       suggest(word.text, known, "columns"));
         }
     }
     return found;
