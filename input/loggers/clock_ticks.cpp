@@ -33,9 +33,10 @@ std::vector<Tick> ticks_of(const std::vector<double>& times) {
     return ticks;
 }
 
+/// Of an even number the lower one: one tick among two is not the usual one.
 template <typename Value>
 Value median_of(std::vector<Value> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
     std::ranges::nth_element(values, middle);
     return *middle;
 }
