@@ -45,8 +45,8 @@ std::optional<std::array<std::size_t, 2>> image_of(const Hdf5Stack& frames, int 
         return std::nullopt;
     }
     const double pixels = rows.front() * columns.front();
-    if (rows.front() != std::floor(rows.front()) || !(rows.front() >= 1.0) || !(columns.front() >= 1.0) ||
-        pixels != static_cast<double>(shape[1])) {
+    const auto counts = [](double size) { return size >= 1.0 && size == std::floor(size); };
+    if (!counts(rows.front()) || !counts(columns.front()) || pixels != static_cast<double>(shape[1])) {
         errors.add({.file = number},
                    fmt::format("an image of {:g} x {:g} pixels has {:g} values, and frames has {} in a row",
                                rows.front(), columns.front(), pixels, shape[1]),

@@ -139,6 +139,39 @@ std::vector<RunTable> at_corners(const std::vector<RunTable>& runs, const std::v
     return each;
 }
 
+std::vector<CornerColumn> columns_of_one_tire(const RunTable& run, const RunFile& file) {
+    std::vector<CornerColumn> found;
+    const TomlValue* names = run.corner_table != nullptr ? run.corner_table->find("columns") : nullptr;
+    for (const UsedColumn& column : run.corner.empty() ? std::vector<UsedColumn>{} : file.columns.used) {
+        const std::string& heading = file.file.heads()[static_cast<std::size_t>(column.column)].heading.name;
+        if (column.is_sensor || (names != nullptr && names->find(heading) != nullptr)) {
+            found.push_back({.recording = run.recording,
+                             .corner = run.corner,
+                             .heading = heading,
+                             .name = column.name,
+                             .place = run.corner_table->place});
+        }
+    }
+    return found;
+}
+
+void warn_of_shared_columns(const std::vector<CornerColumn>& columns, InputErrors& errors) {
+    for (auto one = columns.begin(); one != columns.end(); ++one) {
+        std::vector<std::string> corners;
+        const CornerColumn* last = &*one;
+        for (const CornerColumn& other : columns) {
+            if (other.recording == one->recording && other.heading == one->heading) {
+                corners.push_back(other.corner);
+                last = &other;
+            }
+        }
+        if (corners.size() > 1 && corners.front() == one->corner) {
+            errors.warn(last->place, fmt::format("the column {} is {} of {}: it belongs to one tire", one->heading,
+                                                 one->name, listed(corners)));
+        }
+    }
+}
+
 std::vector<std::string> once_for_all_corners(const std::vector<std::string>& sentences, std::size_t of_all) {
     struct Sentence {
         std::string before;  // "case.toml:4: "

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "input/measurements/run_table.hpp"
+#include "input/measurements/run_inputs.hpp"
 
 namespace tiretherm::input {
 
@@ -38,6 +38,19 @@ void read_corners_of_run(TomlTable& run);
 /// Each run once for each corner, under the name RUN_CORNER; the runs as they are where there is no corner.
 [[nodiscard]] std::vector<RunTable> at_corners(const std::vector<RunTable>& runs, const std::vector<Corner>& corners,
                                                InputErrors& errors);
+
+/// A column of a run's file that a corner takes for its own.
+struct CornerColumn {
+    std::string recording;
+    std::string corner;
+    std::string heading;
+    std::string name;  ///< of the sensor or the input
+    SourceLocation place;
+};
+/// The columns of a run at a corner that can belong to one tire alone: those of sensors, and inputs that [[corner]] itself names.
+[[nodiscard]] std::vector<CornerColumn> columns_of_one_tire(const RunTable& run, const RunFile& file);
+/// Warns of each that several corners of one recording take.
+void warn_of_shared_columns(const std::vector<CornerColumn>& columns, InputErrors& errors);
 
 /// Sentences of several corners, "FILE: at FL: ...", as one: "FILE: at FL and FR: ...", or "FILE: ..." of all. Those that are
 /// alike stand once.

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 
+#include "physics/signals.hpp"
+
 namespace tiretherm::input {
 
 namespace {
@@ -120,18 +122,35 @@ std::vector<std::size_t> too_long(const Recording& recording, const RecordedColu
     return found;
 }
 
+namespace {
+
+bool changes(const RecordedColumn& column, double from, double to) {
+    const auto first = std::ranges::lower_bound(column.time, from) - column.time.begin();
+    const auto last = std::ranges::upper_bound(column.time, to) - column.time.begin();
+    if (first >= last) {
+        return false;
+    }
+    const auto [least, most] = std::minmax_element(column.value.begin() + first, column.value.begin() + last);
+    return *most - *least > eventful * (column.most() - column.least());
+}
+
+/// Accelerations of the car are noise at every sample, and heat the tire through its load and slips alone.
+bool drives_the_tire(const RecordedColumn& column) {
+    return column.is_input && !column.value.empty() && physics::find_signal(column.name) != nullptr;
+}
+
+}  // namespace
+
 bool is_eventful(const Recording& recording, double from, double to) {
     return std::ranges::any_of(recording.columns, [&](const RecordedColumn& column) {
-        if (!column.is_input || column.value.empty()) {
-            return false;
-        }
-        const auto first = std::ranges::lower_bound(column.time, from) - column.time.begin();
-        const auto last = std::ranges::upper_bound(column.time, to) - column.time.begin();
-        if (first >= last) {
-            return false;
-        }
-        const auto [least, most] = std::minmax_element(column.value.begin() + first, column.value.begin() + last);
-        return *most - *least > eventful * (column.most() - column.least());
+        return drives_the_tire(column) && changes(column, from, to);
+    });
+}
+
+bool is_heated_at_once(const Recording& recording, double from, double to) {
+    return std::ranges::any_of(recording.columns, [&](const RecordedColumn& column) {
+        return drives_the_tire(column) && column.name != "speed" && !column.name.ends_with("_temperature") &&
+               changes(column, from, to);
     });
 }
 

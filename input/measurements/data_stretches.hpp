@@ -43,8 +43,12 @@ constexpr double coarse = 3.0;             ///< steps of the logger; a signal th
 [[nodiscard]] std::vector<Stretch> stuck_together(const Recording& recording, const RecordedColumn& column,
                                                   std::vector<std::string>* sensors);
 
-/// Whether an input changes by a tenth of its range or more between two times: a sensor may jump with it.
+/// Whether an input of the tire changes by a tenth of its range or more between two times: a sensor may jump with it.
 [[nodiscard]] bool is_eventful(const Recording& recording, double from, double to);
+
+/// The same of loads, slips, forces and heat alone, by which a surface may gain many kelvin within a sample. A speed or an air that
+/// jumps so comes from the logger, which wakes all its channels at one time.
+[[nodiscard]] bool is_heated_at_once(const Recording& recording, double from, double to);
 
 /// The end of a finding: what becomes of samples that are surely unusable.
 [[nodiscard]] std::string_view left_out(const Recording& recording);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "input/measurements/data_stretches.hpp"
+#include "input/measurements/dead_stretches.hpp"
 
 /// What looks suspicious in a signal that stands still.
 namespace tiretherm::input {
@@ -48,8 +49,19 @@ bool is_surely_stuck(const Recording& recording, const RecordedColumn& column, c
            !is_eventful(recording, column.time[before], column.time[end]);
 }
 
-bool lies_in(const std::vector<Stretch>& those, const Stretch& one) {
-    return std::ranges::any_of(those, [&](const Stretch& other) { return other.first == one.first; });
+bool overlaps(const std::vector<Stretch>& those, const Stretch& one) {
+    return std::ranges::any_of(those, [&](const Stretch& other) {
+        return other.first < one.first + one.length && one.first < other.first + other.length;
+    });
+}
+
+/// A force or a slip explains a jump of a sensor; that of an input is explained by nothing.
+std::vector<Stretch> dead_of(const Recording& recording, const RecordedColumn& column) {
+    if (column.is_input) {
+        return dead_stretches(column.time, column.value, column.si);
+    }
+    return dead_stretches(column.time, column.value, column.si,
+                          [&](double from, double to) { return is_heated_at_once(recording, from, to); });
 }
 
 }  // namespace
@@ -69,7 +81,7 @@ std::string find_stuck(const Recording& recording, const RecordedColumn& column)
     const std::vector<Stretch> clipped = clipped_stretches(recording, column);
     const std::vector<Stretch> all = stretches(column.value);
     std::vector<std::size_t> found = too_long(recording, column, all);
-    std::erase_if(found, [&](std::size_t s) { return lies_in(clipped, all[s]); });
+    std::erase_if(found, [&](std::size_t s) { return overlaps(clipped, all[s]); });
     if (found.empty()) {
         return {};
     }
@@ -85,8 +97,23 @@ std::string find_stuck(const Recording& recording, const RecordedColumn& column)
         surely ? left_out(recording) : "");
 }
 
+std::string find_dead_stretches(const Recording& recording, const RecordedColumn& column) {
+    const std::vector<Stretch> clipped = clipped_stretches(recording, column);
+    const std::vector<Stretch> all = stretches(column.value);
+    const std::vector<std::size_t> stuck = too_long(recording, column, all);
+    std::vector<Stretch> dead = dead_of(recording, column);
+    std::erase_if(dead, [&](const Stretch& one) {
+        return overlaps(clipped, one) ||
+               std::ranges::any_of(stuck, [&](std::size_t s) { return overlaps({all[s]}, one); });
+    });
+    return dead.empty() ? std::string()
+                        : fmt::format("{}.{}", sentence_of_dead(dead, column.time, column.value, column.si),
+                                      left_out(recording));
+}
+
 std::vector<Stretch> unusable_stretches(const Recording& recording, const RecordedColumn& column) {
     std::vector<Stretch> found = clipped_stretches(recording, column);
+    std::ranges::move(dead_of(recording, column), std::back_inserter(found));
     std::ranges::move(stuck_together(recording, column, nullptr), std::back_inserter(found));
     const std::vector<Stretch> all = stretches(column.value);
     for (const std::size_t s : too_long(recording, column, all)) {

@@ -23,9 +23,9 @@ struct Rule {
     std::string (*look)(const Recording& recording, const RecordedColumn& column);
     bool ends = false;  ///< the rules after it are skipped when it has found something
 };
-constexpr std::array rules{Rule{find_frozen, true},    Rule{find_dead, true}, Rule{find_resampled},
-                           Rule{find_clipped},         Rule{find_stuck},      Rule{find_outliers},
-                           Rule{find_unit_slip, true}, Rule{find_unusual}};
+constexpr std::array rules{Rule{find_frozen, true}, Rule{find_dead, true},      Rule{find_resampled},
+                           Rule{find_clipped},      Rule{find_stuck},           Rule{find_dead_stretches},
+                           Rule{find_outliers},     Rule{find_unit_slip, true}, Rule{find_unusual}};
 
 /// @param values are put in another order
 double quantile(std::vector<double>& values, double share) {

@@ -80,6 +80,8 @@ struct Recording {
 /// A sensor that has two values in all, while others move.
 [[nodiscard]] std::string find_dead(const Recording& recording, const RecordedColumn& column);
 [[nodiscard]] std::string find_clipped(const Recording& recording, const RecordedColumn& column);
+/// Stretches of a temperature or a speed that stand still and are reached or left by a jump.
+[[nodiscard]] std::string find_dead_stretches(const Recording& recording, const RecordedColumn& column);
 /// Sensors that stand still in the same samples; the whole sentence but for the file's name.
 [[nodiscard]] std::string find_stuck_together(const Recording& recording);
 /// Columns that are copies of others, perhaps with a constant added; whole sentences but for the file's name.
@@ -91,7 +93,7 @@ struct Stretch {
     std::size_t first = 0;  ///< index into RecordedColumn::value
     std::size_t length = 0;
 };
-/// What of a sensor is stuck, clipped or dropped to a rail so surely that it is left out.
+/// What of a sensor is stuck, clipped, dropped to a rail or dead so surely that it is left out.
 [[nodiscard]] std::vector<Stretch> unusable_stretches(const Recording& recording, const RecordedColumn& column);
 /// Of a column that was brought to a higher rate: one sample of so many is a measured value.
 struct Resampling {

@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include "input/laps/file_laps.hpp"
+#include "input/measurements/data_stretches.hpp"
+#include "input/measurements/dead_stretches.hpp"
 #include "input/measurements/step_times.hpp"
 #include "input/model/probes.hpp"
 #include "input/text/quantity_specs.hpp"
@@ -296,7 +298,7 @@ RunInputs read_run_inputs(const RunTable& run, const RunFile* file, InputErrors&
             into.inputs.push_back({.signal = column.input, .place = head.place, .time = {}, .value = {}});
         }
     }
-    const std::vector<std::vector<double>> read = file->file.read(requests, errors);
+    std::vector<std::vector<double>> read = file->file.read(requests, errors);
     if (file->time.empty()) {
         return into;
     }
@@ -311,6 +313,11 @@ RunInputs read_run_inputs(const RunTable& run, const RunFile* file, InputErrors&
     into.last = time.back();
     for (std::size_t i = 0; i < read.size(); ++i) {
         MeasuredInput& input = into.inputs[i];
+        const std::string dead =
+            run.keys->keeps_suspicious() ? std::string() : remove_dead(file->time, read[i], input.signal->unit);
+        if (!dead.empty()) {
+            errors.warn(input.place, fmt::format("{} {}: left out", requests[i].name, dead));
+        }
         const std::vector<double> value(read[i].begin() + first, read[i].begin() + last);
         const std::string elsewhere = fmt::format("ignore the column and give {} in [drive]", requests[i].name);
         if (!judge_gaps(requests[i].name, time, value, input.place, elsewhere, errors)) {
@@ -326,7 +333,25 @@ RunInputs read_run_inputs(const RunTable& run, const RunFile* file, InputErrors&
     return into;
 }
 
-std::vector<StartReading> start_readings(const RunFile& file, const TomlValue& document, const InputErrors& errors) {
+namespace {
+
+/// The inputs as the data checks look at them.
+Recording recording_of_inputs(const RunInputs& inputs) {
+    Recording recording;
+    for (const MeasuredInput& input : inputs.inputs) {
+        RecordedColumn& column = recording.columns.emplace_back();
+        column.name = input.signal->name;
+        column.is_input = true;
+        column.time = input.time;
+        column.value = input.value;
+    }
+    return recording;
+}
+
+}  // namespace
+
+std::vector<StartReading> start_readings(const RunTable& run, const RunFile& file, const RunInputs& inputs,
+                                         const TomlValue& document, const InputErrors& errors) {
     std::vector<StartReading> found;
     std::vector<ColumnRequest> requests;
     const TomlValue* initial = document.find("initial");
@@ -344,8 +369,13 @@ std::vector<StartReading> start_readings(const RunFile& file, const TomlValue& d
         }
     }
     InputErrors again = errors;  // the columns are read once more as those of sensors, and what is wrong is said then
-    const std::vector<std::vector<double>> read = file.file.read(requests, again);
+    std::vector<std::vector<double>> read = file.file.read(requests, again);
+    const Recording recording = read.empty() ? Recording{} : recording_of_inputs(inputs);
     for (std::size_t i = 0; i < read.size() && !file.time.empty(); ++i) {
+        if (!run.keys->keeps_suspicious()) {
+            remove_dead(file.time, read[i], quantity_specs::temperature.unit,
+                        [&](double from, double to) { return is_heated_at_once(recording, from, to); });
+        }
         found[i].reading = known_samples(file.time, read[i]);
     }
     return found;

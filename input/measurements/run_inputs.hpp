@@ -55,9 +55,11 @@ constexpr double short_gap = 1.0;
 [[nodiscard]] RunInputs read_run_inputs(const RunTable& run, const RunFile* file, InputErrors& errors);
 
 /// The readings of the sensors from which a run starts: those that [initial] names.
-/// @param document the case with the run's tables over it  @param errors so far, to which nothing is added: what is wrong with
+/// What is no reading is left out, unless the run keeps what is suspicious.
+/// @param inputs of the run: a reading may jump with them  @param document the case with the run's tables over it  @param errors so far, to which nothing is added: what is wrong with
 /// a sensor's column is said where it is read as measured
-[[nodiscard]] std::vector<StartReading> start_readings(const RunFile& file, const TomlValue& document,
+[[nodiscard]] std::vector<StartReading> start_readings(const RunTable& run, const RunFile& file,
+                                                       const RunInputs& inputs, const TomlValue& document,
                                                        const InputErrors& errors);
 
 }  // namespace tiretherm::input

@@ -14,6 +14,7 @@
 #include "input/cameras/frames.hpp"
 #include "input/columns/instruments.hpp"
 #include "input/corners/corner.hpp"
+#include "input/corners/exchanged_sides.hpp"
 #include "input/effects/user_effects.hpp"
 #include "input/measurements/pyrometer.hpp"
 #include "input/measurements/run_readings.hpp"
@@ -126,6 +127,21 @@ void leave_out_idle_corners(RunsBeingRead& runs, InputErrors& errors) {
     }
 }
 
+/// Of each recording, whose corners follow each other.
+void warn_of_exchanged_sides(std::span<const MeasuredRun> runs, bool by_vehicle, std::vector<std::string>& warnings) {
+    for (std::size_t first = 0; first < runs.size();) {
+        std::size_t end = first + 1;
+        while (end < runs.size() && runs[end].recording == runs[first].recording) {
+            ++end;
+        }
+        const std::string sentence = find_exchanged_sides(runs.subspan(first, end - first), by_vehicle);
+        if (!sentence.empty()) {
+            warnings.push_back(fmt::format("{}: {}", runs[first].file, sentence));
+        }
+        first = end;
+    }
+}
+
 /// Corners may differ in the values of effects, not in which effects there are: a parameter has one place for all.
 void check_same_effects(const RunsBeingRead& runs, InputErrors& errors) {
     const auto titles = [](const RunBeingRead& one) {
@@ -195,6 +211,7 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
     std::vector<std::string> followed = followed_names(document);
     add_vehicle_columns(document, followed);
     RunsBeingRead runs;
+    std::vector<CornerColumn> of_one_tire;
     SignalChoice signals;
     for (const RunTable& each : tables) {
         if (!each.corner.empty() && std::ranges::find(into.corners, each.corner) == into.corners.end()) {
@@ -216,7 +233,7 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
         if (measured) {
             builder.run = read_run_inputs(table, file ? &*file : nullptr, errors);
             if (file) {
-                builder.run->start_readings = start_readings(*file, reading.document, errors);
+                builder.run->start_readings = start_readings(table, *file, *builder.run, reading.document, errors);
             }
         }
         TomlTable root(reading.document, "the case", errors);
@@ -233,6 +250,7 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
         run.corner = table.corner;
         run.file = table.file ? table.file->generic_string() : "";
         if (file) {
+            std::ranges::move(columns_of_one_tire(table, *file), std::back_inserter(of_one_tire));
             read_series(*file, builder, errors, run);
             if (document.find("vehicle") != nullptr) {  // its columns are used; the brakes may heat the tire besides
                 for (const FollowedColumn& column : file->columns.followed) {
@@ -281,6 +299,7 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
     for (const auto& one : runs) {
         one->table.keys->report_unknown_columns(errors);
     }
+    warn_of_shared_columns(of_one_tire, errors);
     warn_of_shared_numbers(document, runs, errors);
     if (measured && mode == ReadMode::measured && errors.count() == 0) {
         leave_out_idle_corners(runs, errors);
@@ -301,6 +320,7 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
         into.experiment.runs.push_back(std::move(one->run));
     }
     if (errors.count() == 0) {
+        warn_of_exchanged_sides(into.experiment.runs, document.find("vehicle") != nullptr, into.data_warnings);
         classify_unused(into.experiment.runs);
         into.experiment.instruments = measured_instruments(into.experiment.instruments, into.experiment.runs);
     }

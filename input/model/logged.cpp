@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "input/loggers/logger_units.hpp"
+#include "input/measurements/dead_stretches.hpp"
 #include "input/measurements/run_inputs.hpp"
 #include "input/model/problem_builder.hpp"
 #include "input/tables/data_file.hpp"
@@ -175,13 +176,16 @@ void read_logged(TomlTable& table, ProblemBuilder& builder) {
     }
     for (std::size_t i = 1; i < values.size(); ++i) {
         const std::string& name = requested_columns[i].name;
+        const SourceLocation& place = file->heads()[static_cast<std::size_t>(requested_columns[i].column)].place;
+        if (const std::string dead = remove_dead(time, values[i], requested_columns[i].spec.unit); !dead.empty()) {
+            errors.warn(place, fmt::format("{} {}: left out", name, dead));
+        }
         solver::SignalHistory known = known_samples(time, values[i]);
         if (std::ranges::find(hold, name, &LocatedString::text) != hold.end()) {
             known = held(known);
         }
         if (known.time.empty()) {
-            errors.add(file->heads()[static_cast<std::size_t>(requested_columns[i].column)].place,
-                       fmt::format("{} has no value", name),
+            errors.add(place, fmt::format("{} has no value", name),
                        fmt::format("ignore the column and give {} in [drive]", name));
             continue;
         }

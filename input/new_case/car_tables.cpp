@@ -175,6 +175,9 @@ void write_vehicle(CaseDraft& draft) {
     }
     write_tires(draft, *log);
     writer.suggestion("downforce_area", "\"0.5 m2\"", "-C_L A, with front_downforce_share = 0.45");
+    writer.remark(
+        "Left and right are exchanged where both signs are wrong. SAE J670 has both positive in right turns.");
+    writer.suggestion("yaw_rate_sign", "\"right\"", "in which turns it is positive; left without this key");
     writer.suggestion("lateral_acceleration_sign", "\"right\"",
                       "in which turns it is positive; automatic beside yaw_rate");
 }

@@ -12,6 +12,7 @@
 
 #include "input/laps/file_laps.hpp"
 #include "input/loggers/logger_units.hpp"
+#include "input/measurements/dead_stretches.hpp"
 #include "input/measurements/run_inputs.hpp"
 #include "input/new_case/car_columns.hpp"
 #include "input/new_case/column_classifier.hpp"
@@ -217,6 +218,16 @@ void report_wrong_units(const Log& log, const std::vector<ColumnMeaning>& meanin
     }
 }
 
+/// Makes missing what a column of a temperature or a speed says while nothing is measured.
+void remove_dead_samples(Log& log, const std::vector<ColumnMeaning>& meanings) {
+    for (LogColumn& column : log.columns) {
+        const auto meaning = std::ranges::find(meanings, column.name, &ColumnMeaning::name);
+        if (meaning != meanings.end() && !column.value.empty()) {
+            remove_dead(log.time, column.value, meaning->spec.unit);
+        }
+    }
+}
+
 /// Without accelerations, yaw rate and steering there is no [vehicle], which alone could use the other signals of a car.
 void drop_signals_of_the_car(Log& log) {
     for (LogColumn& column : log.columns) {
@@ -279,6 +290,7 @@ std::optional<Log> read_log(const std::filesystem::path& path, const MeshTemplat
             std::ranges::for_each(log.time, [](double& t) { t *= 1e-3; });
         }
     }
+    remove_dead_samples(log, meaning.meanings);
     drop_gaps(log);
     drop_signals_of_the_car(log);
     choose_use(log);

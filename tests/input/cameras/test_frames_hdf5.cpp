@@ -127,6 +127,18 @@ TEST(Hdf5Frames, WhoseShapeDoesNotFitAreRefused) {
               "attribute units = \"degC\"\n");
 }
 
+// 2 x 7.5 is the 15 of a row, and no image.
+TEST(Hdf5Frames, WithHalfAColumnAreRefused) {
+    EXPECT_EQ(what_is_wrong_with(read_hdf5([](post::Hdf5File& file) {
+                  file.write("/frames", Values(30, 25.0), 15, units("degC"));
+                  file.add_attribute("/frames", "rows", 2.0);
+                  file.add_attribute("/frames", "columns", 7.5);
+                  file.write("/time", Values{0.0, 5.0}, 0, units("s"));
+              })),
+              "an image of 2 x 7.5 pixels has 15 values, and frames has 15 in a row | correct the attributes rows and "
+              "columns, or write three dimensions\n");
+}
+
 TEST(Hdf5Frames, WithoutALivingPixelAreRefused) {
     EXPECT_EQ(what_is_wrong_with(read_hdf5([](post::Hdf5File& file) {
                   add_frames(file, Values(24, std::nan("")));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Four tires in one case: what belongs to a corner, what to all, and parameters by axle, side and corner.
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -281,6 +282,83 @@ TEST(Pyrometer, GivesNumbersToItsRunAndCorner) {
                     .starts_with("case.toml:45:6: FR has 1 value for 2 sensors\n    FR = \"38 degC\"\n         "
                                  "^~~~~~~~~\n    remedy: give one for each "
                                  "sensor, in their order; several of a single sensor are averaged\n"));
+}
+
+// A sensor looks at one tire: its column at two corners is one of them mistaken for the other.
+TEST(Corner, TwoCornersOnOneColumnAreTold) {
+    const Written written;
+    const std::string said_of_two = said(read(written, replaced(corners, "S_FR = \"", "S_FL = \"")), written);
+    EXPECT_NE(said_of_two.find("the column S_FL is surface_temperature of FL and FR: it belongs to one tire"),
+              std::string::npos)
+        << said_of_two;
+    const std::string said_of_misspelt = said(read(written, replaced(corners, "S_FR = \"", "S_FX = \"")), written);
+    EXPECT_NE(said_of_misspelt.find("no file of a [[run]] has the column \"S_FX\""), std::string::npos)
+        << said_of_misspelt;
+}
+
+namespace {
+
+std::string shipped(const std::string& file) { return (source_folder() / "cases/car" / file).string(); }
+
+/// The case with more over it. @param unset quoted keys
+ExperimentReading read_car(const Written& written, const std::string& more, const std::string& unset = "") {
+    return read_experiment(
+        written.add("case.toml", "include = [\"" + shipped("session.toml") + "\"]\nunset = [" + unset + "]\n" + more));
+}
+
+/// What is said of left and right; empty: nothing.
+std::string sides_of(const ExperimentReading& reading) {
+    EXPECT_TRUE(reading.experiment) << error_report(reading);
+    const auto found = std::ranges::find_if(reading.data_warnings, [](const std::string& sentence) {
+        return sentence.find("exchanged") != std::string::npos;
+    });
+    return found == reading.data_warnings.end() ? "" : *found;
+}
+
+bool has(const std::string& text, std::string_view words) { return text.find(words) != std::string::npos; }
+
+/// Columns of the tires of an axle, each of the other side where they are exchanged.
+std::string corner(const std::string& name, const std::string& of) {
+    return "[[corner]]\nname = \"" + name + "\"\ncolumns = { \"Tire Temp " + of + "\" = \"surface_temperature\" }\n";
+}
+
+}  // namespace
+
+// The car has both positive in left turns (README.md beside it); its other logs have measured loads and slips.
+TEST(ExchangedSides, NothingIsSaidOfTheShippedCars) {
+    EXPECT_EQ(sides_of(read_experiment(shipped("session.toml"))), "");
+    EXPECT_EQ(sides_of(read_experiment(shipped("wheels.toml"))), "");
+}
+
+// Yaw rate and lateral acceleration read as positive in right turns load the wrong tires. The temperatures say so.
+TEST(ExchangedSides, WrongSignsOfBothAreTold) {
+    const std::string signs =
+        "[vehicle]\nyaw_rate_sign = \"right\"\nlateral_acceleration_sign = \"left\"\nsteering_sign = \"right\"\n";
+    const Written written;
+    const ExperimentReading reading = read_car(written, signs);
+    const std::string said = sides_of(reading);
+    EXPECT_TRUE(
+        has(said,
+            "left and right are probably exchanged: the measured differences of left and right tires go against "
+            "what their loads and slips make (r = -0."))
+        << said;
+    EXPECT_TRUE(has(said,
+                    ". Both signs decide: turn yaw_rate_sign and "
+                    "lateral_acceleration_sign of [vehicle] round"))
+        << said;
+}
+
+// The columns of the front tires alone are exchanged: the rear ones are right, and so are the signs. All four
+// exchanged are left and right exchanged.
+TEST(ExchangedSides, ExchangedColumnsAreTold) {
+    const Written written;
+    const std::string front = sides_of(read_car(
+        written, corner("FL", "FR") + corner("FR", "FL") + corner("RL", "RL") + corner("RR", "RR"), "\"corner\""));
+    EXPECT_TRUE(has(front, "FL and FR are probably exchanged")) << front;
+    EXPECT_TRUE(has(front, "exchange their columns")) << front;
+    const std::string all = sides_of(read_car(
+        written, corner("FL", "FR") + corner("FR", "FL") + corner("RL", "RR") + corner("RR", "RL"), "\"corner\""));
+    EXPECT_TRUE(has(all, "or exchange the columns of left and right tires")) << all;
 }
 
 }  // namespace tiretherm::input

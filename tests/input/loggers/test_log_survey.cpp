@@ -93,4 +93,28 @@ TEST(LogSurvey, KeepsTheRatesOfALdFile) {
     EXPECT_EQ(column(found, "surface_temperature").missing, 0.0);
 }
 
+// Accelerations with noise, as every car's log has them, explain no outlier of a tire: 30 K at 20 s. The 0 of a speed that is lost
+// for 3 s, in bends of 0.8 g, draws a remark.
+TEST(LogSurvey, FindsOutliersAndALostSpeedBesideNoisyAccelerations) {
+    std::string log = "time [s],speed [km/h],LatAcc [g],LonAcc [g],Tire Temp FL [degC],Tire Temp FR [degC]\n";
+    for (int i = 0; i < 1000; ++i) {
+        const double t = 0.1 * i;
+        const double noise = 0.2 * std::sin(37.0 * i);
+        log += std::to_string(t) + "," + std::to_string(i >= 500 && i < 530 ? 0.0 : 96.0 + 5.0 * std::sin(0.3 * t)) +
+               "," + std::to_string(0.8 * std::sin(0.5 * t) + noise) + "," +
+               std::to_string(0.3 * std::cos(0.3 * t) - noise) + "," +
+               std::to_string(60.0 + 0.1 * t + noise + (i == 200 ? 30.0 : 0.0)) + "," +
+               std::to_string(61.0 + 0.1 * t - noise) + "\n";
+    }
+    const LogSurvey found = survey("log.csv", log);
+    EXPECT_TRUE(doubts(found, "(column Tire Temp FL) has an outlier at 20 s")) << [&] {
+        std::string all;
+        for (const std::string& doubt : found.doubts) {
+            all += doubt + "\n";
+        }
+        return all;
+    }();
+    EXPECT_TRUE(doubts(found, "speed stands at 0 km/h from 50 s to 52.9 s and jumps by 9"));
+}
+
 }  // namespace tiretherm::input

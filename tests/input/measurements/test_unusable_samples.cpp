@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include <gtest/gtest.h>
 
+#include "input/measurements/dead_stretches.hpp"
 #include "input/measurements/made_up_log.hpp"
 
 namespace tiretherm::input {
@@ -204,6 +206,168 @@ TEST(UnusableSamples, SensorsThatStandStillTogetherAreLeftOut) {
         << found.findings.back();
     EXPECT_GE(found.missing(), 40U);
     EXPECT_TRUE(std::isnan(found.surface.value[320]));
+}
+
+namespace {
+
+using Values = std::vector<double>;
+
+struct Recorded {
+    Values time;
+    Values value;
+};
+
+/// A surface that warms up from 40 to 80 degC within 100 s, with noise of 0.3 K, ten times a second, in kelvin.
+Recorded warming(double interval = 0.1) {
+    Recorded course;
+    std::mt19937 random(3);
+    std::normal_distribution<double> noise(0.0, 0.3);
+    for (double t = 0.0; t < 200.0; t += interval) {
+        course.time.push_back(t);
+        course.value.push_back(273.15 + 80.0 - 40.0 * std::exp(-t / 30.0) + noise(random));
+    }
+    return course;
+}
+
+/// The same with one value from one time to another.
+Recorded with(double celsius, double from, double to, double interval = 0.1) {
+    Recorded course = warming(interval);
+    for (std::size_t i = 0; i < course.time.size(); ++i) {
+        if (course.time[i] >= from - 1e-9 && course.time[i] < to - 1e-9) {
+            course.value[i] = celsius + 273.15;
+        }
+    }
+    return course;
+}
+
+std::vector<Stretch> dead_in(const Recorded& course, std::string_view si = "K") {
+    return dead_stretches(course.time, course.value, si);
+}
+
+}  // namespace
+
+// -1, -40, 0 or 1037.55 degC for five seconds, and the 80 of a reset for one: 50 and 10 samples at the start; 50 in the middle,
+// at 60 s; 50 at the end.
+TEST(DeadStretches, ValuesOfNoSensorAreFoundAtAnyPlace) {
+    for (const double value : {-1.0, -40.0, 0.0, 1037.55}) {
+        const std::vector<Stretch> start = dead_in(with(value, 0.0, 5.0));
+        ASSERT_EQ(start.size(), 1U) << value;
+        EXPECT_EQ(start[0].first, 0U);
+        EXPECT_EQ(start[0].length, 50U);
+        const std::vector<Stretch> middle = dead_in(with(value, 60.0, 65.0));
+        ASSERT_EQ(middle.size(), 1U) << value;
+        EXPECT_EQ(middle[0].first, 600U);
+        EXPECT_EQ(middle[0].length, 50U);
+        EXPECT_EQ(dead_in(with(value, 195.0, 201.0)).size(), 1U) << value;
+    }
+    ASSERT_EQ(dead_in(with(80.0, 0.0, 1.0)).size(), 1U);
+    EXPECT_EQ(dead_in(with(80.0, 0.0, 1.0))[0].length, 10U);
+    EXPECT_EQ(dead_in(with(-1.0, 0.0, 5.0, 1.0)).size(), 1U);  // once a second
+    EXPECT_TRUE(dead_in(warming()).empty());
+}
+
+// A broken wire and then a reset: both are no readings, and what follows is one.
+TEST(DeadStretches, SeveralInARowAreOne) {
+    Recorded course = with(-40.0, 0.0, 3.0);
+    const Recorded reset = with(80.0, 0.0, 4.0);
+    std::copy(reset.value.begin() + 30, reset.value.begin() + 40, course.value.begin() + 30);
+    const std::vector<Stretch> found = dead_in(course);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].length, 40U);
+}
+
+// A tire that waits cold in the pits at 20 degC and then warms up; one that is read once a minute and warms by 30 K in the first;
+// a temperature that somebody wrote by hand, 30 and later 45 degC; a record that never moves.
+TEST(DeadStretches, AColdStartAndAConstantAreReadings) {
+    Recorded cold = warming();
+    for (std::size_t i = 0; i < cold.time.size(); ++i) {
+        cold.value[i] = 293.15 + (cold.time[i] < 20.0 ? 0.0 : 50.0 * (1.0 - std::exp((20.0 - cold.time[i]) / 5.0)));
+    }
+    EXPECT_TRUE(dead_in(cold).empty());
+    Recorded slow;
+    for (const double t : {0.0, 60.0, 120.0, 180.0, 240.0, 300.0, 360.0}) {
+        slow.time.push_back(t);
+        slow.value.push_back(t < 61.0 ? 293.15 : 323.15 + t / 100.0);
+    }
+    EXPECT_TRUE(dead_in(slow).empty());
+    Recorded by_hand = warming();
+    for (std::size_t i = 0; i < by_hand.time.size(); ++i) {
+        by_hand.value[i] = 273.15 + (by_hand.time[i] < 50.0 ? 30.0 : 45.0);
+    }
+    EXPECT_TRUE(dead_in(by_hand).empty());
+    by_hand.value.back() += 2.0;
+    EXPECT_TRUE(dead_in(by_hand).empty());
+    std::fill_n(by_hand.value.begin(), 20, 273.15 - 40.0);  // what nobody writes
+    EXPECT_EQ(dead_in(by_hand).size(), 1U);
+    std::ranges::fill(by_hand.value, 272.15);
+    EXPECT_TRUE(dead_in(by_hand).empty());
+}
+
+// A laser that is on from the first of samples every 5 s on heats a spot from 23 to 78 degC: the first one is the start.
+TEST(DeadStretches, ASingleFirstSampleIsAStart) {
+    Recorded spot;
+    for (double t = 0.0; t < 300.0; t += 5.0) {
+        spot.time.push_back(t);
+        spot.value.push_back(273.15 + (t == 0.0 ? 23.3 : 78.0 + 5.0 * std::log(t / 5.0)));
+    }
+    EXPECT_TRUE(dead_in(spot).empty());
+}
+
+// A laser heats a spot as the square root of time: 25 degC, then 31.6 K more after the first tenth of a second, 44.7, 54.8 ...; the
+// second step is 0.41 of the first, an aftermath.
+TEST(DeadStretches, AJumpWithAnAftermathIsMeasured) {
+    Recorded spot = warming();
+    for (std::size_t i = 0; i < spot.time.size(); ++i) {
+        spot.value[i] = 298.15 + (spot.time[i] < 10.0 ? 0.0 : 100.0 * std::sqrt(spot.time[i] - 9.9));
+    }
+    EXPECT_TRUE(dead_in(spot).empty());
+    EXPECT_TRUE(dead_stretches(with(80.0, 0.0, 1.0).time, with(80.0, 0.0, 1.0).value, "K", [](double from, double to) {
+                    return from < 1.0 && to > 0.95;  // an input jumps with it
+                }).empty());
+}
+
+// 60 mph for three seconds 0: no car brakes with 27 g. A car that stops within two seconds, stands, and drives on does.
+TEST(DeadStretches, ASpeedThatIsLostIsFound) {
+    Recorded lost;
+    Recorded stops;
+    for (double t = 0.0; t < 100.0; t += 0.1) {
+        lost.time.push_back(t);
+        lost.value.push_back(t >= 40.0 && t < 43.0 ? 0.0 : 26.8 + std::sin(0.3 * t));
+        stops.time.push_back(t);
+        stops.value.push_back(t < 40.0 ? 20.0 + std::sin(t)
+                                       : std::max({0.0, 20.0 - 10.0 * (t - 40.0), 4.0 * (t - 50.0)}));
+    }
+    ASSERT_EQ(dead_in(lost, "m s-1").size(), 1U);
+    EXPECT_NEAR(static_cast<double>(dead_in(lost, "m s-1")[0].length), 30.0, 1.0);
+    EXPECT_TRUE(dead_in(stops, "m s-1").empty());
+    EXPECT_EQ(sentence_of_dead(dead_in(lost, "m s-1"), lost.time, lost.value, "m s-1").substr(0, 16),
+              "stands at 0 km/h");
+}
+
+// The logger wakes its channels one by one. The tire starts at what its sensor reads when it speaks, 40.5 degC, and the air is what the log has later, 25 degC.
+TEST(DeadStretches, NeitherTireNorAirStartsWithThem) {
+    MadeUpLog log(600, 0.1);
+    std::mt19937 random(5);
+    std::normal_distribution<double> noise(0.0, 0.2);
+    log.add("speed", "km/h", [](double t) { return t < 5.0 ? 0.0 : 80.0 + 20.0 * std::sin(t); });
+    log.add("vertical_load", "N", [](double) { return 4000.0; });
+    log.add("road_temperature", "degC", [](double) { return 30.0; });
+    log.add("air_temperature", "degC", [&](double t) { return t < 2.0 ? -40.0 : 25.0 + noise(random); });
+    log.add("surface_temperature", "degC", [&](double t) { return t < 5.0 ? -1.0 : 40.0 + 0.1 * t + noise(random); });
+    const Written written;
+    written.add("log.csv", log.text());
+    const ExperimentReading reading = read_experiment(
+        written.add("case.toml", std::string(bench) + "[[run]]\nfile = \"log.csv\"\n[run.initial]\ntemperature = "
+                                                      "\"surface_temperature\"\n"));
+    ASSERT_TRUE(reading.experiment) << error_report(reading);
+    const MeasuredRun& run = reading.experiment->runs.front();
+    EXPECT_NEAR(run.problem.initial.front(), 273.15 + 40.5, 0.5);
+    EXPECT_NEAR(run.problem.input_signals.at(0.0, solver::JumpSide::after).air_temperature, 298.15, 0.6);
+    EXPECT_TRUE(std::isnan(run.series.front().value[10]));
+    EXPECT_FALSE(std::isnan(run.series.front().value[60]));
+    EXPECT_NE(error_report(reading).find("air_temperature stands at -40 degC from 0 s to 1.9 s and jumps by 6"),
+              std::string::npos)
+        << error_report(reading);
 }
 
 }  // namespace tiretherm::input
