@@ -13,6 +13,7 @@
 #include "app/commands.hpp"
 #include "app/failure.hpp"
 #include "app/messages.hpp"
+#include "input/studies/case_values.hpp"
 #include "post/page/html_page.hpp"
 #include "solver/stop_signal.hpp"
 
@@ -130,7 +131,12 @@ std::optional<post::Report> write_measured_page(
         }
         page = report(folder.homes(files));
         if (!call.no_report) {
-            post::write_page(stage, *page, {.kind = kind, .source = call.case_file, .files = folder.inputs()});
+            post::write_page(stage, *page,
+                             {.kind = kind,
+                              .source = call.case_file,
+                              .files = folder.inputs(),
+                              .case_values = kind == "compare" ? input::case_values(call.case_file)
+                                                               : decltype(post::PageOrigin::case_values){}});
         }
         return files;
     });

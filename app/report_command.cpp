@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `tiretherm report`: shows the page that a call has written into its folder, and makes pictures of its charts.
+// `tiretherm report`: shows the page that a call has written into its folder, makes pictures of its charts, and lays two
+// results beside each other.
 
 #include <chrono>
 #include <cmath>
@@ -16,8 +17,10 @@
 #include "app/commands.hpp"
 #include "app/failure.hpp"
 #include "app/messages.hpp"
+#include "app/output.hpp"
 #include "post/export/chart_pictures.hpp"
 #include "post/page/html_page.hpp"
+#include "post/pair/pair_report.hpp"
 #include "post/report/file.hpp"
 #include "post/report/output_folder.hpp"
 #include "solver/stop_signal.hpp"
@@ -33,6 +36,8 @@ constexpr const char* no_pictures = "no picture was written";
 
 struct ReportOptions {
     std::string folder;
+    std::string other;      ///< the second of two; empty: there is one
+    std::string directory;  ///< of the page of two
     int width = 1600;
     double time_limit = 60.0;  ///< s
     bool png = false;
@@ -221,7 +226,55 @@ int make_pictures(const ReportOptions& options, const post::PageCharts& page) {
     return sentence.empty() ? Exit::done : Exit::input_error;
 }
 
+/// Two results on one page.
+int report_pair(const ReportOptions& options) {
+    std::vector<post::StoredResult> results;
+    for (const std::string& folder : {options.folder, options.other}) {
+        ReportOptions one = options;
+        one.folder = folder;
+        std::error_code error;
+        if (!fs::exists(one.page(), error)) {
+            return report_missing(one);
+        }
+        try {
+            results.push_back(post::read_result(folder));
+        } catch (const std::runtime_error& failure) {
+            report_error(failure.what(),
+                         "run and compare leave what is needed in their folder; make it again with one of them",
+                         options.json);
+            return Exit::input_error;
+        }
+    }
+    if (const std::string reason = post::nothing_in_common(results[0], results[1]); !reason.empty()) {
+        report_error(reason, "name two folders of run, or two of compare, with sensors of the same names",
+                     options.json);
+        return Exit::input_error;
+    }
+    post::Report page = post::pair_report(results[0], results[1]);
+    const fs::path directory =
+        options.directory.empty()
+            ? fs::path("out") / (results[0].folder.lexically_normal().filename().string() + "_against_" +
+                                 results[1].folder.lexically_normal().filename().string())
+            : fs::path(options.directory);
+    std::vector<std::string> read;
+    for (const std::string& folder : {options.folder, options.other}) {
+        read.push_back((fs::path(folder) / post::page_name).string());
+    }
+    const auto folder = open_output(directory, read, post::page_names(), "nothing was written", options.json);
+    if (!folder || !write_output(*folder, {}, options.json, [&] {
+            page.add(folder->homes(post::page_files(folder->stage())));
+            post::write_page(folder->stage(), page, {.kind = "report", .source = {}, .files = read});
+        })) {
+        return Exit::input_error;
+    }
+    print_report(page, options.json);
+    return Exit::done;
+}
+
 int report(const ReportOptions& options) {
+    if (!options.other.empty()) {
+        return report_pair(options);
+    }
     std::error_code error;
     if (!fs::exists(options.page(), error)) {
         return report_missing(options);
@@ -247,11 +300,18 @@ int report(const ReportOptions& options) {
 
 void add_report_command(CLI::App& program, int& exit_code) {
     CLI::App* command =
-        program.add_subcommand("report", "Show the page that a call has written, or make pictures of its charts");
+        program.add_subcommand("report", "Show the page of a call, draw its charts, or lay two results side by side");
     const auto options = std::make_shared<ReportOptions>();
     command->add_option("DIR", options->folder, "Folder that a call has written its files to")
         ->required()
         ->option_text(" ");
+    CLI::Option* other =
+        command
+            ->add_option("OTHER", options->other,
+                         "Folder of a second result: both on one page, OTHER - DIR, of run or of compare")
+            ->option_text(" ");
+    add_out_option(*command, options->directory, "Where the page of two results goes. Default: out/DIR_against_OTHER");
+    command->get_option("--out")->needs(other);
     CLI::Option* png = command->add_flag("--png", options->png,
                                          "Write every chart of report.html as a picture into the folder charts in DIR");
     command->add_option("--width", options->width, "Of the pictures. Default: 1600")
@@ -274,10 +334,17 @@ void add_report_command(CLI::App& program, int& exit_code) {
         "other files there are left alone. The files appear together at the end. A chart that cannot be drawn is "
         "named,\n"
         "and the others are written.\n\n"
-        "Exit code: 0 done; 1 an error in the call, no page, a damaged one, a chart that cannot be drawn, or no\n"
-        "Chromium; 2 Chromium failed or took too long; 130 interrupted.\n\n"
+        "With two folders of run, or two of compare: report.html and page.txt with the keys of the cases that differ, "
+        "the\n"
+        "channels of both over each other with the differences of final value, maximum and mean, hottest places, hot "
+        "spots\n"
+        "and heat side by side. They must have been made by this version, with their page.\n\n"
+        "Exit code: 0 done; 1 an error in the call, no page, a damaged one, nothing in common, a chart that cannot be\n"
+        "drawn, or no Chromium; 2 Chromium failed or took too long;\n"
+        "130 interrupted.\n\n"
         "Example:\n"
-        "  tiretherm report out/laser --png --width 1200");
+        "  tiretherm report out/laser --png --width 1200\n"
+        "  tiretherm report out/soft out/hard --out out/soft_or_hard");
     command->callback([options, &exit_code] { exit_code = report(*options); });
 }
 

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `tiretherm run`: simulates a case and writes channels, fields, pictures and, for [[critical]] temperatures, the hot
-// spots.
+// `tiretherm run`: simulates a case, of a car all its tires, and writes channels, fields, pictures and, for [[critical]]
+// temperatures, the hot spots.
 
-#include <chrono>
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -16,76 +19,132 @@
 #include "app/failure.hpp"
 #include "app/messages.hpp"
 #include "app/output.hpp"
-#include "diagnosis/hot_spot/hot_spot_watch.hpp"
+#include "app/simulated_run.hpp"
 #include "input/model/reader.hpp"
-#include "post/report/file.hpp"
-#include "post/report/progress.hpp"
-#include "post/run/run_files.hpp"
-#include "post/run/run_journal.hpp"
+#include "input/studies/what_if.hpp"
 #include "post/run/run_report.hpp"
 #include "solver/stop_signal.hpp"
-#include "solver/time_integration/march.hpp"
 
 namespace tiretherm::app {
 
 namespace {
 
-struct RunOptions {
-    std::string case_file;
-    std::string run;  ///< of the case's [[run]] tables; empty: the first
-    std::string directory;
-    double field_interval = 0.0;  ///< s; 0: as the case says
-    bool json = false;
-    bool quiet = false;
-    bool fresh = false;
-    std::set<std::string> switched;  ///< formats that are refused or wanted, by name
-};
-
-using Clock = std::chrono::steady_clock;
-
-/// Marches through the case, from where an interrupted call had come to; stops where the user asks for it, with the
-/// field of that moment.
-solver::Report march(const solver::Problem& problem, post::RunFiles& files, diagnosis::HotSpotTracker& hot_spots,
-                     post::RunJournal& journal, const RunOptions& options) {
-    if (journal.is_damaged()) {
-        tell_of_damage("the run begins anew");
+/// How a run ended, once its page is told.
+int end_of(const SimulatedRun& it, const RunOptions& options) {
+    if (it.report.status.ok() && solver::stop_requested() && it.hot_spots) {
+        std::fflush(stdout);
+        report_error("stopped", "the run is complete; the continuation for its hot spots was interrupted", false);
+        return Exit::interrupted;
     }
-    if (journal.checkpoint() != nullptr) {
-        tell_of_continuation(fmt::format("{:.6g} s of {:.6g} s are kept", journal.time() - problem.settings.start,
-                                         problem.settings.end - problem.settings.start));
-        journal.replay([&](const solver::Snapshot& row) { files.take(row); });
-        solver::Archive archive = solver::Archive::reading(journal.follower());
-        hot_spots.visit(archive);
+    if (it.report.status.ok()) {
+        return Exit::done;
     }
-    const auto keep = [&](const solver::Checkpoint& checkpoint) {
-        std::vector<double> follower;
-        solver::Archive archive = solver::Archive::writing(follower);
-        hot_spots.visit(archive);
-        journal.keep(checkpoint, follower);
-    };
-    const solver::Continuation continuation{
-        .from = journal.checkpoint(), .every = 1, .keep = keep, .due = [&] { return journal.due(); }};
-    post::ProgressLine line(stderr, options.quiet || problem.settings.steady);
-    post::Progress progress(line, problem.name, problem.settings.start, problem.settings.end);
-    const auto watch = [&](const solver::Snapshot& snapshot) {
-        const bool stop = solver::stop_requested();
-        solver::Snapshot seen = snapshot;
-        seen.field = seen.field || stop;
-        files.take(seen);
-        hot_spots.take(seen);
-        journal.take(seen);
-        progress.update(seen.time, seen.temperature);
-        return !stop;
-    };
-    return solver::run(problem, watch, continuation);
+    if (!options.json) {
+        std::fflush(stdout);
+        report_error(it.report.status.message, "the results so far are in " + it.folder->path().string(), false);
+    }
+    return it.report.status.outcome == solver::Outcome::stopped ? Exit::interrupted : Exit::numerical_failure;
 }
 
-/// What the files of a run follow from.
-solver::Digest::Value identity_of(const RunOptions& options, const std::vector<std::string>& files) {
-    std::vector<std::string> arguments{"run", options.case_file, options.run,
-                                       fmt::format("{}", options.field_interval)};
-    arguments.insert(arguments.end(), options.switched.begin(), options.switched.end());
-    return call_identity(files, arguments);
+void tell(const post::Report& page, const RunOptions& options) {
+    if (options.json || !options.quiet) {
+        print_report(page, options.json);
+    }
+}
+
+/// The tires of a car, each into a folder in `directory`, and their common page. Where one fails, the rest is not run.
+int run_corners(input::Reading& reading, const std::filesystem::path& directory,
+                const std::vector<input::ChangedRuns>& changes, const RunOptions& options) {
+    std::vector<std::string> names = post::RunFiles::names_in(directory);
+    const auto folder = open_output(directory, reading.files, names, "nothing was run", options.json);
+    if (!folder) {
+        return Exit::input_error;
+    }
+    std::vector<std::unique_ptr<SimulatedRun>> tires;
+    std::vector<post::RunRecord> records;
+    for (input::RunOfCase& chosen : reading.chosen) {
+        const std::string name = chosen.name;
+        SimulatedRun& tire = *tires.emplace_back(new SimulatedRun{.run = std::move(chosen)});
+        if (!simulate(tire, directory / name, reading, changes, options)) {
+            return Exit::input_error;
+        }
+        if (!tire.report.status.ok()) {
+            tell(tire.page, options);
+            return end_of(tire, options);
+        }
+        records.push_back(tire.record(reading));
+    }
+    std::optional<diagnosis::WhatIf> what_if;
+    if (!changes.empty()) {
+        std::vector<const solver::Problem*> problems;
+        std::vector<const solver::Report*> reports;
+        for (const std::unique_ptr<SimulatedRun>& tire : tires) {
+            problems.push_back(&tire->run.problem);
+            reports.push_back(&tire->report);
+        }
+        what_if = diagnosis::what_if(changes, problems, reports);
+    }
+    post::Report page;
+    const bool written = write_output(*folder, names, options.json, [&] {
+        const bool with_page = !options.switched.contains("report");
+        std::vector<std::filesystem::path> files = post::write_car_tables(folder->stage(), records);
+        if (with_page) {
+            std::ranges::copy(post::page_files(folder->stage()), std::back_inserter(files));
+        }
+        files = folder->homes(files);
+        for (const post::RunRecord& record : records) {
+            files.insert(files.end(), record.files.begin(), record.files.end());
+        }
+        page = post::car_report(records, what_if ? &*what_if : nullptr, reading.warnings, files);
+        if (with_page) {
+            post::write_page(folder->stage(), page, page_origin(reading, options));
+        }
+    });
+    if (!written) {
+        return Exit::input_error;
+    }
+    tell(page, options);
+    return Exit::done;
+}
+
+/// What keeps the runs of a case from being run as the call asks for; reports it.
+bool are_sound(input::Reading& reading, const RunOptions& options) {
+    for (input::RunOfCase& chosen : reading.chosen) {
+        solver::Problem& problem = chosen.problem;
+        if (options.field_interval > 0.0) {
+            problem.settings.field_interval = options.field_interval;
+            if (const auto excess = input::excess_of(problem, reading.limits)) {
+                report_error("--fields: " + excess->what, excess->remedy, options.json);
+                return false;
+            }
+        }
+        if (const std::vector<std::string> defects = solver::defects(problem); !defects.empty()) {
+            report_error(fmt::format("{}: {}", options.case_file, fmt::join(defects, "; ")), "nothing was run",
+                         options.json);
+            return false;
+        }
+    }
+    return true;
+}
+
+/// The changes that are asked for; reports what is wrong with them. @returns nothing after an error
+std::optional<std::vector<input::ChangedRuns>> read_changes(const input::Reading& reading, const RunOptions& options) {
+    std::vector<std::string> texts = options.what_if ? input::standard_changes() : std::vector<std::string>{};
+    texts.insert(texts.end(), options.changes.begin(), options.changes.end());
+    std::vector<input::ChangedRuns> changes;
+    std::vector<input::InputError> errors;
+    for (const std::string& text : texts) {
+        for (input::ChangedRuns& change : input::change_runs(options.case_file, options.run, reading.chosen, text)) {
+            errors.insert(errors.end(), change.errors.begin(), change.errors.end());
+            changes.push_back(std::move(change));
+        }
+    }
+    if (!errors.empty()) {
+        report_errors({.problem = std::nullopt, .errors = std::move(errors), .warnings = {}}, "nothing was run",
+                      options.json);
+        return std::nullopt;
+    }
+    return changes;
 }
 
 int run(const RunOptions& options) {
@@ -96,85 +155,29 @@ int run(const RunOptions& options) {
         report_errors(reading, "nothing was run", options.json);
         return Exit::input_error;
     }
-    solver::Problem& problem = *reading.problem;
-    if (options.field_interval > 0.0) {
-        problem.settings.field_interval = options.field_interval;
-        if (const auto excess = input::excess_of(problem, reading.limits)) {
-            report_error("--fields: " + excess->what, excess->remedy, options.json);
-            return Exit::input_error;
-        }
-    }
-    if (const std::vector<std::string> defects = solver::defects(problem); !defects.empty()) {
-        report_error(fmt::format("{}: {}", options.case_file, fmt::join(defects, "; ")), "nothing was run",
-                     options.json);
+    if (!are_sound(reading, options)) {
         return Exit::input_error;
     }
-
+    const std::optional<std::vector<input::ChangedRuns>> changes = read_changes(reading, options);
+    if (!changes) {
+        return Exit::input_error;
+    }
     if (was_stopped("nothing was run", options.json)) {
         return Exit::interrupted;
     }
+    const std::string& name = reading.problem->name;
     const std::string directory = !options.directory.empty() ? options.directory
-                                  : options.run.empty()      ? "out/" + problem.name
-                                                             : "out/" + problem.name + "/" + options.run;
-    const post::Provenance provenance{
-        .version = TIRETHERM_VERSION, .case_file = options.case_file, .case_text = post::read_text(options.case_file)};
-    const auto folder =
-        open_output(directory, reading.files, post::RunFiles::names_in(directory), "nothing was run", options.json);
-    if (!folder) {
+                                  : options.run.empty()      ? "out/" + name
+                                                             : "out/" + name + "/" + options.run;
+    if (reading.chosen.size() > 1) {
+        return run_corners(reading, directory, *changes, options);
+    }
+    SimulatedRun it{.run = std::move(reading.chosen.front())};
+    if (!simulate(it, directory, reading, *changes, options)) {
         return Exit::input_error;
     }
-    now_doing(fmt::format("simulating {} and writing to {}", options.case_file, directory));
-    std::optional<post::RunFiles> files;
-    diagnosis::HotSpotTracker tracker(options.case_file, problem, options.run);
-    solver::Report report;
-    double seconds = 0.0;
-    std::optional<diagnosis::HotSpots> hot_spots;
-    post::Report page;
-    const bool written = write_output(*folder, post::RunFiles::names_in(directory), options.json, [&] {
-        files.emplace(folder->stage(), problem, provenance, options.switched);
-        post::RunJournal journal(*folder, identity_of(options, reading.files), problem, options.fresh);
-        const Clock::time_point begin = Clock::now();
-        seconds = journal.checkpoint() != nullptr ? journal.seconds() : 0.0;
-        report = march(problem, *files, tracker, journal, options);
-        seconds += std::chrono::duration<double>(Clock::now() - begin).count();
-        files->finish(report);
-        hot_spots = tracker.report();
-        if (hot_spots) {
-            files->write_hot_spots(*hot_spots);
-        }
-        page = post::run_report({.problem = problem,
-                                 .report = report,
-                                 .history = files->history(),
-                                 .fields = &files->fields(),
-                                 .provenance = provenance,
-                                 .seconds = seconds,
-                                 .warnings = reading.warnings,
-                                 .files = folder->homes(files->written()),
-                                 .hot_spots = hot_spots ? &*hot_spots : nullptr,
-                                 .run = reading.run,
-                                 .runs = reading.runs});
-        files->write_page(page, {.kind = "run", .source = options.case_file, .files = reading.files});
-    });
-    if (!written) {
-        return Exit::input_error;
-    }
-
-    if (options.json || !options.quiet) {
-        print_report(page, options.json);
-    }
-    if (report.status.ok() && solver::stop_requested() && hot_spots) {
-        std::fflush(stdout);
-        report_error("stopped", "the run is complete; the continuation for its hot spots was interrupted", false);
-        return Exit::interrupted;
-    }
-    if (report.status.ok()) {
-        return Exit::done;
-    }
-    if (!options.json) {
-        std::fflush(stdout);
-        report_error(report.status.message, "the results so far are in " + directory, false);
-    }
-    return report.status.outcome == solver::Outcome::stopped ? Exit::interrupted : Exit::numerical_failure;
+    tell(it.page, options);
+    return end_of(it, options);
 }
 
 }  // namespace
@@ -183,7 +186,10 @@ void add_run_command(CLI::App& program, int& exit_code) {
     CLI::App* command = program.add_subcommand("run", "Simulate a case");
     const auto options = std::make_shared<RunOptions>();
     command->add_option("CASE", options->case_file, "Case file (TOML)")->required()->option_text(" ");
-    command->add_option("--run", options->run, "Which of the case's [[run]] tables, by its name. Default: the first")
+    command
+        ->add_option("--run", options->run,
+                     "Which of the case's [[run]] tables, by its name; of a car's tires RUN is all, RUN_FL one. "
+                     "Default: the first")
         ->option_text("NAME");
     add_out_option(
         *command, options->directory,
@@ -201,6 +207,15 @@ void add_run_command(CLI::App& program, int& exit_code) {
     }
     command->add_flag_callback(
         "--no-report", [options] { options->switched.insert("report"); }, "No report.html and no page.txt");
+    command->add_flag(
+        "--what-if", options->what_if,
+        "Run again with 0.1 bar, 0.5 deg of camber, 5 K of air and 5 K of road more and less, and compare");
+    command
+        ->add_option(
+            "--change", options->changes,
+            "The same with any value of the case: \"drive.speed=+10 km/h\", \"effects.air_convection.lambda_h=+-10 "
+            "%\", \"KEY=VALUE\"; once for each")
+        ->option_text("KEY=CHANGE ...");
     add_fresh_option(*command, options->fresh);
     add_quiet_option(*command, options->quiet);
     command->add_flag("--json", options->json, "One JSON object instead of the summary");
@@ -210,6 +225,11 @@ void add_run_command(CLI::App& program, int& exit_code) {
         "units), channels.csv, field.pvd with field_*.vtu (ParaView; File > Load State > field_view.py shows them),\n"
         "picture.png (temperature across the thickness), of a ring tread.png.\n"
         "Charts as pictures: tiretherm report DIR --png\n"
+        "A log with laps: laps.csv (mean, maximum and end of each sensor in each lap) and heat.csv (heat of each "
+        "effect,\n"
+        "friction power). A case with [[corner]]: all tires of the car, each in a folder RUN_CORNER of its own, and "
+        "one page\n"
+        "with channels.csv, laps.csv and heat.csv of all in DIR.\n"
         "A case with [[critical]] temperatures: where and when it passes them, what is left if it does not, in\n"
         "which further step it would, and what drives that; hot_spots.csv has the hottest places against time.\n"
         "The files appear together when the run ends; those of an earlier run stay until then. Ctrl-C ends a run "

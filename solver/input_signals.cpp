@@ -105,6 +105,17 @@ void InputSignals::advance(const physics::Signal& signal, double delay) {
     }
 }
 
+void InputSignals::move(const physics::Signal& signal, double factor, double by) {
+    if (gives(signal)) {
+        constants_.*signal.member = factor * constants_.*signal.member + by;
+    }
+    for (Series& series : series_) {
+        for (double& value : series.value) {
+            value = series.signal == &signal ? factor * value + by : value;
+        }
+    }
+}
+
 bool InputSignals::gives(const physics::Signal& signal) const {
     return std::find(given_.begin(), given_.end(), &signal) != given_.end();
 }

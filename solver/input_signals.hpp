@@ -42,6 +42,9 @@ public:
     /// straight lines; the points of a schedule move. @param delay s; negative: the log is early
     void advance(const physics::Signal& signal, double delay);
 
+    /// Takes each value `factor` times and `by` added, in all of its course. @param by SI
+    void move(const physics::Signal& signal, double factor, double by);
+
     /// The run's start, from which effects that drift count. @param t s
     void start_at(double t) { start_ = t; }
 

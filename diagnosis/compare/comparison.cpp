@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <utility>
@@ -93,6 +94,28 @@ ComparedNumber Beside::number(const input::MeasuredNumber& measured) const {
             .source = measured.source};
 }
 
+/// What goes into the tire of a run up to the end of each step.
+RunHeat heat_of(const input::MeasuredRun& run, const solver::Prediction& prediction) {
+    RunHeat heat{.run = run.name,
+                 .corner = run.corner,
+                 .laps = run.laps,
+                 .start = run.problem.settings.start,
+                 .end = run.problem.settings.end,
+                 .friction = friction_energy(run.problem)};
+    if (prediction.joules.empty()) {
+        return heat;
+    }
+    for (const physics::ActiveEffect& active : run.problem.effects) {
+        heat.heat.names.emplace_back(active.title());
+    }
+    heat.heat.time = prediction.step_ends;
+    heat.heat.time.insert(heat.heat.time.begin(), heat.start);
+    heat.heat.joules.assign(heat.heat.names.size(), 0.0);
+    std::ranges::transform(prediction.joules, std::back_inserter(heat.heat.joules),
+                           [&](double joules) { return run.problem.symmetry * joules; });
+    return heat;
+}
+
 /// A reading that is not a number would spoil every figure without a word.
 solver::Status finite(const input::MeasuredRun& run, const std::vector<double>& times,
                       const solver::Prediction& prediction) {
@@ -145,6 +168,7 @@ Comparison compare(const input::Experiment& experiment, const std::string& name)
             result.status.message = fmt::format("run \"{}\": {}", run.name, result.status.message);
             return result;
         }
+        result.heat.push_back(heat_of(run, beside.prediction));
         for (const input::MeasuredSeries& series : run.series) {
             const solver::Channel& channel = run.problem.channels[series.channel];
             ComparedChannel& compared = channels[series.channel];

@@ -10,6 +10,7 @@
 #include "diagnosis/compare/comparison_statistics.hpp"
 #include "diagnosis/compare/corner_comparison.hpp"
 #include "diagnosis/compare/phase.hpp"
+#include "diagnosis/compare/stretch.hpp"
 #include "input/measurements/experiment.hpp"
 #include "solver/channel_unit.hpp"
 #include "solver/status.hpp"
@@ -33,6 +34,9 @@ struct ComparedSeries {
 struct RunFigures {
     std::size_t run = 0;
     Figures figures;
+    std::string corner{};
+    StretchValues measured{};
+    StretchValues simulated{};
 };
 
 /// A channel in one lap of a run.
@@ -40,6 +44,8 @@ struct LapFigures {
     std::size_t run = 0;
     input::Lap lap;
     Figures figures;
+    StretchValues measured{};
+    StretchValues simulated{};
 };
 
 /// What the differences do against one signal.
@@ -92,6 +98,7 @@ struct Comparison {
     std::vector<std::string> files;
     std::vector<solver::InputSignals> inputs;   ///< [runs] what was put in
     std::vector<std::vector<input::Lap>> laps;  ///< [runs] of a circuit; may be empty
+    std::vector<RunHeat> heat;                  ///< [runs]
     std::vector<std::string> not_driven{};      ///< what of schedules and files is not simulated
     std::vector<ComparedChannel> channels;      ///< of which anything was logged
     std::vector<ComparedNumber> numbers;

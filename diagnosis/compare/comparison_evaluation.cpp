@@ -63,14 +63,17 @@ std::vector<LapFigures> laps_of(const ComparedChannel& channel, const std::vecto
     for (const ComparedSeries& series : channel.series) {
         const std::vector<double> difference = series.difference();
         for (const input::Lap& lap : series.run < laps.size() ? laps[series.run] : std::vector<input::Lap>{}) {
-            std::vector<double> own;
-            for (std::size_t i = 0; i < series.time.size(); ++i) {
-                if (series.time[i] >= lap.start && series.time[i] < lap.end) {
-                    own.push_back(difference[i]);
-                }
-            }
-            if (!own.empty()) {
-                result.push_back({.run = series.run, .lap = lap, .figures = figures({own})});
+            const auto first = std::ranges::lower_bound(series.time, lap.start) - series.time.begin();
+            const auto last = std::ranges::lower_bound(series.time, lap.end) - series.time.begin();
+            const auto own = [&](const std::vector<double>& all) {
+                return std::vector<double>(all.begin() + first, all.begin() + last);
+            };
+            if (first < last) {
+                result.push_back({.run = series.run,
+                                  .lap = lap,
+                                  .figures = figures({own(difference)}),
+                                  .measured = values_of(own(series.measured)),
+                                  .simulated = values_of(own(series.simulated))});
             }
         }
     }
@@ -125,7 +128,11 @@ void evaluate(ComparedChannel& channel, const std::vector<std::pair<std::string,
     std::vector<double> simulated;
     for (std::size_t s = 0; s < channel.series.size(); ++s) {
         const ComparedSeries& series = channel.series[s];
-        channel.runs.push_back({.run = series.run, .figures = figures({differences[s]})});
+        channel.runs.push_back({.run = series.run,
+                                .figures = figures({differences[s]}),
+                                .corner = series.corner,
+                                .measured = values_of(series.measured),
+                                .simulated = values_of(series.simulated)});
         times.push_back(series.time);
         for (std::size_t i = 0; i < series.time.size(); ++i) {
             if (!std::isnan(series.surroundings[i])) {

@@ -88,26 +88,67 @@ void read_tables(TomlTable& root, ProblemBuilder& builder) {
 
 namespace {
 
-Reading read_case(const fs::path& file, const std::string* text, const std::string& run) {
+/// What a user calls the runs of a case: the recording at all corners, then each run by its name.
+std::vector<std::string> names_to_choose(const std::vector<MeasuredRun>& runs) {
+    std::vector<std::string> names;
+    for (const MeasuredRun& run : runs) {
+        if (!run.corner.empty()) {
+            names.push_back(run.recording);
+        }
+    }
+    const std::vector<std::string> each = names_of(runs);
+    names.insert(names.end(), each.begin(), each.end());
+    return unique(names);
+}
+
+/// The run of this name, or the recording of this name at all corners. @param name empty: the first
+std::vector<RunOfCase> choose(const Runs& runs, const std::string& name, bool is_named) {
+    std::vector<RunOfCase> chosen;
+    const std::vector<MeasuredRun>& all = runs.experiment.runs;
+    for (const MeasuredRun& run : all) {
+        const bool at_corner = !run.corner.empty();
+        const bool is_chosen = name.empty()
+                                   ? (at_corner ? run.recording == all.front().recording : &run == &all.front())
+                                   : run.name == name || (at_corner && run.recording == name);
+        if (is_chosen) {
+            chosen.push_back({.name = is_named || at_corner ? run.name : "",
+                              .corner = run.corner,
+                              .problem = run.problem,
+                              .laps = run.laps});
+            take_away_cameras(chosen.back().problem);
+        }
+    }
+    return chosen;
+}
+
+Reading read_case(const fs::path& file, const std::string* text, const std::string* run) {
     InputErrors errors;
     std::optional<solver::Problem> problem;
     std::size_t corners = 0;
     Reading reading;
     if (const std::optional<TomlValue> document = read_document(file, errors, text)) {
-        const Runs runs = read_runs(*document, case_name(file), {}, ReadMode::measured, errors);
+        const Runs runs =
+            read_runs(*document, case_name(file), {}, run != nullptr ? ReadMode::planned : ReadMode::measured, errors);
         const TomlValue* tables = document->find("run");
+        const std::string asked = run != nullptr ? *run : "";
         if (tables != nullptr) {
             reading.runs = names_of(runs.experiment.runs);
-            reading.run = run.empty() && !reading.runs.empty() ? reading.runs.front() : run;
+            reading.run = asked.empty() && !reading.runs.empty() ? reading.runs.front() : asked;
         }
-        if (!run.empty() && std::ranges::find(reading.runs, run) == reading.runs.end()) {
+        const std::vector<std::string> names = tables != nullptr || !runs.corners.empty()
+                                                   ? names_to_choose(runs.experiment.runs)
+                                                   : std::vector<std::string>{};
+        if (!asked.empty() && std::ranges::find(names, asked) == names.end()) {
             errors.add(tables != nullptr ? tables->place : SourceLocation{.file = document->place.file},
-                       fmt::format("the case has no run \"{}\"", run), suggest(run, reading.runs, "runs"));
+                       fmt::format("the case has no run \"{}\"", asked), suggest(asked, names, "runs"));
         }
-        problem = runs.problem_of(run);
+        problem = runs.problem_of(asked);
         corners = runs.corners.size();
         reading.limits = runs.limits;
         reading.plies = runs.plies;
+        if (run != nullptr && errors.count() == 0) {
+            reading.chosen = choose(runs, asked, tables != nullptr);
+        }
     }
     reading.errors = errors.in_order();
     reading.warnings = once_for_all_corners(errors.warnings(), corners);
@@ -121,11 +162,17 @@ Reading read_case(const fs::path& file, const std::string* text, const std::stri
 
 }  // namespace
 
-Reading read_case(const fs::path& file) { return read_case(file, nullptr, ""); }
+std::vector<RunOfCase> runs_of_document(const TomlValue& document, const fs::path& file, const std::string& run,
+                                        InputErrors& errors) {
+    const Runs runs = read_runs(document, case_name(file), {}, ReadMode::planned, errors);
+    return errors.count() == 0 ? choose(runs, run, document.find("run") != nullptr) : std::vector<RunOfCase>{};
+}
 
-Reading read_case(const fs::path& file, const std::string& text) { return read_case(file, &text, ""); }
+Reading read_case(const fs::path& file) { return read_case(file, nullptr, nullptr); }
 
-Reading read_case_run(const fs::path& file, const std::string& run) { return read_case(file, nullptr, run); }
+Reading read_case(const fs::path& file, const std::string& text) { return read_case(file, &text, nullptr); }
+
+Reading read_case_run(const fs::path& file, const std::string& run) { return read_case(file, nullptr, &run); }
 
 std::string render(const Reading& reading) {
     std::string text;

@@ -8,13 +8,23 @@
 #include <string>
 #include <vector>
 
+#include "input/laps/laps.hpp"
 #include "input/materials/ply_summary.hpp"
 #include "input/model/size_limits.hpp"
 #include "input/text/input_error.hpp"
+#include "input/toml/document.hpp"
 #include "solver/problem.hpp"
 
 /// What a user writes: case files in TOML with units, logs in CSV, and what is wrong with them.
 namespace tiretherm::input {
+
+/// A run of a case as it is simulated.
+struct RunOfCase {
+    std::string name{};    ///< empty: the case has neither [[run]] nor [[corner]]
+    std::string corner{};  ///< FL, FR, RL or RR; empty: the case has no [[corner]]
+    solver::Problem problem;
+    std::vector<Lap> laps{};  ///< of its log
+};
 
 /// A case that has been read. There is a problem exactly when there is no error.
 struct Reading {
@@ -24,6 +34,7 @@ struct Reading {
     std::vector<std::string> files{};   ///< all that were read: the case, what it includes, logs, tables
     std::vector<std::string> runs{};    ///< names of the case's [[run]] tables; empty without any
     std::string run{};                  ///< of them that which the problem is
+    std::vector<RunOfCase> chosen{};    ///< of read_case_run: one run, or that of each corner
     SizeLimits limits{};
     std::vector<PlySummary> plies{};  ///< materials of cords in rubber that layers are made of
 };
@@ -31,8 +42,12 @@ struct Reading {
 /// Reads a case file with all that it includes and mentions. Never throws on account of what a user wrote.
 /// @errors std::runtime_error when the units' data base is not installed
 [[nodiscard]] Reading read_case(const std::filesystem::path& file);
-/// The same for one of the case's runs. @param run its name; empty: the first
+/// The same for one of the case's runs, which need not have measured anything: at all corners, where the case has any.
+/// @param run its name, at one corner RUN_CORNER; empty: the first
 [[nodiscard]] Reading read_case_run(const std::filesystem::path& file, const std::string& run);
+/// The same of a document that has been read, such as one with other values. @param file of the case, for its name
+[[nodiscard]] std::vector<RunOfCase> runs_of_document(const TomlValue& document, const std::filesystem::path& file,
+                                                      const std::string& run, InputErrors& errors);
 /// The same with a text in the place of the file's own, which need not be there yet.
 [[nodiscard]] Reading read_case(const std::filesystem::path& file, const std::string& text);
 

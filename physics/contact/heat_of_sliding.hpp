@@ -9,6 +9,14 @@
 
 namespace tiretherm::physics {
 
+/// The power of sliding in the contact, whole: before road and tire share it. W
+struct FrictionPower {
+    double along = 0.0;   ///< of drive and brakes
+    double across = 0.0;  ///< of cornering
+};
+/// By the law of the effect sliding_friction, its factors and switches included. @param inputs after input corrections
+[[nodiscard]] FrictionPower friction_power(const ActiveEffect& sliding, const Tire& tire, const Inputs& inputs);
+
 /// Heat of sliding that enters the tread, before the road takes anything back, and where it enters.
 struct EnteredHeat {
     double watts = 0.0;

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "post/comparison/comparison_report.hpp"
+#include "post/comparison/corner_sections.hpp"
+#include "post/laps/heat_by_lap.hpp"
 #include "post/page/html_page.hpp"
 #include "post/pictures/camera_picture.hpp"
 #include "post/report/csv.hpp"
@@ -90,7 +92,7 @@ std::string picture_name(const std::string& camera, const std::string& run) {
 std::vector<std::string> comparison_names(const std::filesystem::path& directory) {
     constexpr const char* pixels = "compare_pixels.csv";
     std::vector<std::string> names = page_names();
-    names.insert(names.end(), {"compare.csv", "compare_statistics.csv", pixels});
+    names.insert(names.end(), {"compare.csv", "compare_statistics.csv", laps_name, heat_name, pixels});
     // The table of the pixels says which pictures stand beside it: a row begins with run and camera.
     std::error_code error;
     if (!std::filesystem::is_regular_file(directory / pixels, error)) {
@@ -118,6 +120,15 @@ std::vector<std::filesystem::path> write_comparison(const Comparison& comparison
     std::vector<std::filesystem::path> files{directory / "compare.csv", directory / "compare_statistics.csv"};
     replace_file(files[0], samples_csv(comparison));
     replace_file(files[1], statistics_csv(comparison));
+    const auto add = [&](const char* name, const std::string& text) {
+        replace_file(files.emplace_back(directory / name), text);
+    };
+    if (const std::vector<LapRow> rows = lap_rows(comparison.channels, comparison.runs); have_laps_or_corners(rows)) {
+        add(laps_name, laps_csv(rows));
+    }
+    if (have_laps_or_corners(comparison.heat)) {
+        add(heat_name, heat_csv(comparison.heat));
+    }
     if (!comparison.images.empty()) {
         files.push_back(directory / "compare_pixels.csv");
         replace_file(files.back(), pixels_csv(comparison));

@@ -10,6 +10,7 @@
 #include "post/comparison/comparison_sentences.hpp"
 #include "post/comparison/corner_sections.hpp"
 #include "post/comparison/figure_fields.hpp"
+#include "post/laps/heat_by_lap.hpp"
 #include "post/page/measured_chart.hpp"
 #include "post/report/number_text.hpp"
 
@@ -259,6 +260,7 @@ Report comparison_report(const Comparison& comparison, const std::vector<std::fi
         report.add(per_run(comparison, std::move(of_channels)));
         report.add(interpretation(comparison));
         add_corners_and_laps(report, comparison.channels, comparison.runs);
+        report.add(heat_by_lap_section(comparison.heat, "Friction power and heat"));
         std::vector<RunInputs> inputs;
         for (std::size_t r = 0; r < comparison.inputs.size(); ++r) {
             inputs.push_back({.run = comparison.runs[r], .inputs = &comparison.inputs[r], .laps = comparison.laps[r]});
@@ -274,7 +276,7 @@ Report comparison_report(const Comparison& comparison, const std::vector<std::fi
         report.add(std::move(signals));
     }
     report.add(cameras_section(comparison.images, comparison.runs, cameras));
-    report.data.set("cameras", std::move(cameras));
+    report.data.set({{"cameras", std::move(cameras)}, {"heat", heat_by_lap_data(comparison.heat)}});
     report.add(numbers_section(std::move(numbers)));
     report.add("Findings about the data", "findings", comparison.findings);
     report.add("Warnings", "warnings", comparison.warnings);

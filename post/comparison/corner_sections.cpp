@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tables by corner and by lap, and sentences about what the corners share.
+// The table by corner with sentences about what the corners share, and the figures of each lap.
 
 #include "post/comparison/corner_sections.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "physics/vehicle/vehicle.hpp"
 #include "post/comparison/comparison_sentences.hpp"
 #include "post/comparison/figure_fields.hpp"
 
@@ -64,86 +63,45 @@ Section corner_section(const std::vector<ComparedChannel>& channels, const std::
     return section;
 }
 
-/// What the runs are called in a heading: by their corners alone where all are of one recording.
-std::vector<std::string> short_names(const std::vector<std::string>& runs) {
-    const std::string recording = runs.empty() ? "" : runs.front().substr(0, runs.front().rfind('_') + 1);
-    std::vector<std::string> corners;
-    for (const std::string& run : runs) {
-        const std::string corner = run.starts_with(recording) ? run.substr(recording.size()) : std::string();
-        if (std::ranges::find(physics::corner_names, corner) == physics::corner_names.end()) {
-            return runs;
-        }
-        corners.push_back(corner);
-    }
-    return corners;
-}
-
-Section lap_section(const std::vector<ComparedChannel>& channels, const std::vector<std::string>& runs,
-                    const std::string& heading, Value::List& data) {
-    Section section(heading);
-    DataTable table;
-    const std::vector<std::string> called = short_names(runs);
-    for (const ComparedChannel& channel : channels) {
-        std::vector<std::pair<int, std::string>> numbers;  // in their order, and what they are called
-        const auto called_of = [](const input::Lap& lap) -> std::pair<int, std::string> {
-            switch (lap.kind) {
-                case input::LapKind::out:
-                    return {std::numeric_limits<int>::min(), "out"};
-                case input::LapKind::in:
-                    return {std::numeric_limits<int>::max(), "in"};
-                default:
-                    return {lap.number, std::to_string(lap.number)};
-            }
-        };
-        for (const LapFigures& one : channel.laps) {
-            const std::pair lap = called_of(one.lap);
-            if (std::ranges::find(numbers, lap) == numbers.end()) {
-                numbers.push_back(lap);
-            }
-            data.push_back({{"channel", channel.name},
-                            {"run", runs[one.run]},
-                            {"lap", lap.second},
-                            {"seconds", one.lap.end - one.lap.start},
-                            {"bias", channel.unit.difference(one.figures.bias)},
-                            {"rmse", channel.unit.difference(one.figures.rmse)}});
-        }
-        if (numbers.size() < 2) {
-            continue;
-        }
-        std::ranges::sort(numbers);
-        for (const std::pair<int, std::string>& lap : numbers) {
-            const bool is_first = lap == numbers.front();
-            DataTable::Row row{page_only("channel", is_first ? channel.name : ""),
-                               page_only("unit", is_first ? difference_unit(channel) : ""),
-                               page_only("lap", right(lap.second))};
-            for (const RunFigures& run : channel.runs) {
-                const auto own = std::ranges::find_if(channel.laps, [&](const LapFigures& one) {
-                    return one.run == run.run && called_of(one.lap) == lap;
-                });
-                row.push_back(page_only(
-                    "bias " + called[run.run],
-                    own == channel.laps.end() ? right("-") : right(shown_signed(channel, own->figures.bias))));
-            }
-            table.add_to_page(std::move(row));
-        }
-    }
-    if (!table.empty()) {
-        section.add(std::move(table));
-        section.say("bias: mean of simulated - measured in the lap.");
-    }
-    return section;
-}
-
 }  // namespace
+
+std::vector<LapRow> lap_rows(const std::vector<ComparedChannel>& channels, const std::vector<std::string>& run_names) {
+    std::vector<LapRow> rows;
+    for (const ComparedChannel& channel : channels) {
+        for (std::size_t s = 0; s < channel.runs.size(); ++s) {
+            const RunFigures& run = channel.runs[s];
+            const auto add = [&](const auto& of, std::optional<input::Lap> lap, double seconds) {
+                rows.push_back({.run = run_names[run.run],
+                                .corner = run.corner,
+                                .lap = lap,
+                                .seconds = seconds,
+                                .channel = channel.name,
+                                .unit = channel.unit,
+                                .simulated = of.simulated,
+                                .measured = of.measured,
+                                .bias = of.figures.bias,
+                                .rmse = of.figures.rmse});
+            };
+            for (const LapFigures& lap : channel.laps) {
+                if (lap.run == run.run) {
+                    add(lap, lap.lap, lap.lap.end - lap.lap.start);
+                }
+            }
+            const std::vector<double>& time = channel.series[s].time;
+            add(run, std::nullopt, time.empty() ? 0.0 : time.back() - time.front());
+        }
+    }
+    return rows;
+}
 
 void add_corners_and_laps(Report& report, const std::vector<ComparedChannel>& channels,
                           const std::vector<std::string>& run_names, const std::string& of_model) {
     Value::List common;
     report.add(corner_section(channels, "Corners" + of_model, common));
     report.data.set("common_to_corners", std::move(common));
-    Value::List laps;
-    report.add(lap_section(channels, run_names, "Laps" + of_model, laps));
-    report.data.set("laps", std::move(laps));
+    const std::vector<LapRow> rows = lap_rows(channels, run_names);
+    report.add(lap_section(rows, of_model));
+    add_lap_data(report.data, rows);
 }
 
 void add_observed_corners(Report& report, const input::Experiment& experiment, const Observations& observations,

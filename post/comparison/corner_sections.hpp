@@ -6,10 +6,14 @@
 #include <vector>
 
 #include "diagnosis/compare/observed_comparison.hpp"
+#include "post/laps/lap_rows.hpp"
 #include "post/report/report.hpp"
 
 namespace tiretherm::post {
 
+/// Each channel run by run: its laps, then the whole run. @param run_names [n_runs]
+[[nodiscard]] std::vector<LapRow> lap_rows(const std::vector<diagnosis::ComparedChannel>& channels,
+                                           const std::vector<std::string>& run_names);
 /// Each channel by corner with what the corners have in common, then lap by lap. Neither where the case has no corners, or no run
 /// several laps.
 /// @param run_names [n_runs]  @param of_model behind the headings, such as " after the fit"; may be empty

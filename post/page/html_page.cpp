@@ -136,9 +136,28 @@ std::string table_html(const DataTable& table) {
     return text + "</tbody></table></div>\n";
 }
 
+/// JSON within an element of the page, which nothing in it ends.
+std::string json_in_page(const Value& value) {
+    std::string data = input::printable(compact_json(value));
+    replace_all(data, "<", "\\u003c");
+    return data;
+}
+
+/// The data of the result, for another call; nothing where the page does not hold them.
+std::string data_html(const Report& report, const PageOrigin& origin) {
+    if (origin.case_values.empty()) {
+        return "";
+    }
+    Value values;
+    for (const auto& [key, value] : origin.case_values) {
+        values.set(key, value);
+    }
+    return fmt::format("{}{}</script>\n", page_data_begin,
+                       json_in_page({{"kind", origin.kind}, {"case", std::move(values)}, {"data", report.data}}));
+}
+
 std::string chart_html(const PageItem& item) {
-    std::string data = input::printable(compact_json(item.chart));
-    replace_all(data, "<", "\\u003c");  // nothing in the data ends the element
+    const std::string data = json_in_page(item.chart);
     return fmt::format(
         "<figure class=\"chart\" tabindex=\"0\" aria-label=\"{0}\">\n<script type=\"application/json\">{1}</script>\n"
         "<div class=\"plot\"></div>\n<figcaption><b>{0}.</b> {2}</figcaption>\n</figure>\n",
@@ -232,7 +251,8 @@ std::string html_page(const Report& report, const PageOrigin& origin) {
     }
     std::ranges::for_each(report.appendix, add);
     add(origin_section(origin));
-    text += fmt::format("<nav aria-label=\"sections\">{}</nav>\n</header>\n<main>\n{}</main>\n", contents, sections);
+    text += fmt::format("<nav aria-label=\"sections\">{}</nav>\n</header>\n<main>\n{}</main>\n{}", contents, sections,
+                        data_html(report, origin));
     text += fmt::format(
         "<footer>tiretherm {} {}{}. Charts: ctrl + wheel or + and - zoom, drag or the arrows move, 0 shows all. Drawn "
         "with Apache "

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "post/report/report.hpp"
@@ -18,7 +19,12 @@ struct PageOrigin {
     std::string kind;                  ///< of the result, "run"
     std::string source{};              ///< the case file; may be empty
     std::vector<std::string> files{};  ///< all that were read: the case, what it includes, logs, tables
+    /// Values of the case by their keys; with them the page holds the data of the result, for `report A B`. Empty: neither
+    std::vector<std::pair<std::string, std::string>> case_values{};
 };
+
+/// Where a page holds the data of its result: an object of kind, case and data, up to the end of the element.
+inline constexpr const char* page_data_begin = "<script type=\"application/json\" id=\"result-data\">";
 
 /// The page of a result with its charts: title, verdict and lead first, then the sections, the appendix, and the files and
 /// versions that it rests on. Style, script and the charting library are in it. Temperatures read °C.

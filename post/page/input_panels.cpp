@@ -138,4 +138,13 @@ void add_step_bands(LineChart& chart, std::span<const solver::ScheduleStep> step
     }
 }
 
+void add_lap_bands(LineChart& chart, std::span<const input::Lap> laps, double seconds) {
+    for (const input::Lap& lap : laps) {
+        const std::string name = lap.kind == input::LapKind::out  ? "out"
+                                 : lap.kind == input::LapKind::in ? "in"
+                                                                  : fmt::format("lap {}", lap.number);
+        chart.add_span(name, lap.start / seconds, lap.end / seconds);
+    }
+}
+
 }  // namespace tiretherm::post

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "input/laps/laps.hpp"
 #include "post/page/charts.hpp"
 #include "solver/channel_unit.hpp"
 #include "solver/hot_spot/schedule_steps.hpp"
@@ -26,5 +27,8 @@ void add_input_panels(LineChart& chart, const solver::InputSignals& inputs, doub
 
 /// Bands with names for the steps, where there are several. @param seconds of the chart's unit of time
 void add_step_bands(LineChart& chart, std::span<const solver::ScheduleStep> steps, double seconds);
+
+/// Bands with names for the laps. @param seconds of the chart's unit of time
+void add_lap_bands(LineChart& chart, std::span<const input::Lap> laps, double seconds);
 
 }  // namespace tiretherm::post

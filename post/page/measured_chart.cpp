@@ -134,15 +134,6 @@ std::size_t points_of_each(const std::vector<const MeasuredSeries*>& series) {
     return std::clamp<std::size_t>(on_the_page / curves, 200, 2400);
 }
 
-void add_lap_bands(LineChart& chart, std::span<const input::Lap> laps, double seconds) {
-    for (const input::Lap& lap : laps) {
-        const std::string name = lap.kind == input::LapKind::out  ? "out"
-                                 : lap.kind == input::LapKind::in ? "in"
-                                                                  : fmt::format("lap {}", lap.number);
-        chart.add_span(name, lap.start / seconds, lap.end / seconds);
-    }
-}
-
 }  // namespace
 
 std::vector<RunInputs> inputs_of_runs(const input::Experiment& experiment) {

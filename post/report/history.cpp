@@ -13,6 +13,7 @@ void History::take(const solver::Snapshot& snapshot) {
     value_.insert(value_.end(), snapshot.channels.begin(), snapshot.channels.end());
     effects_ = snapshot.watts.size();
     watts_.insert(watts_.end(), snapshot.watts.begin(), snapshot.watts.end());
+    joules_.insert(joules_.end(), snapshot.joules.begin(), snapshot.joules.end());
 }
 
 std::vector<double> History::watts(std::size_t effect) const {

@@ -22,6 +22,8 @@ public:
     [[nodiscard]] std::vector<double> channel(std::size_t index) const;
     /// Heat of an effect into the mesh, not scaled by symmetry. @returns [rows] W; empty where rows came without
     [[nodiscard]] std::vector<double> watts(std::size_t effect) const;
+    /// Heat of all effects since the start, not scaled by symmetry. @returns [rows * effects] J
+    [[nodiscard]] const std::vector<double>& joules() const { return joules_; }
     /// Linear between rows, constant beyond them. @param t s  @pre rows() > 0  @returns K
     [[nodiscard]] double at(std::size_t channel, double t) const;
 
@@ -32,7 +34,8 @@ private:
     std::vector<double> time_;
     std::vector<double> value_;  ///< [rows * channels] K
     std::size_t effects_ = 0;
-    std::vector<double> watts_;  ///< [rows * effects] W
+    std::vector<double> watts_;   ///< [rows * effects] W
+    std::vector<double> joules_;  ///< [rows * effects] J
 };
 
 }  // namespace tiretherm::post

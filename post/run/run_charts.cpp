@@ -42,8 +42,9 @@ std::vector<Group> groups_of(const solver::Problem& problem) {
     return groups;
 }
 
-void add_measured(LineChart& chart, const RunRecord& run, std::size_t channel, const solver::ShownUnit& unit,
-                  const TimeUnit& time) {
+/// @param called the channel's curve
+void add_measured(LineChart& chart, const RunRecord& run, std::size_t channel, const std::string& called,
+                  const solver::ShownUnit& unit, const TimeUnit& time) {
     std::vector<double> t;
     std::vector<double> low;
     std::vector<double> high;
@@ -57,7 +58,7 @@ void add_measured(LineChart& chart, const RunRecord& run, std::size_t channel, c
         }
     }
     if (!t.empty()) {
-        chart.add_ranges(name + ", measured", name, t, low, high);
+        chart.add_ranges(called + ", measured", called, t, low, high);
     }
 }
 
@@ -94,7 +95,9 @@ std::size_t points_of_each(std::size_t curves) {
 std::string caption_of(const RunRecord& run, const std::vector<solver::ScheduleStep>& steps) {
     std::string text = "Lines are simulated";
     text += run.problem.measured.empty() ? "." : "; a bar with circles is a measured value or range.";
-    if (std::ranges::count(steps, false, &solver::ScheduleStep::ramp) > 1) {
+    if (run.laps.size() > 1) {
+        text += " The bands are laps.";
+    } else if (std::ranges::count(steps, false, &solver::ScheduleStep::ramp) > 1) {
         text += steps.front().recognised ? " The bands are steps of speed and load, recognised in the log."
                                          : " The bands are the steps of the schedule.";
     }
@@ -106,36 +109,48 @@ std::string caption_of(const RunRecord& run, const std::vector<solver::ScheduleS
 
 }  // namespace
 
-void add_channel_charts(Section& section, const RunRecord& run) {
+void add_channel_charts(Section& section, std::span<const RunRecord> runs) {
+    const RunRecord& run = runs.front();
+    const bool is_single = runs.size() == 1;
     if (run.history.rows() < 2 || (run.problem.channels.empty() && run.hot_spots == nullptr)) {
         return;
     }
-    const TimeUnit time = time_unit(run.history.time().back() - run.history.time().front());
-    const std::vector<double> t = scaled(run.history.time(), 1.0 / time.seconds);
-    LineChart chart("time", time.name, t.front(), t.back());
-    chart.limit_points(points_of_each(run.problem.channels.size()));
+    const double start = run.history.time().front();
+    const double end = run.history.time().back();
+    const TimeUnit time = time_unit(end - start);
+    LineChart chart("time", time.name, start / time.seconds, end / time.seconds);
+    chart.limit_points(points_of_each(runs.size() * run.problem.channels.size()));
     for (const Group& group : groups_of(run.problem)) {
         const bool is_temperature = axis_unit(group.unit.name) == "°C";
         chart.add_panel(is_temperature ? "temperature" : run.problem.channels[group.channels.front()].name,
                         axis_unit(group.unit.name), !is_temperature);
-        for (const std::size_t c : group.channels) {
-            std::vector<double> values = run.history.channel(c);
-            for (double& value : values) {
-                value = group.unit.value(value);
+        for (const RunRecord& one : runs) {
+            const std::vector<double> t = scaled(one.history.time(), 1.0 / time.seconds);
+            for (const std::size_t c : group.channels) {
+                std::vector<double> values = one.history.channel(c);
+                for (double& value : values) {
+                    value = group.unit.value(value);
+                }
+                const std::string& channel = one.problem.channels[c].name;
+                const std::string name = is_single ? channel : channel + " " + one.corner;
+                chart.add_curve(name, name, CurveRole::line, t, values);
+                add_measured(chart, one, c, name, group.unit, time);
             }
-            const std::string& name = run.problem.channels[c].name;
-            chart.add_curve(name, name, CurveRole::line, t, values);
-            add_measured(chart, run, c, group.unit, time);
         }
-        if (is_temperature && run.hot_spots != nullptr) {
+        if (is_temperature && is_single && run.hot_spots != nullptr) {
             add_hot_spots(chart, *run.hot_spots, time);
         }
     }
-    const double start = run.history.time().front();
-    const double end = run.history.time().back();
-    add_input_panels(chart, run.problem.input_signals, start, end, time.seconds);
-    const std::vector<solver::ScheduleStep> steps = solver::schedule_steps(run.problem.input_signals, start, end);
-    add_step_bands(chart, steps, time.seconds);
+    std::vector<solver::ScheduleStep> steps;
+    if (is_single) {
+        add_input_panels(chart, run.problem.input_signals, start, end, time.seconds);
+    }
+    if (run.laps.size() > 1) {
+        add_lap_bands(chart, run.laps, time.seconds);
+    } else if (is_single) {
+        steps = solver::schedule_steps(run.problem.input_signals, start, end);
+        add_step_bands(chart, steps, time.seconds);
+    }
     chart.set_link("time");
     section.chart("Sensors against time", caption_of(run, steps), chart.data());
 }

@@ -5,7 +5,9 @@
 #include <system_error>
 #include <utility>
 
+#include "post/laps/heat_by_lap.hpp"
 #include "post/report/file.hpp"
+#include "post/run/run_sections.hpp"
 
 namespace tiretherm::post {
 
@@ -32,7 +34,7 @@ RunFiles::RunFiles(std::filesystem::path directory, const solver::Problem& probl
 
 std::vector<std::string> RunFiles::names_in(const std::filesystem::path& directory) {
     std::vector<std::string> names = page_names();
-    names.push_back("hot_spots.csv");
+    names.insert(names.end(), {"hot_spots.csv", laps_name, heat_name});
     for (const OutputFormat* format : output_formats()) {
         const std::vector<std::string> more = format->names_in(directory);
         names.insert(names.end(), more.begin(), more.end());
@@ -57,7 +59,14 @@ void RunFiles::write_page(const Report& report, const PageOrigin& origin) {
 }
 
 void RunFiles::write_hot_spots(const diagnosis::HotSpots& hot_spots) {
-    write_hot_spots_csv(of_hot_spots_.emplace_back(directory_ / "hot_spots.csv"), hot_spots, problem_);
+    write_hot_spots_csv(tables_.emplace_back(directory_ / "hot_spots.csv"), hot_spots, problem_);
+}
+
+void RunFiles::write_laps(const RunRecord& run) {
+    if (run.laps.size() > 1 && !run.problem.settings.steady) {
+        replace_file(tables_.emplace_back(directory_ / laps_name), laps_csv(lap_rows(run)));
+        replace_file(tables_.emplace_back(directory_ / heat_name), heat_csv({heat_of(run)}));
+    }
 }
 
 void RunFiles::finish(const solver::Report& report) {
@@ -80,7 +89,7 @@ std::vector<std::filesystem::path> RunFiles::written() const {
         const std::vector<std::filesystem::path> more = output->files();
         files.insert(files.end(), more.begin(), more.end());
     }
-    files.insert(files.end(), of_hot_spots_.begin(), of_hot_spots_.end());
+    files.insert(files.end(), tables_.begin(), tables_.end());
     return files;
 }
 

@@ -13,6 +13,7 @@
 #include "post/page/field_chart.hpp"
 #include "post/page/html_page.hpp"
 #include "post/report/history.hpp"
+#include "post/run/run_report.hpp"
 
 namespace tiretherm::post {
 
@@ -38,6 +39,9 @@ public:
     /// The courses of the hot spots as hot_spots.csv. @errors FileError
     void write_hot_spots(const diagnosis::HotSpots& hot_spots);
 
+    /// laps.csv and heat.csv of a run with laps. @errors FileError
+    void write_laps(const RunRecord& run);
+
     /// The files of the page, where they were not refused (--no-report). @errors FileError
     void write_page(const Report& report, const PageOrigin& origin);
 
@@ -53,7 +57,7 @@ private:
     History history_;
     FieldFrames fields_;
     std::vector<std::unique_ptr<RunOutput>> outputs_;
-    std::vector<std::filesystem::path> of_hot_spots_;
+    std::vector<std::filesystem::path> tables_;  ///< of hot spots and laps
     std::vector<std::filesystem::path> page_;
 };
 

@@ -12,6 +12,7 @@
 #include "input/text/suggestions.hpp"
 #include "mesh/place.hpp"
 #include "post/hot_spot/hot_spots_report.hpp"
+#include "post/laps/heat_by_lap.hpp"
 #include "post/page/charts.hpp"
 #include "post/page/page_origin.hpp"
 #include "post/report/number_text.hpp"
@@ -35,80 +36,6 @@ bool is_meaningless(const solver::Report& report) {
     };
     return !report.status.ok() && report.status.outcome != solver::Outcome::stopped &&
            (strange(report.hottest) || strange(report.coldest));
-}
-
-std::string measured_text(const Comparison& c, const solver::ShownUnit& unit) {
-    const std::string value = c.low == c.high ? fmt::format("{:.4g}", unit.value(c.low))
-                                              : fmt::format("{:.4g} to {:.4g}", unit.value(c.low), unit.value(c.high));
-    return c.at_end ? value : fmt::format("{} at {:.6g} s", value, c.time);
-}
-
-/// The measured values of a channel: on the page beside its figures, or below them.
-DataTable measured(const RunRecord& run, const std::vector<Comparison>& compared, std::size_t channel) {
-    DataTable table;
-    const solver::ShownUnit unit = solver::shown_unit(run.problem.channels[channel].quantity);
-    for (const Comparison& c : compared) {
-        if (c.channel != channel) {
-            continue;
-        }
-        const double difference = unit.difference(c.difference);
-        const bool within = c.difference == 0.0 && c.low < c.high;
-        table.add({data_only("channel", run.problem.channels[channel].name),
-                   data_only("time", c.time),
-                   data_only("unit", unit.name),
-                   data_only("low", unit.value(c.low)),
-                   data_only("high", unit.value(c.high)),
-                   data_only("simulated", unit.value(c.simulated)),
-                   page_only("measured", right(measured_text(c, unit))),
-                   {"sim - meas", "difference", {difference, within ? "within" : fmt::format("{:+.2f}", difference)}},
-                   {"source", "source", c.source}});
-    }
-    return table;
-}
-
-/// The readings on the page; `channels` and `measured` of the data.
-DataTable readings(const RunRecord& run, Value& data) {
-    const std::vector<Comparison> compared = compare(run.problem, run.history);
-    DataTable table;
-    Value::List all_measured;
-    const DataTable::Row blank{page_only("", ""), page_only("", ""), page_only("", right("")), page_only("", right("")),
-                               page_only("", right(""))};
-    for (std::size_t c = 0; c < run.problem.channels.size(); ++c) {
-        const solver::Channel& channel = run.problem.channels[c];
-        const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
-        const auto show = [&](double si) {
-            const double value = unit.value(si);
-            return std::abs(value) < compact_from ? shown("{:.2f}", value) : shown("{:.4g}", value);
-        };
-        DataTable::Row row{{"channel", "name", channel.name},
-                           {"unit", "unit", unit.name},
-                           {"final", "final", show(run.report.channel_final[c])},
-                           {"min", "min", show(run.report.channel_min[c])},
-                           {"max", "max", show(run.report.channel_max[c])},
-                           data_only("meaning", channel.meaning)};
-        const DataTable values = measured(run, compared, c);
-        for (const DataTable::Row& value : values.rows()) {
-            for (Field field : value) {
-                field.key.clear();
-                row.push_back(std::move(field));
-            }
-            table.add(std::exchange(row, blank));
-        }
-        if (values.empty()) {
-            if (!compared.empty()) {
-                const DataTable::Row none{page_only("measured", right("")), page_only("sim - meas", right("")),
-                                          page_only("source", "")};
-                row.insert(row.end(), none.begin(), none.end());
-            }
-            table.add(std::move(row));
-        }
-        const Value of_channel = values.data();
-        const auto& list = std::get<Value::List>(of_channel.held());
-        all_measured.insert(all_measured.end(), list.begin(), list.end());
-    }
-    data.set("channels", table.data());
-    data.set("measured", std::move(all_measured));
-    return table;
 }
 
 DataTable extremes(const RunRecord& run) {
@@ -199,7 +126,7 @@ void add_results(Report& page, const RunRecord& run) {
     if (const std::string missed = missed_between_rows(run); !missed.empty()) {
         section.say(missed);
     }
-    add_channel_charts(section, run);
+    add_channel_charts(section, std::span(&run, 1));
     if (is_meaningless(run.report)) {
         Section nothing("Results");
         nothing.say(
@@ -210,6 +137,13 @@ void add_results(Report& page, const RunRecord& run) {
         page.sections.push_back(std::move(nothing));
     } else {
         page.add(std::move(section));
+    }
+    if (run.laps.size() > 1 && !run.problem.settings.steady) {
+        const std::vector<LapRow> laps = lap_rows(run);
+        page.add(lap_section(laps));
+        add_lap_data(page.data, laps);
+        page.add(heat_by_lap_section({heat_of(run)}, "Friction power and heat by lap"));
+        page.data.set("heat", heat_by_lap_data({heat_of(run)}));
     }
     page.data.set({{"budget", budget(run)},
                    {"stored_joules", run.problem.symmetry * run.report.stored},
@@ -341,6 +275,10 @@ Report run_report(const RunRecord& run) {
                  {"effective_two_node_conductance", run.problem.symmetry * report.effective_two_node_conductance}};
     if (run.history.rows() > 0) {
         add_results(page, run);
+    }
+    if (run.what_if != nullptr) {
+        page.add(what_if_section(*run.what_if, run.problem.channels));
+        page.data.set("what_if", what_if_data(*run.what_if, run.problem.channels));
     }
     page.verdict = verdict_of(run);
     page.appendix.push_back(citations_section(run.problem));

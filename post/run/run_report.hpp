@@ -3,9 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "diagnosis/study/what_if.hpp"
+#include "input/laps/laps.hpp"
 #include "post/hot_spot/hot_spots_report.hpp"
 #include "post/page/field_chart.hpp"
 #include "post/report/history.hpp"
@@ -28,6 +31,9 @@ struct RunRecord {
     const diagnosis::HotSpots* hot_spots = nullptr;  ///< null where the case asks for none
     std::string run{};                               ///< which of the case's measured runs; empty: it has none
     std::vector<std::string> runs{};                 ///< names of all of them
+    std::string corner{};                            ///< FL, FR, RL or RR; empty: the case has no [[corner]]
+    std::vector<input::Lap> laps{};                  ///< of its log
+    const diagnosis::WhatIf* what_if = nullptr;      ///< null where nothing was changed
 };
 
 /// A run's page: temperatures beside measured values, hottest and coldest place, heat budget, cost, warnings, what to
@@ -35,5 +41,16 @@ struct RunRecord {
 /// factorisations, seconds, simulated_seconds, energy_closure, channels, budget, hottest, outputs, and more; hot_spots
 /// where the case has critical temperatures.
 [[nodiscard]] Report run_report(const RunRecord& run);
+
+/// The tires of a car on one page: sensors, laps, friction power and heat beside each other. Its data: `corners` has that
+/// of each tire's own page. @param runs of one recording, a run for each corner  @param warnings of the reader
+/// @param what_if null where nothing was changed
+[[nodiscard]] Report car_report(std::span<const RunRecord> runs, const diagnosis::WhatIf* what_if,
+                                const std::vector<std::string>& warnings,
+                                const std::vector<std::filesystem::path>& files);
+/// channels.csv with a column for each sensor of each tire, laps.csv and heat.csv. Runs whose rows stand at other times are
+/// straight lines between their rows. @errors FileError  @returns their paths
+[[nodiscard]] std::vector<std::filesystem::path> write_car_tables(const std::filesystem::path& directory,
+                                                                  std::span<const RunRecord> runs);
 
 }  // namespace tiretherm::post

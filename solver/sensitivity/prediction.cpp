@@ -24,23 +24,22 @@ namespace {
 /// Halvings of a step that does not converge although it did for a neighbouring problem.
 constexpr int most_halvings = 8;
 
-/// Which steps the error control takes. @returns their ends, s
-std::vector<double> steps_of(Problem problem, Status& status) {
+/// Takes the steps of the error control: fills their ends and the heat up to them.
+void find_steps(Problem problem, Prediction& into) {
     problem.settings.output_interval = 0.0;
     problem.settings.field_interval = 0.0;
     problem.channels.clear();
     for (physics::ActiveEffect& active : problem.effects) {
         active.channels.clear();
     }
-    std::vector<double> ends;
     const Report report = run(problem, [&](const Snapshot& now) {
         if (now.time > problem.settings.start) {
-            ends.push_back(now.time);
+            into.step_ends.push_back(now.time);
+            into.joules.insert(into.joules.end(), now.joules.begin(), now.joules.end());
         }
         return !stop_requested();
     });
-    status = report.status;
-    return ends;
+    into.status = report.status;
 }
 
 /// The steps are given: none of them is judged by its error.
@@ -171,7 +170,7 @@ Prediction simulate(const Problem& problem, const PredictionRequest& request) {
     prediction.slope.assign(request.parameters.size() * prediction.value.size(), 0.0);
     prediction.step_ends.assign(request.step_ends.begin(), request.step_ends.end());
     if (prediction.step_ends.empty() && !problem.settings.steady) {
-        prediction.step_ends = steps_of(problem, prediction.status);
+        find_steps(problem, prediction);
         if (!prediction.status.ok()) {
             return prediction;
         }

@@ -31,6 +31,8 @@ struct Prediction {
     std::vector<double> value;      ///< [n_times][n_channels] SI
     std::vector<double> slope;      ///< [n_parameters][n_times][n_channels] SI per unit of the parameter
     std::vector<double> step_ends;  ///< s: the steps taken
+    /// [n_steps][n_effects] J since the start, not scaled by symmetry; empty where the steps were given or kept
+    std::vector<double> joules{};
     std::vector<std::string>
         non_smooth_parameters;  ///< parameters at a switch or a clamp, where the slope is that of one side
 

@@ -69,19 +69,6 @@ void place(const PlacementContext& context, ActiveEffect& active) {
     }
 }
 
-/// Power of sliding in the contact by the thesis's law. W
-double sliding_power(const ActiveEffect& active, const OperatingPoint& point) {
-    const Inputs& in = point.inputs;
-    if (!point.tire.touches(in.vertical_load)) {
-        return 0.0;
-    }
-    // Sliding speeds of the contact: v_sx = V - R_R Omega, v_sy = V tan(alpha).
-    const double along = std::abs(in.longitudinal_force * longitudinal_slip_speed(in));
-    const double across = std::abs(in.lateral_force * in.speed) * std::tan(std::abs(in.slip_angle));
-    return (active.choices[longitudinal] == 0 ? active[lambda_x] * along : 0.0) +
-           (active.choices[lateral] == 0 ? active[lambda_y] * across : 0.0);
-}
-
 SlidingHeat enters(const ActiveEffect& active) {
     return active.choices[shared] == charm ? SlidingHeat::between : SlidingHeat::in_tread;
 }
@@ -130,7 +117,8 @@ void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& poi
         if (active.field) {
             active.field->shares_at(point.inputs.time, heat);
         }
-        const double power = sliding_power(active, point);
+        const FrictionPower made = friction_power(active, point.tire, point.inputs);
+        const double power = made.along + made.across;
         for (double& watts : heat) {
             watts *= power;
         }
@@ -196,6 +184,17 @@ void add_terms(const EvaluationState& m, Terms& terms) {
 
 }  // namespace
 }  // namespace effects
+
+FrictionPower friction_power(const ActiveEffect& sliding, const Tire& tire, const Inputs& in) {
+    if (!tire.touches(in.vertical_load)) {
+        return {};
+    }
+    // Sliding speeds of the contact: v_sx = V - R_R Omega, v_sy = V tan(alpha).
+    const double along = std::abs(in.longitudinal_force * longitudinal_slip_speed(in));
+    const double across = std::abs(in.lateral_force * in.speed) * std::tan(std::abs(in.slip_angle));
+    return {.along = sliding.choices[effects::longitudinal] == 0 ? sliding[effects::lambda_x] * along : 0.0,
+            .across = sliding.choices[effects::lateral] == 0 ? sliding[effects::lambda_y] * across : 0.0};
+}
 
 EnteredHeat heat_of_sliding(const ActiveEffect& sliding, std::span<const double> coefficients, double effusivity) {
     const EffusivityInterpolation tread(sliding.effusivities, sliding.effusivity_of_road,

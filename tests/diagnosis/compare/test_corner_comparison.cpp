@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "post/comparison/comparison_report.hpp"
+#include "post/comparison/corner_sections.hpp"
 #include "tests/diagnosis/compare/compared_bench.hpp"
 
 namespace tiretherm::diagnosis {
@@ -102,7 +103,8 @@ TEST(LapTable, HasARowForInLapsWhateverTheirNumbers) {
     const input::ExperimentReading reading = input::read_experiment(
         written.add("laps.toml", std::string(sample::idle) + "[[run]]\nfile = \"a.csv\"\n[[run]]\nfile = \"b.csv\"\n"));
     ASSERT_TRUE(reading.experiment) << input::error_report(reading);
-    const std::string page = post::page_text(post::comparison_report(compare(*reading.experiment, "laps"), {}), false);
+    const Comparison comparison = compare(*reading.experiment, "laps");
+    const std::string page = post::page_text(post::comparison_report(comparison, {}), false);
     EXPECT_NE(page.find("lap  bias a  bias b\n"
                         "  bulk_temperature  K     out   +3.00   +3.00\n"
                         "                            2   +3.00   +3.00\n"
@@ -110,6 +112,11 @@ TEST(LapTable, HasARowForInLapsWhateverTheirNumbers) {
                         "                           in   +3.00   +3.00\n"),
               std::string::npos)
         << page;
+    // Simulated 23 degC, measured 20 degC throughout; a lap takes 4 s.
+    const std::string csv = post::laps_csv(post::lap_rows(comparison.channels, comparison.runs));
+    EXPECT_NE(csv.find("\na,,2,4,bulk_temperature,degC,20,20,20,23,23,23,3,3\n"), std::string::npos) << csv;
+    EXPECT_NE(csv.find("\nb,,all,15,bulk_temperature,degC,20,20,20,23,23,23,3,3\n"), std::string::npos) << csv;
+    EXPECT_NE(page.find("0:04.000"), std::string::npos) << page;
 }
 
 }  // namespace

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `tiretherm run` of a car: all tires in one call, laps, friction power; and of one of its tires.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program.hpp"
+#include "tests/input/measurements/measured_bench.hpp"
+
+namespace tiretherm::app_test {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Two tires of a car at 72 km/h over three laps of 20 s. FL slides with 1000 N at 2 degrees, FR without a lateral force; nobody
+/// measures the tires.
+struct Car {
+    input::Written written;
+    std::string file;
+
+    Car() {
+        std::string log = "time [s],lap,speed [km/h],air_temperature [degC],road_temperature [degC]\n";
+        for (int t = 0; t <= 60; t += 2) {
+            log += fmt::format("{},{},72,20,25\n", t, 1 + std::min(t / 20, 2));
+        }
+        written.add("lap.csv", log);
+        file = written
+                   .add("car.toml", std::string(input::bench) + R"([[corner]]
+name = "FL"
+drive = { vertical_load = "3000 N", slip_angle = "2 deg", lateral_force = "1000 N" }
+[[corner]]
+name = "FR"
+drive = { vertical_load = "5000 N", slip_angle = "2 deg", lateral_force = "0 N" }
+[[run]]
+file = "lap.csv"
+)")
+                   .string();
+    }
+    [[nodiscard]] Call run(const std::string& arguments) const {
+        return call("run " + file + " --no-vtk --no-pictures --out out " + arguments, written.folder());
+    }
+    [[nodiscard]] std::filesystem::path out(const std::string& name) const { return written.folder() / "out" / name; }
+};
+
+/// Power of sliding of FL: 1000 N, 20 m/s, tan(2 deg). W
+const double sliding = 1000.0 * 20.0 * std::tan(2.0 * std::numbers::pi / 180.0);
+
+TEST(RunOfACar, HasAllTiresOnOnePageAndAFolderForEach) {
+    const Car car;
+    const Call run = car.run("");
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_NE(run.out.find("2 tires"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("FR: hottest"), std::string::npos) << run.out;
+    EXPECT_TRUE(post::read_text(car.out("channels.csv"))
+                    .starts_with("time [s],surface_temperature FL [degC],bulk_temperature FL [degC],"
+                                 "surface_temperature FR [degC],bulk_temperature FR [degC]\n"));
+    for (const char* name : {"report.html", "page.txt", "laps.csv", "heat.csv", "lap_FL/report.html",
+                             "lap_FL/channels.csv", "lap_FR/results.h5", "lap_FR/laps.csv"}) {
+        EXPECT_TRUE(std::filesystem::exists(car.out(name))) << name;
+    }
+}
+
+TEST(RunOfACar, FrictionPowerAndHeatStandByCornerAndLap) {
+    const Car car;
+    const Json json = Json::parse(car.run("--json").out);
+    ASSERT_EQ(json["corners"].size(), 2u);
+    EXPECT_EQ(json["corners"][1]["corner"], "FR");
+    ASSERT_EQ(json["heat"].size(), 2u);
+    const Json& front_left = json["heat"][0];
+    EXPECT_NEAR(front_left["friction_watts"], sliding, 1e-3 * sliding);
+    EXPECT_EQ(json["heat"][1]["friction_watts"], 0.0);
+    ASSERT_EQ(front_left["laps"].size(), 3u);
+    EXPECT_EQ(front_left["laps"][1]["lap"], "2");
+    EXPECT_NEAR(front_left["laps"][1]["seconds"], 20.0, 1e-9);
+    for (const Json& part : front_left["laps"][1]["parts"]) {
+        if (part["what"] == "sliding_friction") {  // the tire's share is 0.6
+            EXPECT_NEAR(part["watts"], 0.6 * sliding, 1e-3 * sliding);
+        }
+    }
+    // The whole run of the bulk ends where the tire's own page says.
+    const Json& bulk = json["run_values"][1];
+    EXPECT_EQ(bulk["channel"], "bulk_temperature");
+    EXPECT_NEAR(bulk["simulated"]["end"], json["corners"][0]["channels"][1]["final"].get<double>(), 1e-6);
+}
+
+TEST(RunOfACar, OneTireIsRunByItsName) {
+    const Car car;
+    const Json all = Json::parse(car.run("--json").out);
+    const Json one = Json::parse(car.run("--run lap_FR --json").out);
+    EXPECT_EQ(one["run"], "lap_FR");
+    EXPECT_EQ(one["channels"], all["corners"][1]["channels"]);
+    const Call wrong = car.run("--run lap_RR");
+    EXPECT_EQ(wrong.exit_code, 1);
+    EXPECT_NE(wrong.err.find("the case has no run \"lap_RR\""), std::string::npos) << wrong.err;
+    EXPECT_EQ(Json::parse(car.run("--run lap --json").out)["corners"].size(), 2u);
+}
+
+TEST(RunOfACar, WhatIfHasARowForEachTire) {
+    const Car car;
+    const Json json = Json::parse(car.run("--json --change 'drive.road_temperature=+5 K'").out);
+    const Json& changes = json["what_if"]["changes"];
+    ASSERT_EQ(changes.size(), 2u);
+    EXPECT_EQ(changes[0]["corner"], "FL");
+    EXPECT_EQ(changes[1]["corner"], "FR");
+    EXPECT_GT(changes[1]["channels"][0]["end"], 0.0);
+    EXPECT_LT(changes[1]["channels"][0]["end"], 5.0);
+}
+
+}  // namespace
+}  // namespace tiretherm::app_test
