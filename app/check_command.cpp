@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/check_log.hpp"
+#include "app/check_study.hpp"
 #include "app/commands.hpp"
 #include "app/failure.hpp"
 #include "app/messages.hpp"
@@ -100,8 +101,7 @@ std::string tire_text(const solver::Problem& problem) {
     if (!load) {
         return {};
     }
-    std::string text =
-        fmt::format("{}: {:.0f} N at {:.0f} kPa", size->text, *load, 1e-3 * physics::standard_load_pressure);
+    std::string text = fmt::format("{}: {:.0f} N at {:.0f} kPa", size->text, *load, 1e-3 * size->load_pressure());
     if (const std::optional<double> speed = size->service->speed()) {
         text += fmt::format(", up to {:.0f} km/h", 3.6 * *speed);
     }
@@ -112,9 +112,9 @@ std::string tire_text(const solver::Problem& problem) {
     times.insert(times.end(), problem.input_signals.samples().begin(), problem.input_signals.samples().end());
     for (const double t : times) {
         const physics::Inputs in = problem.input_signals.at(t, solver::JumpSide::after);
-        const double pressure =
-            problem.tire.reference_pressure > 0.0 ? in.inflation_pressure : physics::standard_load_pressure;
-        const double share = in.vertical_load / physics::load_capacity(*load, std::max(pressure, 1.0));
+        const double pressure = problem.tire.reference_pressure > 0.0 ? in.inflation_pressure : size->load_pressure();
+        const double share =
+            in.vertical_load / physics::load_capacity(*load, std::max(pressure, 1.0), size->load_pressure());
         if (share > highest) {
             highest = share;
             there = in;
@@ -246,6 +246,9 @@ int check(const CheckOptions& options) {
     }
     now_doing(fmt::format("reading {} and the files that it names", options.case_file));
     if (options.data.empty()) {
+        if (const std::optional<int> exit_code = check_study(options.case_file, options.json)) {
+            return *exit_code;
+        }
         const input::Reading reading = input::read_case(options.case_file);
         if (!reading.problem) {
             const bool lacks_inputs = std::ranges::any_of(
@@ -280,7 +283,7 @@ int check(const CheckOptions& options) {
 
 void add_check_command(CLI::App& program, int& exit_code) {
     CLI::App* command = program.add_subcommand(
-        "check", "Read a case without running it, and list all its errors at once; of a log: what is in it");
+        "check", "Read a case or a study without running it, and list all its errors at once; of a log: what is in it");
     const auto options = std::make_shared<CheckOptions>();
     command->add_option("CASE|LOG", options->case_file, "Case file (TOML), or a data logger's file")
         ->required()

@@ -40,13 +40,14 @@ int show(const KeysOptions& options) {
         return Exit::done;
     }
     const std::string path = without_brackets(options.table);
-    const auto found = std::ranges::find(tables, path, &input::CaseTable::path);
+    const auto found = std::ranges::find_if(tables, [&](const input::CaseTable& table) {
+        return table.path == path || without_brackets(post::heading_of(table)) == path;
+    });
     if (found == tables.end()) {
         std::vector<std::string> known;
         for (const input::CaseTable& table : tables) {
-            known.push_back(table.path);
+            known.push_back(without_brackets(post::heading_of(table)));
         }
-        std::erase(known, "");
         report_error(fmt::format("a case has no table \"{}\"", options.table), input::suggest(path, known, "tables"),
                      false);
         return Exit::input_error;

@@ -39,6 +39,8 @@ struct NewOptions {
     std::string size;
     std::string mesh;
     std::string pressure;
+    bool specimen = false;
+    std::string test;
     std::vector<std::string> units;
     bool force = false;
     bool json = false;
@@ -52,7 +54,10 @@ bool is_log(const std::string& subject) {
 
 /// "225_50_R17.toml" of a size, "drive.toml" of drive.csv.
 fs::path standard_file(const NewOptions& options, const input::NewCaseRequest& request) {
-    std::string name = request.log ? request.log->stem().string() : std::string(input::trim(options.subject));
+    std::string name = request.log               ? request.log->stem().string()
+                       : options.subject.empty() ? std::string(input::specimen_mesh)
+                                                 : std::string(input::trim(options.subject));
+    name += options.test.empty() ? "" : "_" + options.test;
     std::ranges::replace_if(
         name, [](char c) { return c == '/' || c == ' '; }, '_');
     return name + ".toml";
@@ -65,10 +70,20 @@ std::optional<input::NewCaseRequest> read_request(const NewOptions& options) {
     if (log) {
         request.log = options.subject;
     }
-    request.size_is_assumed = log && options.size.empty();
-    const std::string size = !log                      ? options.subject
-                             : request.size_is_assumed ? std::string(assumed_size)
-                                                       : options.size;
+    const bool specimen = options.specimen || options.mesh == input::specimen_mesh;
+    if (options.subject.empty() && !specimen) {
+        report_error("SIZE|LOG is required", "tiretherm new \"225/50 R17\", tiretherm new drive.csv, or --specimen",
+                     options.json);
+        return std::nullopt;
+    }
+    if (specimen && (!options.size.empty() || !options.pressure.empty() || (!log && !options.subject.empty()) ||
+                     (!options.mesh.empty() && options.mesh != input::specimen_mesh))) {
+        report_error("a specimen has no size, no inflation and a mesh of its own",
+                     "tiretherm new --specimen, or tiretherm new laser.csv --specimen", options.json);
+        return std::nullopt;
+    }
+    request.size_is_assumed = (log || specimen) && options.size.empty();
+    const std::string size = request.size_is_assumed ? std::string(assumed_size) : log ? options.size : options.subject;
     const auto read = input::read_tire_size(size);
     if (const auto* error = std::get_if<input::ErrorText>(&read)) {
         const std::string near = log ? "" : input::nearby_file_remedy(options.subject);
@@ -85,6 +100,21 @@ std::optional<input::NewCaseRequest> read_request(const NewOptions& options) {
         return std::nullopt;
     }
     request.size = std::get<input::TireSize>(read);
+    if (!options.test.empty()) {
+        const std::string other = log || specimen ? "--test speaks of a tire, and none is named"
+                                  : !options.mesh.empty() && options.mesh != "section" ? "--test is for a cross-section"
+                                                                                       : "";
+        const auto test = input::drum_test(options.test, request.size);
+        const auto* error = std::get_if<input::ErrorText>(&test);
+        if (error != nullptr || !other.empty()) {
+            report_error(
+                other.empty() ? error->what : other,
+                other.empty() ? error->remedy : "write tiretherm new \"225/50 R17 94H\" --test " + options.test,
+                options.json);
+            return std::nullopt;
+        }
+        request.test = std::get<input::DrumTest>(test);
+    }
     if (!options.pressure.empty()) {
         const input::ParsedQuantity pressure =
             input::quantity(options.pressure, {.unit = "Pa", .low = 1e4, .high = 2e6}, "the inflation pressure");
@@ -103,12 +133,17 @@ std::optional<input::NewCaseRequest> read_request(const NewOptions& options) {
         return std::nullopt;
     }
     request.units = *units;
-    request.mesh = options.mesh;
+    request.mesh = specimen ? std::string(input::specimen_mesh) : options.mesh;
     request.target = options.file.empty() ? standard_file(options, request) : fs::path(options.file);
     return request;
 }
 
+bool is_specimen(const input::NewCase& made) { return made.mesh_name == input::specimen_mesh; }
+
 std::string use_of(const input::LogColumn& column) {
+    if (column.counts_laps) {
+        return "counts the laps";
+    }
     if (!column.is_used()) {
         const bool guess = !column.suggestion.empty() && column.suggestion != column.heading.name && !column.is_dropped;
         const bool asked = column.reason.ends_with('?');
@@ -125,7 +160,7 @@ std::string use_of(const input::LogColumn& column) {
 
 void print_json(const input::NewCase& made, const input::NewCaseRequest& request) {
     Json json{{"case", request.target.generic_string()},
-              {"size", request.size.text},
+              {"size", is_specimen(made) ? Json() : Json(request.size.text)},
               {"mesh", made.mesh_name},
               {"log", nullptr},
               {"columns", Json::array()},
@@ -134,16 +169,15 @@ void print_json(const input::NewCase& made, const input::NewCaseRequest& request
               {"warnings", made.warnings},
               {"mistakes", Json::array()}};
     if (made.log) {
-        json["log"] = {{"file", made.log->path},
-                       {"from", made.log->time.front()},
-                       {"to", made.log->time.back()},
-                       {"samples", made.log->time.size()},
-                       {"compares", made.log->use == input::LogUse::run}};
+        json["log"] = {{"file", made.log->path},       {"from", made.log->time.front()},
+                       {"to", made.log->time.back()},  {"samples", made.log->time.size()},
+                       {"reads", made.unread.empty()}, {"compares", made.log->use == input::LogUse::run}};
         for (const input::LogColumn& column : made.log->columns) {
-            const char* use = !column.is_used()  ? "not used"
-                              : column.is_sensor ? "sensor"
-                              : column.is_input  ? "input"
-                                                 : "time";
+            const char* use = column.counts_laps  ? "laps"
+                              : !column.is_used() ? "not used"
+                              : column.is_sensor  ? "sensor"
+                              : column.is_input   ? "input"
+                                                  : "time";
             json["columns"].push_back({{"column", column.heading.name},
                                        {"unit", column.heading.unit ? Json(*column.heading.unit) : Json()},
                                        {"use", use},
@@ -166,7 +200,11 @@ void print_json(const input::NewCase& made, const input::NewCaseRequest& request
 
 void print_case(const input::NewCase& made, const input::NewCaseRequest& request) {
     const std::string file = input::printable(request.target.generic_string());
-    fmt::print("{}: a {} on {}\n", file, request.size.text, made.mesh);
+    is_specimen(made) ? fmt::print("{}: {}\n", file, made.mesh)
+                      : fmt::print("{}: a {} on {}\n", file, request.size.text, made.mesh);
+    if (!made.unread.empty()) {
+        print_text(post::wrap(input::printable(made.unread), 0, prose_width()));
+    }
     if (made.log) {
         const std::vector<double>& time = made.log->time;
         fmt::print("\nFrom {}, {} samples from {:g} to {:g} s\n", input::printable(made.log->path),
@@ -253,21 +291,33 @@ void add_new_command(CLI::App& program, int& exit_code) {
     CLI::App* command = program.add_subcommand("new", "Write a commented case from a tire's size or a measured log");
     const auto options = std::make_shared<NewOptions>();
     const auto names = input::mesh_template_names();
-    command->add_option("SIZE|LOG", options->subject, "Size of a tire, \"225/50 R17\"; or a data logger's file")
-        ->required()
+    command
+        ->add_option("SIZE|LOG", options->subject,
+                     "Size of a tire, \"225/50 R17 94H\" or \"31x10.50R15\"; or a data logger's file")
         ->option_text(" ");
     add_out_option(*command, options->file, "The case. Default: the size or the log's name, here", "CASE");
     command->add_option("--size", options->size, "The tire of a log. Default: 225/50 R17, that of the thesis")
         ->option_text("SIZE");
+    const auto tests = input::drum_test_names();
+    command
+        ->add_option("--test", options->test,
+                     fmt::format("A durability test on a drum, by load index and speed symbol of the size: {}",
+                                 fmt::join(tests, ", ")))
+        ->option_text("NAME")
+        ->check(CLI::IsMember(std::vector<std::string>(tests.begin(), tests.end())));
+    command->add_flag("--specimen", options->specimen,
+                      "A specimen under a laser, at rest. Default where the log has the power of a laser");
     command
         ->add_option("--mesh", options->mesh,
-                     "section, layers or two_node. Default: section; two_node for a car's log with one reading across "
-                     "each tread")
+                     "section, layers, two_node or specimen. Default: section; two_node for a car's log with one "
+                     "reading across each tread")
         ->option_text("KIND")
         ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())));
     command
-        ->add_option("--pressure", options->pressure,
-                     "Inflation, \"2.4 bar\": scales stiffness and contact. Default: 220 kPa, with C or LT 450 kPa")
+        ->add_option(
+            "--pressure", options->pressure,
+            "Inflation, \"2.4 bar\": scales stiffness and contact. Default: 220 kPa, light trucks 450 kPa, trucks "
+            "800 kPa")
         ->option_text("PRESSURE");
     command
         ->add_option(

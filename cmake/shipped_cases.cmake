@@ -3,7 +3,8 @@
 set(TIRETHERM_SHIPPED_CASES
     section/common.toml section/4000N_100kmh.toml
     layers/common.toml layers/two_conductivities.toml
-    two_node/common.toml two_node/4000N_100kmh.toml)
+    two_node/common.toml two_node/4000N_100kmh.toml
+    laser/common.toml laser/one_watt.toml)
 
 # tiretherm_shipped_cases(SOURCE): writes the source that holds them, anew whenever one of them has changed.
 function(tiretherm_shipped_cases source)

@@ -72,7 +72,8 @@ std::vector<Regressor> regressors_of(const input::Experiment& experiment) {
         for (const input::UnusedSignal& signal : run.unused) {
             const bool known = std::any_of(regressors.begin(), regressors.end(),
                                            [&](const Regressor& r) { return r.name == signal.name; });
-            if (!known) {
+            const bool is_reading = signal.kind == input::ColumnKind::temperature_of_tire;  // no cause of another
+            if (!known && !is_reading) {
                 regressors.push_back(unused(signal.name, signal.unit));
             }
         }

@@ -3,6 +3,10 @@
 #include "diagnosis/findings/sensor_kind.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string>
+
+#include "input/text/column_names.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -10,11 +14,38 @@ namespace {
 
 using physics::SensorKind;
 
-bool is_on_outer_surface(const mesh::Mesh& mesh, int node) {
+/// Whether a node is on one of these patches.
+bool is_on(const mesh::Mesh& mesh, int node, bool (*is_meant)(std::string_view patch)) {
     return std::ranges::any_of(mesh.patches, [&](const mesh::Patch& patch) {
-        return patch.name != "inside" &&
+        return is_meant(patch.name) &&
                std::ranges::any_of(patch.faces, [&](const mesh::PatchFace& face) { return face.node == node; });
     });
+}
+
+/// Of a tire and of a specimen: what a camera looks at.
+bool is_seen(std::string_view patch) {
+    constexpr std::array<std::string_view, 4> seen{"outside", "sidewalls", "beads", "top"};
+    return std::ranges::find(seen, patch) != seen.end();
+}
+
+/// The back and the sides of a specimen, which a camera may see or a thermocouple touch.
+bool is_seen_or_touched(std::string_view patch) { return patch != "inside"; }
+
+/// What the name or the description of a sensor says of its kind; any: nothing.
+SensorKind kind_by_words(const solver::Channel& channel) {
+    constexpr std::array<std::string_view, 6> touching{"thermocouple", "tc", "probe", "needle", "pt100", "wire"};
+    constexpr std::array<std::string_view, 5> seeing{"ir", "infrared", "camera", "pyrometer", "thermography"};
+    for (const std::string_view text : {std::string_view(channel.name), std::string_view(channel.meaning)}) {
+        for (const std::string& word : input::words_of(text)) {
+            if (std::ranges::find(touching, word) != touching.end()) {
+                return SensorKind::probe;
+            }
+            if (std::ranges::find(seeing, word) != seeing.end()) {
+                return SensorKind::infrared;
+            }
+        }
+    }
+    return SensorKind::any;
 }
 
 /// Whether all nodes that a channel reads with some weight are of this kind.
@@ -59,8 +90,16 @@ SensorKind sensor_kind(const solver::Problem& problem, std::size_t channel) {
     if (reads_only(read.where, is_gas)) {
         return SensorKind::gas;
     }
-    return reads_only(read.where, [&](int node) { return is_on_outer_surface(mesh, node); }) ? SensorKind::infrared
-                                                                                             : SensorKind::probe;
+    const auto is_all_on = [&](bool (*is_meant)(std::string_view)) {
+        return reads_only(read.where, [&](int node) { return is_on(mesh, node, is_meant); });
+    };
+    if (!is_all_on(is_seen_or_touched)) {
+        return SensorKind::probe;
+    }
+    if (const SensorKind named = kind_by_words(read); named != SensorKind::any) {
+        return named;
+    }
+    return is_all_on(is_seen) ? SensorKind::infrared : SensorKind::any;
 }
 
 SensorKind sensor_kind(const solver::Problem& problem, const solver::FreeParameter& parameter) {

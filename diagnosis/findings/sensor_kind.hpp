@@ -10,7 +10,8 @@
 
 namespace tiretherm::diagnosis {
 
-/// Cameras, and channels that read nothing but an outer surface, are infrared; those of a node in the gas and of its
+/// Cameras, and channels that read nothing but an outer surface, are infrared, unless their name or description says that they
+/// touch it (thermocouple, probe); of those at the back or the sides of a specimen only that tells (otherwise any); those of a node in the gas and of its
 /// pressure sit in the gas; other temperatures are probes; of forces and radii nothing is known (any).
 /// @param channel index into Problem::channels
 [[nodiscard]] physics::SensorKind sensor_kind(const solver::Problem& problem, std::size_t channel);

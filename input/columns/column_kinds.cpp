@@ -137,6 +137,15 @@ std::optional<Verdict> judge_alone(const UnusedColumn& column, const std::vector
     if (is_temperature(column.name, column.unit)) {
         return judge_temperature(column, sensors);
     }
+    // However evenly it rises, a pressure counts nothing.
+    if (!column.unit.empty() && std::holds_alternative<Conversion>(conversion(column.unit, "Pa", Scale::absolute))) {
+        const std::string word = word_of_tire(column.name);
+        return word.empty()
+                   ? std::nullopt
+                   : std::optional(Verdict{
+                         ColumnKind::result,
+                         fmt::format("a pressure of the tire by its name ({}), which follows its temperature", word)});
+    }
     if (const std::string word = word_of_clock(column.name); !word.empty()) {
         return Verdict{ColumnKind::clock,
                        fmt::format("a time, a counter, a distance or a place by its name ({})", word)};

@@ -64,7 +64,8 @@ Known known_of(const DataFile& file, int column, const SampleTimes& time, InputE
 }
 
 /// Rate by the median step, and what is missing at it.
-void set_rate(ColumnSurvey& column, const Known& known, double from, double to) {
+/// @param rows that could have a value
+void set_rate(ColumnSurvey& column, const Known& known, double from, double to, std::size_t rows) {
     column.samples = known.time.size();
     std::vector<double> steps;
     steps.reserve(known.time.size());
@@ -80,7 +81,9 @@ void set_rate(ColumnSurvey& column, const Known& known, double from, double to) 
     std::nth_element(steps.begin(), middle, steps.end());
     column.rate = 1.0 / *middle;
     const double expected = std::floor((to - from) * column.rate + 1e-3) + 1.0;
-    const double share = 1.0 - static_cast<double>(known.time.size()) / expected;
+    const auto n = static_cast<double>(known.time.size());
+    const double lacking = std::min(expected - n, static_cast<double>(rows) - n);  // an uneven clock empties no field
+    const double share = lacking / (n + lacking);
     column.missing = share > 0.001 ? share : 0.0;
 }
 
@@ -179,12 +182,13 @@ std::optional<LogSurvey> survey_log(const std::filesystem::path& path, const std
                            .suggestion = column.full_suggestion(),
                            .reason = column.reason,
                            .is_dropped = column.is_dropped};
-        if (survey.laps.source == LapSource::column && column.heading.name == survey.laps.column && !column.is_used()) {
+        if (column.counts_laps) {
             found.use = "laps";
         }
         solver::leave_reading_if_stopped();
         Known known = known_of(*file, column.column, time, again);
-        set_rate(found, known, survey.from, survey.to);
+        set_rate(found, known, survey.from, survey.to,
+                 file->channel_table() != nullptr ? known.time.size() : survey.rows);
         if (!known.value.empty()) {
             const auto [low, high] = std::ranges::minmax(known.value);
             found.low = low;
@@ -199,7 +203,11 @@ std::optional<LogSurvey> survey_log(const std::filesystem::path& path, const std
         const bool is_signal =
             found.use != "time" && !counts_laps(found.name) && found.unit != "1" && known.value.size() > 1;
         if (is_signal && (column.is_used() || !found.unit.empty())) {
-            recording.columns.push_back(recorded_of(found, column, std::move(known)));
+            // Pedals and switches rest at 0, and a machine holds what it was told: of what is not used only temperatures are judged.
+            RecordedColumn recorded = recorded_of(found, column, std::move(known));
+            if (column.is_used() || recorded.is_temperature()) {
+                recording.columns.push_back(std::move(recorded));
+            }
         }
         survey.columns.push_back(std::move(found));
     }

@@ -31,6 +31,9 @@ constexpr std::array spellings{Spelling{"kmh", "km/h"},
                                Spelling{"kts", "knot"},
                                Spelling{"knots", "knot"},
                                Spelling{"psi", "psi"},
+                               Spelling{"psig", "psi"},
+                               Spelling{"barg", "bar"},
+                               Spelling{"bar(g)", "bar"},
                                Spelling{"bar", "bar"},
                                Spelling{"mbar", "mbar"},
                                Spelling{"kpa", "kPa"},
@@ -58,7 +61,10 @@ constexpr std::array spellings{Spelling{"kmh", "km/h"},
                                Spelling{"nm", "N m"},
                                Spelling{"metres", "m"},
                                Spelling{"meters", "m"},
+                               Spelling{"none", "1"},
                                Spelling{".c", "degC"},
+                               Spelling{"deg-c", "degC"},
+                               Spelling{"deg-f", "degF"},
                                Spelling{"\u00B0c", "degC"},
                                Spelling{"deg c", "degC"},
                                Spelling{"celsius", "degC"},
@@ -74,11 +80,14 @@ struct Ambiguous {
     std::string_view meant;      ///< by a logger
     std::string_view shown;      ///< the same in words
     std::string_view otherwise;  ///< in UDUNITS' words
+    bool asks = true;            ///< of a column whose quantity only its name tells
 };
 constexpr std::array ambiguous{Ambiguous{"C", "K", "degC", "degC", "coulomb"},
                                Ambiguous{"F", "K", "degF", "degF", "farad"},
                                Ambiguous{"g", "m s-2", "gravity", "9.80665 m/s2", "gram"},
-                               Ambiguous{"G", "m s-2", "gravity", "9.80665 m/s2", "gauss"}};
+                               Ambiguous{"G", "m s-2", "gravity", "9.80665 m/s2", "gauss"},
+                               Ambiguous{"lb", "N", "lbf", "lbf", "pound", false},
+                               Ambiguous{"lbs", "N", "lbf", "lbf", "pound", false}};
 
 /// Whether the name says that the column is of the logger's quantity.
 bool name_agrees(std::string_view name, const Ambiguous& unit) {
@@ -149,10 +158,26 @@ std::string meant_unit(std::string_view written, std::string_view wanted) {
     return unit;
 }
 
+std::string guess_unit(std::string_view written, std::string_view wanted, Scale scale) {
+    constexpr std::array guesses{
+        Spelling{"c", "degC"},        Spelling{"deg", "degC"},    Spelling{"\u00B0", "degC"}, Spelling{"gradc", "degC"},
+        Spelling{"f", "degF"},        Spelling{"k", "K"},         Spelling{"mps", "m/s"},     Spelling{"ms", "m/s"},
+        Spelling{"n", "N"},           Spelling{"kn", "kN"},       Spelling{"kg", "kgf"},      Spelling{"msec", "ms"},
+        Spelling{"s", "s"},           Spelling{"minutes", "min"}, Spelling{"grad", "degree"}, Spelling{"rads", "rad"},
+        Spelling{"\u00BA", "degree"}, Spelling{"pct", "%"},       Spelling{"w", "W"}};
+    const std::string small = in_small_letters(with_sign_of_degrees(written));
+    for (const Spelling& guess : guesses) {
+        if (guess[0] == small && std::holds_alternative<Conversion>(conversion(guess[1], wanted, scale))) {
+            return std::string(guess[1]);
+        }
+    }
+    return {};
+}
+
 MeantUnit meant_unit_by_name(std::string_view name, std::string_view written) {
     const std::string unit = spelt(written);
     for (const Ambiguous& two : ambiguous) {
-        if (unit != two.written) {
+        if (unit != two.written || !two.asks) {
             continue;
         }
         if (name_agrees(name, two)) {

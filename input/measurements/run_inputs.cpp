@@ -87,22 +87,6 @@ Missing find_missing(const std::vector<double>& time, const std::vector<double>&
     return missing;
 }
 
-/// Reports gaps in a signal as an error, or as a warning. @returns whether it is known well enough
-/// @param elsewhere what to do about a signal that cannot be had from the column
-bool judge_gaps(const std::string& name, const std::vector<double>& time, const std::vector<double>& value,
-                const SourceLocation& place, const std::string& elsewhere, InputErrors& errors) {
-    if (std::optional<ErrorText> error = gap_error(name, time, value, elsewhere)) {
-        errors.add(place, std::move(*error));
-        return false;
-    }
-    if (const Missing missing = find_missing(time, value); missing.samples > 0) {
-        errors.warn(place, fmt::format("{} is missing in {} of {} samples, for at most {:.6g} s from {:.6g} s on: it "
-                                       "is taken as straight between its neighbours",
-                                       name, missing.samples, missing.expected, missing.longest, missing.from));
-    }
-    return true;
-}
-
 bool find_samples(const RunTable& run, RunFile& file, InputErrors& errors) {
     const std::vector<double>& time = file.time;
     std::optional<double> from = run.from;
@@ -167,26 +151,41 @@ solver::SignalHistory held(const solver::SignalHistory& samples) {
     return steps;
 }
 
+bool judge_gaps(const std::string& name, const std::vector<double>& time, const std::vector<double>& value,
+                const GapRemedy& remedy, InputErrors& errors) {
+    if (std::optional<ErrorText> error = gap_error(name, time, value)) {
+        const bool splits = remedy.can_split && !error->remedy.empty();
+        errors.add(remedy.place, error->what,
+                   splits ? fmt::format("{}; or {}", error->remedy, remedy.elsewhere) : remedy.elsewhere);
+        return false;
+    }
+    if (const Missing missing = find_missing(time, value); missing.samples > 0) {
+        errors.warn(remedy.place,
+                    fmt::format("{} is missing in {} of {} samples, for at most {:.6g} s from {:.6g} s on: it "
+                                "is taken as straight between its neighbours",
+                                name, missing.samples, missing.expected, missing.longest, missing.from));
+    }
+    return true;
+}
+
 bool too_long_a_gap(double gap, double length) { return gap > longest_gap && gap > longest_share * length; }
 
 std::optional<ErrorText> gap_error(const std::string& name, const std::vector<double>& time,
-                                   const std::vector<double>& value, const std::string& elsewhere) {
+                                   const std::vector<double>& value) {
     const Missing missing = find_missing(time, value);
     const double length = time.back() - time.front();
     if (std::ranges::all_of(value, [](double v) { return std::isnan(v); })) {
-        return ErrorText{fmt::format("{} has no value in the run", name), elsewhere};
+        return ErrorText{fmt::format("{} has no value in the run", name), ""};
     }
     if (too_long_a_gap(missing.longest, length)) {
-        return ErrorText{
-            fmt::format("{} is missing for {:.6g} s from {:.6g} s on, {:.0f} % of the run", name, missing.longest,
-                        missing.from, 100.0 * missing.longest / length),
-            fmt::format("split the run there: a [[run]] up to the gap and one from its end, with from and to; or {}",
-                        elsewhere)};
+        return ErrorText{fmt::format("{} is missing for {:.6g} s from {:.6g} s on, {:.0f} % of the run", name,
+                                     missing.longest, missing.from, 100.0 * missing.longest / length),
+                         "split the run there: a [[run]] up to the gap and one from its end, with from and to"};
     }
     if (missing.longest > short_gap &&
         static_cast<double>(missing.samples) > most_missing_share * static_cast<double>(missing.expected)) {
         return ErrorText{fmt::format("{} is missing in {} of {} samples", name, missing.samples, missing.expected),
-                         fmt::format("leave out the part where it is missing, with from and to; or {}", elsewhere)};
+                         "leave out the part where it is missing, with from and to"};
     }
     return std::nullopt;
 }
@@ -259,7 +258,8 @@ void read_followed(const RunFile& file, ColumnKeys& keys, RunInputs& into, Input
         const std::vector<double> time(file.time.begin() + first, file.time.begin() + last);
         const std::vector<double> value(read[i].begin() + first, read[i].begin() + last);
         const SourceLocation& place = file.file.heads()[static_cast<std::size_t>(followed[i].column)].place;
-        if (judge_gaps(followed[i].name, time, value, place, "let the effect follow another signal", errors)) {
+        const GapRemedy remedy{.place = place, .elsewhere = "let the effect follow another signal", .can_split = true};
+        if (judge_gaps(followed[i].name, time, value, remedy, errors)) {
             const solver::SignalHistory known = file.repeated.before(known_samples(time, value));
             into.columns[i].signal = keys.holds(followed[i].name) ? held(known) : known;
         }
@@ -319,8 +319,10 @@ RunInputs read_run_inputs(const RunTable& run, const RunFile* file, InputErrors&
             errors.warn(input.place, fmt::format("{} {}: left out", requests[i].name, dead));
         }
         const std::vector<double> value(read[i].begin() + first, read[i].begin() + last);
-        const std::string elsewhere = fmt::format("ignore the column and give {} in [drive]", requests[i].name);
-        if (!judge_gaps(requests[i].name, time, value, input.place, elsewhere, errors)) {
+        const GapRemedy remedy{.place = input.place,
+                               .elsewhere = fmt::format("ignore the column and give {} in [drive]", requests[i].name),
+                               .can_split = true};
+        if (!judge_gaps(requests[i].name, time, value, remedy, errors)) {
             continue;
         }
         solver::SignalHistory known = file->repeated.before(known_samples(time, value));

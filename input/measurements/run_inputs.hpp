@@ -46,9 +46,20 @@ constexpr double short_gap = 1.0;
 
 /// Why a signal with these gaps is not known well enough to drive a run; nothing where it is.
 /// @param time [n] s  @param value [n], NaN where it is missing
-/// @param elsewhere what to do about a signal that cannot be had from the column
+/// @returns with the remedy of a run that can be split; without one where nothing is known
 [[nodiscard]] std::optional<ErrorText> gap_error(const std::string& name, const std::vector<double>& time,
-                                                 const std::vector<double>& value, const std::string& elsewhere);
+                                                 const std::vector<double>& value);
+
+/// What to do about a signal with gaps.
+struct GapRemedy {
+    SourceLocation place;    ///< of the column
+    std::string elsewhere;   ///< where to have the signal from instead
+    bool can_split = false;  ///< a part of the file may be left out
+};
+
+/// Reports gaps in a signal as an error, or as a warning. @returns whether it is known well enough
+bool judge_gaps(const std::string& name, const std::vector<double>& time, const std::vector<double>& value,
+                const GapRemedy& remedy, InputErrors& errors);
 
 /// The inputs that the file gives. A missing sample is left out, so that the input goes straight between its neighbours;
 /// where too much is missing that would be an invention, and is an error.

@@ -114,6 +114,31 @@ void read_unused(const RunFile& file, const solver::Settings& settings, InputErr
     }
 }
 
+void warn_of_starts(const TomlValue& document, const solver::Problem& problem, const MeasuredRun& run,
+                    InputErrors& errors) {
+    constexpr double far = 10.0;  // K; what a tire that stood a while differs by within itself
+    const TomlValue* initial = document.find("initial");
+    for (const mesh::LumpedNode& lumped : problem.mesh.lumped_nodes) {
+        for (const MeasuredSeries& series : run.series) {
+            const solver::Channel& channel = problem.channels[series.channel];
+            const auto first = std::ranges::find_if(series.value, [](double v) { return !std::isnan(v); });
+            if (initial == nullptr || initial->find(lumped.name) != nullptr || problem.initial.empty() ||
+                channel.quantity != solver::Quantity::temperature || first == series.value.end() ||
+                channel.where.nodes != std::vector<int>{lumped.node}) {
+                continue;
+            }
+            const double start = problem.initial[static_cast<std::size_t>(lumped.node)];
+            if (std::abs(*first - start) > far) {
+                errors.warn(
+                    initial->place,
+                    fmt::format("{} starts at {:.0f} degC, as the air around, and {} reads {:.0f} degC first: "
+                                "{} = \"{}\" in [initial] starts it there",
+                                lumped.name, start - 273.15, channel.name, *first - 273.15, lumped.name, channel.name));
+            }
+        }
+    }
+}
+
 void read_numbers(const ProblemBuilder& builder, const TomlValue& document, const RunTable& table, InputErrors& errors,
                   MeasuredRun& run) {
     const TomlValue* list = document.find("measured");

@@ -17,6 +17,11 @@ void read_series(const RunFile& file, const ProblemBuilder& builder, InputErrors
 /// Columns that the model does not use, where they are numbers.
 void read_unused(const RunFile& file, const solver::Settings& settings, InputErrors& errors, MeasuredRun& run);
 
+/// Warns where gas or rim start far from what their sensor reads first, because [initial] does not say where.
+/// @param document the case with the run's tables over it
+void warn_of_starts(const TomlValue& document, const solver::Problem& problem, const MeasuredRun& run,
+                    InputErrors& errors);
+
 /// Numbers of the run with their uncertainty. One of the run's own without uncertainty is an error; one of the case
 /// may stand there only to be shown.
 /// @param document the case with the run's tables over it

@@ -252,6 +252,7 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
         if (file) {
             std::ranges::move(columns_of_one_tire(table, *file), std::back_inserter(of_one_tire));
             read_series(*file, builder, errors, run);
+            warn_of_starts(reading.document, builder.problem, run, errors);
             if (document.find("vehicle") != nullptr) {  // its columns are used; the brakes may heat the tire besides
                 for (const FollowedColumn& column : file->columns.followed) {
                     std::erase_if(file->columns.unused, [&](int unused) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads [[drive.file]]: the log of a data logger, with the keys `columns` and `ignore`, as input signals.
+// Reads [[drive.file]]: the log of a data logger, with the keys `columns`, `units` and `ignore`, as input signals.
 
 #include <algorithm>
 #include <cmath>
@@ -23,22 +23,45 @@ namespace {
 namespace fs = std::filesystem;
 using physics::Signal;
 
+/// The column that a key names, -1 after an error.
+int find_column(const Entry& key, const DataFile& file, InputErrors& errors) {
+    const int column = file.find(key.key);
+    if (column < 0) {
+        std::vector<std::string> known;
+        for (const ColumnHead& head : file.heads()) {
+            known.push_back(head.heading.name);
+        }
+        errors.add(key.place, fmt::format("the file has no column \"{}\"", key.key),
+                   suggest(key.key, known, "columns"));
+    }
+    return column;
+}
+
+/// Puts the units that the case gives into the headings: `units = { V = "km/h" }`.
+void take_units(TomlTable& table, DataFile& file) {
+    TomlTable units = table.subtable("units");
+    for (const Entry& entry : units.content().entries) {
+        const std::optional<std::string> unit = units.text(entry.key);
+        if (const int column = find_column(entry, file, table.errors()); column >= 0 && unit) {
+            ColumnHead& head = file.heads()[static_cast<std::size_t>(column)];
+            head.heading.unit = *unit;
+            head.unit_place = entry.value.place;
+        }
+    }
+}
+
 /// Which heading of the file stands for which name: `columns = { V = "speed" }`; without it a heading is its own name.
 std::map<std::string, LocatedString> read_names(TomlTable& table, const DataFile& file,
                                                 const std::vector<std::string>& followed) {
     std::map<std::string, LocatedString> names;
     TomlTable renamed = table.subtable("columns");
-    std::vector<std::string> known;
-    for (const ColumnHead& head : file.heads()) {
-        known.push_back(head.heading.name);
-    }
     for (const Entry& entry : renamed.content().entries) {
         const std::optional<std::string> name = renamed.text(entry.key);
-        if (file.find(entry.key) < 0) {
-            table.errors().add(entry.place, fmt::format("the file has no column \"{}\"", entry.key),
-                               suggest(entry.key, known, "columns"));
-        } else if (name && *name != "time" && physics::find_signal(*name) == nullptr &&
-                   std::ranges::find(followed, *name) == followed.end()) {
+        if (find_column(entry, file, table.errors()) < 0) {
+            continue;
+        }
+        if (name && *name != "time" && physics::find_signal(*name) == nullptr &&
+            std::ranges::find(followed, *name) == followed.end()) {
             std::vector<std::string> inputs = names_of(physics::signals());
             inputs.emplace_back("time");
             renamed.add_error(entry.key, fmt::format("\"{}\" is not an input", *name),
@@ -103,12 +126,10 @@ std::vector<ColumnRequest> requests(TomlTable& table, const DataFile& file, Prob
         } else {
             const std::size_t before = errors.count();
             if (register_signal(name, head.place, table.place("path"), builder, errors)) {
-                // Between the samples of channels with rates of their own there is nothing to miss.
-                const Purpose purpose = file.channel_table() != nullptr ? Purpose::measured : Purpose::input;
                 found.push_back({.column = static_cast<int>(i),
                                  .name = name,
                                  .spec = quantity_specs::of(*signal),
-                                 .purpose = purpose});
+                                 .purpose = Purpose::measured});
             } else if (errors.count() == before) {
                 ++overridden;  // by a constant of the case itself
             }
@@ -143,6 +164,7 @@ void read_logged(TomlTable& table, ProblemBuilder& builder) {
     }
     const std::size_t before = errors.count();
     int overridden = 0;
+    take_units(table, *file);
     const std::vector<ColumnRequest> requested_columns = requests(table, *file, builder, overridden);
     if (requested_columns.front().column < 0) {
         errors.add(file->heads().front().place, "the file has no column time [s]",
@@ -180,14 +202,14 @@ void read_logged(TomlTable& table, ProblemBuilder& builder) {
         if (const std::string dead = remove_dead(time, values[i], requested_columns[i].spec.unit); !dead.empty()) {
             errors.warn(place, fmt::format("{} {}: left out", name, dead));
         }
+        if (!judge_gaps(name, time, values[i],
+                        {.place = place, .elsewhere = fmt::format("ignore the column and give {} in [drive]", name)},
+                        errors)) {
+            continue;
+        }
         solver::SignalHistory known = known_samples(time, values[i]);
         if (std::ranges::find(hold, name, &LocatedString::text) != hold.end()) {
             known = held(known);
-        }
-        if (known.time.empty()) {
-            errors.add(place, fmt::format("{} has no value", name),
-                       fmt::format("ignore the column and give {} in [drive]", name));
-            continue;
         }
         if (physics::find_signal(name) == nullptr) {
             std::ranges::find(builder.columns, name, &UserColumn::name)->signal = std::move(known);

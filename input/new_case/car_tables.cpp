@@ -213,6 +213,15 @@ void suggest_corners(CaseDraft& draft, const Log& log) {
     }
 }
 
+bool all_have(const Log& log, std::string_view sensor) {
+    const std::vector<std::string> corners = log.corners();
+    return !corners.empty() && std::ranges::all_of(corners, [&](const std::string& corner) {
+        return std::ranges::any_of(log.columns, [&](const LogColumn& column) {
+            return column.name == sensor && column.corner == corner && column.first_value();
+        });
+    });
+}
+
 std::string first_sensor_of_all(const Log& log) {
     constexpr std::array<std::string_view, 7> names{"bulk_temperature",
                                                     "surface_temperature",
@@ -221,18 +230,8 @@ std::string first_sensor_of_all(const Log& log) {
                                                     "outside_shoulder_surface_temperature",
                                                     "infrared_1",
                                                     "gas_temperature"};
-    const std::vector<std::string> corners = log.corners();
-    for (const std::string_view name : names) {
-        const bool everywhere = std::ranges::all_of(corners, [&](const std::string& corner) {
-            return std::ranges::any_of(log.columns, [&](const LogColumn& column) {
-                return column.name == name && column.corner == corner && column.first_value();
-            });
-        });
-        if (everywhere && !corners.empty()) {
-            return name == "infrared_1" ? "infrared" : std::string(name);
-        }
-    }
-    return {};
+    const auto found = std::ranges::find_if(names, [&](std::string_view name) { return all_have(log, name); });
+    return found == names.end() ? "" : *found == "infrared_1" ? "infrared" : std::string(*found);
 }
 
 std::string shown_laps(const Log& log) {

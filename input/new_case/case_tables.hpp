@@ -17,6 +17,7 @@ struct CaseDraft {
     NewCase& result;                  ///< its log, and what is assumed and missing
     CaseWriter writer{};
 
+    [[nodiscard]] bool is_specimen() const { return mesh.name == specimen_mesh; }
     [[nodiscard]] const Log* log() const { return result.log ? &*result.log : nullptr; }
     /// The column that the case takes for an input or a sensor; null: none.
     [[nodiscard]] const LogColumn* column(std::string_view name) const {
@@ -43,10 +44,19 @@ void write_vehicle(CaseDraft& draft);
 void write_car_columns(CaseDraft& draft, const Log& log);
 /// Behind a #: corners of which nothing is known yet but columns that the user must tell apart.
 void suggest_corners(CaseDraft& draft, const Log& log);
+/// Whether every corner of the log has readings of a sensor.
+[[nodiscard]] bool all_have(const Log& log, std::string_view sensor);
 /// A sensor that every corner of the log has, of the inside before the surface; empty: none.
 [[nodiscard]] std::string first_sensor_of_all(const Log& log);
 /// The whole laps of a log, "1-8"; empty: none are known.
 [[nodiscard]] std::string shown_laps(const Log& log);
+/// The same of a durability test, with the effects of a drum, and [[critical]] with what is not known.
+void write_drum_drive(CaseDraft& draft, const DrumTest& test);
+void write_drum_effects(CaseDraft& draft, const DrumTest& test);
+void write_drum_critical(CaseDraft& draft);
+/// A [[parameter]] of an effect. @param ground of the standard deviation, which is assumed
+void write_parameter(CaseWriter& writer, std::string_view effect, std::string_view key, std::string_view deviation,
+                     std::string_view ground, std::string_view meaning = "");
 /// The list [[sensor]].
 void write_sensors(CaseDraft& draft);
 /// [[run]] or [[drive.file]] with the log's columns, and what a fit may move.

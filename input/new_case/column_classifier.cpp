@@ -13,6 +13,8 @@
 #include "input/loggers/logger_units.hpp"
 #include "input/new_case/car_columns.hpp"
 #include "input/new_case/case_writer.hpp"
+#include "input/new_case/rig_columns.hpp"
+#include "input/text/column_names.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/vehicle/vehicle_log.hpp"
@@ -21,22 +23,7 @@ namespace tiretherm::input {
 
 namespace {
 
-std::vector<ColumnMeaning> meanings_of(const MeshTemplate& mesh) {
-    std::vector<ColumnMeaning> all{{.name = "time", .spec = quantity_specs::moment}};
-    for (const physics::Signal& signal : physics::signals()) {
-        all.push_back({.name = std::string(signal.name), .spec = quantity_specs::of(signal), .is_input = true});
-    }
-    for (const TemplateSensor& sensor : mesh.sensors) {
-        all.push_back({.name = sensor.name, .spec = sensor.spec, .is_sensor = true});
-    }
-    for (const VehicleSignal& signal : vehicle_signals()) {
-        all.push_back({.name = std::string(signal.name),
-                       .spec = {.unit = signal.unit.empty() ? "1" : signal.unit},
-                       .is_input = true,
-                       .any_unit = signal.unit.empty()});
-    }
-    return all;
-}
+constexpr int behind_all = 1000;  ///< of a rank
 
 /// Classifies the headings of one file.
 class Classifier {
@@ -60,6 +47,8 @@ public:
                 take_by_name(column, exact);
             }
         }
+        take_laser();
+        take_of_a_rig();
         take_time_by_unit();
         find_car_columns();
         is_car_ = looks_like_a_car();
@@ -127,6 +116,49 @@ private:
         take(column, *meaning);
     }
 
+    /// "P laser [W]": the power, in its unit, or called so.
+    void take_laser() {
+        const ColumnMeaning* power = meaning_of("laser_power");
+        for (LogColumn& column : columns_) {
+            const std::vector<std::string> words = words_of(column.heading.name);
+            const auto has = [&](std::string_view word) { return std::ranges::find(words, word) != words.end(); };
+            const bool is_laser = has("laser") && (column.heading.unit || has("power") || has("p"));
+            if (is_laser && !column.is_used() && column.reason.empty() && !taken_.contains(power->name) &&
+                suits(column.heading, power)) {
+                take(column, *power);
+            }
+        }
+    }
+
+    /// What a tire test machine calls by a symbol, where its unit is one of what the symbol stands for.
+    void take_of_a_rig() {
+        if (!is_rig_file(columns_)) {
+            return;
+        }
+        std::vector<std::pair<const RigColumn*, LogColumn*>> known;
+        for (LogColumn& column : columns_) {
+            const RigColumn* is = find_rig_column(column.heading.name);
+            if (is != nullptr && !column.is_used() && column.reason.empty()) {
+                known.emplace_back(is, &column);
+            }
+        }
+        std::ranges::sort(known);  // as in the table, the surer of two first
+        for (const auto& [is, of] : known) {
+            LogColumn& column = *of;
+            const ColumnMeaning* meaning = meaning_of(is->name);
+            if (is->name.empty()) {
+                column.reason = "a tire's temperature does not follow from it";
+                column.is_foreign = true;
+            } else if (taken_.contains(std::string(is->name))) {
+                column.reason = fmt::format("another column is taken for {}", is->name);
+            } else if (meaning == nullptr) {
+                column.reason = no_place_for(std::string(is->name));
+            } else if (suits(column.heading, meaning)) {
+                take(column, *meaning);
+            }
+        }
+    }
+
     /// Uses a column, unless nobody can tell its unit.
     void take(LogColumn& column, const ColumnMeaning& meaning) {
         const UnitRead read =
@@ -134,7 +166,8 @@ private:
         if (read.error) {
             // A time without unit counts seconds in nearly every log.
             const bool bare_time = meaning.name == "time" && trim(column.heading.unit.value_or("")).empty();
-            column.unit = bare_time ? "s" : guess_unit(column.heading.unit.value_or(""), meaning.spec);
+            column.unit =
+                bare_time ? "s" : guess_unit(column.heading.unit.value_or(""), meaning.spec.unit, meaning.spec.scale);
         }
         if (read.error && column.unit.empty()) {
             column.reason = read.error->what;
@@ -172,9 +205,14 @@ private:
                 continue;
             }
             for (CarColumn& is : car_columns(heading.name)) {
-                if (suits(heading, meaning_of(is.name))) {
-                    candidates_.push_back({i, std::move(is)});
+                const ColumnMeaning* meaning = meaning_of(is.name);
+                if (!suits(heading, meaning)) {
+                    continue;
                 }
+                if (meaning != nullptr && meaning->any_unit && !is_pressure(heading)) {
+                    is.rank += behind_all;  // volts of a brake's sensor come after its bar
+                }
+                candidates_.push_back({i, std::move(is)});
             }
         }
         std::ranges::stable_sort(candidates_, {}, [](const CarCandidate& candidate) { return candidate.is.rank; });
@@ -184,7 +222,7 @@ private:
     [[nodiscard]] static bool suits(const Heading& heading, const ColumnMeaning* meaning) {
         const QuantitySpec& spec = meaning == nullptr ? quantity_specs::temperature : meaning->spec;
         return !heading.unit || trim(*heading.unit).empty() || (meaning != nullptr && meaning->any_unit) ||
-               !read_heading_unit(heading, spec).error || !guess_unit(*heading.unit, spec).empty();
+               !read_heading_unit(heading, spec).error || !guess_unit(*heading.unit, spec.unit, spec.scale).empty();
     }
 
     /// Readings of one tire that are numbered without a gap are an array; its sensors are called infrared_1, infrared_2 ...
@@ -232,9 +270,7 @@ private:
             column.corner = candidate.is.corner;
             const ColumnMeaning* meaning = meaning_of(candidate.is.name);
             if (meaning == nullptr) {
-                const std::string elsewhere = candidate.is.place ? "section" : mesh_with(candidate.is.name);
-                column.reason = fmt::format("the mesh {} has no place for {}, --mesh {} has", mesh_.name,
-                                            candidate.is.name, elsewhere);
+                column.reason = no_place_for(candidate.is.name, candidate.is.place ? "section" : "");
             } else if (!candidate.is.question.empty()) {
                 column.reason = candidate.is.question;
                 column.suggestion = meaning->name;
@@ -301,7 +337,7 @@ private:
             return;
         }
         if (const std::string elsewhere = mesh_with(column.heading.name); !elsewhere.empty()) {
-            column.reason = fmt::format("the mesh {} has no place for it, --mesh {} has", mesh_.name, elsewhere);
+            column.reason = no_place_for("it", elsewhere);
             return;
         }
         std::vector<ColumnMeaning> free;
@@ -313,10 +349,17 @@ private:
         if (guess != nullptr) {
             column.suggestion = guess->name;
             if (read_heading_unit(column.heading, guess->spec).error) {
-                const std::string unit = guess_unit(column.heading.unit.value_or(""), guess->spec);
+                const std::string unit =
+                    guess_unit(column.heading.unit.value_or(""), guess->spec.unit, guess->spec.scale);
                 column.suggested_unit = unit.empty() ? usual_unit(guess->spec) : unit;
             }
         }
+    }
+
+    /// @param elsewhere a mesh that has a place for it; empty: that which has a sensor of this name
+    [[nodiscard]] std::string no_place_for(const std::string& name, std::string_view elsewhere = "") const {
+        return fmt::format("the mesh {} has no place for {}, --mesh {} has", mesh_.name, name,
+                           elsewhere.empty() ? mesh_with(name) : elsewhere);
     }
 
     /// Another mesh that has a sensor of this name; empty: none.

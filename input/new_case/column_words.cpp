@@ -7,8 +7,11 @@
 #include <cctype>
 #include <span>
 
+#include "input/loggers/logger_units.hpp"
 #include "input/text/column_names.hpp"
+#include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/vehicle/vehicle_log.hpp"
 
 namespace tiretherm::input {
 
@@ -17,12 +20,6 @@ namespace {
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
-
-std::string lower(std::string_view text) {
-    std::string result;
-    std::ranges::transform(text, std::back_inserter(result), [](char c) { return lower(c); });
-    return result;
-}
 
 /// Words by which loggers call a quantity. A heading is the more likely the quantity, the more of them it has.
 struct Vocabulary {
@@ -43,7 +40,10 @@ constexpr std::array vocabularies{
     Vocabulary{"road_temperature", {"road", "track", "asphalt", "drum", "troad", "ttrack", "strasse", "ground"}},
     Vocabulary{"wet", {"wet", "rain"}},
     Vocabulary{"surface_temperature", {"surface", "surf", "tread", "ir", "infrared", "tsurf", "camera", "pyrometer"}},
-    Vocabulary{"inner_liner_temperature", {"liner", "innerliner", "inner", "inside", "carcass"}},
+    Vocabulary{"inner_liner_temperature", {"liner", "innerliner", "inner", "inside", "carcass", "back", "bottom"}},
+    Vocabulary{"spot_mean_temperature",
+               {"spot", "front", "top", "outer", "outside", "surface", "camera", "ir", "mean"}},
+    Vocabulary{"spot_centre_temperature", {"spot", "centre", "center", "peak", "max", "hottest"}},
     Vocabulary{"bulk_temperature", {"bulk", "core", "tbulk", "probe", "needle", "tire", "tyre"}},
     Vocabulary{"gas_temperature", {"gas", "cavity", "tgas", "tpms", "innenluft"}},
     Vocabulary{"drag_force", {"drag", "rolling", "resistance", "rr", "fr"}},
@@ -88,10 +88,29 @@ bool suits(const Heading& heading, const QuantitySpec& spec) {
     if (!heading.unit || trim(*heading.unit).empty() || trim(*heading.unit) == "-") {
         return !heading.unit || spec.is_pure();
     }
-    return !read_heading_unit(heading, spec).error || !guess_unit(*heading.unit, spec).empty();
+    return !read_heading_unit(heading, spec).error || !guess_unit(*heading.unit, spec.unit, spec.scale).empty();
 }
 
 }  // namespace
+
+bool is_pressure(const Heading& heading) { return heading.unit && !read_heading_unit(heading, {.unit = "Pa"}).error; }
+
+std::vector<ColumnMeaning> meanings_of(const MeshTemplate& mesh) {
+    std::vector<ColumnMeaning> all{{.name = "time", .spec = quantity_specs::moment}};
+    for (const physics::Signal& signal : physics::signals()) {
+        all.push_back({.name = std::string(signal.name), .spec = quantity_specs::of(signal), .is_input = true});
+    }
+    for (const TemplateSensor& sensor : mesh.sensors) {
+        all.push_back({.name = sensor.name, .spec = sensor.spec, .is_sensor = true});
+    }
+    for (const VehicleSignal& signal : vehicle_signals()) {
+        all.push_back({.name = std::string(signal.name),
+                       .spec = {.unit = signal.unit.empty() ? "1" : signal.unit},
+                       .is_input = true,
+                       .any_unit = signal.unit.empty()});
+    }
+    return all;
+}
 
 std::string bare_name(std::string_view name) {
     std::string bare;
@@ -101,28 +120,6 @@ std::string bare_name(std::string_view name) {
         }
     }
     return bare;
-}
-
-std::string guess_unit(std::string_view written, const QuantitySpec& spec) {
-    using Guess = std::pair<std::string_view, std::string_view>;
-    static constexpr std::array guesses{
-        Guess{"c", "degC"},        Guess{"deg", "degC"},    Guess{"\u00B0", "degC"}, Guess{"celsius", "degC"},
-        Guess{"gradc", "degC"},    Guess{"f", "degF"},      Guess{"kmh", "km/h"},    Guess{"kmph", "km/h"},
-        Guess{"km/hr", "km/h"},    Guess{"kph", "km/h"},    Guess{"mph", "mile/h"},  Guess{"mps", "m/s"},
-        Guess{"ms", "m/s"},        Guess{"n", "N"},         Guess{"kn", "kN"},       Guess{"kg", "kgf"},
-        Guess{"lb", "lbf"},        Guess{"lbs", "lbf"},     Guess{"sec", "s"},       Guess{"secs", "s"},
-        Guess{"seconds", "s"},     Guess{"msec", "ms"},     Guess{"minutes", "min"}, Guess{"degrees", "degree"},
-        Guess{"\u00BA", "degree"}, Guess{"grad", "degree"}, Guess{"rads", "rad"},    Guess{"percent", "%"},
-        Guess{"pct", "%"},         Guess{"psi", "psi"},     Guess{"psig", "psi"},    Guess{"barg", "bar"},
-        Guess{"bar(g)", "bar"},    Guess{"kpa", "kPa"},     Guess{"bar", "bar"},     Guess{"w", "W"},
-        Guess{"nm", "N m"},        Guess{"s", "s"},         Guess{"k", "K"}};
-    const std::string unit = lower(trim(written));
-    for (const auto& [from, to] : guesses) {
-        if (unit == from && std::holds_alternative<Conversion>(conversion(to, spec.unit, spec.scale))) {
-            return std::string(to);
-        }
-    }
-    return {};
 }
 
 std::string usual_unit(const QuantitySpec& spec) {

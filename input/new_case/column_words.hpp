@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "input/new_case/mesh_template.hpp"
 #include "input/tables/columns.hpp"
 
 namespace tiretherm::input {
@@ -20,11 +21,14 @@ struct ColumnMeaning {
     bool any_unit = false;  ///< only whether there is something counts
 };
 
+/// All that a column may be: the time first, inputs, sensors of a mesh, signals of a car.
+[[nodiscard]] std::vector<ColumnMeaning> meanings_of(const MeshTemplate& mesh);
+/// Whether a column that counts in any unit is in a unit of pressure.
+[[nodiscard]] bool is_pressure(const Heading& heading);
+
 /// A name without capitals, blanks and signs: "Vertical Load" and "vertical_load" are the same.
 [[nodiscard]] std::string bare_name(std::string_view name);
 
-/// The unit that was probably meant by one that cannot be taken as it is: "C" of a temperature is degC. Empty: no guess.
-[[nodiscard]] std::string guess_unit(std::string_view written, const QuantitySpec& spec);
 /// The unit that messages would write for a quantity: km/h, N, degC.
 [[nodiscard]] std::string usual_unit(const QuantitySpec& spec);
 

@@ -8,21 +8,25 @@
 #include <fmt/format.h>
 
 #include "input/new_case/case_tables.hpp"
+#include "physics/tire_laws/load_capacity.hpp"
 
 namespace tiretherm::input {
 
 namespace {
 
-/// An input that the effects of a tire need, and what the library's constant is.
+/// An input that the effects of a tire or of a specimen need, and what the library's constant is.
 struct NeededInput {
     std::string_view name;
     std::string_view meaning;
     std::string_view ground;
+    bool of_tire = true;
+    bool of_specimen = false;
 };
 constexpr std::array needed{
     NeededInput{"vertical_load", "on the tire", "that of the thesis's first warm-up"},
     NeededInput{"speed", "of the road under the tire", "that of the thesis's first warm-up"},
-    NeededInput{"air_temperature", "of the air around the tire", "a room; the thesis names none"},
+    NeededInput{"laser_power", "of the light on the spot", "one of the thesis's", false, true},
+    NeededInput{"air_temperature", "of the air around", "a room; the thesis names none", true, true},
     NeededInput{"road_temperature", "of the road or the drum", "that of the air; a road in the sun is hotter"}};
 
 std::string without_quotes(const std::string& value) {
@@ -39,11 +43,32 @@ double mean(const std::vector<double>& values) {
     return sum / count;
 }
 
-/// The constant in place of an input that no log gives.
-std::string constant(const CaseDraft& draft, std::string_view name) {
-    const LogColumn* air = draft.column("air_temperature");
-    return name == "road_temperature" && air != nullptr ? shown_celsius(mean(air->value))
-                                                        : without_quotes(draft.mesh.setting("drive", name));
+/// The constant in place of an input that no log gives, and where it is from.
+struct Constant {
+    std::string value;
+    std::string ground;
+};
+Constant constant(const CaseDraft& draft, const NeededInput& input) {
+    constexpr double load_share = 0.8;   // of what the tire may carry: ISO 28580 measures rolling resistance so
+    constexpr double speed_share = 0.8;  // of a slow tire's symbol
+    constexpr double usual_speed = 100.0 / 3.6;
+    const TireSize& size = draft.request.size;
+    const std::optional<double> load = size.service ? size.service->load() : std::nullopt;
+    if (const LogColumn* air = draft.column("air_temperature"); input.name == "road_temperature" && air != nullptr) {
+        return {shown_celsius(mean(air->value)), "the mean of the log's air_temperature; a road in the sun is hotter"};
+    }
+    if (input.name == "vertical_load" && load) {
+        const double carried = physics::load_capacity(*load, draft.inflation_pressure, size.load_pressure());
+        return {fmt::format("{:.0f} N", 10.0 * std::round(0.1 * load_share * carried)),
+                fmt::format("80 % of what load index {} carries at {:g} kPa", size.service->load_index,
+                            draft.inflation_pressure * 1e-3)};
+    }
+    const std::optional<double> fastest = size.service ? size.service->speed() : std::nullopt;
+    if (input.name == "speed" && fastest && speed_share * *fastest < usual_speed) {
+        return {fmt::format("{:.0f} km/h", 3.6 * speed_share * *fastest),
+                fmt::format("80 % of what the speed symbol {} allows", size.service->speed_symbol)};
+    }
+    return {without_quotes(draft.mesh.setting("drive", input.name)), std::string(input.ground)};
 }
 
 /// Inputs that may be given, as comments.
@@ -59,12 +84,15 @@ void suggest_inputs(CaseDraft& draft) {
     }
 }
 
-void suggest_schedule(CaseWriter& writer) {
+void suggest_schedule(CaseWriter& writer, bool is_specimen) {
     writer.blank();
     writer.remark("Straight lines between rows may take the place of a constant, two rows at one time are a jump:");
     writer.remark("[[drive.schedule]]");
-    writer.suggestion("columns", "[\"time [min]\", \"speed [km/h]\"]", "remove speed from [drive] then");
-    writer.suggestion("rows", "[[0, 80], [20, 80], [20, 120], [60, 120]]");
+    const std::string_view input = is_specimen ? "laser_power" : "speed";
+    writer.suggestion("columns", fmt::format("[\"time [min]\", \"{} [{}]\"]", input, is_specimen ? "W" : "km/h"),
+                      fmt::format("remove {} from [drive] then", input));
+    writer.suggestion(
+        "rows", is_specimen ? "[[0, 1], [10, 1], [10, 3], [20, 3]]" : "[[0, 80], [20, 80], [20, 120], [60, 120]]");
 }
 
 /// The mean of the first values of the sensors whose names end so; nothing where there is none.
@@ -101,11 +129,13 @@ std::string shown_seconds(double seconds) { return fmt::format("{} s", seconds);
 
 void write_drive(CaseDraft& draft) {
     CaseWriter& writer = draft.writer;
-    writer.heading("[drive]", draft.column("time") != nullptr
-                                  ? "what the log does not give"
-                                  : "how the tire is driven, in any unit: \"62 mph\" will do");
+    writer.heading("[drive]", draft.column("time") != nullptr ? "what the log does not give"
+                                                              : "the inputs, in any unit: \"62 mph\" will do");
     const bool of_car = draft.log() != nullptr && draft.log()->is_car;
     for (const NeededInput& input : needed) {
+        if (draft.is_specimen() ? !input.of_specimen : !input.of_tire) {
+            continue;
+        }
         if (of_car && input.name == "vertical_load" && draft.column(input.name) == nullptr &&
             draft.log()->has_motion()) {
             writer.remark("vertical_load, forces and slips of each tire follow from [vehicle] and the log.");
@@ -116,20 +146,17 @@ void write_drive(CaseDraft& draft) {
             writer.remark(fmt::format("{}: the log's column {}", input.name, column->title()));
             continue;
         }
-        const std::string value = constant(draft, input.name);
-        const bool of_air = input.name == "road_temperature" && draft.column("air_temperature") != nullptr;
-        const std::string ground =
-            of_air ? "the mean of the log's air_temperature; a road in the sun is hotter" : std::string(input.ground);
+        const auto [value, ground] = constant(draft, input);
         const std::string lacking = lacking_of(draft.log(), input.name);
         writer.entry(input.name, fmt::format("\"{}\"", value),
                      fmt::format("{}; {}assumed: {}", input.meaning, lacking, ground));
         draft.assume(key, value, lacking + ground);
     }
-    if (!of_car) {
+    if (!of_car && !draft.is_specimen()) {
         suggest_inputs(draft);
     }
     if (draft.column("time") == nullptr) {
-        suggest_schedule(writer);
+        suggest_schedule(writer, draft.is_specimen());
     }
 }
 
@@ -146,6 +173,9 @@ void write_initial(CaseDraft& draft) {
         writer.entry("temperature", fmt::format("\"{}\"", sensor),
                      "of each tire: what its sensor reads first, all through the tire; assumed: it has stood a while");
         draft.assume("initial.temperature", sensor, "what each tire's sensor reads first, all through the tire");
+        if (draft.mesh.name == "section" && sensor != "gas_temperature" && all_have(*draft.log(), "gas_temperature")) {
+            writer.entry("gas", "\"gas_temperature\"", "of each tire: what its sensor reads first");
+        }
         return;
     }
     if (!inside || of_corners) {
@@ -183,8 +213,7 @@ void write_time(CaseDraft& draft) {
     const std::string output = draft.mesh.setting("time", "output");
     writer.heading("[time]");
     if (const Log* log = draft.log(); log == nullptr) {
-        writer.entry("end", draft.mesh.setting("time", "end"),
-                     "of the run, in any unit: \"1 h\"; until the tire is warm");
+        writer.entry("end", draft.mesh.setting("time", "end"), "of the run, in any unit: \"1 h\"; until it is warm");
     } else if (log->use == LogUse::nothing) {
         writer.entry("start", fmt::format("\"{}\"", shown_seconds(log->time.front())), "the log's first time");
         writer.entry("end", fmt::format("\"{}\"", shown_seconds(log->time.back())), "the log's last time");

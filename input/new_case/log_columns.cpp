@@ -16,6 +16,7 @@
 #include "input/measurements/run_inputs.hpp"
 #include "input/new_case/car_columns.hpp"
 #include "input/new_case/column_classifier.hpp"
+#include "input/new_case/rig_columns.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/units.hpp"
 #include "input/text/wildcard.hpp"
@@ -49,9 +50,11 @@ bool read_values(DataFile& file, const std::vector<ColumnMeaning>& meanings, Log
             file.heads()[static_cast<std::size_t>(column.column)].heading.unit = column.unit;
         }
         const auto meaning = std::ranges::find(meanings, column.name, &ColumnMeaning::name);
+        QuantitySpec spec = meaning->spec;
+        spec.low = column.name == "vertical_load" ? -spec.high : spec.low;  // its sign is looked at afterwards
         requests.push_back({.column = column.column,
                             .name = column.name,
-                            .spec = meaning->spec,
+                            .spec = spec,
                             .purpose = column.name == "time" ? Purpose::clock
                                        : meaning->any_unit   ? Purpose::unused
                                                              : Purpose::measured});
@@ -64,15 +67,11 @@ bool read_values(DataFile& file, const std::vector<ColumnMeaning>& meanings, Log
     return !values.empty();
 }
 
-bool has_gap(const LogColumn& column) {
-    return std::ranges::any_of(column.value, [](double v) { return std::isnan(v); });
-}
-
 /// Columns with too little in them are not used.
 void drop_gaps(Log& log) {
     for (LogColumn& column : log.columns) {
         if (column.is_input) {
-            if (const auto error = gap_error(column.name, log.time, column.value, "")) {
+            if (const auto error = gap_error(column.name, log.time, column.value)) {
                 drop(column, error->what);
             }
         } else if (column.is_sensor && !column.first_value()) {
@@ -81,8 +80,7 @@ void drop_gaps(Log& log) {
     }
 }
 
-/// A log without a sensor's column can still drive the case; [[drive.file]] reads CSV, units as the headings have them,
-/// without a gap.
+/// A log without a sensor's column can still drive the case.
 void choose_use(Log& log) {
     if (std::ranges::any_of(log.columns, &LogColumn::is_sensor)) {
         log.use = LogUse::run;
@@ -91,20 +89,6 @@ void choose_use(Log& log) {
     for (LogColumn& column : log.columns) {
         if (!column.corner.empty() && column.is_used()) {
             drop(column, "nothing is measured on the tires that it could be compared with");
-        }
-    }
-    const LogColumn* time = log.find("time");
-    const std::string whole = !log.is_text          ? "inputs without a measured temperature are read from CSV alone"
-                              : !time->unit.empty() ? "the time has no unit that can be read: write \"time [s]\""
-                                                    : "";
-    for (LogColumn& column : log.columns) {
-        if (column.is_input && !whole.empty()) {
-            drop(column, whole);
-        } else if (column.is_input && !column.unit.empty()) {
-            drop(column,
-                 fmt::format("[{}] is no unit of it: write [{}]", column.heading.unit.value_or(""), column.unit));
-        } else if (column.is_input && has_gap(column)) {
-            drop(column, fmt::format("{} has missing values", column.name));
         }
     }
     log.use = std::ranges::any_of(log.columns, &LogColumn::is_input) ? LogUse::drive : LogUse::nothing;
@@ -178,7 +162,10 @@ std::set<std::size_t> give_units(const std::vector<GivenUnit>& units, DataFile& 
         }
         bool any = false;
         for (std::size_t i = 0; i < file.heads().size(); ++i) {
-            if (matches(one.column, file.heads()[i].heading.name)) {
+            const Heading& heading = file.heads()[i].heading;
+            const std::string unit = heading.unit.value_or("");
+            if (matches(one.column, heading.name) || one.column == fmt::format("{} [{}]", heading.name, unit) ||
+                one.column == fmt::format("{} ({})", heading.name, unit)) {
                 file.heads()[i].heading.unit = one.unit;
                 given.insert(i);
                 any = true;
@@ -256,7 +243,7 @@ std::optional<Log> read_log(const std::filesystem::path& path, const MeshTemplat
         return std::nullopt;
     }
     const std::set<std::size_t> given = give_units(units, *file, errors);
-    Log log{.path = path.generic_string(), .is_text = file->is_text()};
+    Log log{.path = path.generic_string()};
     LogMeaning meaning = meaning_of_columns(*file, mesh, errors);
     log.columns = std::move(meaning.columns);
     log.is_car = meaning.is_car;
@@ -291,10 +278,16 @@ std::optional<Log> read_log(const std::filesystem::path& path, const MeshTemplat
         }
     }
     remove_dead_samples(log, meaning.meanings);
+    turn_signs(log);
     drop_gaps(log);
     drop_signals_of_the_car(log);
     choose_use(log);
     log.laps = find_laps(*file, log.time, std::nullopt, true, errors);
+    for (LogColumn& column : log.columns) {
+        column.counts_laps =
+            log.laps.source == LapSource::column && !column.is_used() && column.heading.name == log.laps.column;
+        column.is_foreign = column.is_foreign && !column.counts_laps;
+    }
     return log;
 }
 

@@ -29,6 +29,7 @@ struct LogColumn {
     std::string reason{};          ///< why it is not used
     bool is_foreign = false;       ///< not used, as nothing of the model goes by such a name
     bool must_ignore = false;      ///< not used, although the reader would know its name
+    bool counts_laps = false;      ///< not used but for the laps of the log
     bool is_dropped = false;       ///< not used, although it is the suggestion: too little in it
     std::vector<double> value{};   ///< [n_samples] SI, NaN where missing; of a used column
 
@@ -55,7 +56,6 @@ enum class LogUse : std::uint8_t {
 /// A log that has been read.
 struct Log {
     std::string path;            ///< as the user would type it
-    bool is_text = true;         ///< CSV, not HDF5
     std::vector<double> time{};  ///< [n_samples] s
     std::vector<LogColumn> columns{};
     LogUse use = LogUse::nothing;

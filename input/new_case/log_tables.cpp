@@ -50,25 +50,30 @@ private:
     bool is_open_ = false;
 };
 
-/// [run.columns] and [run.units]: what holds, and behind a # what may hold.
-/// @param commented all of it behind a #
-void write_columns(CaseWriter& writer, const Log& log, bool commented) {
-    ColumnTable columns(writer, "[run.columns]", "the log's column = what it is: time, an input or a sensor",
+/// [run.columns] and [run.units], or those of [[drive.file]]: what holds, and behind a # what may hold.
+/// @param table "run" or "drive.file"  @param commented all of it behind a #
+void write_columns(CaseWriter& writer, const Log& log, std::string_view table, bool commented) {
+    const bool of_run = table == "run";
+    ColumnTable columns(writer, fmt::format("[{}.columns]", table),
+                        of_run ? "the log's column = what it is: time, an input or a sensor"
+                               : "the log's column = what it is: time or an input",
                         commented);
     for (const LogColumn& column : log.columns) {
+        const bool is_guess =
+            !column.is_used() && !column.suggestion.empty() && column.suggestion != column.heading.name;
         if (is_renamed(column)) {
             columns.entry(column, toml_text::in_quotes(column.name), column.title());
-        } else if (!column.is_used() && !column.suggestion.empty() && column.suggestion != column.heading.name) {
+        } else if (is_guess && of_run) {
             columns.suggestion(column, toml_text::in_quotes(column.suggestion),
                                fmt::format("{}: is it? Then take the # away", column.title()));
         }
     }
-    ColumnTable units(writer, "[run.units]", "of columns whose heading has no unit, or one that cannot be read",
-                      commented);
+    ColumnTable units(writer, fmt::format("[{}.units]", table),
+                      "of columns whose heading has no unit, or one that cannot be read", commented);
     for (const LogColumn& column : log.columns) {
         if (column.is_used() && !column.unit.empty()) {
             units.entry(column, toml_text::in_quotes(column.unit), column.unit_remark());
-        } else if (!column.is_used() && !column.suggested_unit.empty()) {
+        } else if (!column.is_used() && !column.suggested_unit.empty() && of_run) {
             units.suggestion(column, toml_text::in_quotes(column.suggested_unit), "or what its unit is");
         }
     }
@@ -93,7 +98,8 @@ void write_unused(CaseWriter& writer, const Log& log) {
     }
     std::vector<std::string> unknown;
     for (const LogColumn& column : log.columns) {
-        if (!column.is_used() && !column.must_ignore && column.suggestion.empty() && !column.heading.name.empty()) {
+        if (!column.is_used() && !column.must_ignore && !column.counts_laps && column.suggestion.empty() &&
+            !column.heading.name.empty()) {
             unknown.push_back(column.heading.name);
         }
     }
@@ -110,38 +116,37 @@ void write_ignored(CaseWriter& writer, const Log& log) {
 }
 
 /// What `tiretherm identify` may move: start, cooling and heating, with how well they are known.
-/// @param is_car whose slips follow from its motion  @param road_is_assumed to have the air's temperature
-void write_parameters(CaseWriter& writer, bool is_car, bool road_is_assumed) {
+/// @param road_is_assumed to have the air's temperature
+void write_parameters(const CaseDraft& draft, CaseWriter& writer, bool is_car, bool road_is_assumed) {
     writer.blank();
-    writer.remark(
+    writer.remark(fmt::format(
         "What `tiretherm identify` fits and `tiretherm diagnose` fits anew beside each cause: cooling by the air, "
-        "heating by deformation and the start, each with the standard deviation of what is known beforehand. "
-        "`tiretherm run` and `compare` take the values as they stand.");
-    writer.lines({"[[parameter]]"});
-    writer.entry("effect", "\"air_convection\"");
-    writer.entry("key", "\"lambda_h\"");
-    writer.entry("standard_deviation", "0.1", "assumed: films are known to 10 %");
-    writer.heading("[[parameter]]");
-    writer.entry("effect", "\"strain_energy_loss\"");
-    writer.entry("key", "\"tan_delta_a\"", "scales the loss tangent (49), and so the loss, everywhere alike");
-    writer.entry("standard_deviation", "0.2e15", "assumed: about 10 %");
+        "heating by {} and the start, each with the standard deviation of what is known beforehand. "
+        "`tiretherm run` and `compare` take the values as they stand.",
+        draft.is_specimen() ? "the laser" : "deformation"));
+    if (draft.is_specimen()) {
+        write_parameter(writer, "still_air", "h", "\"3 W/m2K\"", "a film in still air");
+        write_parameter(writer, "laser", "absorptivity", "0.05", "black rubber absorbs 0.9 to 1");
+    } else {
+        write_parameter(writer, "air_convection", "lambda_h", "0.1", "films are known to 10 %");
+        write_parameter(writer, "strain_energy_loss", "tan_delta_a", "0.2e15", "about 10 %",
+                        "scales the loss tangent (49), and so the loss, everywhere alike");
+    }
     if (is_car) {
-        for (const auto& [key, meaning] : {std::pair{"\"lambda_y\"", "in turns"}, std::pair{"\"lambda_x\"", "along"}}) {
-            writer.heading("[[parameter]]");
-            writer.entry("effect", "\"sliding_friction\"");
-            writer.entry("key", key, fmt::format("scales the heat of sliding {}", meaning));
-            writer.entry("standard_deviation", "0.3", "assumed: the slips follow from what is assumed of the car");
+        for (const auto& [key, meaning] : {std::pair{"lambda_y", "in turns"}, std::pair{"lambda_x", "along"}}) {
+            write_parameter(writer, "sliding_friction", key, "0.3", "the slips follow from what is assumed of the car",
+                            fmt::format("scales the heat of sliding {}", meaning));
         }
     }
     if (is_car && road_is_assumed) {
         writer.heading("[effects.road_temperature_drift]", "does nothing but for its offset, which a fit may move");
-        writer.heading("[[parameter]]");
-        writer.entry("effect", "\"road_temperature_drift\"");
-        writer.entry("key", "\"offset\"", "how much hotter the road is than [drive] says");
-        writer.entry("standard_deviation", "\"10 K\"", "assumed: a road in the sun");
+        write_parameter(writer, "road_temperature_drift", "offset", "\"10 K\"", "a road in the sun",
+                        "how much hotter the road is than [drive] says");
     }
     writer.heading("[[parameter]]");
-    writer.entry("initial", "\"temperature\"", "a shift of the whole tire at the start");
+    writer.entry(
+        "initial", "\"temperature\"",
+        draft.is_specimen() ? "a shift of the whole specimen at the start" : "a shift of the whole tire at the start");
     writer.entry("standard_deviation", "\"3 K\"", "assumed");
 }
 
@@ -164,24 +169,19 @@ void write_run(CaseDraft& draft, const Log& log) {
     writer.suggestion("to", fmt::format("\"{}\"", shown_seconds(log.time.back())));
     write_ignored(writer, log);
     if (!log.is_car) {
-        write_columns(writer, log, false);
+        write_columns(writer, log, "run", false);
     }
-    write_parameters(writer, log.is_car && log.has_motion(), draft.column("road_temperature") == nullptr);
+    write_parameters(draft, writer, log.is_car && log.has_motion(), draft.column("road_temperature") == nullptr);
 }
 
 void write_drive_file(CaseDraft& draft, const Log& log) {
     CaseWriter& writer = draft.writer;
     writer.blank();
-    writer.remark("The log drives the tire.");
+    writer.remark(fmt::format("The log drives the {}.", draft.is_specimen() ? "specimen" : "tire"));
     writer.lines({"[[drive.file]]"});
     writer.entry("path", log_path(draft), "from this file's folder");
     write_ignored(writer, log);
-    ColumnTable columns(writer, "[drive.file.columns]", "the log's column = what it is", false);
-    for (const LogColumn& column : log.columns) {
-        if (is_renamed(column)) {
-            columns.entry(column, toml_text::in_quotes(column.name), column.title());
-        }
-    }
+    write_columns(writer, log, "drive.file", false);
 }
 
 /// How to compare once a column is known to be a sensor's.
@@ -198,10 +198,18 @@ void suggest_run(CaseDraft& draft, const Log& log) {
     write_unused(writer, log);
     writer.remark("[[run]]");
     writer.suggestion("file", log_path(draft), "from this file's folder");
-    write_columns(writer, log, true);
+    write_columns(writer, log, "run", true);
 }
 
 }  // namespace
+
+void write_parameter(CaseWriter& writer, std::string_view effect, std::string_view key, std::string_view deviation,
+                     std::string_view ground, std::string_view meaning) {
+    writer.heading("[[parameter]]");
+    writer.entry("effect", toml_text::in_quotes(effect));
+    writer.entry("key", toml_text::in_quotes(key), meaning);
+    writer.entry("standard_deviation", deviation, fmt::format("assumed: {}", ground));
+}
 
 void write_log(CaseDraft& draft) {
     if (draft.log() == nullptr) {

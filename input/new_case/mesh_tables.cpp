@@ -45,7 +45,7 @@ constexpr std::array adjusted{Adjusted{"strain_energy_loss", {"lambda_srf", "lam
                               Adjusted{"inner_gas", {"liner", "rim", "capacity"}},
                               Adjusted{"camber_asymmetry", {"c"}}};
 
-void write_effect(CaseWriter& writer, std::string_view id) {
+void write_effect(CaseWriter& writer, std::string_view id, bool on_drum) {
     const physics::Effect* effect = physics::find_effect(id);
     const auto found = std::ranges::find(adjusted, id, &Adjusted::effect);
     if (effect == nullptr) {
@@ -57,6 +57,13 @@ void write_effect(CaseWriter& writer, std::string_view id) {
         if (found != adjusted.end() && std::ranges::find(found->keys, parameter.key) != found->keys.end()) {
             writer.entry(parameter.key, toml_text::quantity(parameter.standard, parameter.unit), parameter.meaning);
         }
+    }
+    if (on_drum && id == "strain_energy_loss") {
+        writer.entry("belt_edge_gain", "1.0",
+                     "assumed: at its edges the belt loses twice as much per mass as elsewhere");
+    }
+    if (on_drum && id == "air_convection") {
+        writer.entry("exponential", "\"off\"", "that of thesis (33) was fitted on a road at surfaces below 100 degC");
     }
 }
 
@@ -84,16 +91,17 @@ void write_effects(CaseDraft& draft) {
         "What heats and cools the tire. Values are the program's own: a line that is removed changes nothing. "
         "`tiretherm effects` lists all effects, `tiretherm effects air_convection` one with all its numbers and "
         "where they come from. [effects.NAME] switches one on, on = false below it one off.");
+    const bool on_drum = draft.request.test.has_value();
     for (const Adjusted& effect : adjusted) {
         const physics::Effect* known = physics::find_effect(effect.effect);
         const bool named = std::ranges::find(draft.mesh.effects, effect.effect) != draft.mesh.effects.end();
         if (known != nullptr && (known->on || named)) {
-            write_effect(writer, effect.effect);
+            write_effect(writer, effect.effect, on_drum);
         }
     }
     for (const std::string& id : draft.mesh.effects) {
         if (std::ranges::find(adjusted, id, &Adjusted::effect) == adjusted.end()) {
-            write_effect(writer, id);
+            write_effect(writer, id, on_drum);
         }
     }
 }

@@ -19,11 +19,12 @@ struct Library {
     std::string_view what;
     std::array<std::string_view, 2> files;
 };
-constexpr std::array<std::string_view, 3> names{"section", "layers", "two_node"};
-constexpr std::array<Library, 3> libraries{
+constexpr std::array<std::string_view, 4> names{"section", "layers", "two_node", specimen_mesh};
+constexpr std::array<Library, 4> libraries{
     Library{"a cross-section", {"section/common.toml", "section/4000N_100kmh.toml"}},
     Library{"layers through the crown", {"layers/common.toml", "layers/two_conductivities.toml"}},
-    Library{"two nodes, surface and bulk", {"two_node/common.toml", "two_node/4000N_100kmh.toml"}}};
+    Library{"two nodes, surface and bulk", {"two_node/common.toml", "two_node/4000N_100kmh.toml"}},
+    Library{"a specimen under a laser", {"laser/common.toml", "laser/one_watt.toml"}}};
 
 constexpr QuantitySpec force{.unit = "N"};
 constexpr QuantitySpec moment{.unit = "N m"};
@@ -68,7 +69,8 @@ void take_head(const CasePart& head, MeshTemplate& into) {
 
 void take(CasePart part, MeshTemplate& into) {
     constexpr std::string_view effects = "effects.";
-    if (part.table == "mesh" || part.table == "mesh.layer" || part.table == "material") {
+    const bool of_specimen = into.name == specimen_mesh && part.table.starts_with(effects);  // with its own values
+    if (part.table == "mesh" || part.table == "mesh.layer" || part.table == "material" || of_specimen) {
         into.mesh.push_back(std::move(part));
     } else if (part.table.starts_with(effects)) {
         into.effects.push_back(part.table.substr(effects.size()));
@@ -111,7 +113,9 @@ MeshTemplate mesh_template(std::string_view name, double tread_thickness_mm) {
             take(std::move(parts[i]), made);
         }
     }
-    add_extra_sensors(made, tread_thickness_mm);
+    if (made.name != specimen_mesh) {
+        add_extra_sensors(made, tread_thickness_mm);
+    }
     return made;
 }
 

@@ -20,13 +20,16 @@ struct TemplateSensor {
     std::vector<std::string> lines{};
 };
 
+/// The mesh of a case that is about a specimen and no tire.
+inline constexpr std::string_view specimen_mesh = "specimen";
+
 /// A kind of mesh with all that the library's cases on it share.
 struct MeshTemplate {
     std::string name;                    ///< "section", as the option --mesh takes it
     std::string what;                    ///< "a cross-section"
     std::vector<std::string> origin{};   ///< comment lines: sources and assumptions
     std::string sources{};               ///< value of the key
-    std::vector<CasePart> mesh{};        ///< [mesh], [[mesh.layer]] and [[material]]
+    std::vector<CasePart> mesh{};        ///< [mesh], [[mesh.layer]] and [[material]]; of a specimen the effects too
     std::vector<std::string> effects{};  ///< that are named
     std::vector<CasePart> settings{};    ///< [drive], [initial] and [time]
     std::vector<TemplateSensor> sensors{};

@@ -18,19 +18,25 @@ namespace tiretherm::input {
 namespace {
 
 // Of the library's light truck tire, beside the thesis's passenger tire: cases/tires/drum_265_65_R16C.toml says why.
-constexpr double passenger_pressure = 220e3;  // Pa above the atmosphere
-constexpr double light_truck_pressure = 450e3;
+constexpr double passenger_pressure = 220e3;   // Pa above the atmosphere
 constexpr double light_truck_tread = 3e-3;     // m more
 constexpr double light_truck_sidewall = 2e-3;  // m more
+constexpr double truck_tread = 13e-3;          // m more: a deeper pattern and four belts of steel
+constexpr double truck_sidewall = 5e-3;        // m more
 constexpr std::string_view mesh_of_a_car = "two_node";
 
 CaseDraft begin(const NewCaseRequest& request, NewCase& result) {
     const physics::Tire thesis;
-    const bool heavy = request.size.light_truck;
+    const TireSize& size = request.size;
     CaseDraft draft{.request = request, .mesh = {}, .result = result};
-    draft.tread_thickness = thesis.tread_thickness + (heavy ? light_truck_tread : 0.0);
-    draft.sidewall_thickness = thesis.sidewall_thickness + (heavy ? light_truck_sidewall : 0.0);
-    draft.inflation_pressure = request.inflation_pressure.value_or(heavy ? light_truck_pressure : passenger_pressure);
+    draft.tread_thickness = thesis.tread_thickness + (size.truck         ? truck_tread
+                                                      : size.light_truck ? light_truck_tread
+                                                                         : 0.0);
+    draft.sidewall_thickness = thesis.sidewall_thickness + (size.truck         ? truck_sidewall
+                                                            : size.light_truck ? light_truck_sidewall
+                                                                               : 0.0);
+    draft.inflation_pressure =
+        request.inflation_pressure.value_or(size.light_truck ? size.load_pressure() : passenger_pressure);
     return draft;
 }
 
@@ -48,6 +54,13 @@ bool has_places_across(const Log& log) {
            });
 }
 
+/// Whether a column has, or seems to have, the power of a laser, which no rolling tire is under.
+bool has_laser(const Log& log) {
+    return std::ranges::any_of(log.columns, [](const LogColumn& column) {
+        return column.name == "laser_power" || column.suggestion == "laser_power";
+    });
+}
+
 /// Mesh and log, which depend on each other: a mesh says what may have been measured. @returns false after an error
 bool read_mesh_and_log(CaseDraft& draft) {
     const NewCaseRequest& request = draft.request;
@@ -57,7 +70,11 @@ bool read_mesh_and_log(CaseDraft& draft) {
     }
     InputErrors errors;
     draft.result.log = read_log(*request.log, draft.mesh, request.units, errors);
-    if (request.mesh.empty() && draft.log() != nullptr && draft.log()->is_car && !has_places_across(*draft.log())) {
+    if (request.mesh.empty() && draft.log() != nullptr && has_laser(*draft.log())) {
+        take_mesh(draft, specimen_mesh);
+        draft.result.log = read_log(*request.log, draft.mesh, request.units, errors);
+    } else if (request.mesh.empty() && draft.log() != nullptr && draft.log()->is_car &&
+               !has_places_across(*draft.log())) {
         // Four tires over many laps: seconds in place of minutes. Not where a tire would lose its only reading.
         std::optional<Log> lumped = read_log(*request.log, mesh_template(mesh_of_a_car, 0.0), request.units, errors);
         if (lumped && lumped->use == draft.log()->use &&
@@ -75,10 +92,15 @@ void write_head(CaseDraft& draft) {
     CaseWriter& writer = draft.writer;
     const NewCaseRequest& request = draft.request;
     const std::string target = request.target.filename().string();
-    const std::string of = request.log
-                               ? fmt::format("{} and the size {}", request.log->filename().string(), request.size.text)
-                               : fmt::format("the size {}", request.size.text);
-    writer.remark(fmt::format("A tire on {}, made by `tiretherm new` from {}. It runs as it is:", draft.mesh.what, of));
+    const std::string log = request.log ? request.log->filename().string() : "";
+    const std::string size = draft.is_specimen() ? "" : fmt::format("the size {}", request.size.text);
+    writer.remark(fmt::format("{}, made by `tiretherm new`{}{}{}{}. It runs as it is:",
+                              draft.is_specimen() ? "A specimen under a laser" : "A tire on " + draft.mesh.what,
+                              log.empty() && size.empty() ? "" : " from ", log,
+                              log.empty() || size.empty() ? "" : " and ", size));
+    if (!draft.result.unread.empty()) {
+        writer.remark(draft.result.unread);
+    }
     const bool measured = draft.log() != nullptr && draft.log()->use == LogUse::run;
     for (const std::string_view command : {"run", "compare", "check"}) {
         if (command != "compare" || measured) {
@@ -89,13 +111,29 @@ void write_head(CaseDraft& draft) {
         "`check` lists everything that is wrong after a change, with line and remedy. A quantity is a text with its "
         "unit; any unit of the right kind will do. Behind the # stands what a value means and where it comes from: "
         "from the thesis, which measured one 225/50 R17, or assumed. Replace first what is assumed.");
-    writer.remark("About the values of mesh and materials, those of the library's case of the thesis's tire:");
+    writer.remark(fmt::format("About the values of mesh and materials, those of the library's case of the thesis's {}:",
+                              draft.is_specimen() ? "experiment" : "tire"));
     writer.lines(draft.mesh.origin);
     writer.blank();
-    const std::string title = request.log ? fmt::format("{}, {}", request.size.text, request.log->stem().string())
-                                          : fmt::format("{} on {}", request.size.text, draft.mesh.what);
+    const std::string subject = draft.is_specimen() ? "specimen under a laser" : request.size.text;
+    const std::string title = request.log           ? fmt::format("{}, {}", subject, request.log->stem().string())
+                              : draft.is_specimen() ? subject
+                                                    : fmt::format("{} on {}", subject, draft.mesh.what);
     writer.entry("title", toml_text::in_quotes(printable(title)));
     writer.entry("sources", draft.mesh.sources);
+}
+
+/// Why the case does not read the log, which must be said before all else.
+std::string why_unread(const Log& log) {
+    const auto is_known = [](const LogColumn& column) { return !column.suggestion.empty(); };
+    const auto asked = std::ranges::find_if(log.columns, is_known);
+    return fmt::format(
+        "The case does not read {}: no column of it is known to be an input or a sensor's{}. It lasts as long as the "
+        "log, with constant inputs.",
+        log.path,
+        asked == log.columns.end()
+            ? std::string()
+            : fmt::format(" ({} may be {}: {})", asked->title(), asked->full_suggestion(), asked->reason));
 }
 
 /// Says what the user will look for in vain.
@@ -107,11 +145,15 @@ void list_missing(const CaseDraft& draft) {
     }
     for (const LogColumn& column : log->columns) {
         if (!column.is_used() && (column.must_ignore || column.suggestion == column.heading.name)) {
-            missing.push_back({fmt::format("{} is not used: {}", column.title(), column.reason),
-                               column.suggested_unit.empty()
-                                   ? fmt::format("complete the column {}", column.heading.name)
-                                   : fmt::format("write \"{} [{}]\" into the log, or say the unit in [run.units]",
-                                                 column.heading.name, column.suggested_unit)});
+            const bool has_unit = !trim(column.heading.unit.value_or("")).empty();
+            missing.push_back(
+                {fmt::format("{} is not used: {}", column.title(), column.reason),
+                 column.suggested_unit.empty() ? fmt::format("complete the column {}", column.heading.name)
+                 : has_unit
+                     ? fmt::format("if [{}] is {}, say --unit \"{}={}\", or else what it is", *column.heading.unit,
+                                   column.suggested_unit, column.heading.name, column.suggested_unit)
+                     : fmt::format("write \"{} [{}]\" into the log, or say --unit \"{}={}\"", column.heading.name,
+                                   column.suggested_unit, column.heading.name, column.suggested_unit)});
         }
     }
     if (log->use == LogUse::run) {
@@ -165,20 +207,35 @@ NewCase make_new_case(const NewCaseRequest& request) {
     if (!read_mesh_and_log(draft)) {
         return result;
     }
-    if (request.size_is_assumed) {
+    if (draft.log() != nullptr && draft.log()->use == LogUse::nothing) {
+        result.unread = why_unread(*draft.log());
+    }
+    if (request.size_is_assumed && !draft.is_specimen()) {
         draft.assume("tire.size", request.size.text,
                      "the tire of the thesis: the log does not name its tire; --size does");
     }
     write_head(draft);
-    write_tire(draft);
+    if (!draft.is_specimen()) {
+        write_tire(draft);
+    }
     write_mesh(draft);
-    write_effects(draft);
-    write_drive(draft);
-    write_vehicle(draft);
-    write_initial(draft);
-    write_time(draft);
+    if (!draft.is_specimen()) {
+        write_effects(draft);
+    }
+    if (request.test) {
+        write_drum_effects(draft, *request.test);
+        write_drum_drive(draft, *request.test);
+    } else {
+        write_drive(draft);
+        write_vehicle(draft);
+        write_initial(draft);
+        write_time(draft);
+    }
     write_sensors(draft);
     write_log(draft);
+    if (request.test) {
+        write_drum_critical(draft);
+    }
     list_missing(draft);
     check(request, draft.writer.text(), result);
     if (result.errors.empty()) {

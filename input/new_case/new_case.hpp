@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "input/new_case/drum_tests.hpp"
 #include "input/new_case/log_columns.hpp"
 #include "input/tire_property_file/tire_size.hpp"
 
@@ -14,11 +15,12 @@ namespace tiretherm::input {
 
 /// What a new case is to be about.
 struct NewCaseRequest {
-    TireSize size;
+    TireSize size;                               ///< of no use to a specimen
     bool size_is_assumed = false;                ///< nobody named it
     std::optional<double> inflation_pressure{};  ///< Pa above the atmosphere; none: by the kind of tire
     std::string mesh{};                          ///< one of mesh_template_names(); empty: by the log
     std::optional<std::filesystem::path> log{};
+    std::optional<DrumTest> test{};  ///< of a size, on a cross-section
     std::vector<GivenUnit> units{};  ///< of columns of the log
     std::filesystem::path target;    ///< where the case will be: paths in it are written from its folder
 };
@@ -39,6 +41,7 @@ struct MissingPart {
 /// The case that was made. There is a text exactly when there is no error.
 struct NewCase {
     std::string text;
+    std::string unread;     ///< why the case does not read the log, a sentence; empty: it does, or there is none
     std::string mesh;       ///< in words: "a cross-section"
     std::string mesh_name;  ///< as the option takes it: "section"
     std::optional<Log> log;

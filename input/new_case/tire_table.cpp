@@ -56,6 +56,11 @@ void write_laws(CaseWriter& writer, const physics::Tire& tire, const Reasons& wh
     writer.entry("rolling_radius_exponent", short_number(tire.rolling_radius_exponent, 3), why.exponent);
 }
 
+std::string more_than_thesis(double metres) {
+    return metres < 1e-9 ? ", as the thesis's tire"
+                         : fmt::format("; assumed: {:.0f} mm more than a passenger tire's", metres * 1e3);
+}
+
 }  // namespace
 
 void write_tire(CaseDraft& draft) {
@@ -70,7 +75,11 @@ void write_tire(CaseDraft& draft) {
                            std::abs(size.width - base.width) < 1e-9 &&
                            draft.inflation_pressure == base.inflation_pressure;
     const double ratio = physics::vertical_stiffness(outline) / physics::vertical_stiffness(base);
+    const physics::Tire base_tire;
     CaseWriter& writer = draft.writer;
+    if (!size.assumption.empty()) {
+        draft.assume("tire.size", size.text, size.assumption);
+    }
     if (is_thesis) {
         writer.blank();
         writer.remark(
@@ -91,16 +100,16 @@ void write_tire(CaseDraft& draft) {
                      fmt::format("scaled from the thesis's 225/50 R17 at {:g} kPa", draft.inflation_pressure * 1e-3));
     }
     writer.lines({"[tire]"});
-    writer.entry("size", toml_text::in_quotes(size.text),
-                 fmt::format("W = {:g} mm, H = {:g} mm, rim {:g} in", size.width * 1e3, size.section_height * 1e3,
-                             size.rim_diameter / 0.0254));
+    writer.entry(
+        "size", toml_text::in_quotes(size.text),
+        fmt::format("W = {:.5g} mm, H = {:.5g} mm, rim {:g} in{}{}", size.width * 1e3, size.section_height * 1e3,
+                    size.rim_diameter / 0.0254, size.assumption.empty() ? "" : "; assumed: ", size.assumption));
     const Reasons& why = is_thesis ? thesis : scaled;
     writer.entry("unloaded_radius", in_mm(tire.unloaded_radius, 1), why.radius);
     writer.entry("tread_thickness", in_mm(draft.tread_thickness, 0),
-                 size.light_truck ? "through crown and tread; assumed: 3 mm more than a passenger tire's"
-                                  : "through crown and tread, as the thesis's tire");
+                 "through crown and tread" + more_than_thesis(draft.tread_thickness - base_tire.tread_thickness));
     writer.entry("sidewall_thickness", in_mm(draft.sidewall_thickness, 0),
-                 size.light_truck ? "assumed: 2 mm more than a passenger tire's" : "as the thesis's tire");
+                 "of the sidewall" + more_than_thesis(draft.sidewall_thickness - base_tire.sidewall_thickness));
     write_laws(writer, tire, why);
     writer.entry("reference_pressure", fmt::format("\"{:g} kPa\"", draft.inflation_pressure * 1e-3),
                  "at which these laws hold; they follow drive.inflation_pressure where it is given");

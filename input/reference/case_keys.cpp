@@ -34,9 +34,9 @@ constexpr Sentence sentences[] = {
 
 /// Tables whose keys are names that the user chooses.
 constexpr std::array tables_of_names{
-    "run.columns",       "corner.columns",     "corner.units",       "corner.unit_names",      "run.units",
-    "run.frames",        "data.columns",       "data.units",         "drive.file.columns",     "number.files",
-    "number.over.files", "number.minus.files", "number.uncertainty", "number.over.minus.files"};
+    "run.columns",  "corner.columns",    "corner.units",       "corner.unit_names",  "run.units",
+    "run.frames",   "data.columns",      "data.units",         "drive.file.columns", "drive.file.units",
+    "number.files", "number.over.files", "number.minus.files", "number.uncertainty", "number.over.minus.files"};
 /// Laws of the load, which are tables of columns and rows.
 constexpr std::array laws_of_the_load{"tire.contact_length", "tire.contact_area", "tire.loaded_radius",
                                       "tire.rolling_radius"};

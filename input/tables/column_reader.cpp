@@ -3,11 +3,15 @@
 
 #include "input/tables/column_reader.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "input/loggers/logger_units.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/toml/toml_text.hpp"
 
 namespace tiretherm::input {
 
@@ -21,6 +25,7 @@ constexpr double longest_pause = 100.0 * seconds_of_a_day;
 
 ColumnReader::ColumnReader(const ColumnHead& head, const ColumnRequest& request, InputErrors& errors)
     : request_(&request),
+      heading_(head.heading.name),
       form_(head.form),
       limiter_(errors),
       unit_(head.form == FieldForm::number ? head.heading.unit.value_or("") : "") {
@@ -55,6 +60,11 @@ bool ColumnReader::accept(double written, bool is_number) {
         case Purpose::input:
             break;
     }
+    if (request_->purpose == Purpose::measured && value < request_->spec.low &&
+        value >= request_->spec.low - request_->spec.zero_error) {
+        values.back() = request_->spec.low;
+        return is_number;
+    }
     const bool inside = value >= request_->spec.low && value <= request_->spec.high && std::isfinite(value);
     const bool orders = request_->purpose == Purpose::clock || request_->purpose == Purpose::frame;
     const bool third = request_->purpose == Purpose::clock && value == before_last_;
@@ -78,6 +88,25 @@ void ColumnReader::remember() {
         before_last_ = last_;
         last_ = values.back();
     }
+}
+
+std::string ColumnReader::other_unit(double written) const {
+    const QuantitySpec& spec = request_->spec;
+    const auto is_inside = [&](double value) {
+        return value >= std::max(spec.low, spec.usual_low) && value <= std::min(spec.high, spec.usual_high);
+    };
+    if (spec.unit != "K") {
+        return spec.low == 0.0 && is_inside(conversion_.to_si(-written))
+                   ? fmt::format("-1 {}", meant_unit(unit_, spec.unit))
+                   : "";
+    }
+    constexpr std::array<std::string_view, 3> temperatures{"K", "degC", "degF"};
+    const auto fits = std::ranges::find_if(temperatures, [&](std::string_view unit) {
+        const auto read = conversion(unit, "K", Scale::absolute);
+        const auto* found = std::get_if<Conversion>(&read);
+        return found != nullptr && is_inside(found->to_si(written));
+    });
+    return fits == temperatures.end() ? "" : std::string(*fits);
 }
 
 ErrorText ColumnReader::error_text(std::string_view field, double written, bool is_number) const {
@@ -111,11 +140,12 @@ ErrorText ColumnReader::error_text(std::string_view field, double written, bool 
     if (ParsedQuantity parsed = check_quantity(written, conversion_, unit_, request_->spec, name, shown);
         parsed.error) {
         if (may_miss && (parsed.error->remedy.empty() || !std::isfinite(written))) {
-            const double turned = conversion_.to_si(-written);
-            const bool other_sign = turned >= request_->spec.low && turned <= request_->spec.high;
-            parsed.error->remedy = other_sign && request_->spec.low == 0.0 && request_->spec.unit != "K"
-                                       ? "turn the sign of the column, or " + empty_it
-                                       : empty_it;
+            const std::string other = other_unit(written);
+            const std::string all = other.starts_with('-') ? "has the other sign" : "is in " + other;
+            parsed.error->remedy =
+                other.empty() ? empty_it
+                              : fmt::format("{}; if the whole column {}, say so in the case: units = {{ {} = \"{}\" }}",
+                                            empty_it, all, toml_text::key(heading_), other);
         }
         return *parsed.error;
     }

@@ -78,9 +78,12 @@ private:
     bool accept(double written, bool is_number);
     void report(const FieldLocation& field, double written, bool is_number);
     [[nodiscard]] ErrorText error_text(std::string_view field, double written, bool is_number) const;
+    /// A unit in which a value that is out of range would be in it, the other sign of a load among them; empty: none.
+    [[nodiscard]] std::string other_unit(double written) const;
     void remember();
 
     const ColumnRequest* request_;
+    std::string heading_;
     FieldForm form_;
     ErrorLimiter limiter_;
     std::string unit_;

@@ -37,7 +37,10 @@ UnitRead read_heading_unit(const Heading& heading, const QuantitySpec& spec) {
     if (read.error) {
         const Dimension what = dimension(spec.unit, spec.scale);
         const std::size_t blank = what.example.find(' ');
-        const std::string example = spec.is_pure() || blank == std::string::npos ? "-" : what.example.substr(blank + 1);
+        const std::string guess = guess_unit(unit, spec.unit, spec.scale);
+        const std::string example = !guess.empty()                                 ? guess
+                                    : spec.is_pure() || blank == std::string::npos ? "-"
+                                                                                   : what.example.substr(blank + 1);
         read.error->remedy = fmt::format("write a unit such as \"{} [{}]\"", heading.name, example);
     }
     return read;

@@ -12,8 +12,10 @@
 #include <fmt/format.h>
 
 #include "input/loggers/binary_logs.hpp"
+#include "input/loggers/logger_units.hpp"
 #include "input/text/enough_memory.hpp"
 #include "input/text/regular_file.hpp"
+#include "input/toml/toml_text.hpp"
 
 namespace tiretherm::input {
 
@@ -130,18 +132,19 @@ void DataFile::choose_rows(const std::vector<int>& columns) {
 std::string DataFile::unit_remedy(const ColumnHead& head, const QuantitySpec& spec) const {
     const std::string example = dimension(spec.unit, spec.scale).example;
     const std::size_t blank = example.find(' ');
-    const std::string unit = blank == std::string::npos ? std::string(spec.unit) : example.substr(blank + 1);
+    const std::string written = head.heading.unit.value_or("");
+    const std::string guess = guess_unit(written, spec.unit, spec.scale);
+    const std::string unit = !guess.empty()               ? guess
+                             : blank == std::string::npos ? std::string(spec.unit)
+                                                          : example.substr(blank + 1);
     const std::string& name = head.heading.name;
-    const bool bare =
-        name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") == std::string::npos;
-    const std::string key = bare ? name : fmt::format("\"{}\"", name);
+    const std::string key = toml_text::key(name);
     const std::string there =
         text_ != nullptr ? fmt::format("write \"{} [{}]\", or say it in the case: ", name, unit)
         : std::holds_alternative<Hdf5Columns>(columns_)
             ? fmt::format("give the dataset an attribute units = \"{}\", or say it in the case: ", unit)
             : std::string("say it in the case: ");
     // A logger that writes C writes it in all columns.
-    const std::string written = head.heading.unit.value_or("");
     const auto read = written.empty() ? std::variant<Conversion, UnitError>(Conversion{})
                                       : conversion(written, spec.unit, spec.scale);
     const auto* wrong = std::get_if<UnitError>(&read);
@@ -149,7 +152,9 @@ std::string DataFile::unit_remedy(const ColumnHead& head, const QuantitySpec& sp
     const std::string for_all =
         alias ? fmt::format(", or once for all columns in [{0}]: unit_names = {{ \"{0}\" = \"{1}\" }}", written, unit)
               : "";
-    return fmt::format("{}units = {{ {} = \"{}\" }}{}", there, key, unit, for_all);
+    // What is written may be any other unit: taken for the usual one it would make the numbers wrong.
+    const std::string where = written.empty() || !guess.empty() ? "" : fmt::format("if its numbers are in {}, ", unit);
+    return fmt::format("{}{}units = {{ {} = \"{}\" }}{}", where, there, key, unit, for_all);
 }
 
 ColumnReader::FieldLocation DataFile::spot(std::size_t row) const {

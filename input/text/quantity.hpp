@@ -21,6 +21,7 @@ struct QuantitySpec {
     bool above = false;                                           ///< `low` itself is refused
     double usual_low = -std::numeric_limits<double>::infinity();  ///< beyond: a warning
     double usual_high = std::numeric_limits<double>::infinity();
+    double zero_error = 0.0;  ///< of sensors, in `unit`: what they read this far below `low` is `low`
 
     [[nodiscard]] bool is_pure() const { return unit == "1"; }
 };

@@ -123,7 +123,27 @@ std::vector<TomlValue> listed_texts(const TomlValue& value, std::string_view key
     return texts;
 }
 
-/// Takes a key away from what has been included. @param path "drive.air_temperature"
+/// The table of a list that a path goes on with by its name: "spot" of "spot" and "tread" of "tread.thickness", whatever dots and
+/// blanks the name has; the end of the list where there is none.
+std::vector<TomlValue>::iterator named_item(TomlValue& list, std::string_view rest) {
+    return std::ranges::find_if(list.items, [&](const TomlValue& item) {
+        const TomlValue* name = item.find("name");
+        return name != nullptr && name->kind == TomlValue::Kind::text && !name->text.empty() &&
+               (rest == name->text || rest.starts_with(name->text + "."));
+    });
+}
+
+std::vector<std::string> names_in(const TomlValue& list) {
+    std::vector<std::string> names;
+    for (const TomlValue& item : list.items) {
+        if (const TomlValue* name = item.find("name"); name != nullptr) {
+            names.push_back(name->text);
+        }
+    }
+    return names;
+}
+
+/// Takes a key away from what has been included. @param path "drive.air_temperature", or "sensor.spot" of a list
 void unset(TomlValue& included, const TomlValue& path, InputErrors& errors) {
     TomlValue* table = &included;
     std::string_view rest = path.text;
@@ -144,6 +164,21 @@ void unset(TomlValue& included, const TomlValue& path, InputErrors& errors) {
         }
         table = &found->value;
         rest.remove_prefix(dot + 1);
+        if (table->kind == TomlValue::Kind::array) {
+            const auto item = named_item(*table, rest);
+            if (item == table->items.end()) {
+                errors.add(path.place, fmt::format("unset: no included file has \"{}\"", path.text),
+                           suggest(std::string(rest), names_in(*table), fmt::format("names in [[{}]]", key)));
+                return;
+            }
+            const std::size_t name = item->find("name")->text.size();
+            if (name == rest.size()) {
+                table->items.erase(item);
+                return;
+            }
+            table = &*item;
+            rest.remove_prefix(name + 1);
+        }
     }
 }
 

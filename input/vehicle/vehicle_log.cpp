@@ -46,6 +46,45 @@ std::optional<double> factor_to(const VehicleSignal& signal, const std::string& 
     return std::nullopt;
 }
 
+std::string_view shown_unit(const VehicleSignal& signal) {
+    return signal.unit == "m s-2" ? "m/s2" : signal.unit == "rad" ? "rad" : "rad/s";
+}
+
+/// Takes away samples that no car has, where they are so few that the sensor was knocked or a byte was lost.
+/// @returns false after an error: more are a wrong unit
+bool take_away_impossible(const VehicleSignal& signal, const SourceLocation& place, InputErrors& errors,
+                          solver::SignalHistory& history) {
+    constexpr double most_share = 0.01;
+    constexpr double fewest = 3.0;  // in a short log, where they are a tenth at most
+    constexpr double most_of_short = 0.1;
+    std::vector<std::size_t> beyond;
+    for (std::size_t i = 0; i < history.value.size(); ++i) {
+        if (history.value[i] < signal.low || history.value[i] > signal.high) {
+            beyond.push_back(i);
+        }
+    }
+    if (beyond.empty()) {
+        return true;
+    }
+    const auto n = static_cast<double>(history.value.size());
+    const std::string what = fmt::format("{} is {:.6g} {} at {:.6g} s, beyond {:.6g} to {:.6g}, where no car is",
+                                         signal.name, history.value[beyond.front()], shown_unit(signal),
+                                         history.time[beyond.front()], signal.low, signal.high);
+    if (static_cast<double>(beyond.size()) > std::max(most_share * n, std::min(fewest, most_of_short * n))) {
+        errors.add(place, what, "look for a wrong unit of the column, or leave out the part with from and to");
+        return false;
+    }
+    errors.warn(place, beyond.size() == 1
+                           ? what + ": the sample is left out"
+                           : fmt::format("{}: {} samples of this kind are left out", what, beyond.size()));
+    std::ranges::reverse(beyond);
+    for (const std::size_t i : beyond) {
+        history.time.erase(history.time.begin() + static_cast<std::ptrdiff_t>(i));
+        history.value.erase(history.value.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    return true;
+}
+
 /// @returns false after an error
 bool take(const VehicleSignal& signal, const UserColumn& column, const SourceLocation& place, InputErrors& errors,
           solver::SignalHistory& into) {
@@ -69,21 +108,8 @@ bool take(const VehicleSignal& signal, const UserColumn& column, const SourceLoc
         return false;
     }
     into = column.signal;
-    for (std::size_t i = 0; i < into.value.size(); ++i) {
-        into.value[i] *= *factor;
-        if (!signal.unit.empty() && (into.value[i] < signal.low || into.value[i] > signal.high)) {
-            errors.add(place,
-                       fmt::format("{} is {:.6g} {} at {:.6g} s, beyond {:.6g} to {:.6g}, where no car is", signal.name,
-                                   into.value[i],
-                                   signal.unit == "m s-2" ? "m/s2"
-                                   : signal.unit == "rad" ? "rad"
-                                                          : "rad/s",
-                                   into.time[i], signal.low, signal.high),
-                       "look for a wrong unit of the column, or leave out the part with from and to");
-            return false;
-        }
-    }
-    return true;
+    std::ranges::for_each(into.value, [&](double& value) { value *= *factor; });
+    return signal.unit.empty() || take_away_impossible(signal, place, errors, into);
 }
 
 /// The car's speed as [drive] or the run's file gives it, as a history.

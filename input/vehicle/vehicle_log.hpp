@@ -37,7 +37,8 @@ struct VehicleLog {
 };
 
 /// Finds the signals among the columns of the run's file and of the logs of [drive]; the run's win. A unit of another
-/// dimension and values that no car has are errors; [g] of an acceleration is standard gravity, not a gram.
+/// dimension and values that no car has are errors, but for single ones, which are left out with a warning; [g] of an
+/// acceleration is standard gravity, not a gram.
 /// @param place of [vehicle]  @returns nothing after an error
 [[nodiscard]] std::optional<VehicleLog> find_vehicle_log(const ProblemBuilder& builder, const SourceLocation& place,
                                                          InputErrors& errors);

@@ -8,8 +8,8 @@ namespace tiretherm::physics {
 
 /// Speeds and loads that a service description such as 94H stands for.
 struct ServiceDescription {
-    int load_index = 0;       ///< 60 to 126
-    char speed_symbol = ' ';  ///< L to Y; ' ' where none is given
+    int load_index = 0;       ///< 50 to 160
+    char speed_symbol = ' ';  ///< F to Y; ' ' where none is given
 
     /// @returns N, nothing for an index outside the table of ISO 4000-1 that is kept here
     [[nodiscard]] std::optional<double> load() const;

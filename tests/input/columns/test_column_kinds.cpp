@@ -167,6 +167,15 @@ TEST(ColumnKinds, ClocksCountersAndDistances) {
     EXPECT_EQ(judged("fuel", "kg", [](double t) { return 60.0 - 0.02 * t; }).reason, even);
 }
 
+// It rises evenly, as a clock does; it is what the gas does that warms up, or the oil's, which may be a cause.
+TEST(ColumnKinds, APressureIsNoClock) {
+    const auto even = [](double t) { return 2.0 + 0.0005 * t; };
+    const ColumnSummary tire = judged("TPMS 3", "bar", even);
+    EXPECT_EQ(tire.kind, ColumnKind::result);
+    EXPECT_EQ(tire.reason, "a pressure of the tire by its name (tpms), which follows its temperature");
+    EXPECT_NE(kind_of("Oil Pressure Lap", "kPa", even), ColumnKind::clock);
+}
+
 TEST(ColumnKinds, ConstantsAreNoCauses) {
     EXPECT_EQ(judged("map_switch", "-", [](double) { return 3.0; }).reason, "never changes");
 }

@@ -80,6 +80,25 @@ TEST(LogSurvey, SaysWhatLooksWrong) {
     EXPECT_TRUE(doubts(found, "Rear Temp is a copy of Front Temp with 2 K added, sample by sample"));
 }
 
+// Samples 0.1 s apart, every tenth 0.3 s: no field is empty. A throttle rests at 0 % in half of them, and nothing uses it. The laps
+// come from a column that no model knows.
+TEST(LogSurvey, CallsNothingMissingOrClippedThatIsNot) {
+    std::string log = "time [s],speed [km/h],throttle [%],lap_number,surface_temperature [degC]\n";
+    double t = 0.0;
+    for (int i = 0; i < 400; ++i) {
+        t += i % 10 == 9 ? 0.3 : 0.1;
+        log += made_up::digits(t, 1) + "," + made_up::digits(100.0 + 20.0 * std::sin(0.3 * i), 1) + "," +
+               made_up::digits(std::max(0.0, 80.0 * std::sin(0.3 * i) + 0.1 * ((i * 7) % 5)), 1) + "," +
+               std::to_string(1 + i / 100) + "," + made_up::digits(60.0 + 0.02 * i + 0.1 * ((i * 7) % 5), 1) + "\n";
+    }
+    const LogSurvey found = survey("log.csv", log);
+    for (const ColumnSurvey& one : found.columns) {
+        EXPECT_EQ(one.missing, 0.0) << one.name;
+    }
+    EXPECT_FALSE(doubts(found, "throttle"));
+    EXPECT_EQ(column(found, "lap_number").use, "laps");
+}
+
 // Tolerance: a step is the difference of two times of some 10 s, known to 2e-15 s of 0.02 s.
 TEST(LogSurvey, KeepsTheRatesOfALdFile) {
     using made_up::integers;

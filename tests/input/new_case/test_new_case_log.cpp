@@ -160,7 +160,7 @@ TEST(NewCaseLog, OddLogRunsAtOnceAndIsComparedOnceItsColumnsAreConfirmed) {
     EXPECT_NEAR(inputs.air_temperature, zero_of_log + 25.0, 1e-9);
 }
 
-// Inputs alone drive the tire; a column with a gap or without a unit is left to a constant.
+// Inputs alone drive the tire; a column that is missing for too long or without a unit is left to a constant.
 TEST(NewCaseLog, InputsAloneDriveTheTire) {
     const Written written;
     written.add("drive.csv",

@@ -51,6 +51,41 @@ TEST(TireSize, ServiceDescriptionMayStandBehind) {
     EXPECT_FALSE(read_size("225/50 R17 XL").service);
 }
 
+// Outer diameter and rim in inches leave the height: (31 - 15)/2 = 8 in, (16 - 10)/2 = 3 in, of an aircraft's 22x5.5 on 12 in 5 in.
+// 11R22.5: 0.86 of 279.4 mm; 7.50R16: as high as wide. A racing tire's 660 mm on 18 in: (660 - 457.2)/2 = 101.4 mm.
+TEST(TireSize, InchesAndOuterDiametersAreRead) {
+    struct Expected {
+        std::string_view text;
+        double width, height, rim;  // mm, mm, in
+    };
+    for (const auto& [text, width, height, rim] :
+         {Expected{"31x10.50R15LT", 266.7, 203.2, 15}, Expected{"LT31X10.50 R15", 266.7, 203.2, 15},
+          Expected{"16.0x7.5-10", 190.5, 76.2, 10}, Expected{"20.5 x 7.0-13", 177.8, 95.25, 13},
+          Expected{"10x4.50-5", 114.3, 63.5, 5}, Expected{"22x5.5", 139.7, 127.0, 12},
+          Expected{"18x4.4", 111.76, 101.6, 10}, Expected{"H44.5x16.5-21", 419.1, 298.45, 21},
+          Expected{"7.2/20.0-13", 182.88, 88.9, 13}, Expected{"11R22.5", 279.4, 240.284, 22.5},
+          Expected{"11 R 22.5 146/143L", 279.4, 240.284, 22.5}, Expected{"7.50R16", 190.5, 190.5, 16},
+          Expected{"18.4R38", 467.36, 397.256, 38}, Expected{"165SR13", 165, 132, 13},
+          Expected{"185R14C 102/100Q", 185, 148, 14}, Expected{"305/660-18", 305, 101.4, 18},
+          Expected{"P225/45ZR17 (91Y)", 225, 101.25, 17}, Expected{"ST205/75R15", 205, 153.75, 15}}) {
+        const TireSize size = read_size(text);
+        EXPECT_NEAR(1e3 * size.width, width, 1e-6) << text;
+        EXPECT_NEAR(1e3 * size.section_height, height, 1e-6) << text;
+        EXPECT_NEAR(size.rim_diameter / 0.0254, rim, 1e-9) << text;
+    }
+    EXPECT_TRUE(read_size("31x10.50R15LT").light_truck);
+    EXPECT_FALSE(read_size("31x10.50R15LT").truck);
+    EXPECT_TRUE(read_size("11R22.5").truck);
+    EXPECT_FALSE(read_size("16.0x7.5-10").light_truck);
+    EXPECT_EQ(read_size("22x5.5").assumption, "a rim of 12 in, as aircraft tires of type VII have");
+    EXPECT_EQ(read_size("11R22.5").assumption, "a section 86 % as high as wide, which the size does not say");
+    EXPECT_EQ(read_size("31x10.50R15LT").assumption, "");
+    EXPECT_EQ(read_size("LT245/75R16 120/116S").service->load_index, 120);
+    EXPECT_EQ(read_size("31x10.50R15LT 109Q").service->speed_symbol, 'Q');
+    EXPECT_EQ(read_size("P225/45ZR17 (91Y)").service->speed_symbol, 'Y');
+    EXPECT_EQ(read_size("215/60 R16 104/101R").service->load_index, 104);
+}
+
 TEST(TireSize, OtherTextsAreRefusedWithAnExample) {
     for (const std::string_view text :
          {"", "225", "225/50", "225/50 X17", "22.5/50 R17", "225/500 R17", "225/50 R170"}) {

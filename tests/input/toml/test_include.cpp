@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Includes of TOML files: which value wins, how tables and lists merge, and where each value comes from.
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "input/toml/document.hpp"
@@ -36,6 +38,26 @@ std::string place(const InputErrors& errors, const TomlValue& node) {
 }
 
 }  // namespace
+
+// Tables of a list go by their names, which may have blanks and dots; a key of one goes alone.
+TEST(Include, UnsetTakesATableOfAListAwayByItsName) {
+    const Written written;
+    written.add("base.toml",
+                std::string(slab) +
+                    "[[sensor]]\nname = \"spot\"\nkind = \"point\"\ndepth = \"0 mm\"\n"
+                    "[[sensor]]\nname = \"kept\"\nkind = \"point\"\ndepth = \"1 mm\"\nmeaning = \"below\"\n");
+    const Reading reading = read_case(
+        written.add("case.toml", "include = [\"base.toml\"]\nunset = [\"sensor.spot\", \"sensor.kept.meaning\"]\n"));
+    ASSERT_TRUE(reading.problem) << render(reading);
+    EXPECT_TRUE(
+        std::ranges::none_of(reading.problem->channels, [](const auto& channel) { return channel.name == "spot"; }));
+    EXPECT_TRUE(
+        std::ranges::any_of(reading.problem->channels, [](const auto& channel) { return channel.name == "kept"; }));
+    const Reading wrong =
+        read_case(written.add("wrong.toml", "include = [\"base.toml\"]\nunset = [\"sensor.spott\"]\n"));
+    EXPECT_NE(render(wrong).find("unset: no included file has \"sensor.spott\""), std::string::npos);
+    EXPECT_NE(render(wrong).find("did you mean `spot`?"), std::string::npos) << render(wrong);
+}
 
 TEST(Include, TheIncludingFileWinsKeyByKeyAndEveryValueKnowsItsFile) {
     const Written written;

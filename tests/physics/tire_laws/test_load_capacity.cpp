@@ -14,8 +14,8 @@ TEST(LoadCapacity, ReadsTheServiceDescription) {
     EXPECT_NEAR(*(ServiceDescription{.load_index = 60}.load()), 250.0 * 9.80665, 1e-9);
     EXPECT_NEAR(*(ServiceDescription{.load_index = 100}.load()), 800.0 * 9.80665, 1e-9);
     EXPECT_NEAR(*(ServiceDescription{.load_index = 126}.load()), 1700.0 * 9.80665, 1e-9);
-    EXPECT_FALSE(ServiceDescription{.load_index = 59}.load());
-    EXPECT_FALSE(ServiceDescription{.load_index = 127}.load());
+    EXPECT_FALSE(ServiceDescription{.load_index = 49}.load());
+    EXPECT_FALSE(ServiceDescription{.load_index = 161}.load());
     EXPECT_FALSE(ServiceDescription{.load_index = 94}.speed());
     EXPECT_NEAR(*(ServiceDescription{.load_index = 94, .speed_symbol = 'Y'}.speed()), 300.0 / 3.6, 1e-9);
 }
