@@ -140,9 +140,9 @@ std::string spelt(std::string_view text) {
 }  // namespace
 
 bool is_logger_unit(std::string_view written) {
-    constexpr std::array<std::string_view, 30> plain{
-        "s",     "ms", "us",  "min", "h",     "m",  "mm", "km", "ft", "c", "f",  "k",  "g", "m/s", "m/s2",
-        "m/s^2", "mg", "deg", "rad", "rad/s", "hz", "v",  "mv", "a",  "n", "kn", "pa", "%", "l",   "degc"};
+    constexpr std::array<std::string_view, 33> plain{
+        "w",    "mw",    "kw", "s",   "ms",  "us",    "min", "h", "m",  "mm", "km", "ft", "c",  "f", "k", "g",   "m/s",
+        "m/s2", "m/s^2", "mg", "deg", "rad", "rad/s", "hz",  "v", "mv", "a",  "n",  "kn", "pa", "%", "l", "degc"};
     const std::string small = in_small_letters(with_sign_of_degrees(written));
     return std::ranges::find(plain, small) != plain.end() || clock_spelling(written).has_value() ||
            std::ranges::any_of(spellings, [&](const Spelling& spelling) { return spelling[0] == small; });

@@ -126,6 +126,9 @@ private:
             if (is_laser && !column.is_used() && column.reason.empty() && !taken_.contains(power->name) &&
                 suits(column.heading, power)) {
                 take(column, *power);
+            } else if (has("laser") && column.heading.unit == "%" && column.reason.empty()) {
+                column.reason = "how many W are 100 %?";
+                column.suggestion = power->name;
             }
         }
     }

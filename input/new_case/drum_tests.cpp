@@ -87,7 +87,8 @@ DrumTest fmvss_139(std::string_view name) {
         .title = "FMVSS 139",
         .origin = "trade press on 49 CFR 571.139: speeds, times and loads; the room and the pressure are recalled",
         .pressure_ground = "recalled",
-        .room = 35.0};
+        .room = 35.0,
+        .rows = {}};
     if (name == "fmvss_139_high_speed") {
         test.title += " high speed";
         test.pressure = 220e3;

@@ -291,4 +291,14 @@ std::optional<Log> read_log(const std::filesystem::path& path, const MeshTemplat
     return log;
 }
 
+void leave_out(Log& log, const std::string& name, const std::string& reason) {
+    for (LogColumn& column : log.columns) {
+        if (column.name == name) {
+            drop(column, reason);
+        }
+    }
+    drop_signals_of_the_car(log);
+    choose_use(log);
+}
+
 }  // namespace tiretherm::input

@@ -88,4 +88,7 @@ struct GivenUnit {
 [[nodiscard]] std::optional<Log> read_log(const std::filesystem::path& path, const MeshTemplate& mesh,
                                           const std::vector<GivenUnit>& units, InputErrors& errors);
 
+/// Leaves out an input of a log that has been read, and what is of no use without it.
+void leave_out(Log& log, const std::string& name, const std::string& reason);
+
 }  // namespace tiretherm::input

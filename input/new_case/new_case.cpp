@@ -8,6 +8,7 @@
 
 #include "input/corners/corner.hpp"
 #include "input/measurements/runs.hpp"
+#include "input/new_case/car_columns.hpp"
 #include "input/new_case/case_tables.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/toml/toml_text.hpp"
@@ -199,17 +200,14 @@ void check(const NewCaseRequest& request, const std::string& text, NewCase& resu
     result.warnings.insert(result.warnings.end(), runs.data_warnings.begin(), runs.data_warnings.end());
 }
 
-}  // namespace
-
-NewCase make_new_case(const NewCaseRequest& request) {
-    NewCase result;
-    CaseDraft draft = begin(request, result);
-    if (!read_mesh_and_log(draft)) {
-        return result;
-    }
-    if (draft.log() != nullptr && draft.log()->use == LogUse::nothing) {
-        result.unread = why_unread(*draft.log());
-    }
+/// The tables of the case, and what it assumes and lacks.
+void write_case(CaseDraft& draft) {
+    const NewCaseRequest& request = draft.request;
+    NewCase& result = draft.result;
+    draft.writer = CaseWriter();
+    result.assumed.clear();
+    result.missing.clear();
+    result.unread = draft.log() != nullptr && draft.log()->use == LogUse::nothing ? why_unread(*draft.log()) : "";
     if (request.size_is_assumed && !draft.is_specimen()) {
         draft.assume("tire.size", request.size.text,
                      "the tire of the thesis: the log does not name its tire; --size does");
@@ -237,7 +235,42 @@ NewCase make_new_case(const NewCaseRequest& request) {
         write_drum_critical(draft);
     }
     list_missing(draft);
-    check(request, draft.writer.text(), result);
+}
+
+/// Leaves out the input of the log by which the case is refused: the one that the error begins with, and where it names none all
+/// that tell the motion of a car. @returns whether there was one
+bool leave_out_culprit(CaseDraft& draft) {
+    NewCase& result = draft.result;
+    for (const InputError& error : result.errors) {
+        if (!result.log || error.file != draft.request.target.generic_string()) {
+            continue;  // the log itself is wrong
+        }
+        for (const bool named : {true, false}) {
+            const auto is_culprit = [&](const LogColumn& column) {
+                return column.is_input && (named ? error.what.starts_with(column.name + " ") : is_motion(column.name));
+            };
+            if (const auto found = std::ranges::find_if(result.log->columns, is_culprit);
+                found != result.log->columns.end()) {
+                leave_out(*result.log, std::string(found->name), error.what);
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+NewCase make_new_case(const NewCaseRequest& request) {
+    NewCase result;
+    CaseDraft draft = begin(request, result);
+    if (!read_mesh_and_log(draft)) {
+        return result;
+    }
+    do {
+        write_case(draft);
+        check(request, draft.writer.text(), result);
+    } while (leave_out_culprit(draft));
     if (result.errors.empty()) {
         result.text = draft.writer.text();
     }

@@ -153,7 +153,9 @@ std::string DataFile::unit_remedy(const ColumnHead& head, const QuantitySpec& sp
         alias ? fmt::format(", or once for all columns in [{0}]: unit_names = {{ \"{0}\" = \"{1}\" }}", written, unit)
               : "";
     // What is written may be any other unit: taken for the usual one it would make the numbers wrong.
-    const std::string where = written.empty() || !guess.empty() ? "" : fmt::format("if its numbers are in {}, ", unit);
+    const std::string where = written.empty() || !guess.empty() ? ""
+                              : spec.is_pure()                  ? "if it is a pure number, "
+                                                                : fmt::format("if its numbers are in {}, ", unit);
     return fmt::format("{}{}units = {{ {} = \"{}\" }}{}", where, there, key, unit, for_all);
 }
 

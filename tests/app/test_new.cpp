@@ -48,6 +48,43 @@ TEST(New, SectionIsTheStandardMeshAndTheSizeTheStandardName) {
     EXPECT_GT(check["cells"], 1000);
 }
 
+// 1 W of the library's case: the specimen of 12 mm under the spot of 1 cm2. The thesis's spot has 85 degC, the library's case 100.8.
+TEST(New, SpecimenNeedsNoTire) {
+    const sample::Scratch scratch;
+    const Call made = call("new --specimen", scratch.path());
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    EXPECT_TRUE(made.out.starts_with("specimen.toml: a specimen under a laser\n")) << made.out;
+    const Json check = Json::parse(call("check --json specimen.toml", scratch.path()).out);
+    EXPECT_EQ(check["mistakes"], Json::array());
+    EXPECT_EQ(check["warnings"], Json::array());
+    EXPECT_EQ(check["channels"][0], "spot_centre_temperature");
+}
+
+// 80 % of 615 kg at 280 kPa, and of a V tire 73 % at 300 kPa: what the page of the case says of its load.
+TEST(New, DurabilityTestIsNamedAfterTireAndTest) {
+    const sample::Scratch scratch;
+    const Call made = call("new '205/55 R16 91V' --test un_r30", scratch.path());
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    const Call check = call("check 205_55_R16_91V_un_r30.toml", scratch.path());
+    EXPECT_EQ(check.exit_code, 0) << check.err;
+    EXPECT_NE(
+        check.out.find("6031 N at 250 kPa, up to 240 km/h; 4403 N at 300 kPa are 73 % of what it may carry there"),
+        std::string::npos)
+        << check.out;
+}
+
+// What the log does not give is said before all else.
+TEST(New, LogThatIsNotReadIsSaidFirst) {
+    const sample::Scratch scratch;
+    post::replace_file(scratch / "a.csv", "Time [s],Speed\n0,80\n1,80\n");
+    const Call made = call("new a.csv", scratch.path());
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    EXPECT_TRUE(
+        made.out.starts_with("a.toml: a 225/50 R17 on a cross-section\nThe case does not read a.csv: no column "))
+        << made.out;
+    EXPECT_EQ(Json::parse(call("new a.csv --json --force", scratch.path()).out)["log"]["reads"], false);
+}
+
 TEST(New, LogGivesACaseThatIsCompared) {
     const sample::Scratch scratch;
     std::filesystem::create_directory(scratch / "logs");
@@ -168,19 +205,21 @@ TEST(New, WrongCallsSayWhatToWrite) {
         EXPECT_EQ(wrong.out, "") << arguments;
         return wrong.err;
     };
-    EXPECT_EQ(
-        refused("'225-50R17'"),
-        "tiretherm: \"225-50R17\" is neither the size of a tire nor a file; write width in mm / aspect ratio in %, R, "
-        "rim in inches: \"225/50 R17\", or name a log: drive.csv\n");
-    EXPECT_EQ(refused("drive.csv --size 225"),
-              "tiretherm: size is \"225\", not the size of a tire; write width in mm / aspect ratio in %, R, rim in "
-              "inches: \"225/50 R17\"\n");
+    const std::string sizes =
+        "write width in mm / aspect ratio in %, R, rim in inches: \"225/50 R17\"; or in inches outer diameter x width, "
+        "rim: \"31x10.50 R15\", or width, rim: \"11 R22.5\"";
+    EXPECT_EQ(refused("'225-50R17'"), "tiretherm: \"225-50R17\" is neither the size of a tire nor a file; " + sizes +
+                                          ", or name a log: drive.csv\n");
+    EXPECT_EQ(refused("drive.csv --size 225"), "tiretherm: size is \"225\", not the size of a tire; " + sizes + "\n");
     EXPECT_EQ(refused("'225/50 R17' --size '225/50 R17'"),
               "tiretherm: two sizes are given; leave --size to a log: tiretherm new drive.csv --size \"225/50 R17\"\n");
     EXPECT_NE(refused("drive.csv").find("cannot be read"), std::string::npos);
     EXPECT_NE(refused("'225/50 R17' --pressure 2.4").find("without a unit"), std::string::npos);
     EXPECT_NE(refused("'225/50 R17' --mesh block").find("two_node"), std::string::npos);
     EXPECT_NE(refused("").find("SIZE|LOG is required"), std::string::npos);
+    EXPECT_NE(refused("'225/50 R17' --specimen").find("a specimen has no size"), std::string::npos);
+    EXPECT_NE(refused("'225/50 R17' --test un_r30").find("needs the load index"), std::string::npos);
+    EXPECT_NE(refused("drive.csv --test un_r30").find("--test speaks of a tire"), std::string::npos);
     EXPECT_TRUE(std::filesystem::is_empty(scratch.path()));
 }
 

@@ -115,6 +115,26 @@ TEST(NewCaseAlways, SurvivesAKnockOfTheAccelerometer) {
     EXPECT_NEAR(in.vertical_load, 3310.0, 230.0);
 }
 
+// An acceleration in m/s2 that is called one in g is 9.8 times the slope of speed, which the case is refused for: it is left out, and
+// the case reads the rest.
+TEST(NewCaseAlways, LeavesOutAColumnThatTheCaseIsRefusedFor) {
+    std::string text = "Time [s],Speed [m/s],LonAcc [g],LatAcc [g],Tire Temp FL [C]";
+    for (int i = 0; i <= 600; ++i) {
+        const double t = 0.1 * i;
+        text += fmt::format("\n{:.1f},{:.4f},{:.4f},{:.4f},{:.1f}", t, 30.0 + 10.0 * std::sin(0.3 * t),
+                            3.0 * std::cos(0.3 * t), 0.5 * std::sin(0.5 * t), 40.0 + 0.05 * t);
+    }
+    const Written written;
+    written.add("log.csv", text + "\n");
+    const NewCase made = make(written, "225/50 R17", "", "log.csv");
+    expect_usable(made, written, (written.folder() / "log.csv").generic_string(), "along");
+    ASSERT_TRUE(made.errors.empty()) << errors_of(made, written);
+    EXPECT_TRUE(column_of(made, "LonAcc").reason.starts_with("longitudinal_acceleration is "))
+        << column_of(made, "LonAcc").reason;
+    EXPECT_TRUE(column_of(made, "LatAcc").is_used());
+    EXPECT_EQ(made.log->use, LogUse::run);
+}
+
 // 90 km/h are 25 m/s; without tire readings and with --unit as with a unit in the heading. A blank field is bridged.
 TEST(NewCaseAlways, UnitsThatAreGivenCountWithoutTireReadings) {
     const Written written;

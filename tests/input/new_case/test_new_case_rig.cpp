@@ -93,7 +93,7 @@ TEST(NewCaseSpecimen, IsMadeOfALogWithALaser) {
     const NewCase made = make(written, "225/50 R17", "", "laser.csv");
     const solver::Problem problem = problem_of(made, written);
     EXPECT_EQ(made.mesh_name, "specimen");
-    EXPECT_EQ(problem.mesh.kind, "axisymmetric");
+    EXPECT_EQ(problem.mesh.kind, "patch");
     EXPECT_NEAR(problem.input_signals.at(20.0, solver::JumpSide::after).laser_power, 2.0, 1e-12);
     EXPECT_EQ(column_of(made, "T front").suggestion, "spot_mean_temperature");
     EXPECT_NEAR(problem.initial.front(), zero + 24.0, 1e-9);
