@@ -22,18 +22,18 @@ constexpr std::array by_symbol{OfSymbol{"LMN", 0.80, 240e3}, OfSymbol{"PQRS", 0.
                                OfSymbol{"TUH", 0.80, 280e3}, OfSymbol{"V", 0.73, 300e3},
                                OfSymbol{"W", 0.68, 320e3},   OfSymbol{"Y", 0.68, 320e3}};
 
-constexpr std::array<std::string_view, 5> names{"un_r30", "sae_j1561", "fmvss_139_high_speed", "fmvss_139_endurance",
-                                                "fmvss_139_low_pressure"};
+constexpr std::array<std::string_view, 5> test_names{"un_r30", "sae_j1561", "fmvss_139_high_speed",
+                                                     "fmvss_139_endurance", "fmvss_139_low_pressure"};
 
 /// Steps one after another, each at one speed and load.
-struct Step {
+struct DrumStep {
     double minutes;
     double kmh;
     double load_share;
 };
-std::vector<DrumRow> steps(std::span<const Step> all, double from = 0.0) {
+std::vector<DrumRow> steps(std::span<const DrumStep> all, double from = 0.0) {
     std::vector<DrumRow> rows;
-    for (const Step& step : all) {
+    for (const DrumStep& step : all) {
         rows.push_back({from, step.kmh, step.load_share});
         from += step.minutes;
         rows.push_back({from, step.kmh, step.load_share});
@@ -42,8 +42,8 @@ std::vector<DrumRow> steps(std::span<const Step> all, double from = 0.0) {
 }
 
 /// Steps of 10 km/h from 40 km/h below the symbol's speed on. @param minutes of each step
-std::vector<Step> steps_to_the_symbol(double rated, double share, std::span<const double> minutes) {
-    std::vector<Step> all;
+std::vector<DrumStep> steps_to_the_symbol(double rated, double share, std::span<const double> minutes) {
+    std::vector<DrumStep> all;
     for (const double one : minutes) {
         all.push_back({one, rated - 40.0 + 10.0 * static_cast<double>(all.size()), share});
     }
@@ -79,10 +79,10 @@ DrumTest sae_j1561(const OfSymbol& of, double rated) {
 }
 
 DrumTest fmvss_139(std::string_view name) {
-    constexpr std::array high{Step{120, 80, 0.85}, Step{120, 0, 0.85}, Step{30, 140, 0.85}, Step{30, 150, 0.85},
-                              Step{30, 160, 0.85}};
-    constexpr std::array endurance{Step{240, 120, 0.85}, Step{360, 120, 0.90}, Step{1440, 120, 1.0}};
-    constexpr std::array low{Step{90, 120, 1.0}};
+    constexpr std::array high{DrumStep{120, 80, 0.85}, DrumStep{120, 0, 0.85}, DrumStep{30, 140, 0.85},
+                              DrumStep{30, 150, 0.85}, DrumStep{30, 160, 0.85}};
+    constexpr std::array endurance{DrumStep{240, 120, 0.85}, DrumStep{360, 120, 0.90}, DrumStep{1440, 120, 1.0}};
+    constexpr std::array low{DrumStep{90, 120, 1.0}};
     DrumTest test{
         .title = "FMVSS 139",
         .origin = "trade press on 49 CFR 571.139: speeds, times and loads; the room and the pressure are recalled",
@@ -107,7 +107,7 @@ DrumTest fmvss_139(std::string_view name) {
 
 }  // namespace
 
-std::span<const std::string_view> drum_test_names() { return names; }
+std::span<const std::string_view> drum_test_names() { return test_names; }
 
 std::variant<DrumTest, ErrorText> drum_test(std::string_view name, const TireSize& size) {
     const std::optional<double> load = size.service ? size.service->load() : std::nullopt;

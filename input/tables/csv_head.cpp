@@ -64,7 +64,7 @@ bool has_unit(std::string_view line) {
 }
 
 /// A line and what follows it.
-struct Step {
+struct HeadStep {
     Csv::Line line;
     std::string_view rest;
 };
@@ -90,7 +90,7 @@ std::optional<HeadLines> names_in_comment(const Csv::Line& comment, const Csv::L
 }  // namespace
 
 HeadLines find_head_lines(std::string_view text) {
-    std::deque<Step> next;
+    std::deque<HeadStep> next;
     std::string_view rest = text;
     Csv::Line comment;  // the last one above the table
     const auto step = [&] {

@@ -62,8 +62,8 @@ Report car_report(std::span<const RunRecord> runs, const diagnosis::WhatIf* what
         Value data{{"corner", run.corner}};
         data.set(run_report(run).data);
         corners.push_back(std::move(data));
-        for (const std::string& warning : run.report.warnings) {
-            all_warnings.push_back(fmt::format("{}: {}", run.corner, warning));
+        for (const solver::RangeWarning& warning : run.report.warnings) {
+            all_warnings.push_back(fmt::format("{}: {}", run.corner, warning.text()));
         }
         if (run.history.rows() == 0) {
             continue;

@@ -55,7 +55,7 @@ private:
     std::vector<double> joules_;
     std::vector<double> coldest_;  ///< [n_effects] K, on the patches of an effect with a range warning
     std::vector<double> hottest_;
-    std::vector<LayerExtremes> layer_extremes_;                    ///< [n_layers]
+    std::vector<LayerExtremes> layer_extremes_;  ///< [n_layers]
     double next_output_;
     double next_field_;
     long outputs_ = 1;  ///< rows at output times so far, the start included

@@ -195,7 +195,9 @@ TEST(NoiseEstimate, CautionWhereNoiseEatsPhysics) {
         cautions("bulk", "K", {.sigma = 1.6, .correlation_time = 50.0, .white_share = 0.3}, found, 0.5, {80.0, 600.0});
     ASSERT_EQ(said.size(), 2u);
     EXPECT_EQ(said[0].find("bulk: the noise of 1.6 K is 3.2 times what the data sheet says (0.5 K)"), 0u) << said[0];
-    EXPECT_EQ(said[1].find("bulk: the noise's correlation time of 50 s is close to the tire's time constant of 80 s"), 0u) << said[1];
+    EXPECT_EQ(said[1].find("bulk: the noise's correlation time of 50 s is close to the tire's time constant of 80 s"),
+              0u)
+        << said[1];
     EXPECT_EQ(cautions("bulk", "K", {.sigma = 0.5, .correlation_time = 119.9, .white_share = 0.3}, found, 0.0, {})
                   .front()
                   .find("bulk: the noise's correlation time reached its upper limit, 2 min"),

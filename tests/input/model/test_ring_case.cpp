@@ -16,7 +16,7 @@ namespace tiretherm::input {
 
 namespace {
 
-Reading read(const std::string& more) {
+Reading read_ring(const std::string& more) {
     const Written written;
     return read_case(written.add(
         "case.toml",
@@ -37,7 +37,7 @@ TEST(RingCase, IsTheSectionInSectorsReadAroundOrAtAnAngle) {
     const std::string sensors =
         "[[sensor]]\nname = \"mean\"\nkind = \"point\"\ndepth = \"1 mm\"\n"
         "[[sensor]]\nname = \"turned\"\nkind = \"point\"\ndepth = \"1 mm\"\nangle = \"90 deg\"\n";
-    const Reading reading = read("[mesh]\nsectors = 8\n" + sensors);
+    const Reading reading = read_ring("[mesh]\nsectors = 8\n" + sensors);
     ASSERT_TRUE(reading.problem) << render(reading);
     const mesh::Mesh& mesh = reading.problem->mesh;
     EXPECT_EQ(mesh.sectors, 8);
@@ -57,11 +57,11 @@ TEST(RingCase, IsTheSectionInSectorsReadAroundOrAtAnAngle) {
 
 // The case says 4 kN and 100 km/h: 27.78 m/s on 0.3232 m are 85.94 rad/s.
 TEST(RingCase, TurnsTheWheelWhereAnEffectFollowsTheContact) {
-    const Reading still = read("");
+    const Reading still = read_ring("");
     ASSERT_TRUE(still.problem) << render(still);
     const physics::Signal& angle = *physics::find_signal("wheel_angle");
     EXPECT_FALSE(still.problem->input_signals.gives(angle));
-    const Reading reading = read("[time]\nend = \"2 s\"\n" + turning);
+    const Reading reading = read_ring("[time]\nend = \"2 s\"\n" + turning);
     ASSERT_TRUE(reading.problem) << render(reading);
     const solver::Problem& problem = *reading.problem;
     ASSERT_TRUE(problem.input_signals.gives(angle));
@@ -80,13 +80,13 @@ TEST(RingCase, WarnsWhereTheContactGoesRoundAndTheHeatOfSlidingDoesNot) {
         return render(reading).find("but the heat of sliding is spread around it") != std::string::npos;
     };
     const std::string slip = "[drive]\nslip_angle = \"4 deg\"\nlateral_force = \"3 kN\"\n";
-    EXPECT_TRUE(warns(read(slip + evenly)));
-    EXPECT_FALSE(warns(read(slip + turning)));
-    EXPECT_FALSE(warns(read(evenly))) << "free rolling makes no such heat";
+    EXPECT_TRUE(warns(read_ring(slip + evenly)));
+    EXPECT_FALSE(warns(read_ring(slip + turning)));
+    EXPECT_FALSE(warns(read_ring(evenly))) << "free rolling makes no such heat";
 }
 
 TEST(RingCase, RunsAndCloses) {
-    const Reading reading = read(
+    const Reading reading = read_ring(
         "[mesh]\nsectors = 6\ncrown_cells = 1\nshoulder_cells = 0\nsidewall_cells = 0\n"
         "[time]\nend = \"0.16 s\"\noutput = \"10 ms\"\n[drive]\nlateral_force = \"1 kN\"\nslip_angle = \"2 deg\"\n" +
         turning);

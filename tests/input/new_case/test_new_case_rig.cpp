@@ -10,7 +10,7 @@ namespace tiretherm::input {
 namespace {
 
 constexpr double pound = 4.4482216152605;  // N
-constexpr double zero = 273.15;            // K
+constexpr double zero_of_rig = 273.15;     // K
 
 /// Ten seconds of a machine in one system of units, made up: a title, names, units. The inclination heats the side of TSTI where
 /// `lean` is positive, and that of TSTO where it is negative.
@@ -46,7 +46,7 @@ solver::Problem problem_of(const NewCase& made, const Written& written) {
 }  // namespace
 
 // The machine's numbers in SI and in US units are the same tire: 40 km/h, 667 N with the sign of SAE J670 turned, 83 kPa, 25 degC of
-// the belt, 22 degC of the air. The load of +2 N at the start is the load cell's zero: no load.
+// the belt, 22 degC of the air. The load of +2 N at the start is the load cell's zero_of_rig: no load.
 TEST(NewCaseRig, ReadsAMachinesColumnsInBothSystemsOfUnits) {
     for (const bool si : {true, false}) {
         const Written written;
@@ -60,8 +60,8 @@ TEST(NewCaseRig, ReadsAMachinesColumnsInBothSystemsOfUnits) {
         EXPECT_NEAR(in.slip_angle, 6.0 * std::sin(5.0) * M_PI / 180.0, 1e-5);
         EXPECT_NEAR(in.lateral_force, -900.0 * std::sin(5.0), 1e-3);
         EXPECT_NEAR(in.inflation_pressure, 83e3, 1.0);
-        EXPECT_NEAR(in.road_temperature, zero + 25.0, 1e-3);
-        EXPECT_NEAR(in.air_temperature, zero + 22.0, 1e-3);
+        EXPECT_NEAR(in.road_temperature, zero_of_rig + 25.0, 1e-3);
+        EXPECT_NEAR(in.air_temperature, zero_of_rig + 22.0, 1e-3);
         EXPECT_NEAR(in.slip_ratio, 0.01, 1e-12);  // SL, which is 0 without a force; SR counts from another radius
         EXPECT_EQ(column_of(made, "FZ").unit, si ? "-1 N" : "-1 lbf");
         EXPECT_EQ(column_of(made, "TSTI").name, "inside_shoulder_surface_temperature");
@@ -96,7 +96,7 @@ TEST(NewCaseSpecimen, IsMadeOfALogWithALaser) {
     EXPECT_EQ(problem.mesh.kind, "patch");
     EXPECT_NEAR(problem.input_signals.at(20.0, solver::JumpSide::after).laser_power, 2.0, 1e-12);
     EXPECT_EQ(column_of(made, "T front").suggestion, "spot_mean_temperature");
-    EXPECT_NEAR(problem.initial.front(), zero + 24.0, 1e-9);
+    EXPECT_NEAR(problem.initial.front(), zero_of_rig + 24.0, 1e-9);
     EXPECT_EQ(made.text.find("[tire]"), std::string::npos);
     EXPECT_EQ(made.text.find("vertical_load"), std::string::npos);
     // Micrometers and ride heights by laser are none, and whoever says so gets a tire.

@@ -246,7 +246,8 @@ TEST(ParameterPath, IsTheNumberThatAnotherFormFreesAlready) {
         "case.toml", section_case + "[[parameter]]\neffect = \"air_convection\"\nkey = \"lambda_h\"\n[[parameter]]\n"
                                     "key = \"effects.air_convection.lambda_h\"\n"));
     ASSERT_EQ(reading.errors.size(), 1U);
-    EXPECT_NE(reading.errors.front().what.find("air_convection.lambda_h is already a free parameter, at "), std::string::npos)
+    EXPECT_NE(reading.errors.front().what.find("air_convection.lambda_h is already a free parameter, at "),
+              std::string::npos)
         << reading.errors.front().what;
 }
 

@@ -46,7 +46,7 @@ TEST(Csv, ReaderOfCasesTakesTheFileBackInKelvin) {
                     .spec = {.unit = "s", .low = 0.0, .high = 1e9},
                     .purpose = input::Purpose::clock},
                    {.column = csv->find("liner"), .name = "liner", .spec = {.unit = "K", .low = 0.0, .high = 1e3}}},
-                  errors);
+                  errors, true);
     ASSERT_EQ(errors.count(), 0u);
     EXPECT_EQ(values[0], (std::vector<double>{0.0, 30.5}));
     EXPECT_NEAR(values[1][0], 296.15, 1e-9);
