@@ -239,7 +239,8 @@ void add_run_command(CLI::App& program, int& exit_code) {
         "the hidden folder .tiretherm meanwhile (a checkpoint every 2 s, or TIRETHERM_CHECKPOINT_SECONDS).\n\n"
         "Exit code: 0 done, 1 an error in the call or the case, 2 the solver failed, 130 interrupted.\n\n"
         "Example:\n"
-        "  tiretherm run cases/laser/one_watt.toml --out out/laser --fields 60");
+        "  tiretherm run cases/laser/one_watt.toml --out out/laser --fields 60\n"
+        "  tiretherm run cases/laser/three_watts.toml --out out/three_watts");
     command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

@@ -152,7 +152,7 @@ std::vector<ColumnRequest> requests(TomlTable& table, const DataFile& file, Prob
 void read_logged(TomlTable& table, ProblemBuilder& builder) {
     InputErrors& errors = table.errors();
     const std::optional<std::string> path = table.text("path", Need::required);
-    table.declare_keys({"columns", "ignore", "hold"});
+    table.declare_keys({"columns", "units", "ignore", "hold"});
     if (!path) {
         return;
     }

@@ -45,7 +45,7 @@ constexpr double leans = 0.3;  ///< correlation of the inclination with the hott
 
 void turn(LogColumn& column, std::string_view si, std::string ground) {
     const std::string written = column.unit.empty() ? column.heading.unit.value_or("") : column.unit;
-    column.unit = fmt::format("-1 {}", meant_unit(written, si));
+    column.unit = fmt::format("{}{}", turned_sign, meant_unit(written, si));
     column.unit_ground = std::move(ground);
     std::ranges::for_each(column.value, [](double& value) { value = -value; });
 }

@@ -96,9 +96,12 @@ std::string ColumnReader::other_unit(double written) const {
         return value >= std::max(spec.low, spec.usual_low) && value <= std::min(spec.high, spec.usual_high);
     };
     if (spec.unit != "K") {
-        return spec.low == 0.0 && is_inside(conversion_.to_si(-written))
-                   ? fmt::format("-1 {}", meant_unit(unit_, spec.unit))
-                   : "";
+        if (spec.low != 0.0 || !is_inside(conversion_.to_si(-written))) {
+            return "";
+        }
+        const std::string_view unit = unit_;
+        return unit.starts_with(turned_sign) ? std::string(unit.substr(turned_sign.size()))
+                                             : fmt::format("{}{}", turned_sign, meant_unit(unit, spec.unit));
     }
     constexpr std::array<std::string_view, 3> temperatures{"K", "degC", "degF"};
     const auto fits = std::ranges::find_if(temperatures, [&](std::string_view unit) {
@@ -136,7 +139,10 @@ ErrorText ColumnReader::error_text(std::string_view field, double written, bool 
     if (!is_number) {
         return {fmt::format("{} is \"{}\"; a number is wanted", name, field), empty_it};
     }
-    const std::string shown = unit_.empty() || unit_ == "-" ? std::string(field) : fmt::format("{} {}", field, unit_);
+    std::string_view in_column = unit_;
+    in_column.remove_prefix(in_column.starts_with(turned_sign) ? turned_sign.size() : 0);
+    const std::string shown =
+        unit_.empty() || unit_ == "-" ? std::string(field) : fmt::format("{} {}", field, in_column);
     if (ParsedQuantity parsed = check_quantity(written, conversion_, unit_, request_->spec, name, shown);
         parsed.error) {
         if (may_miss && (parsed.error->remedy.empty() || !std::isfinite(written))) {

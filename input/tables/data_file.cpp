@@ -178,12 +178,15 @@ void DataFile::parse_all() const {
 std::vector<std::vector<double>> DataFile::read(const std::vector<ColumnRequest>& requests, InputErrors& errors,
                                                 bool last) const {
     return with_memory(errors.file(number_), {.file = number_}, errors, [&] {
-        if (const Csv* csv = std::get_if<Csv>(&columns_)) {
-            return csv->read(requests, errors, last);
-        }
-        const ChannelTable* table = channel_table();
-        return table != nullptr ? table->read(requests, errors)
-                                : std::get<Hdf5Columns>(columns_).read(requests, errors);
+        return std::visit(
+            [&](const auto& columns) {
+                if constexpr (std::is_same_v<decltype(columns), const Csv&>) {
+                    return columns.read(requests, errors, last);
+                } else {
+                    return columns.read(requests, errors);
+                }
+            },
+            columns_);
     });
 }
 

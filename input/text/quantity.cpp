@@ -24,11 +24,18 @@ std::string spell(double si, const Conversion& unit_conversion, std::string_view
     // A bound of zero may come back as 1e-14 through an offset.
     const double rounded = std::abs(written) < 1e-9 * std::abs(unit_conversion.offset) ? 0.0 : written;
     const std::string number = fmt::format("{:.6g}", rounded);
+    unit.remove_prefix(unit.starts_with(turned_sign) ? turned_sign.size() : 0);
     return unit.empty() || unit == "1" || unit == "-" ? number : fmt::format("{} {}", number, unit);
 }
 
 std::string range(const QuantitySpec& spec, double low, double high, const Conversion& conversion,
                   std::string_view unit) {
+    if (conversion.factor < 0.0) {
+        const Conversion same_sign{.factor = -conversion.factor, .offset = -conversion.offset};
+        QuantitySpec mirrored = spec;
+        mirrored.above = false;
+        return range(mirrored, -high, -low, same_sign, unit);
+    }
     const bool below = std::isfinite(low);
     const bool over = std::isfinite(high);
     const std::string from = below ? spell(low, conversion, unit) : "";

@@ -104,6 +104,13 @@ std::string signature(std::string_view unit) {
 }
 
 std::variant<Conversion, UnitError> conversion(std::string_view written, std::string_view wanted, Scale scale) {
+    if (written.starts_with(turned_sign)) {
+        std::variant<Conversion, UnitError> turned = conversion(written.substr(turned_sign.size()), wanted, scale);
+        if (auto* found = std::get_if<Conversion>(&turned)) {
+            found->factor = -found->factor;
+        }
+        return turned;
+    }
     const std::string text = spelt_out(written);
     if (has_number(text)) {
         return UnitError::number_inside;

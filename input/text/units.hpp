@@ -25,6 +25,9 @@ struct Conversion {
     [[nodiscard]] double from_si(double si) const { return (si - offset) / factor; }
 };
 
+/// Before the unit of a column whose numbers have the other sign: `-1 N`.
+inline constexpr std::string_view turned_sign = "-1 ";
+
 enum class UnitError : std::uint8_t { unknown, number_inside, other_dimension };
 
 /// How to turn numbers of one unit into another. UDUNITS after the aliases below; units of angle are not pure numbers,

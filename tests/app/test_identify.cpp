@@ -132,11 +132,12 @@ TEST(Identify, AConflictWithWhatWasKnownIsAFinding) {
     const Json json = Json::parse(fits.identify(file, "--json").out);
     ASSERT_EQ(json["findings"].size(), 1u) << json["findings"];
     const auto finding = json["findings"][0].get<std::string>();
-    EXPECT_TRUE(finding.starts_with("air_convection.lambda_h: the fitted 1.05 is ")) << finding;
-    EXPECT_NE(finding.find("above what was known before (1 +- 0.01)"), std::string::npos) << finding;
+    EXPECT_TRUE(finding.starts_with("air_convection.lambda_h: the data pull it to 1.05, ")) << finding;
+    EXPECT_NE(finding.find("standard deviations above the 1 +- 0.01 that were known before"), std::string::npos)
+        << finding;
     const std::string page = fits.identify(file).out;
     EXPECT_EQ(count(page, "\nFindings\n"), 1u) << page;
-    EXPECT_EQ(count(page, "above what was known before"), 1u) << page;
+    EXPECT_EQ(count(page, "the data pull it to 1.05"), 1u) << page;
 }
 
 // identified.toml includes the case and lays the fitted values over it, with all their digits: as it stands it runs, and

@@ -150,7 +150,7 @@ TEST(New, LogOfACarIsComparedAndFitted) {
     // What cases/car/README.md says of it: the assumed slips are far too large, and the page points at the friction.
     EXPECT_EQ(json["parameters"][2]["name"], "sliding_friction.lambda_y");
     EXPECT_LT(json["parameters"][2]["value"], 0.4);
-    EXPECT_NE(fitted.out.find("sliding_friction.lambda_y: the fitted"), std::string::npos);
+    EXPECT_NE(fitted.out.find("sliding_friction.lambda_y: the data pull it"), std::string::npos);
 }
 
 // cases/car/loggers has the same three laps as four loggers write them. All have the same digits but for the speed of RaceChrono, whose

@@ -57,7 +57,7 @@ TEST(Reader, TheExampleOfTheReadmeIsSound) {
     const std::string text = page.str();
     const std::size_t start = text.find("```toml\n", text.find("## A complete example")) + 8;
     const Written written;
-    written.add("drum/load.csv", "time [s],Fz [N],speed [km/h]\n0,4000,1\n1200,4500,1\n");
+    written.add("drum/load.csv", "time [s],Fz [N],speed [km/h]\n0,-4000,1\n1200,-4500,1\n");
     written.add("tires/thesis_225_50_R17.toml", "[tire]\nunloaded_radius = \"330.8 mm\"\n");
     const Reading reading =
         read_case(written.add("drum/case.toml", text.substr(start, text.find("```", start) - start)));

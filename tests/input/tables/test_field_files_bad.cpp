@@ -56,7 +56,7 @@ TEST(BadFieldFile, LacksWhatTheEffectNeeds) {
     expect_said(said(friction_watts, "y [mm],pressure [kPa],sliding_velocity [m/s]\n0,1,1\n"),
                 {"the field gives no power of friction", "with use = \"shape\" pressure and sliding_velocity do"});
     expect_said(said(loss, "y [mm],pressure [kPa]\n0,1\n"), {"the field has no column loss_density"});
-    expect_said(said(friction, "friction_power [W/m2]\n1\n"), {"it has neither y nor cell"});
+    expect_said(said(friction, "friction_power [W/m2]\n1\n"), {"a column y or cell is required"});
     expect_said(said(friction, "x [mm],y [mm],friction_power [W/m2]\n0,0,1\n0,5,1\n"),
                 {"some y has one x only", "add area [mm2]"});
     expect_said(said(loss, "x [mm],y [mm],loss_density [W/m3]\n0,0,1\n0,5,1\n"),

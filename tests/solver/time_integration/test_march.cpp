@@ -402,7 +402,8 @@ TEST(March, TheFieldOfTheHottestStepIsKept) {
     problem.settings.end = 3000.0;
     problem.settings.output_interval = 700.0;
     const Report report = quiet(problem);
-    EXPECT_EQ(report.hottest.time, 1000.0);
+    // The air's jump leaves a maximum inside, between the centres: the parabola through them finds it in the first short step.
+    EXPECT_NEAR(report.hottest.time, 1000.0, 1.0);
     ASSERT_EQ(report.hottest_field.size(), static_cast<std::size_t>(problem.mesh.n_nodes));
     const double peak = HotSpotFinder(problem.mesh, all_nodes(problem.mesh)).find(report.hottest_field).temperature;
     EXPECT_EQ(peak, report.hottest.temperature);
