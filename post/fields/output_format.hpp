@@ -28,8 +28,8 @@ public:
     virtual ~RunOutput() = default;
     /// A row, with the field where snapshot.field. @errors FileError
     virtual void take(const solver::Snapshot& snapshot) = 0;
-    /// The field at the hottest step, when the run is over: perhaps one between the rows, or one that has been stored.
-    /// @param time s  @param temperature [n_nodes] K   @errors FileError
+    /// The field at the hottest step, a time in s and [n_nodes] K, when the run is over: perhaps one between the rows, or
+    /// one that has been stored. @errors FileError
     virtual void take_hottest(double /*time*/, std::span<const double> /*temperature*/) {}
     /// The run is over, however it ended. @errors FileError
     virtual void finish() {}
