@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -63,9 +64,10 @@ Constant constant(const CaseDraft& draft, const NeededInput& input) {
                 fmt::format("80 % of what load index {} carries at {:g} kPa", size.service->load_index,
                             draft.inflation_pressure * 1e-3)};
     }
-    const std::optional<double> fastest = size.service ? size.service->speed() : std::nullopt;
-    if (input.name == "speed" && fastest && speed_share * *fastest < usual_speed) {
-        return {fmt::format("{:.0f} km/h", 3.6 * speed_share * *fastest),
+    constexpr double unknown = std::numeric_limits<double>::infinity();
+    const double fastest = size.service ? size.service->speed().value_or(unknown) : unknown;
+    if (input.name == "speed" && speed_share * fastest < usual_speed) {
+        return {fmt::format("{:.0f} km/h", 3.6 * speed_share * fastest),
                 fmt::format("80 % of what the speed symbol {} allows", size.service->speed_symbol)};
     }
     return {without_quotes(draft.mesh.setting("drive", input.name)), std::string(input.ground)};

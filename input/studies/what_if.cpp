@@ -65,28 +65,27 @@ std::optional<Step> step_of(const LocatedString& change, const std::string& sign
     const std::string rest =
         sign.empty() ? change.text : trimmed(change.text.substr(change.text.find_first_not_of("+-")));
     const std::optional<Number> number = leading_number(rest);
+    const double value = number ? number->value : std::nan("");
     const std::string unit = number ? std::string(number->rest) : "";
-    if (sign.empty()) {
-        Step step{.text = change.text};
-        if (number && std::isfinite(number->value) && is_unit(unit)) {
-            step.measure = {.number = number->value, .unit = unit, .whole = false, .place = change.place};
-            step.is_value = true;
-        }
-        return step;
-    }
-    if (!number || !std::isfinite(number->value) || (unit != "%" && !is_unit(unit))) {
+    const bool is_share = !sign.empty() && unit == "%";
+    const bool is_number = std::isfinite(value) && (is_share || is_unit(unit));
+    if (!sign.empty() && !is_number) {
         errors.add(
             change.place, fmt::format("\"{}\" is no number with a unit", change.text),
             "write such as \"+0.1 bar\", \"-5 K\" or \"+10 %\"; a value without a sign takes the place of the case's");
         return std::nullopt;
     }
-    return Step{.is_added = true,
-                .is_share = unit == "%",
-                .measure = {.number = (sign == "-" ? -1.0 : 1.0) * number->value,
-                            .unit = unit,
-                            .whole = false,
-                            .place = change.place},
-                .text = sign + rest};
+    std::optional<Step> step(std::in_place);
+    step->text = sign + rest;
+    step->is_added = !sign.empty();
+    step->is_share = is_share;
+    step->is_value = sign.empty() && is_number;
+    if (is_number) {
+        step->measure.number = sign == "-" ? -value : value;
+        step->measure.unit = unit;
+        step->measure.place = change.place;
+    }
+    return step;
 }
 
 /// Lowest and highest value of an input in its course.
