@@ -116,8 +116,9 @@ Value lap_chart(const Rows& rows, const std::vector<std::string>& laps) {
         places.push_back(static_cast<double>(i));
     }
     using Member = double diagnosis::StretchValues::*;
-    for (const auto& [name, member] : {std::pair<const char*, Member>{"mean", &diagnosis::StretchValues::mean},
+    for (const auto& [name, of_row] : {std::pair<const char*, Member>{"mean", &diagnosis::StretchValues::mean},
                                        std::pair<const char*, Member>{"max", &diagnosis::StretchValues::highest}}) {
+        const Member member = of_row;  // a lambda of clang 14 cannot capture a structured binding
         chart.add_panel(name, axis_unit(rows.front()->unit.name));
         for (std::size_t r = 0; r < runs.size(); ++r) {
             std::vector<double> simulated;
