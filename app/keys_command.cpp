@@ -10,7 +10,7 @@
 
 #include "app/commands.hpp"
 #include "app/messages.hpp"
-#include "input/reference/case_keys.hpp"
+#include "input/schema/all_tables.hpp"
 #include "input/text/suggestions.hpp"
 #include "post/reference/case_reference.hpp"
 
@@ -30,7 +30,7 @@ std::string without_brackets(std::string name) {
 }
 
 int show(const KeysOptions& options) {
-    const std::vector<input::CaseTable> tables = input::case_tables();
+    const std::vector<input::TableKeys>& tables = input::all_tables();
     if (options.markdown) {
         fmt::print("{}", post::case_reference_markdown(tables));
         return Exit::done;
@@ -40,12 +40,12 @@ int show(const KeysOptions& options) {
         return Exit::done;
     }
     const std::string path = without_brackets(options.table);
-    const auto found = std::ranges::find_if(tables, [&](const input::CaseTable& table) {
+    const auto found = std::ranges::find_if(tables, [&](const input::TableKeys& table) {
         return table.path == path || without_brackets(post::heading_of(table)) == path;
     });
     if (found == tables.end()) {
         std::vector<std::string> known;
-        for (const input::CaseTable& table : tables) {
+        for (const input::TableKeys& table : tables) {
             known.push_back(without_brackets(post::heading_of(table)));
         }
         report_error(fmt::format("a case has no table \"{}\"", options.table), input::suggest(path, known, "tables"),

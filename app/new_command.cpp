@@ -117,7 +117,7 @@ std::optional<input::NewCaseRequest> read_request(const NewOptions& options) {
     }
     if (!options.pressure.empty()) {
         const input::ParsedQuantity pressure =
-            input::quantity(options.pressure, {.unit = "Pa", .low = 1e4, .high = 2e6}, "the inflation pressure");
+            input::parse_quantity(options.pressure, {.unit = "Pa", .low = 1e4, .high = 2e6}, "the inflation pressure");
         if (pressure.error) {
             report_error(pressure.error->what, pressure.error->remedy, options.json);
             return std::nullopt;

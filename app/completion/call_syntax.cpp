@@ -9,7 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/help/topics.hpp"
-#include "input/reference/case_keys.hpp"
+#include "input/schema/all_tables.hpp"
 #include "physics/effect.hpp"
 #include "physics/signals.hpp"
 
@@ -37,9 +37,9 @@ std::vector<std::string> input_names() {
 
 std::vector<std::string> table_names() {
     std::vector<std::string> names;
-    for (const input::CaseTable& table : input::case_tables()) {
+    for (const input::TableKeys& table : input::all_tables()) {
         if (!table.path.empty()) {
-            names.push_back(table.path);
+            names.emplace_back(table.path);
         }
     }
     return names;

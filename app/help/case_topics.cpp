@@ -11,15 +11,15 @@
 #include "app/help/topics.hpp"
 #include "diagnosis/assess/diagnosis.hpp"
 #include "diagnosis/fit/identification.hpp"
-#include "input/reference/case_keys.hpp"
+#include "input/schema/all_tables.hpp"
 
 namespace tiretherm::app {
 
 namespace {
 
 /// Up to the end of the first sentence; backticks are for pages.
-std::string plain_sentence(const std::string& text) {
-    std::string sentence = text.substr(0, text.find(". "));
+std::string plain_sentence(std::string_view text) {
+    std::string sentence(text.substr(0, text.find(". ")));
     std::erase(sentence, '`');
     if (!sentence.ends_with('.')) {
         sentence += '.';
@@ -29,12 +29,12 @@ std::string plain_sentence(const std::string& text) {
 
 /// The keys of a table, each with its sentence.
 std::string keys_text(std::string_view path, std::size_t column) {
-    const std::vector<input::CaseTable> tables = input::case_tables();
-    const auto table = std::ranges::find(tables, path, &input::CaseTable::path);
+    const std::vector<input::TableKeys>& tables = input::all_tables();
+    const auto table = std::ranges::find(tables, path, &input::TableKeys::path);
     std::string text;
     if (table != tables.end()) {
-        for (const input::CaseKey& key : table->keys) {
-            text += entry_text(key.key, plain_sentence(key.sentence), column);
+        for (const input::Key& key : table->keys) {
+            text += entry_text(std::string(key.name), plain_sentence(key.sentence), column);
         }
     }
     return text;
@@ -88,13 +88,14 @@ std::string cases_topic() {
     std::string text = paragraphs_text(
         "A case is one TOML file. The shortest way to one of your own: tiretherm new \"225/50 R17\" --out mine.toml, "
         "or tiretherm new drive.csv. Every line of it has a comment. Paths in a case are relative to it.\n\n");
-    for (const input::CaseTable& table : input::case_tables()) {
+    for (const input::TableKeys& table : input::all_tables()) {
         if (table.path == "study:") {
             break;  // what follows belongs to other files
         }
         if (!table.path.empty() && table.path.find('.') == std::string::npos && table.path != "law") {
-            text += entry_text(fmt::format(fmt::runtime(table.is_list ? "[[{}]]" : "[{}]"), table.path),
-                               plain_sentence(table.sentence.substr(0, table.sentence.find(": "))), 18);
+            text += entry_text(
+                fmt::format(fmt::runtime(table.form == input::TableForm::list ? "[[{}]]" : "[{}]"), table.path),
+                plain_sentence(table.sentence.substr(0, table.sentence.find(": "))), 18);
         }
     }
     return text +

@@ -8,7 +8,7 @@
 #include "app/help/help_text.hpp"
 #include "app/help/topics.hpp"
 #include "input/model/sensor_kinds.hpp"
-#include "input/reference/case_keys.hpp"
+#include "input/schema/all_tables.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/unit_text.hpp"
 #include "input/text/units.hpp"
@@ -87,11 +87,11 @@ std::string units_topic() {
 namespace {
 
 /// Keys of a [[sensor]] that say where it is, of one kind.
-std::vector<std::string> place_keys(const input::CaseTable& table, std::string_view kind) {
+std::vector<std::string> place_keys(const input::TableKeys& table, std::string_view kind) {
     std::vector<std::string> keys;
-    for (const input::CaseKey& key : table.keys) {
-        if (std::ranges::find(key.variants, kind) != key.variants.end()) {
-            keys.push_back(key.key);
+    for (const input::Key& key : table.keys) {
+        if (!key.of_kinds.empty() && key.is_of(kind)) {
+            keys.emplace_back(key.name);
         }
     }
     return keys;
@@ -100,8 +100,8 @@ std::vector<std::string> place_keys(const input::CaseTable& table, std::string_v
 }  // namespace
 
 std::string sensors_topic() {
-    const std::vector<input::CaseTable> tables = input::case_tables();
-    const auto sensor = std::ranges::find(tables, "sensor", &input::CaseTable::path);
+    const std::vector<input::TableKeys>& tables = input::all_tables();
+    const auto sensor = std::ranges::find(tables, "sensor", &input::TableKeys::path);
     std::string text = paragraphs_text(
         "A [[sensor]] of a case is one channel of the results. Its name is that of the column in a measured file. "
         "standard_deviation, of one sample, comes from the data sheet.\n\n"

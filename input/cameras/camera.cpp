@@ -17,10 +17,6 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr QuantitySpec share{.unit = "1", .low = 0.0, .high = 1.0, .above = true, .usual_low = 0.5};
-constexpr QuantitySpec angle{.unit = "rad", .low = -3.2, .high = 3.2};
-constexpr QuantitySpec offset{.unit = "m", .low = -0.1, .high = 0.1};
-constexpr QuantitySpec smear{.unit = "m", .low = 0.0, .high = 0.1};
 constexpr QuantitySpec pixel{
     .unit = "m", .low = 0.0, .high = 0.1, .above = true, .usual_low = 1e-6, .usual_high = 0.01};
 constexpr int most_columns = 100000;
@@ -30,7 +26,7 @@ std::optional<std::array<double, 2>> read_size(TomlTable& camera) {
     const std::vector<LocatedString> words = camera.texts("pixel_size");
     std::vector<double> sizes;
     for (const LocatedString& word : words) {
-        const ParsedQuantity parsed = quantity(word.text, pixel, "pixel_size");
+        const ParsedQuantity parsed = parse_quantity(word.text, pixel, "pixel_size");
         if (parsed.error) {
             camera.errors().add(word.place, *parsed.error);
             return std::nullopt;
@@ -109,8 +105,8 @@ physics::ActiveEffect behind(const Camera& camera, const physics::Effect& effect
 
 /// The grey surface, where the case says that it is one.
 void add_emissivity(TomlTable& table, const Camera& camera, ProblemBuilder& builder) {
-    const auto emissivity = table.quantity("emissivity", share);
-    const auto mirrored = table.quantity("reflected_temperature", quantity_specs::temperature);
+    const auto emissivity = table.quantity("emissivity");
+    const auto mirrored = table.quantity("reflected_temperature");
     if (mirrored && !table.has("emissivity")) {
         table.add_error("reflected_temperature", "a black surface, of emissivity 1, mirrors nothing",
                         "add emissivity = 0.95");
@@ -152,12 +148,12 @@ void read_cameras(TomlTable& root, ProblemBuilder& builder) {
         camera.pixel_size = read_size(table);
         camera.rows = read_stretch(table, "rows");
         camera.columns = read_stretch(table, "columns");
-        camera.bin = table.count("bin", 1, 1000).value_or(1);
+        camera.bin = table.count("bin").value_or(1);
         camera.standard_deviation = table.quantity("standard_deviation", quantity_specs::tolerance);
-        const physics::CameraPose pose{.x = table.quantity("x", offset).value_or(0.0),
-                                       .y = table.quantity("y", offset).value_or(0.0),
-                                       .rotation = table.quantity("rotation", angle).value_or(0.0),
-                                       .blur = table.quantity("blur", smear).value_or(0.0)};
+        const physics::CameraPose pose{.x = table.quantity("x").value_or(0.0),
+                                       .y = table.quantity("y").value_or(0.0),
+                                       .rotation = table.quantity("rotation").value_or(0.0),
+                                       .blur = table.quantity("blur").value_or(0.0)};
         if (camera.patch >= 0) {
             add_channels(camera, builder);
             physics::ActiveEffect active = behind(camera, physics::camera_pose(), builder.problem.mesh);

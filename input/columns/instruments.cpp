@@ -140,7 +140,7 @@ std::vector<Instrument> read_instruments(TomlTable& root, const solver::Problem&
         }
         const std::size_t before = table.errors().count();
         std::vector<std::string> literal;
-        for (const LocatedString& word : table.texts("sensors", Need::required)) {
+        for (const LocatedString& word : table.texts("sensors")) {
             add_sensors(word, names, literal, table.errors(), one);
         }
         if (table.errors().count() == before && one.channels.size() < 2) {

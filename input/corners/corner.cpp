@@ -56,7 +56,7 @@ std::vector<Corner> read_corners(TomlTable& root, const std::shared_ptr<ColumnKe
         check_overlaid(table.content(), "corner", table.errors());
         corner.keys->read(table);
         corner.keys->fall_back_on(of_data);
-        const std::optional<std::size_t> name = table.choice("name", corner_names, Need::required);
+        const std::optional<std::size_t> name = table.choice("name", Need::required);
         if (!name) {
             return;
         }

@@ -18,7 +18,7 @@ bool give_each_group_its_own(TomlTable& table, const solver::Problem& problem, c
     constexpr std::array<std::string_view, 3> words{"axle", "side", "corner"};
     constexpr std::array<CornerGroup, 3> groups{CornerGroup::axle, CornerGroup::side, CornerGroup::corner};
     const std::size_t before = table.errors().count();
-    const std::optional<std::size_t> each = table.choice("each", words);
+    const std::optional<std::size_t> each = table.choice("each");
     if (!each) {
         return table.errors().count() == before;
     }

@@ -24,8 +24,6 @@ using physics::ActiveEffect;
 using physics::Field;
 using physics::FieldOf;
 
-constexpr std::array<std::string_view, 2> pressure_uses{"shape", "watts"};
-
 /// All points must lie on the tire; those that do not are reported with their number and place.
 bool are_on(const mesh::Mesh& mesh, std::span<const int> patches, const FieldFile& file, const std::string& shown,
             InputErrors& errors) {
@@ -135,7 +133,7 @@ public:
 
     void bind() {
         const std::optional<std::string> name = table_.text("field");
-        const bool by_watts = active_.effect->field() != FieldOf::pressure && table_.choice("use", pressure_uses) == 1U;
+        const bool by_watts = active_.effect->field() != FieldOf::pressure && table_.choice("use") == 1U;
         if (!table_.has("field") && table_.has("use")) {
             table_.add_error("use", "use speaks of a field, and there is none", "add field = \"....h5\"");
         }

@@ -137,7 +137,7 @@ std::optional<solver::SignalHistory> read_signal_history(TomlTable& table, std::
 bool read_surroundings(TomlTable& table, const ProblemBuilder& builder, solver::UserEffect& user_effect) {
     user_effect.temperature = table.text("temperature").value_or(std::string(air));
     if (is_number(user_effect.temperature)) {
-        const auto constant = table.quantity("temperature", quantity_specs::temperature);
+        const auto constant = table.quantity("temperature");
         user_effect.surroundings = {{builder.problem.settings.start}, {constant.value_or(0.0)}};
         return constant.has_value();
     }

@@ -18,11 +18,6 @@ namespace {
 using mesh::Axis;
 
 constexpr double pi = std::numbers::pi;
-constexpr QuantitySpec ends_per_length{.unit = "m-1", .low = 0.0, .high = 1e6, .above = true};
-constexpr QuantitySpec modulus{.unit = "Pa", .low = 0.0, .high = 1e13, .above = true};
-constexpr QuantitySpec poisson{.unit = "1", .low = 0.0, .high = 0.5};
-// A right angle converted from degrees may end one digit beyond pi/2.
-constexpr QuantitySpec cord_angle{.unit = "radian", .low = -pi / 2.0 - 1e-12, .high = pi / 2.0 + 1e-12};
 
 /// Cords side by side in a ply: round, not overlapping and no thicker than the ply, so that V <= pi/4.
 bool fit(TomlTable& table, double diameter, double ends, double thickness) {
@@ -48,8 +43,8 @@ bool fit(TomlTable& table, double diameter, double ends, double thickness) {
 /// Density and heat capacity are the material's own, or follow from the cords': both of one kind.
 std::optional<CordCapacity> read_capacity(TomlTable& table, bool is_given_by_material) {
     const Need need = is_given_by_material ? Need::optional : Need::required;
-    const auto density = table.quantity("cord_density", quantity_specs::density, need);
-    const auto capacity = table.quantity("cord_heat_capacity", quantity_specs::heat_capacity, need);
+    const auto density = table.quantity("cord_density", need);
+    const auto capacity = table.quantity("cord_heat_capacity", need);
     if (is_given_by_material) {
         for (const std::string_view key : {"cord_density", "cord_heat_capacity"}) {
             if (table.has(key)) {
@@ -68,10 +63,10 @@ std::optional<PlyElasticity> read_elasticity(TomlTable& table) {
     const bool any = table.has("cord_modulus") || table.has("rubber_modulus") || table.has("cord_poisson") ||
                      table.has("rubber_poisson");
     const Need need = any ? Need::required : Need::optional;
-    const auto E_c = table.quantity("cord_modulus", modulus, need);
-    const auto nu_c = table.quantity("cord_poisson", poisson, need);
-    const auto E_r = table.quantity("rubber_modulus", modulus, need);
-    const auto nu_r = table.quantity("rubber_poisson", poisson, need);
+    const auto E_c = table.quantity("cord_modulus", need);
+    const auto nu_c = table.quantity("cord_poisson", need);
+    const auto E_r = table.quantity("rubber_modulus", need);
+    const auto nu_r = table.quantity("rubber_poisson", need);
     if (!E_c || !nu_c || !E_r || !nu_r) {
         return std::nullopt;
     }
@@ -100,14 +95,14 @@ std::optional<CordRubberPly> read_cord_rubber(TomlTable& material) {
         return std::nullopt;
     }
     const std::size_t before = table.errors().count();
-    CordRubberPly ply{.rubber = table.text("rubber", Need::required).value_or(""), .place = table.place(), .cords = {}};
-    const auto diameter = table.quantity("cord_diameter", quantity_specs::thickness, Need::required);
-    const auto ends = table.quantity("ends", ends_per_length, Need::required);
-    const auto thickness = table.quantity("thickness", quantity_specs::thickness, Need::required);
-    const auto along = table.quantity("cord_conductivity", quantity_specs::conductivity, Need::required);
-    const auto across = table.quantity("cord_conductivity_across", quantity_specs::conductivity);
-    const auto angle = table.quantity("angle", cord_angle, Need::required);
-    ply.plies = table.count("plies", 1, 100).value_or(2);
+    CordRubberPly ply{.rubber = table.text("rubber").value_or(""), .place = table.place(), .cords = {}};
+    const auto diameter = table.quantity("cord_diameter");
+    const auto ends = table.quantity("ends");
+    const auto thickness = table.quantity("thickness");
+    const auto along = table.quantity("cord_conductivity");
+    const auto across = table.quantity("cord_conductivity_across");
+    const auto angle = table.quantity("angle", Need::required);
+    ply.plies = table.count("plies").value_or(2);
     ply.capacity = read_capacity(table, has_capacity);
     ply.elasticity = read_elasticity(table);
     if (!diameter || !ends || !thickness || !fit(table, *diameter, *ends, *thickness) ||

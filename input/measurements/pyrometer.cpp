@@ -20,9 +20,9 @@ namespace {
 
 /// When the readings were taken. @returns s, or nothing: at the run's end, after an error, or of another run
 std::optional<double> time_of_stop(TomlTable& table, const RunFile* file, bool is_of_run) {
-    const std::optional<double> time = table.quantity("time", quantity_specs::moment);
-    const std::optional<int> lap = table.count("lap", 0, 1000000);
-    const double after = table.quantity("after", quantity_specs::interval).value_or(0.0);
+    const std::optional<double> time = table.quantity("time");
+    const std::optional<int> lap = table.count("lap");
+    const double after = table.quantity("after").value_or(0.0);
     if (time && lap) {
         table.add_error("lap", "both time and lap say when the stop was", "keep one of them");
         return std::nullopt;
@@ -67,7 +67,7 @@ std::vector<double> readings_of(TomlTable& table, std::string_view key, std::siz
     const std::size_t before = table.errors().count();
     std::vector<double> kelvin;
     for (const LocatedString& text : table.texts(key)) {
-        const ParsedQuantity parsed = quantity(text.text, quantity_specs::temperature, key);
+        const ParsedQuantity parsed = parse_quantity(text.text, quantity_specs::temperature, key);
         if (parsed.error) {
             table.errors().add(text.place, *parsed.error);
         }
@@ -209,7 +209,7 @@ void add_pyrometer_readings(TomlValue& document, const RunTable& run, const RunF
     root.each("pyrometer", [&](TomlTable& table) {
         table.declare_keys({"FL", "FR", "RL", "RR", "readings"});
         const bool is_of = is_of_run(table, run, runs, as_read);
-        const std::vector<LocatedString> sensors = table.texts("sensors", Need::required);
+        const std::vector<LocatedString> sensors = table.texts("sensors");
         const std::optional<double> time = time_of_stop(table, file, is_of);
         const auto uncertainty = table.quantity(
             "uncertainty", {.unit = "K", .scale = Scale::difference, .low = 0.0, .above = true}, Need::required);

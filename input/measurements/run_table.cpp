@@ -47,8 +47,8 @@ void read_start_line(TomlTable& table, RunTable& run) {
 }
 
 void read_window(TomlTable& table, RunTable& run) {
-    run.from = table.quantity("from", quantity_specs::moment);
-    run.to = table.quantity("to", quantity_specs::moment);
+    run.from = table.quantity("from");
+    run.to = table.quantity("to");
     if (run.from && run.to && !(*run.from < *run.to)) {
         table.add_error("to", fmt::format("from is {:.6g} s and to is {:.6g} s", *run.from, *run.to),
                         "let to be later than from");
@@ -63,7 +63,7 @@ void read_window(TomlTable& table, RunTable& run) {
             }
         }
     }
-    run.repeat_first_lap = table.count("repeat_first_lap", 0, most_repeats).value_or(0);
+    run.repeat_first_lap = table.count("repeat_first_lap").value_or(0);
     if (run.repeat_first_lap > 0 && !run.laps) {
         table.add_error("repeat_first_lap", "repeat_first_lap says to drive the first lap before, but not which it is",
                         "say which laps the run is: laps = \"1-8\"");

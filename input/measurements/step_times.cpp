@@ -31,9 +31,9 @@ std::vector<solver::ScheduleStep> steps_of(const TomlValue& document, const Inpu
     TomlTable time = root.subtable("time");
     time.allow_unknown_keys();
     const solver::InputSignals& inputs = builder.problem.input_signals;
-    const double start = time.quantity("start", quantity_specs::moment).value_or(0.0);
+    const double start = time.quantity("start").value_or(0.0);
     const double last = inputs.stops().empty() ? start : inputs.stops().back();
-    const double end = time.quantity("end", quantity_specs::moment).value_or(last);
+    const double end = time.quantity("end").value_or(last);
     std::vector<solver::ScheduleStep> steps =
         end > start ? solver::schedule_steps(inputs, start, end) : std::vector<solver::ScheduleStep>{};
     std::erase_if(steps, [](const solver::ScheduleStep& step) { return step.ramp; });

@@ -59,7 +59,7 @@ std::optional<double> first_reading(const ProblemBuilder& builder, std::string_v
 
 /// A temperature, or that of the air by the name of the input, or that of a sensor by its name.
 std::optional<double> StartReader::read(TomlTable& initial, std::string_view key, Need need) const {
-    const TomlValue* node = initial.value(key);
+    const TomlValue* node = initial.value(key, Need::optional);
     const bool is_text = node != nullptr && node->kind == TomlValue::Kind::text;
     if (is_text && is_sensor(node->text)) {
         const std::optional<double> read = first_reading(builder, node->text);

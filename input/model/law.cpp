@@ -30,7 +30,7 @@ std::optional<Curve> about_point(TomlTable& law, const QuantitySpec& value) {
     const auto c = law.quantity("curvature", derivative(curvature_unit));
     // Without a slope there is nothing that a temperature could be the origin of.
     const bool varies = law.has("slope") || law.has("curvature");
-    const auto origin = law.quantity("at", quantity_specs::temperature, varies ? Need::required : Need::optional);
+    const auto origin = law.quantity("at", varies ? Need::required : Need::optional);
     if (!a || (varies && !origin)) {
         return std::nullopt;
     }
@@ -63,8 +63,8 @@ std::optional<Curve> read_points(TomlTable& law, const QuantitySpec& value) {
                              std::string(remedy));
             continue;
         }
-        const std::array parsed{quantity(point.items[0].text, quantity_specs::temperature, "temperature"),
-                                quantity(point.items[1].text, value, "value")};
+        const std::array parsed{parse_quantity(point.items[0].text, quantity_specs::temperature, "temperature"),
+                                parse_quantity(point.items[1].text, value, "value")};
         for (std::size_t i = 0; i < 2; ++i) {
             if (parsed[i].error) {
                 law.errors().add(point.items[i].place, *parsed[i].error);
@@ -98,7 +98,7 @@ std::optional<Curve> read_range(TomlTable& law, std::optional<Curve> curve) {
     }
     std::array<double, 2> kelvin{};
     for (std::size_t i = 0; i < 2; ++i) {
-        const ParsedQuantity parsed = quantity(ends->items[i].text, quantity_specs::temperature, "range");
+        const ParsedQuantity parsed = parse_quantity(ends->items[i].text, quantity_specs::temperature, "range");
         if (parsed.error) {
             law.errors().add(ends->items[i].place, *parsed.error);
             return curve;

@@ -151,7 +151,7 @@ std::vector<ColumnRequest> requests(TomlTable& table, const DataFile& file, Prob
 
 void read_logged(TomlTable& table, ProblemBuilder& builder) {
     InputErrors& errors = table.errors();
-    const std::optional<std::string> path = table.text("path", Need::required);
+    const std::optional<std::string> path = table.text("path");
     table.declare_keys({"columns", "units", "ignore", "hold"});
     if (!path) {
         return;

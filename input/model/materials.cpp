@@ -66,7 +66,7 @@ void read_materials(TomlTable& root, ProblemBuilder& builder) {
             const bool has_capacity = !is_mixed || table.has("density") || table.has("heat_capacity");
             const Need capacity = has_capacity ? Need::required : Need::optional;
             const Need conductivity = is_mixed ? Need::optional : Need::required;
-            material.density = table.quantity("density", quantity_specs::density, capacity).value_or(material.density);
+            material.density = table.quantity("density", capacity).value_or(material.density);
             const Curve none = Curve::constant(1.0);
             material.heat_capacity =
                 read_law(table, "heat_capacity", quantity_specs::heat_capacity, capacity).value_or(none);

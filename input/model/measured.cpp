@@ -28,7 +28,7 @@ std::optional<std::array<double, 2>> read_range(TomlTable& table, const Quantity
     }
     std::array<double, 2> range{};
     for (std::size_t i = 0; i < 2; ++i) {
-        const ParsedQuantity parsed = quantity(ends[i].text, spec, "range");
+        const ParsedQuantity parsed = parse_quantity(ends[i].text, spec, "range");
         if (parsed.error) {
             table.errors().add(ends[i].place, *parsed.error);
             return std::nullopt;
@@ -85,7 +85,7 @@ void read_measured(TomlTable& root, ProblemBuilder& builder) {
             table.declare_keys({"value", "range", "uncertainty"});  // in the unit of nobody knows what
         }
         measured.source = table.text("source").value_or("");
-        measured.time = table.quantity("time", quantity_specs::moment).value_or(settings.end);
+        measured.time = table.quantity("time").value_or(settings.end);
         if (table.has("time") && (measured.time < start || measured.time > settings.end)) {
             table.add_error("time", fmt::format("the run goes from {:.6g} s to {:.6g} s", start, settings.end),
                             "choose a time within the run");

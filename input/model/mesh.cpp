@@ -29,11 +29,11 @@ constexpr std::array mesh_kinds{MeshKind{"two_node", read_two_node}, MeshKind{"l
 }  // namespace
 
 void read_mesh(TomlTable& root, ProblemBuilder& builder) {
-    TomlTable mesh = root.subtable("mesh", Need::required);
+    TomlTable mesh = root.subtable("mesh");
     builder.has_mesh = false;
     std::array<std::string_view, mesh_kinds.size()> names;
     std::transform(mesh_kinds.begin(), mesh_kinds.end(), names.begin(), [](const MeshKind& kind) { return kind.name; });
-    const std::optional<std::size_t> kind = mesh.choice("kind", names, Need::required);
+    const std::optional<std::size_t> kind = mesh.choice("kind");
     if (!kind) {
         mesh.allow_unknown_keys();
         return;
@@ -43,9 +43,8 @@ void read_mesh(TomlTable& root, ProblemBuilder& builder) {
 }
 
 bool read_two_node(TomlTable& mesh, ProblemBuilder& builder) {
-    constexpr QuantitySpec share{.unit = "1", .low = 1e-6, .high = 1.0 - 1e-6};
-    const double surface_share = mesh.quantity("surface_mass_share", share, Need::required).value_or(0.5);
-    const double bulk_depth = mesh.quantity("bulk_depth", quantity_specs::thickness, Need::required).value_or(0.01);
+    const double surface_share = mesh.quantity("surface_mass_share").value_or(0.5);
+    const double bulk_depth = mesh.quantity("bulk_depth").value_or(0.01);
     const physics::Material* material = read_material(mesh, "material", builder);
     const std::optional<physics::Curve> link =
         read_law(mesh, "link_conductivity", quantity_specs::conductivity, Need::optional);
@@ -78,12 +77,12 @@ bool read_two_node(TomlTable& mesh, ProblemBuilder& builder) {
 bool read_layers(TomlTable& mesh, ProblemBuilder& builder) {
     mesh::Layers layers;
     const bool needs_area = !builder.has_tire;
-    layers.area = mesh.quantity("area", quantity_specs::area, needs_area ? Need::required : Need::optional)
-                      .value_or(builder.problem.tire.outer_area());
+    layers.area =
+        mesh.quantity("area", needs_area ? Need::required : Need::optional).value_or(builder.problem.tire.outer_area());
     layers.stack = read_stack(mesh, builder);
     const std::optional<std::string> below = mesh.text("link_below");
     const Need with_link = below ? Need::required : Need::optional;
-    layers.link_length = mesh.quantity("link_length", quantity_specs::thickness, with_link).value_or(0.0);
+    layers.link_length = mesh.quantity("link_length", with_link).value_or(0.0);
     const std::optional<physics::Curve> law =
         read_law(mesh, "link_conductivity", quantity_specs::conductivity, with_link);
     if (!below && (mesh.has("link_length") || mesh.has("link_conductivity"))) {
@@ -119,8 +118,8 @@ bool read_layers(TomlTable& mesh, ProblemBuilder& builder) {
 /// Layers with their true radii; with a tire its radius and its outer area are the standard ones.
 bool read_cylinder(TomlTable& mesh, ProblemBuilder& builder) {
     const Need need = builder.has_tire ? Need::optional : Need::required;
-    const std::optional<double> inner_radius = mesh.quantity("inner_radius", quantity_specs::length, need);
-    const std::optional<double> length = mesh.quantity("length", quantity_specs::length, need);
+    const std::optional<double> inner_radius = mesh.quantity("inner_radius", need);
+    const std::optional<double> length = mesh.quantity("length", need);
     mesh::Cylinder cylinder;
     cylinder.stack = read_stack(mesh, builder);
     if (cylinder.stack.empty() || (!builder.has_tire && (!inner_radius || !length))) {

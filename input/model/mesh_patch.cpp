@@ -12,9 +12,6 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr int most_cells_in_a_row = 1'000'000;
-constexpr QuantitySpec ratio{.unit = "1", .low = 1e-5, .high = 1e5};
-
 /// Neighbours that differ much in size cost accuracy.
 void check_growth(const TomlTable& table, int cells, double total_ratio) {
     const double step = cells > 1 ? std::pow(std::max(total_ratio, 1.0 / total_ratio), 1.0 / (cells - 1)) : 1.0;
@@ -33,9 +30,9 @@ std::vector<mesh::Segment> read_segments(TomlTable& mesh, std::string_view key, 
         key,
         [&](TomlTable& table) {
             mesh::Segment segment;
-            segment.to = table.quantity("to", quantity_specs::coordinate, Need::required).value_or(std::nan(""));
-            segment.cells = table.count("cells", 1, most_cells_in_a_row, Need::required).value_or(1);
-            segment.ratio = table.quantity("ratio", ratio).value_or(1.0);
+            segment.to = table.quantity("to", Need::required).value_or(std::nan(""));
+            segment.cells = table.count("cells", Need::required).value_or(1);
+            segment.ratio = table.quantity("ratio").value_or(1.0);
             check_growth(table, segment.cells, segment.ratio);
             segments.push_back(segment);
             places.push_back(table.place("to"));
@@ -74,9 +71,9 @@ std::vector<mesh::Layer> read_stack(TomlTable& mesh, ProblemBuilder& builder,
         [&](TomlTable& table) {
             mesh::Layer layer;
             layer.name = table.name("name", Need::required).value_or("");
-            layer.thickness = table.quantity("thickness", quantity_specs::thickness, Need::required).value_or(0.001);
-            layer.cells = table.count("cells", 1, most_cells_in_a_row, Need::required).value_or(1);
-            layer.ratio = table.quantity("ratio", ratio).value_or(1.0);
+            layer.thickness = table.quantity("thickness").value_or(0.001);
+            layer.cells = table.count("cells", Need::required).value_or(1);
+            layer.ratio = table.quantity("ratio").value_or(1.0);
             check_growth(table, layer.cells, layer.ratio);
             if (zones != nullptr) {
                 zones->push_back(table.texts("zones"));

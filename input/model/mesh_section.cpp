@@ -19,8 +19,6 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr int most_columns = 10'000;
-constexpr QuantitySpec ratio_of_ends{.unit = "1", .low = 1e-3, .high = 1e3};
 /// How far the profile has turned from the axis where the shoulder ends and where the bead begins. These two angles shape
 /// the picture and, through the local radius, the area of shoulders and sidewalls by a few per cent; assumed.
 constexpr double turn_at_sidewall = 45.0 / 180.0 * std::numbers::pi;
@@ -184,20 +182,20 @@ bool read_section(TomlTable& mesh, ProblemBuilder& builder) {
         mesh.add_error("kind", "a section is that of a tire, and there is no tire",
                        "add [tire] with size = \"225/50 R17\"");
     }
-    const double tread = mesh.quantity("tread_width", quantity_specs::length).value_or(tire.width);
-    const double shoulder = mesh.quantity("shoulder_width", quantity_specs::length).value_or(0.2 * tread);
-    const double crown_radius = mesh.quantity("crown_radius", quantity_specs::length).value_or(1.0);
+    const double tread = mesh.quantity("tread_width").value_or(tire.width);
+    const double shoulder = mesh.quantity("shoulder_width").value_or(0.2 * tread);
+    const double crown_radius = mesh.quantity("crown_radius").value_or(1.0);
     std::array<Stretch, 3> stretches{Stretch{.word = "crown"}, Stretch{.word = "shoulders"},
                                      Stretch{.word = "sidewalls"}};
-    stretches[crown].cells = mesh.count("crown_cells", 1, most_columns, Need::required).value_or(1);
-    stretches[shoulders].cells = mesh.count("shoulder_cells", 0, most_columns, Need::required).value_or(0);
-    stretches[sidewalls].cells = mesh.count("sidewall_cells", 0, most_columns, Need::required).value_or(0);
-    stretches[shoulders].ratio = mesh.quantity("shoulder_ratio", ratio_of_ends).value_or(1.0);
-    stretches[sidewalls].ratio = mesh.quantity("sidewall_ratio", ratio_of_ends).value_or(1.0);
+    stretches[crown].cells = mesh.count("crown_cells").value_or(1);
+    stretches[shoulders].cells = mesh.count("shoulder_cells").value_or(0);
+    stretches[sidewalls].cells = mesh.count("sidewall_cells").value_or(0);
+    stretches[shoulders].ratio = mesh.quantity("shoulder_ratio").value_or(1.0);
+    stretches[sidewalls].ratio = mesh.quantity("sidewall_ratio").value_or(1.0);
     stretches[shoulders].length = shoulder;
     stretches[crown].length = tread - (stretches[shoulders].cells > 0 ? 2.0 * shoulder : 0.0);
-    stretches[sidewalls].length = mesh.quantity("sidewall_length", quantity_specs::length).value_or(0.0);
-    const int sectors = mesh.count("sectors", 1, physics::most_sectors).value_or(1);
+    stretches[sidewalls].length = mesh.quantity("sidewall_length").value_or(0.0);
+    const int sectors = mesh.count("sectors").value_or(1);
     std::vector<std::vector<LocatedString>> zones;
     mesh::Section section;
     section.layers = read_stack(mesh, builder, &zones);

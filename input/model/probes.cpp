@@ -106,8 +106,8 @@ double middle_of(const mesh::Mesh& mesh, int zone) {
 
 /// A point of a section: at a place along the meridian, or in the middle of a zone; of several zones the mean.
 Where read_section_point(TomlTable& sensor, const mesh::Mesh& mesh) {
-    const double depth = sensor.quantity("depth", quantity_specs::depth, Need::required).value_or(0.0);
-    const std::optional<double> along = sensor.quantity("along", quantity_specs::coordinate);
+    const double depth = sensor.quantity("depth").value_or(0.0);
+    const std::optional<double> along = sensor.quantity("along");
     const std::vector<LocatedString> zones = sensor.texts("zones");
     std::vector<double> places;
     std::string where;
@@ -156,8 +156,8 @@ struct Reach {
 
 /// The keys from and to, within the mesh.
 std::optional<Reach> read_reach(TomlTable& sensor, const mesh::Mesh& mesh) {
-    const std::optional<double> from = sensor.quantity("from", quantity_specs::coordinate, Need::required);
-    const std::optional<double> to = sensor.quantity("to", quantity_specs::coordinate, Need::required);
+    const std::optional<double> from = sensor.quantity("from", Need::required);
+    const std::optional<double> to = sensor.quantity("to", Need::required);
     if (plan_of(mesh) != Plan::section) {
         sensor.add_error("kind", "there are strips only on a section", "take kind = \"patch\"");
         return std::nullopt;
@@ -197,14 +197,14 @@ Where read_point(TomlTable& sensor, const mesh::Mesh& mesh) {
         sensor.allow_unknown_keys();
         return std::nullopt;
     }
-    mesh::Point point{0.0, 0.0, sensor.quantity("depth", quantity_specs::depth, Need::required).value_or(0.0)};
+    mesh::Point point{0.0, 0.0, sensor.quantity("depth").value_or(0.0)};
     std::string across;
     if (plan == Plan::disc) {
-        point[0] = sensor.quantity("radius", quantity_specs::depth).value_or(0.0);
+        point[0] = sensor.quantity("radius").value_or(0.0);
         across = point[0] == 0.0 ? ", on the axis" : fmt::format(", {} from the axis", millimetres(point[0]));
     } else if (plan == Plan::block) {
-        point[0] = sensor.quantity("x", quantity_specs::coordinate).value_or(0.0);
-        point[1] = sensor.quantity("y", quantity_specs::coordinate).value_or(0.0);
+        point[0] = sensor.quantity("x").value_or(0.0);
+        point[1] = sensor.quantity("y").value_or(0.0);
         across = fmt::format(", x = {}, y = {}", millimetres(point[0]), millimetres(point[1]));
     }
     if (!mesh::contains(mesh, point)) {
@@ -217,7 +217,7 @@ Where read_point(TomlTable& sensor, const mesh::Mesh& mesh) {
 }
 
 Where read_spot(TomlTable& sensor, const mesh::Mesh& mesh) {
-    const std::optional<double> radius = sensor.quantity("radius", quantity_specs::length, Need::required);
+    const std::optional<double> radius = sensor.quantity("radius", Need::required);
     const std::optional<int> patch = read_part(sensor, "patch", "patches", names_of(mesh.patches));
     const Plan plan = plan_of(mesh);
     if (plan == Plan::lumps || plan == Plan::strip || plan == Plan::section) {
@@ -283,10 +283,9 @@ Where read_strip(TomlTable& sensor, const mesh::Mesh& mesh) {
 }
 
 std::vector<solver::Channel> read_strips(TomlTable& sensor, const mesh::Mesh& mesh) {
-    const std::optional<int> count = sensor.count("count", 2, most_strips, Need::required);
+    const std::optional<int> count = sensor.count("count");
     const std::optional<Reach> reach = read_reach(sensor, mesh);
-    constexpr std::array<std::string_view, 2> sides{"outboard", "inboard"};
-    const bool inboard_first = sensor.choice("first", sides).value_or(0) == 1;
+    const bool inboard_first = sensor.choice("first").value_or(0) == 1;
     std::vector<solver::Channel> strips(static_cast<std::size_t>(count.value_or(0)));
     for (std::size_t i = 0; reach && i < strips.size(); ++i) {
         const double width = (reach->to - reach->from) / static_cast<double>(strips.size());

@@ -145,7 +145,7 @@ std::vector<solver::Channel> read_places(TomlTable& sensor, std::string_view kin
 
 /// On a ring a sensor reads the mean around the circumference, or one place of the turning rubber.
 void read_angle(TomlTable& sensor, const mesh::Mesh& mesh, std::vector<solver::Channel>& found) {
-    const std::optional<double> angle = sensor.quantity("angle", {.unit = "radian", .low = -1e3, .high = 1e3});
+    const std::optional<double> angle = sensor.quantity("angle");
     if (angle && mesh.sectors == 1) {
         sensor.add_error("angle", "only a ring has places around the circumference",
                          "remove angle, or give [mesh] sectors");
@@ -243,7 +243,7 @@ void read_sensors(TomlTable& root, ProblemBuilder& builder) {
     root.each("sensor", [&](TomlTable& sensor) {
         const std::optional<std::string> name = sensor.name("name", Need::required);
         const std::optional<std::string> meaning = sensor.text("meaning");
-        const std::optional<std::size_t> kind = sensor.choice("kind", names, Need::required);
+        const std::optional<std::size_t> kind = sensor.choice("kind");
         if (name == "time") {
             sensor.add_error("name", "time is the name of the clock", "rename the sensor");
         }
@@ -253,7 +253,7 @@ void read_sensors(TomlTable& root, ProblemBuilder& builder) {
             read_angle(sensor, builder.problem.mesh, found);
         } else {
             for (const std::string_view key : {"depth", "x", "y", "radius", "from", "to", "angle"}) {
-                sensor.quantity(key, quantity_specs::coordinate);
+                sensor.quantity(key, quantity_specs::coordinate, Need::optional);
             }
             sensor.declare_keys({"standard_deviation"});
             sensor.allow_unknown_keys();

@@ -111,9 +111,9 @@ CaseSize size_of(const solver::Problem& problem) {
 SizeLimits read_limits(TomlTable& root) {
     SizeLimits limits;
     TomlTable table = root.subtable("limits");
-    limits.cells = table.quantity("cells", {.unit = "1", .low = 1.0, .high = 2e8}).value_or(limits.cells);
-    limits.rows = table.quantity("rows", {.unit = "1", .low = 1.0, .high = 1e15}).value_or(limits.rows);
-    limits.steps = table.quantity("steps", {.unit = "1", .low = 1.0, .high = 1e15}).value_or(limits.steps);
+    limits.cells = table.quantity("cells").value_or(limits.cells);
+    limits.rows = table.quantity("rows").value_or(limits.rows);
+    limits.steps = table.quantity("steps").value_or(limits.steps);
     read_bytes(table, "output", limits.output);
     read_bytes(table, "memory", limits.memory);
     return limits;

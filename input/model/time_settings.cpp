@@ -15,8 +15,6 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr std::array<std::string_view, 2> methods{"tr_bdf2", "backward_euler"};
-constexpr std::array<std::string_view, 4> linear_solvers{"automatic", "cholesky", "conjugate_gradient", "petsc"};
 constexpr double many_steps = 1e7;
 
 /// A log goes on beyond the run, which somebody who included the run's end from another file does not see.
@@ -52,9 +50,8 @@ void read_time_settings(TomlTable& root, ProblemBuilder& builder) {
     const bool implied = builder.logged_to || (builder.run && builder.run->has_file);
     TomlTable time = root.subtable("time", implied ? Need::optional : Need::required);
     into.steady = time.flag("steady").value_or(false);
-    into.start = time.quantity("start", quantity_specs::moment).value_or(builder.logged_from.value_or(0.0));
-    const auto end =
-        time.quantity("end", quantity_specs::moment, implied || into.steady ? Need::optional : Need::required);
+    into.start = time.quantity("start").value_or(builder.logged_from.value_or(0.0));
+    const auto end = time.quantity("end", implied || into.steady ? Need::optional : Need::required);
     into.end = end.value_or(builder.logged_to.value_or(into.start));
     if (of_file) {
         into.start = own_start ? into.start : start_of_run(builder, into.start, end);
@@ -64,12 +61,12 @@ void read_time_settings(TomlTable& root, ProblemBuilder& builder) {
         time.add_error("start", "start and repeat_first_lap both say where the run begins", "keep one of them");
     }
     builder.problem.input_signals.start_at(into.start);
-    into.fixed_step = time.quantity("step", quantity_specs::duration);
-    into.tolerance = time.quantity("tolerance", quantity_specs::tolerance).value_or(into.tolerance);
-    into.output_interval = time.quantity("output", quantity_specs::interval).value_or(into.output_interval);
-    into.field_interval = time.quantity("fields", quantity_specs::interval).value_or(into.field_interval);
-    into.method = static_cast<solver::Method>(time.choice("method", methods).value_or(0));
-    into.linear_solver = static_cast<solver::LinearSolver>(time.choice("linear_solver", linear_solvers).value_or(0));
+    into.fixed_step = time.quantity("step");
+    into.tolerance = time.quantity("tolerance").value_or(into.tolerance);
+    into.output_interval = time.quantity("output").value_or(into.output_interval);
+    into.field_interval = time.quantity("fields").value_or(into.field_interval);
+    into.method = static_cast<solver::Method>(time.choice("method").value_or(0));
+    into.linear_solver = static_cast<solver::LinearSolver>(time.choice("linear_solver").value_or(0));
     if (into.linear_solver == solver::LinearSolver::petsc && !solver::has_petsc()) {
         time.add_error("linear_solver", "this program was built without PETSc",
                        "configure it with -DTIRETHERM_PETSC=ON, or leave the linear solver to the program");

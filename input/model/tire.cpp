@@ -21,34 +21,28 @@ namespace {
 
 using physics::Tire;
 
-struct Key {
+/// The dimensions and the numbers of the laws of the load.
+struct TireNumber {
     std::string_view key;
     double Tire::*member;
-    QuantitySpec spec;
 };
-
-constexpr QuantitySpec radius{.unit = "m", .low = 0.01, .high = 5.0, .usual_low = 0.1, .usual_high = 2.0};
-constexpr QuantitySpec width{.unit = "m", .low = 0.005, .high = 3.0, .usual_low = 0.05, .usual_high = 1.0};
-
-constexpr std::array keys{
-    Key{"width", &Tire::width, width},
-    Key{"section_height", &Tire::section_height, width},
-    Key{"unloaded_radius", &Tire::unloaded_radius, radius},
-    Key{"tread_thickness", &Tire::tread_thickness, quantity_specs::thickness},
-    Key{"sidewall_thickness", &Tire::sidewall_thickness, quantity_specs::thickness},
-    Key{"density", &Tire::density, quantity_specs::density},
-    Key{"minimum_load", &Tire::minimum_load, quantity_specs::load},
-    Key{"contact_length_limit", &Tire::contact_length_limit, quantity_specs::length},
-    Key{"contact_length_slope",
-        &Tire::contact_length_slope,
-        {.unit = "kN-1", .low = 0.0, .high = 100.0, .above = true}},
-    Key{"contact_area_at_zero", &Tire::contact_area_at_zero, {.unit = "m2", .low = 0.0, .high = 1.0}},
-    Key{"contact_area_slope", &Tire::contact_area_slope, {.unit = "m2 N-1", .low = 0.0, .high = 1e-3}},
-    Key{"loaded_radius_at_zero", &Tire::loaded_radius_at_zero, radius},
-    Key{"loaded_radius_slope", &Tire::loaded_radius_slope, {.unit = "m N-1", .low = -1e-3, .high = 0.0}},
-    Key{"rolling_radius_factor", &Tire::rolling_radius_factor, radius},
-    Key{"pressure_exponent_of_loss", &Tire::pressure_exponent_of_loss, {.unit = "1", .low = 0.0, .high = 3.0}},
-    Key{"rolling_radius_exponent", &Tire::rolling_radius_exponent, {.unit = "1", .low = -1.0, .high = 1.0}},
+constexpr std::array numbers_of_tire{
+    TireNumber{"width", &Tire::width},
+    TireNumber{"section_height", &Tire::section_height},
+    TireNumber{"unloaded_radius", &Tire::unloaded_radius},
+    TireNumber{"tread_thickness", &Tire::tread_thickness},
+    TireNumber{"sidewall_thickness", &Tire::sidewall_thickness},
+    TireNumber{"density", &Tire::density},
+    TireNumber{"minimum_load", &Tire::minimum_load},
+    TireNumber{"contact_length_limit", &Tire::contact_length_limit},
+    TireNumber{"contact_length_slope", &Tire::contact_length_slope},
+    TireNumber{"contact_area_at_zero", &Tire::contact_area_at_zero},
+    TireNumber{"contact_area_slope", &Tire::contact_area_slope},
+    TireNumber{"loaded_radius_at_zero", &Tire::loaded_radius_at_zero},
+    TireNumber{"loaded_radius_slope", &Tire::loaded_radius_slope},
+    TireNumber{"rolling_radius_factor", &Tire::rolling_radius_factor},
+    TireNumber{"pressure_exponent_of_loss", &Tire::pressure_exponent_of_loss},
+    TireNumber{"rolling_radius_exponent", &Tire::rolling_radius_exponent},
 };
 
 /// A law of the load: its table, and the numbers that describe it otherwise.
@@ -56,9 +50,10 @@ struct Law {
     std::string_view table;
     std::optional<physics::Curve> Tire::*member;
     QuantitySpec value;
-    std::string_view numbers;  ///< one of the keys above
+    std::string_view number;  ///< one of the keys above
 };
 
+constexpr QuantitySpec radius{.unit = "m", .low = 0.01, .high = 5.0, .usual_low = 0.1, .usual_high = 2.0};
 const std::array laws{
     Law{"contact_length", &Tire::contact_length_table, {.unit = "m", .low = 0.0, .high = 5.0}, "contact_length_limit"},
     Law{"contact_area", &Tire::contact_area_table, {.unit = "m2", .low = 0.0, .high = 5.0}, "contact_area_slope"},
@@ -67,7 +62,7 @@ const std::array laws{
 };
 
 void read_size(TomlTable& tire, Tire& into) {
-    const std::optional<std::string> text = tire.text("size", Need::required);
+    const std::optional<std::string> text = tire.text("size");
     if (!text) {
         return;
     }
@@ -86,20 +81,17 @@ void read_size(TomlTable& tire, Tire& into) {
 /// The moduli of the cornering stiffness: [tire.modulus].
 void read_modulus(TomlTable& tire, solver::Handling& into) {
     TomlTable table = tire.subtable("modulus");
-    constexpr QuantitySpec modulus{.unit = "Pa", .low = 0.0, .high = 1e12, .above = true};
     physics::EquivalentModulus& m = into.modulus;
-    const auto take = [&](std::string_view key, const QuantitySpec& spec, double& member) {
-        member = table.quantity(key, spec).value_or(member);
-    };
-    take("belt_maximum", modulus, m.E_max);
-    take("belt_fall", modulus, m.dE);
-    take("belt_slope", {.unit = "m-1", .low = -1e4, .high = 1e4}, m.slope);
-    take("belt_threshold", quantity_specs::length, m.l_t);
-    take("tread_middle", modulus, m.E_mid);
-    take("tread_fall", modulus, m.dE_T);
-    take("transition_temperature", quantity_specs::temperature, m.T_g);
-    take("transition_width", {.unit = "K", .scale = Scale::difference, .low = 0.0, .high = 1e4, .above = true}, m.dT);
-    take("lambda_CP", {.unit = "1", .low = 0.0, .high = 10.0}, into.lambda_CP);
+    const auto take = [&](std::string_view key, double& member) { member = table.quantity(key).value_or(member); };
+    take("belt_maximum", m.E_max);
+    take("belt_fall", m.dE);
+    take("belt_slope", m.slope);
+    take("belt_threshold", m.l_t);
+    take("tread_middle", m.E_mid);
+    take("tread_fall", m.dE_T);
+    take("transition_temperature", m.T_g);
+    take("transition_width", m.dT);
+    take("lambda_CP", into.lambda_CP);
     if (m.dE >= m.E_max) {
         table.add_error("belt_fall", "the belt's modulus would fall to nothing", "let it be smaller than belt_maximum");
     }
@@ -150,12 +142,10 @@ void read_tire(TomlTable& root, ProblemBuilder& builder) {
     const std::size_t before = tire.errors().count();
     read_size(tire, into);
     const double nominal_radius = into.unloaded_radius;
-    for (const Key& key : keys) {
-        into.*key.member = tire.quantity(key.key, key.spec).value_or(into.*key.member);
+    for (const TireNumber& number : numbers_of_tire) {
+        into.*number.member = tire.quantity(number.key).value_or(into.*number.member);
     }
-    into.reference_pressure =
-        tire.quantity("reference_pressure", {.unit = "Pa", .low = 1e4, .high = 2e6, .above = true})
-            .value_or(physics::TireOutline{}.inflation_pressure);
+    into.reference_pressure = tire.quantity("reference_pressure").value_or(physics::TireOutline{}.inflation_pressure);
     if (!tire.has("loaded_radius_at_zero")) {
         into.loaded_radius_at_zero = into.unloaded_radius;
     }
@@ -164,7 +154,7 @@ void read_tire(TomlTable& root, ProblemBuilder& builder) {
     std::vector<std::string> borrowed;
     for (const Law& law : laws) {
         into.*law.member = read_curve(tire, law.table, quantity_specs::load, law.value);
-        if (!tire.has(law.table) && !tire.has(law.numbers)) {
+        if (!tire.has(law.table) && !tire.has(law.number)) {
             borrowed.emplace_back(law.table);
         }
     }

@@ -107,8 +107,7 @@ solver::Critical read_one(TomlTable& table, const solver::Problem& problem, bool
     const mesh::Mesh& mesh = problem.mesh;
     solver::Critical critical;
     critical.name = table.name("name", Need::required).value_or("");
-    const std::optional<double> temperature =
-        table.quantity("temperature", quantity_specs::temperature, Need::required);
+    const std::optional<double> temperature = table.quantity("temperature", Need::required);
     critical.temperature = temperature.value_or(0.0);
     const Chosen layers(table, "layers", "layers", mesh.layers, has_mesh);
     const Chosen zones(table, "zones", "zones", mesh.zones, has_mesh);

@@ -54,7 +54,7 @@ void read_expected(TomlTable& table, FreeParameters& freed) {
         return;
     }
     for (std::size_t i = 0; i < words.size(); ++i) {
-        const ParsedQuantity parsed = quantity(words[i].text, freed.spec, "expected");
+        const ParsedQuantity parsed = parse_quantity(words[i].text, freed.spec, "expected");
         if (parsed.error) {
             table.errors().add(words[i].place, *parsed.error);
         } else {
@@ -291,12 +291,12 @@ std::vector<ParameterPath> read_paths(TomlTable& table, std::string_view subject
     }
     if (subject == "material") {
         const LocatedString name = located(table, "material");
-        const std::optional<std::size_t> law = table.choice("law", laws, Need::required);
+        const std::optional<std::size_t> law = table.choice("law");
         return only(ParameterPath{
             .keys = {{"material", place}, name, {law ? std::string(laws[*law]) : "", table.place("law")}}});
     }
     if (subject == "link") {
-        const bool is_known = table.choice("link", std::span(laws).first(1)).has_value();
+        const bool is_known = table.choice("link").has_value();
         return is_known ? only(ParameterPath{.keys = {{"mesh", place}, {"link_conductivity", place}}})
                         : std::vector<ParameterPath>{};
     }
@@ -351,7 +351,7 @@ void read_parameters(TomlTable& root, const ProblemBuilder& builder, bool measur
 void read_identify(TomlTable& root, Experiment& into) {
     constexpr std::array<std::string_view, 3> models{"automatic", "correlated", "white"};
     TomlTable table = root.subtable("identify");
-    into.noise = models[table.choice("noise", models).value_or(0)];
+    into.noise = models[table.choice("noise").value_or(0)];
     into.robust = table.flag("robust").value_or(into.robust);
 }
 

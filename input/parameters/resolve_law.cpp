@@ -100,7 +100,7 @@ Knots read_knots(TomlTable& table) {
         return {};
     }
     for (const LocatedString& word : words) {
-        const ParsedQuantity parsed = quantity(word.text, quantity_specs::temperature, "at");
+        const ParsedQuantity parsed = parse_quantity(word.text, quantity_specs::temperature, "at");
         if (parsed.error) {
             table.errors().add(word.place, *parsed.error);
             continue;

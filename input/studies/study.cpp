@@ -144,7 +144,7 @@ private:
     bool read_root(TomlTable& root) {
         root.declare_keys({"include", "unset"});
         study_.title = root.text("title").value_or(study_.file.stem().string());
-        study_.critical = root.quantity("critical", quantity_specs::temperature);
+        study_.critical = root.quantity("critical");
         const std::optional<std::string> path = root.text("case", Need::required);
         study_.inputs = read_study_inputs(root, study_.samples, study_.seed);
         if (path) {

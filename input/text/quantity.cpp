@@ -171,7 +171,7 @@ ParsedQuantity check_quantity(double written, const Conversion& unit_conversion,
     return parsed;
 }
 
-ParsedQuantity quantity(std::string_view text, const QuantitySpec& spec, std::string_view name) {
+ParsedQuantity parse_quantity(std::string_view text, const QuantitySpec& spec, std::string_view name) {
     const std::string shown = fmt::format("\"{}\"", text);
     const std::string subject = fmt::format("{} is {}", name, shown);
     const std::optional<Number> number = leading_number(text);

@@ -34,7 +34,7 @@ struct ParsedQuantity {
 };
 
 /// Reads "25 degC". @param name what messages call it
-[[nodiscard]] ParsedQuantity quantity(std::string_view text, const QuantitySpec& spec, std::string_view name);
+[[nodiscard]] ParsedQuantity parse_quantity(std::string_view text, const QuantitySpec& spec, std::string_view name);
 
 /// Converts and checks a number whose unit is known, such as a cell of a table.
 /// @param shown the value as messages show it, such as `"-5 mm"` or 900 km/h  @param unit as written

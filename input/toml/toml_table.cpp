@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Access to keys and subtables, the errors for missing and unknown keys, and the record of keys for the case reference.
+// Access to keys and subtables, and the errors for missing and unknown keys.
 
 #include "input/toml/toml_table.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "input/schema/all_tables.hpp"
 #include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
 TomlTable::TomlTable(const TomlValue& table, std::string name, InputErrors& errors)
-    : table_(&table), name_(std::move(name)), errors_(&errors) {}
+    : table_(&table), name_(std::move(name)), keys_(keys_of_table(name_)), errors_(&errors) {}
 
 TomlTable::TomlTable(const SourceLocation& place, std::string name, InputErrors& errors)
-    : table_(&nothing_), name_(std::move(name)), errors_(&errors) {
+    : table_(&nothing_), name_(std::move(name)), keys_(keys_of_table(name_)), errors_(&errors) {
     nothing_.kind = TomlValue::Kind::table;
     nothing_.place = place;
 }
@@ -33,19 +35,32 @@ TomlTable::~TomlTable() {
     }
 }
 
-void TomlTable::record(KeyUse use) const {
-    if (!KeyRecord::is_on()) {
-        return;
+const Key* TomlTable::find(std::string_view key) const {
+    if (keys_ == nullptr) {
+        return nullptr;
     }
-    use.table = name_;
     const TomlValue* kind = table_->find("kind");
-    use.variant = kind != nullptr ? kind->text : "";
-    KeyRecord::add(std::move(use));
+    return keys_->find(key, kind == nullptr ? std::string_view() : kind->text);
+}
+
+const Key& TomlTable::described(std::string_view key) const {
+    const Key* found = find(key);
+    if (found == nullptr) {
+        throw std::logic_error(fmt::format("{} of {} is read, but not described", key, name_));
+    }
+    return *found;
+}
+
+bool TomlTable::is_required(std::string_view key, Need need) const {
+    if (need != Need::described) {
+        return need == Need::required;
+    }
+    const Key* found = find(key);
+    return found != nullptr && found->need == Need::required;
 }
 
 void TomlTable::declare_keys(std::initializer_list<std::string_view> keys) {
     for (const std::string_view key : keys) {
-        record({.key = std::string(key)});
         if (std::find(known_.begin(), known_.end(), key) == known_.end()) {
             known_.emplace_back(key);
         }
@@ -73,7 +88,7 @@ const TomlValue* TomlTable::take(std::string_view key, Need need, std::initializ
     declare_keys({key});
     const TomlValue* node = table_->find(key);
     if (node == nullptr) {
-        if (need == Need::required) {
+        if (is_required(key, need)) {
             report_missing(key, example);
         }
         return nullptr;
@@ -88,9 +103,8 @@ const TomlValue* TomlTable::take(std::string_view key, Need need, std::initializ
 
 const TomlValue* TomlTable::value(std::string_view key, Need need, std::string_view example) {
     declare_keys({key});
-    record({.key = std::string(key), .form = KeyForm::any, .required = need == Need::required});
     const TomlValue* node = table_->find(key);
-    if (node == nullptr && need == Need::required) {
+    if (node == nullptr && is_required(key, need)) {
         report_missing(key, example);
     }
     return node;
@@ -105,7 +119,6 @@ std::string TomlTable::child_name(std::string_view key, bool list) const {
 }
 
 TomlTable TomlTable::subtable(std::string_view key, Need need) {
-    record({.key = std::string(key), .form = KeyForm::table, .required = need == Need::required});
     const std::string title = child_name(key, false);
     const TomlValue* node = take(key, need, {TomlValue::Kind::table}, "a table", title);
     if (node == nullptr) {
@@ -116,14 +129,13 @@ TomlTable TomlTable::subtable(std::string_view key, Need need) {
 
 void TomlTable::each(std::string_view key, const std::function<void(TomlTable&)>& read, Need need,
                      std::string_view example) {
-    record({.key = std::string(key), .form = KeyForm::tables, .required = need == Need::required});
     const std::string title = child_name(key, true);
     const std::string entry(example.empty() ? title : example);
     const TomlValue* list = take(key, need, {TomlValue::Kind::array}, "a list of tables", entry);
     if (list == nullptr) {
         return;
     }
-    if (list->items.empty() && need == Need::required) {
+    if (list->items.empty() && is_required(key, need)) {
         errors_->add(list->place, fmt::format("{} is an empty list", key), fmt::format("write {}", entry));
     }
     for (const TomlValue& item : list->items) {

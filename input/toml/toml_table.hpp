@@ -2,7 +2,6 @@
 // Checked reading of a TOML table; the calls of the reader are the schema of the table, and unknown keys are reported.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -10,14 +9,12 @@
 #include <string_view>
 #include <vector>
 
+#include "input/schema/key.hpp"
 #include "input/text/input_error.hpp"
 #include "input/text/quantity.hpp"
 #include "input/toml/document.hpp"
-#include "input/toml/key_record.hpp"
 
 namespace tiretherm::input {
-
-enum class Need : std::uint8_t { optional, required };
 
 /// A text and where it stands.
 struct LocatedString {
@@ -25,9 +22,9 @@ struct LocatedString {
     SourceLocation place;
 };
 
-/// A table that is being read. Reading a key declares it; a wrong value becomes an error and
-/// is returned as if it were absent; at the end of its life it reports the keys that no reader has declared. So the
-/// calls of a reader are the schema of its table.
+/// A table that is being read. Forms, units, ranges and needs of its keys are those of its description (keys_of_table). A
+/// wrong value becomes an error and is returned as if it were absent; at the end of its life the table reports the keys
+/// that nobody has read.
 class TomlTable {
 public:
     /// @param name as messages show it: "[mesh]"; the case itself: "the case"
@@ -41,27 +38,32 @@ public:
     [[nodiscard]] bool exists() const { return table_ != &nothing_; }
     [[nodiscard]] bool has(std::string_view key) const { return table_->find(key) != nullptr; }
 
-    std::optional<double> quantity(std::string_view key, const QuantitySpec& spec, Need need = Need::optional);
-    std::optional<std::string> text(std::string_view key, Need need = Need::optional);
+    // The need is that of the description; a reader that knows better gives it.
+    std::optional<double> quantity(std::string_view key, Need need = Need::described);
+    /// A quantity whose unit and range follow from what the table is about.
+    std::optional<double> quantity(std::string_view key, const QuantitySpec& spec, Need need = Need::described);
+    std::optional<std::string> text(std::string_view key, Need need = Need::described);
     /// A text that later names a column or a data set: not empty, without brackets, quotes, slashes, commas and blanks
     /// at its ends.
-    std::optional<std::string> name(std::string_view key, Need need = Need::optional);
-    /// One of several words. @returns its index
+    std::optional<std::string> name(std::string_view key, Need need = Need::described);
+    /// One of the words of the description. @returns its index
+    std::optional<std::size_t> choice(std::string_view key, Need need = Need::described);
+    /// One of several words that follow from what the table is about.
     std::optional<std::size_t> choice(std::string_view key, std::span<const std::string_view> options,
-                                      Need need = Need::optional);
+                                      Need need = Need::described);
     std::optional<bool> flag(std::string_view key);
-    std::optional<int> count(std::string_view key, int low, int high, Need need = Need::optional);
+    std::optional<int> count(std::string_view key, Need need = Need::described);
     /// A list of texts, or one text.
-    std::vector<LocatedString> texts(std::string_view key, Need need = Need::optional);
+    std::vector<LocatedString> texts(std::string_view key, Need need = Need::described);
 
     /// The table of this key; one that does not exist when there is none.
-    [[nodiscard]] TomlTable subtable(std::string_view key, Need need = Need::optional);
+    [[nodiscard]] TomlTable subtable(std::string_view key, Need need = Need::described);
     /// Reads each table of a list.
     /// @param example one entry as the user may write it; empty: its heading [[...]]
-    void each(std::string_view key, const std::function<void(TomlTable&)>& read, Need need = Need::optional,
+    void each(std::string_view key, const std::function<void(TomlTable&)>& read, Need need = Need::described,
               std::string_view example = {});
     /// The value as it stands, null when absent.
-    const TomlValue* value(std::string_view key, Need need = Need::optional, std::string_view example = {});
+    const TomlValue* value(std::string_view key, Need need = Need::described, std::string_view example = {});
 
     [[nodiscard]] const TomlValue& content() const { return *table_; }
     [[nodiscard]] const SourceLocation& place() const { return table_->place; }
@@ -83,13 +85,16 @@ private:
     const TomlValue* take(std::string_view key, Need need, std::initializer_list<TomlValue::Kind> kinds,
                           std::string_view expected, std::string_view example);
     void report_missing(std::string_view key, std::string_view example) const;
-    /// Tells the record of keys, where there is one, how this key is read.
-    void record(KeyUse use) const;
+    [[nodiscard]] const Key* find(std::string_view key) const;  ///< its description; null when absent
+    /// The same. @errors std::logic_error where there is none: then the reader is wrong
+    [[nodiscard]] const Key& described(std::string_view key) const;
+    [[nodiscard]] bool is_required(std::string_view key, Need need) const;
     [[nodiscard]] std::string child_name(std::string_view key, bool list) const;
 
     TomlValue nothing_;
     const TomlValue* table_;
     std::string name_;
+    const TableKeys* keys_;  ///< null where its keys are names that the user chooses
     InputErrors* errors_;
     std::vector<std::string> known_;
     bool unknown_keys_allowed_ = false;

@@ -11,12 +11,15 @@
 
 namespace tiretherm::input {
 
+std::optional<double> TomlTable::quantity(std::string_view key, Need need) {
+    return quantity(key, described(key).spec, need);
+}
+
 std::optional<double> TomlTable::quantity(std::string_view key, const QuantitySpec& spec, Need need) {
     declare_keys({key});
-    record({.key = std::string(key), .form = KeyForm::quantity, .required = need == Need::required, .spec = spec});
     const TomlValue* node = table_->find(key);
     if (node == nullptr || (node->kind != TomlValue::Kind::text && !node->is_number())) {
-        if (node != nullptr || need == Need::required) {
+        if (node != nullptr || is_required(key, need)) {
             const Dimension what = dimension(spec.unit, spec.scale);
             take(key, need, {}, what.name, fmt::format("{} = {}", key, spell_example(spec)));
         }
@@ -24,7 +27,7 @@ std::optional<double> TomlTable::quantity(std::string_view key, const QuantitySp
     }
     ParsedQuantity parsed;
     if (node->kind == TomlValue::Kind::text) {
-        parsed = input::quantity(node->text, spec, key);
+        parsed = parse_quantity(node->text, spec, key);
     } else if (spec.is_pure()) {
         parsed = check_quantity(node->number, {}, "", spec, key, shown(*node));
     } else {
@@ -41,13 +44,11 @@ std::optional<double> TomlTable::quantity(std::string_view key, const QuantitySp
 }
 
 std::optional<std::string> TomlTable::text(std::string_view key, Need need) {
-    record({.key = std::string(key), .form = KeyForm::text, .required = need == Need::required});
     const TomlValue* node = take(key, need, {TomlValue::Kind::text}, "a text", fmt::format("{} = \"...\"", key));
     return node == nullptr ? std::nullopt : std::optional(node->text);
 }
 
 std::optional<std::string> TomlTable::name(std::string_view key, Need need) {
-    record({.key = std::string(key), .form = KeyForm::name, .required = need == Need::required});
     std::optional<std::string> name = text(key, need);
     if (!name) {
         return std::nullopt;
@@ -64,10 +65,13 @@ std::optional<std::string> TomlTable::name(std::string_view key, Need need) {
     return name;
 }
 
+std::optional<std::size_t> TomlTable::choice(std::string_view key, Need need) {
+    return choice(key, described(key).words, need);
+}
+
 std::optional<std::size_t> TomlTable::choice(std::string_view key, std::span<const std::string_view> options,
                                              Need need) {
     const std::vector<std::string> known(options.begin(), options.end());
-    record({.key = std::string(key), .form = KeyForm::choice, .required = need == Need::required, .options = known});
     const TomlValue* node =
         take(key, need, {TomlValue::Kind::text}, "a word", fmt::format("{} = \"{}\"", key, known.front()));
     if (node == nullptr) {
@@ -83,18 +87,13 @@ std::optional<std::size_t> TomlTable::choice(std::string_view key, std::span<con
 }
 
 std::optional<bool> TomlTable::flag(std::string_view key) {
-    record({.key = std::string(key), .form = KeyForm::flag});
     const TomlValue* node =
         take(key, Need::optional, {TomlValue::Kind::boolean}, "true or false", fmt::format("{} = true", key));
     return node == nullptr ? std::nullopt : std::optional(node->truth);
 }
 
-std::optional<int> TomlTable::count(std::string_view key, int low, int high, Need need) {
-    record({.key = std::string(key),
-            .form = KeyForm::count,
-            .required = need == Need::required,
-            .low = low,
-            .high = high});
+std::optional<int> TomlTable::count(std::string_view key, Need need) {
+    const auto [low, high] = std::pair(described(key).low, described(key).high);
     const TomlValue* node =
         take(key, need, {TomlValue::Kind::integer}, "a whole number", fmt::format("{} = {}", key, std::max(low, 8)));
     if (node == nullptr) {
@@ -108,7 +107,6 @@ std::optional<int> TomlTable::count(std::string_view key, int low, int high, Nee
 }
 
 std::vector<LocatedString> TomlTable::texts(std::string_view key, Need need) {
-    record({.key = std::string(key), .form = KeyForm::texts, .required = need == Need::required});
     const TomlValue* node = take(key, need, {TomlValue::Kind::text, TomlValue::Kind::array}, "a list of texts",
                                  fmt::format("{} = [\"...\"]", key));
     if (node == nullptr) {

@@ -152,7 +152,7 @@ void change_case(const InputDefinition& input, std::size_t end, TomlValue& docum
         });
         if (TomlValue* last = child(child(&document, "time"), "end");
             last != nullptr && last->kind == TomlValue::Kind::text) {
-            const ParsedQuantity old_end = quantity(last->text, quantity_specs::moment, "end");
+            const ParsedQuantity old_end = parse_quantity(last->text, quantity_specs::moment, "end");
             last->text = fmt::format("{:.17g} s", moved_moment(old_end.value, input.parts, length));
         }
     }

@@ -17,7 +17,6 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> readings{"channel", "case", "time_to"};
 constexpr std::array reading_actions{InputAction::channel, InputAction::of_case, InputAction::time_to};
 constexpr std::array action_keys{"keys", "signal", "between", "reads"};
 
@@ -53,7 +52,7 @@ void read_action(TomlTable& table, InputDefinition& input) {
     if (table.has("between")) {
         input.action = InputAction::parts;
     }
-    if (const std::optional<std::size_t> reading = table.choice("reads", readings)) {
+    if (const std::optional<std::size_t> reading = table.choice("reads")) {
         input.action = reading_actions[*reading];
     }
 }
@@ -135,8 +134,8 @@ void read_parts(TomlTable& table, InputDefinition& input) {
             wrong(item.place);
             return;
         }
-        const ParsedQuantity begin = quantity(item.items[0].text, quantity_specs::moment, "between");
-        const ParsedQuantity end = quantity(item.items[1].text, quantity_specs::moment, "between");
+        const ParsedQuantity begin = parse_quantity(item.items[0].text, quantity_specs::moment, "between");
+        const ParsedQuantity end = parse_quantity(item.items[1].text, quantity_specs::moment, "between");
         if (begin.error || end.error) {
             table.errors().add(item.place, begin.error ? *begin.error : *end.error);
             return;
@@ -167,7 +166,7 @@ InputDefinition read_input(TomlTable& table, const std::vector<InputDefinition>&
         table.add_error("name", fmt::format("there are two inputs \"{}\"", input.shown.name), "rename one of them");
     }
     input.shown.meaning = table.text("meaning", Need::required).value_or("");
-    const std::optional<std::size_t> standing = table.choice("standing", standing_names, Need::required);
+    const std::optional<std::size_t> standing = table.choice("standing");
     input.shown.standing = static_cast<Standing>(standing.value_or(0));
     const bool unknown = standing && input.shown.standing != Standing::printed;
     read_action(table, input);

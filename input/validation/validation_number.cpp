@@ -35,7 +35,7 @@ void read_range(TomlTable& table, const QuantitySpec& spec, ValidationNumber& nu
         table.add_error("range", "a range has two ends", fmt::format("write range = [{0}, {0}]", spell_example(spec)));
         return;
     }
-    const std::array parsed{quantity(ends[0].text, spec, "range"), quantity(ends[1].text, spec, "range")};
+    const std::array parsed{parse_quantity(ends[0].text, spec, "range"), parse_quantity(ends[1].text, spec, "range")};
     for (std::size_t i = 0; i < 2; ++i) {
         if (parsed[i].error) {
             table.errors().add(ends[i].place, *parsed[i].error);
@@ -98,8 +98,8 @@ void read_measured(TomlTable& table, const QuantitySpec& spec, ValidationNumber&
 
 ValidationNumber read_number(TomlTable& table, const std::vector<InputDefinition>& inputs, CaseCache& cache) {
     ValidationNumber number;
-    number.id = table.text("id", Need::required).value_or("");
-    number.what = table.text("what", Need::required).value_or("");
+    number.id = table.text("id").value_or("");
+    number.what = table.text("what").value_or("");
     Evaluation evaluation = read_evaluation(table, cache);
     number.meaning = evaluation.meaning;
     if (evaluation.quantity) {

@@ -37,16 +37,14 @@ void read_time_settings(TomlTable& table, ReadoutRequest& request) {
     request.take = Window::Take::at;
     const TomlValue* at = table.value("at");
     const bool at_end = at != nullptr && at->kind == TomlValue::Kind::text && at->text == "end";
-    const std::optional<double> moment = at_end ? std::nullopt : table.quantity("at", quantity_specs::moment);
-    request.from = table.quantity("from", quantity_specs::moment);
-    request.to = table.quantity("to", quantity_specs::moment);
-    constexpr std::array<std::string_view, 3> takes{"mean", "max", "min"};
+    const std::optional<double> moment = at_end ? std::nullopt : table.quantity("at");
+    request.from = table.quantity("from");
+    request.to = table.quantity("to");
     constexpr std::array kinds{Window::Take::mean, Window::Take::max, Window::Take::min};
-    if (const std::optional<std::size_t> take = table.choice("take", takes)) {
+    if (const std::optional<std::size_t> take = table.choice("take")) {
         request.take = kinds[*take];
     }
-    constexpr QuantitySpec share{.unit = "1", .low = 0.0, .high = 1.0, .above = true};
-    if (const std::optional<double> part = table.quantity("time_to", share)) {
+    if (const std::optional<double> part = table.quantity("time_to")) {
         request.take = Window::Take::time_to;
         request.share = *part;
     }

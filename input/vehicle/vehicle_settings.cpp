@@ -14,8 +14,6 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr QuantitySpec smoothing_spec{.unit = "s", .low = 0.0, .high = 10.0, .usual_low = 0.0, .usual_high = 1.0};
-
 /// Numbers on their way from the table.
 struct NumberReader {
     TomlTable& table;
@@ -104,7 +102,7 @@ void read_shares(NumberReader& reader, VehicleKind& kind) {
     using enum VehicleNumber;
     constexpr std::array<std::string_view, 3> driven{"front", "rear", "all"};
     TomlTable& table = reader.table;
-    const std::optional<std::size_t> word = table.choice("driven_axle", driven, Need::required);
+    const std::optional<std::size_t> word = table.choice("driven_axle");
     const bool all = word && *word == static_cast<std::size_t>(DrivenAxle::all);
     reader.take(front_drive_share, all ? Need::required : Need::optional);
     if (!std::isnan(reader.numbers[front_drive_share]) && word && !all) {
@@ -138,7 +136,7 @@ std::optional<VehicleSettings> read_vehicle_settings(TomlTable& root, const Prob
     }
     const std::size_t before = table.errors().count();
     VehicleSettings settings{.place = table.place()};
-    const std::optional<std::size_t> corner = table.choice("corner", physics::corner_names, Need::required);
+    const std::optional<std::size_t> corner = table.choice("corner", Need::required);
     settings.corner = static_cast<physics::Corner>(corner.value_or(0));
     NumberReader reader{.table = table, .numbers = settings.numbers};
     read_lengths(reader);
@@ -148,7 +146,7 @@ std::optional<VehicleSettings> read_vehicle_settings(TomlTable& root, const Prob
     reader.take(VehicleNumber::steering_ratio);
     reader.take(VehicleNumber::brake_heat_capacity);
     reader.take(VehicleNumber::brake_cooling);
-    settings.smoothing = table.quantity("smoothing", smoothing_spec).value_or(settings.smoothing);
+    settings.smoothing = table.quantity("smoothing").value_or(settings.smoothing);
     read_signs(table, settings);
     return table.errors().count() == before ? std::optional(settings) : std::nullopt;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Words for what the readers ask: forms, units, ranges and possible words of each key.
+// Words for the descriptions of keys: forms, units, ranges and possible words.
 #include "post/reference/case_reference.hpp"
 
 #include <algorithm>
@@ -14,16 +14,16 @@ namespace tiretherm::post {
 
 namespace {
 
-using input::CaseKey;
-using input::CaseTable;
+using input::Key;
 using input::KeyForm;
-using input::KeyUse;
+using input::Need;
+using input::TableKeys;
 
 constexpr std::string_view head =
     "# Case reference\n\n"
     "Every key of a case, a study and a table of measured numbers. This page is written by `tiretherm keys --markdown` "
-    "from what\n"
-    "the readers of the program ask for; do not edit it. Complete examples are in the [case "
+    "from the\n"
+    "descriptions of the keys; do not edit it. Complete examples are in the [case "
     "library](../cases/README.md), the\n"
     "parameters of the effects in [effects.md](effects.md).\n\n"
     "Quantities are texts with a unit (`\"8 mm\"`, `\"100 km/h\"`), in any unit of the right kind; pure numbers may be "
@@ -54,22 +54,20 @@ std::string usual_text(const input::QuantitySpec& spec) {
                : "";
 }
 
-std::string quantity_text(const KeyUse& use) {
-    input::QuantitySpec spec = use.spec;
-    spec.unit = use.unit;
-    const bool pure = use.unit == "1" || use.unit.empty();
-    const input::Dimension what = pure ? input::Dimension{"a number", ""} : input::dimension(use.unit, spec.scale);
-    const std::string unit = pure ? "" : slashed_unit(use.unit);
+std::string quantity_text(const input::QuantitySpec& spec) {
+    const bool pure = spec.unit == "1" || spec.unit.empty();
+    const input::Dimension what = pure ? input::Dimension{"a number", ""} : input::dimension(spec.unit, spec.scale);
+    const std::string unit = pure ? "" : slashed_unit(spec.unit);
     const std::string range = range_text(spec, unit) + usual_text(spec);
     const std::string kind = what.name.empty() ? "a quantity in " + unit : what.name;
     return range.empty() ? kind : fmt::format("{}, {}", kind, range);
 }
 
-std::string form_text(const KeyUse& use) {
-    switch (use.form) {
-        case KeyForm::mentioned:
-        case KeyForm::any:
-            return "a value";
+/// How a value may be written.
+std::string value_text(const Key& key) {
+    switch (key.form) {
+        case KeyForm::value:
+            return "as described";
         case KeyForm::text:
             return "a text";
         case KeyForm::name:
@@ -77,13 +75,19 @@ std::string form_text(const KeyUse& use) {
         case KeyForm::texts:
             return "a text, or a list of texts";
         case KeyForm::choice:
-            return fmt::format("`{}`", fmt::join(use.options, "`, `"));
+            return fmt::format("`{}`", fmt::join(key.words, "`, `"));
         case KeyForm::flag:
             return "`true`, `false`";
         case KeyForm::count:
-            return fmt::format("a whole number, {} to {}", use.low, use.high);
+            return fmt::format("a whole number, {} to {}", key.low, key.high);
         case KeyForm::quantity:
-            return quantity_text(use);
+            return quantity_text(key.spec);
+        case KeyForm::quantity_of_owner:
+            return "a quantity, of what it belongs to";
+        case KeyForm::quantity_or_text:
+            return quantity_text(key.spec) + "; or a text";
+        case KeyForm::law:
+            return "a table; or " + quantity_text(key.spec);
         case KeyForm::table:
             return "a table";
         case KeyForm::tables:
@@ -92,41 +96,24 @@ std::string form_text(const KeyUse& use) {
     return "";
 }
 
-/// All forms in which a key may be written.
-std::string value_text(const CaseKey& key) {
-    std::vector<std::string> forms;
-    int quantities = 0;
-    for (const KeyUse& use : key.uses) {
-        quantities += use.form == KeyForm::quantity ? 1 : 0;
-    }
-    for (const KeyUse& use : key.uses) {
-        const bool weaker =
-            use.form == KeyForm::any || (use.form == KeyForm::text && key.uses.front().form == KeyForm::name);
-        if (weaker && key.uses.size() > 1) {
-            continue;
-        }
-        // The unit follows from another key: that of the channel, of the effect's parameter, of the law.
-        const std::string text = use.form == KeyForm::quantity && quantities > 1
-                                     ? std::string("a quantity, of what it belongs to")
-                                     : form_text(use);
-        if (std::ranges::find(forms, text) == forms.end()) {
-            forms.push_back(text);
-        }
-    }
-    return forms.empty() ? "as described" : fmt::format("{}", fmt::join(forms, "; or "));
+std::string required_text(const Key& key) {
+    return key.need == Need::required ? "required" : key.need == Need::sometimes ? "sometimes" : "";
 }
 
-std::string required_text(const CaseKey& key) {
-    return key.required ? "required" : key.sometimes_required ? "sometimes" : "";
-}
-
-std::string variants_text(const CaseKey& key) {
-    return key.variants.empty() ? "" : fmt::format(" For `{}`.", fmt::join(key.variants, "`, `"));
+std::string kinds_text(const Key& key) {
+    if (key.of_kinds.empty()) {
+        return "";
+    }
+    std::string kinds(key.of_kinds);
+    for (std::size_t blank = 0; (blank = kinds.find(' ', blank)) != std::string::npos; blank += 4) {
+        kinds.replace(blank, 1, "`, `");
+    }
+    return fmt::format(" For `{}`.", kinds);
 }
 
 }  // namespace
 
-std::string heading_of(const CaseTable& table) {
+std::string heading_of(const TableKeys& table) {
     if (table.path.empty()) {
         return "top of a case";
     }
@@ -139,39 +126,39 @@ std::string heading_of(const CaseTable& table) {
     if (table.path == "law") {
         return "a law of temperature";
     }
-    return fmt::format(fmt::runtime(table.is_list ? "[[{}]]" : "[{}]"), table.path);
+    return fmt::format(fmt::runtime(table.form == input::TableForm::list ? "[[{}]]" : "[{}]"), table.path);
 }
 
-std::string case_reference_markdown(const std::vector<CaseTable>& tables) {
+std::string case_reference_markdown(const std::vector<TableKeys>& tables) {
     std::string text(head);
-    for (const CaseTable& table : tables) {
+    for (const TableKeys& table : tables) {
         const std::string heading = heading_of(table);
         const bool is_code = heading.starts_with('[');
         text += fmt::format("\n## {0}{1}{0}\n\n{2}\n\n", is_code ? "`" : "", heading, table.sentence);
         text += "| key | value | | meaning |\n|---|---|---|---|\n";
-        for (const CaseKey& key : table.keys) {
-            text += fmt::format("| `{}` | {} | {} | {}{} |\n", key.key, value_text(key), required_text(key),
-                                key.sentence, variants_text(key));
+        for (const Key& key : table.keys) {
+            text += fmt::format("| `{}` | {} | {} | {}{} |\n", key.name, value_text(key), required_text(key),
+                                key.sentence, kinds_text(key));
         }
     }
     return text;
 }
 
-std::string case_table_text(const CaseTable& table) {
-    std::string text = heading_of(table) + "\n" + wrap(table.sentence, 4);
-    for (const CaseKey& key : table.keys) {
+std::string case_table_text(const TableKeys& table) {
+    std::string text = heading_of(table) + "\n" + wrap(std::string(table.sentence), 4);
+    for (const Key& key : table.keys) {
         const std::string needed = required_text(key);
-        text += fmt::format("\n  {}{}\n", key.key, needed.empty() ? "" : fmt::format(" ({})", needed));
-        text += wrap(value_text(key), 4) + wrap(key.sentence + variants_text(key), 4);
+        text += fmt::format("\n  {}{}\n", key.name, needed.empty() ? "" : fmt::format(" ({})", needed));
+        text += wrap(value_text(key), 4) + wrap(std::string(key.sentence) + kinds_text(key), 4);
     }
     return text;
 }
 
-std::string case_tables_text(const std::vector<CaseTable>& tables) {
+std::string case_tables_text(const std::vector<TableKeys>& tables) {
     Table rows({true, true});
-    for (const CaseTable& table : tables) {
+    for (const TableKeys& table : tables) {
         const std::size_t stop = table.sentence.find_first_of(".:");
-        rows.add({heading_of(table), table.sentence.substr(0, stop)});
+        rows.add({heading_of(table), std::string(table.sentence.substr(0, stop))});
     }
     return rows.text(2);
 }

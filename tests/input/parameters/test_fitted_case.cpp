@@ -432,8 +432,8 @@ TEST(FittedCase, UnitsOfAllParametersAreRead) {
         for (const physics::ParameterSpec& parameter : effect->parameters) {
             const double third = parameter.standard / 3.0 + (parameter.standard == 0.0 ? 1.0 / 3.0 : 0.0);
             const double value = std::clamp(third, parameter.low, parameter.high);
-            const ParsedQuantity parsed =
-                quantity(fmt::format("{} {}", value, parameter.unit), quantity_specs::of(parameter), parameter.key);
+            const ParsedQuantity parsed = parse_quantity(fmt::format("{} {}", value, parameter.unit),
+                                                         quantity_specs::of(parameter), parameter.key);
             EXPECT_FALSE(parsed.error.has_value()) << effect->id << '.' << parameter.key;
             EXPECT_EQ(parsed.value, value) << effect->id << '.' << parameter.key;
         }

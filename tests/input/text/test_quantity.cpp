@@ -13,13 +13,13 @@ constexpr QuantitySpec speed{.unit = "m s-1", .low = -150.0, .high = 150.0};
 constexpr QuantitySpec share{.unit = "1", .low = 0.0, .high = 1.0};
 
 double value(std::string_view text, const QuantitySpec& spec) {
-    const ParsedQuantity parsed = quantity(text, spec, "x");
+    const ParsedQuantity parsed = parse_quantity(text, spec, "x");
     EXPECT_FALSE(parsed.error) << parsed.error->what;
     return parsed.value;
 }
 
 ErrorText error(std::string_view text, const QuantitySpec& spec) {
-    return quantity(text, spec, "x").error.value_or(ErrorText{"none", ""});
+    return parse_quantity(text, spec, "x").error.value_or(ErrorText{"none", ""});
 }
 
 }  // namespace
@@ -83,12 +83,12 @@ TEST(Quantity, KelvinForgottenForCelsiusIsGuessed) {
 }
 
 TEST(Quantity, UnusualIsRemarkedButAccepted) {
-    const ParsedQuantity parsed = quantity("50 kg/m3", quantity_specs::density, "density");
+    const ParsedQuantity parsed = parse_quantity("50 kg/m3", quantity_specs::density, "density");
     EXPECT_FALSE(parsed.error);
     EXPECT_DOUBLE_EQ(parsed.value, 50.0);
     EXPECT_EQ(parsed.remark,
               R"(density is "50 kg/m3", which is unusual: it is mostly between 100 kg/m3 and 10000 kg/m3)");
-    EXPECT_EQ(quantity("1100 kg/m3", quantity_specs::density, "density").remark, "");
+    EXPECT_EQ(parse_quantity("1100 kg/m3", quantity_specs::density, "density").remark, "");
 }
 
 // Every input and every parameter of the catalogue must have a unit that messages can name and give an example of.
@@ -99,7 +99,7 @@ TEST(Quantity, EveryInputAndParameterHasAnExampleThatIsAccepted) {
         QuantitySpec unbounded = spec;
         unbounded.low = -1e300;
         unbounded.high = 1e300;
-        EXPECT_FALSE(quantity(what.example, unbounded, name).error) << name;
+        EXPECT_FALSE(parse_quantity(what.example, unbounded, name).error) << name;
     };
     for (const physics::Signal& signal : physics::signals()) {
         check(quantity_specs::of(signal), signal.name);

@@ -9,10 +9,12 @@
 #include <gtest/gtest.h>
 
 #include "input/measurements/measured_bench.hpp"
-#include "input/reference/case_keys.hpp"
+#include "input/schema/all_tables.hpp"
+#include "input/schema/files_of_every_kind.hpp"
 #include "input/studies/study.hpp"
 #include "input/toml/toml_text.hpp"
 #include "input/validation/validation.hpp"
+#include "physics/effect.hpp"
 
 namespace tiretherm::input {
 
@@ -47,6 +49,14 @@ constexpr Judged judged[] = {
     {"corner", "effects", table},
     {"corner", "initial", table},
     {"corner", "measured", list},
+    {"drive.file", "columns", table},
+    {"drive.file", "hold", text | list},
+    {"drive.file", "ignore", text | list},
+    {"drive.file", "units", table},
+    {"parameter", "expected", number},
+    {"parameter", "high", number},
+    {"parameter", "low", number},
+    {"parameter", "standard_deviation", number},
     {"run", "corner", table},
     {"run", "drive", table},
     {"run", "frames", table | text},
@@ -63,11 +73,11 @@ constexpr Judged judged[] = {
      every},  // of a sensor with another error: what it measures, and its unit, is not known
 };
 
-/// The types that the call of a reader for a key takes.
-unsigned types_of(const KeyUse& use) {
-    switch (use.form) {
-        case KeyForm::mentioned:
-        case KeyForm::any:
+/// The types that a key takes as its description says.
+unsigned types_of(const Key& key) {
+    switch (key.form) {
+        case KeyForm::value:
+        case KeyForm::quantity_of_owner:
             return 0;
         case KeyForm::text:
         case KeyForm::name:
@@ -80,7 +90,10 @@ unsigned types_of(const KeyUse& use) {
         case KeyForm::count:
             return number;
         case KeyForm::quantity:
-            return use.spec.is_pure() ? number | text : text;
+        case KeyForm::quantity_or_text:
+            return key.spec.is_pure() ? number | text : text;
+        case KeyForm::law:
+            return table | text;
         case KeyForm::table:
             return table;
         case KeyForm::tables:
@@ -137,13 +150,27 @@ std::vector<InputError> errors_of(const fs::path& file, const TomlValue& documen
     return read_experiment(file, {}, ReadMode::measured).errors;
 }
 
-/// The keys that readers ask for while they read a file, by table and kind, with the types that they take.
-std::map<std::string, std::map<std::string, unsigned>> keys_of(const fs::path& file, const TomlValue& document) {
-    std::map<std::string, std::map<std::string, unsigned>> keys;
-    const KeyRecord record;
-    static_cast<void>(errors_of(file, document));
-    for (const KeyUse& use : record.uses()) {
-        keys[with_kind(use.table, use.variant)][use.key] |= types_of(use);
+/// The keys of a table of a document, with the types that they take: those that are described, and the parameters of an
+/// effect.
+std::map<std::string, unsigned> keys_of(const TomlValue& document, const Place& place, std::string_view kind) {
+    const bool at_top = place.name.empty();
+    const std::string title = !at_top                              ? place.name
+                              : document.find("number") != nullptr ? "the table"
+                              : document.find("case") != nullptr   ? "the study"
+                                                                   : "the case";
+    std::map<std::string, unsigned> keys;
+    if (const TableKeys* its = keys_of_table(title)) {
+        for (const Key& key : its->keys) {
+            if (key.is_of(kind) && key.name != "NAME") {
+                keys[std::string(key.name)] |= types_of(key);
+            }
+        }
+    }
+    const physics::Effect* effect =
+        place.name.starts_with("effects.") ? physics::find_effect(place.name.substr(8)) : nullptr;
+    for (const physics::ParameterSpec& parameter :
+         effect != nullptr ? effect->parameters : decltype(effect->parameters)()) {
+        keys[std::string(parameter.key)] = parameter.unit == "1" ? number | text : unsigned{text};
     }
     return keys;
 }
@@ -188,16 +215,14 @@ struct Sweep {
         const fs::path whole =
             written.add("whole.toml", toml_text::document(*read_document(written.folder() / file.name, errors)));
         const TomlValue document = *read_document(whole, errors);
-        const auto known = keys_of(whole, document);
         std::vector<Place> places;
         find_tables(document, {.name = ""}, places);
         for (const Place& place : places) {
             TomlValue copy = document;
             const TomlValue* kind = found_at(copy, place).find("kind");
-            const std::string of = with_kind(place.name, kind != nullptr ? kind->text : "");
-            const auto here = known.find(of);
-            for (const auto& [key, types] : here != known.end() ? here->second : std::map<std::string, unsigned>()) {
-                if (done.insert(of + " " + key).second) {
+            const std::string word = kind != nullptr ? kind->text : "";
+            for (const auto& [key, types] : keys_of(document, place, word)) {
+                if (done.insert(with_kind(place.name, word) + " " + key).second) {
                     ++keys;
                     try_all(document, place, key, types);
                 }

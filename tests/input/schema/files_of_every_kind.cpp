@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Made-up cases, a study and a table of measured numbers that lead the readers through every branch: each kind of mesh,
-// sensor and parameter once. They are read for what the readers ask, not to be run: what is missing in them is no matter.
-#include "input/reference/case_keys.hpp"
+// Made-up cases, a study and a table of measured numbers with every kind of mesh, sensor and parameter once.
+#include "input/schema/files_of_every_kind.hpp"
 
 namespace tiretherm::input {
 
-namespace {
+namespace made_up {
 
 constexpr std::string_view two_node = R"(
 [tire]
@@ -450,8 +449,6 @@ source = "here"
 over = { at = "0 s", minus = { at = "1 s" } }
 )";
 
-}  // namespace
-
 /// Two cars: tires by a property file and by stiffnesses; the other alternatives are those of both.
 constexpr std::string_view car = R"(
 [vehicle]
@@ -504,20 +501,22 @@ friction_scale = 0.9
 stiffness_scale = 0.9
 )";
 
+}  // namespace made_up
+
 const std::vector<MadeUpFile>& files_of_every_kind() {
-    static const std::vector<MadeUpFile> files{{"two_node.toml", two_node},
-                                               {"section.toml", section},
-                                               {"layers.toml", layers},
-                                               {"strip.toml", strip},
-                                               {"cylinder.toml", cylinder},
-                                               {"cylinder_of_a_tire.toml", cylinder_of_a_tire},
-                                               {"coastdown.toml", coastdown},
-                                               {"block.toml", block},
-                                               {"axisymmetric.toml", axisymmetric},
-                                               {"study.toml", study},
-                                               {"table.toml", table},
-                                               {"car.toml", car},
-                                               {"car_of_property_file.toml", car_of_property_file}};
+    static const std::vector<MadeUpFile> files{{"two_node.toml", made_up::two_node},
+                                               {"section.toml", made_up::section},
+                                               {"layers.toml", made_up::layers},
+                                               {"strip.toml", made_up::strip},
+                                               {"cylinder.toml", made_up::cylinder},
+                                               {"cylinder_of_a_tire.toml", made_up::cylinder_of_a_tire},
+                                               {"coastdown.toml", made_up::coastdown},
+                                               {"block.toml", made_up::block},
+                                               {"axisymmetric.toml", made_up::axisymmetric},
+                                               {"study.toml", made_up::study},
+                                               {"table.toml", made_up::table},
+                                               {"car.toml", made_up::car},
+                                               {"car_of_property_file.toml", made_up::car_of_property_file}};
     return files;
 }
 

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Keys of [drive]: form, unit and range, need and meaning, a line each.
+#include "input/schema/all_tables.hpp"
+#include "input/text/quantity_specs.hpp"
+
+namespace tiretherm::input::schema {
+
+using namespace quantity_specs;
+
+// clang-format off
+std::vector<TableKeys> drive_tables() {
+    return {
+        {"drive", TableForm::table,
+         "The inputs, each with one origin: a constant here, a schedule, or a log. [Measured runs](../cases/README.md#measured-runs) describes the files.", {
+            signal("speed", "Speed of the wheel's centre."),
+            signal("vertical_load", "Vertical load."),
+            signal("slip_angle", "Slip angle."),
+            signal("slip_ratio", "Longitudinal slip."),
+            signal("slip_speed", "Longitudinal slip as a speed, Omega R_R - V, in the place of slip_ratio: a wheel that spins on the spot heats up."),
+            signal("lateral_force", "Lateral force."),
+            signal("longitudinal_force", "Longitudinal force."),
+            signal("camber", "Camber angle."),
+            signal("inflation_pressure", "Inflation pressure above the atmosphere."),
+            signal("air_temperature", "Temperature of the air."),
+            signal("road_temperature", "Temperature of the road."),
+            signal("wet", "How wet the road is, 0 to 1."),
+            signal("laser_power", "Power of the laser."),
+            signal("brake_temperature", "Temperature of the brake disc, which `brake_heat` follows."),
+            signal("wheel_angle", "Angle of the wheel. Default: follows from speed and load where an effect needs it."),
+            tables("schedule", "Inputs as straight lines between points."),
+            tables("file", "Inputs from a logger's file."),
+        }},
+        {"drive.schedule", TableForm::list,
+         "Straight lines between the rows; two rows at one time are a jump.", {
+            texts("columns", "Headings with units; one of them is `time`.").required(),
+            value("rows", "The points.").required(),
+        }},
+        {"drive.file", TableForm::list,
+         "A logger's file, in any format of `file` of `[[run]]`. Short gaps of an input are bridged as there. Columns that are no inputs are not read, except those that a `[[source]]` or an `[[exchange]]` follows.", {
+            text("path", "The file, beside the case.").required(),
+            value("columns", "Other names of columns: `{ Fz = \"vertical_load\" }`. Default: their own."),
+            value("units", "As of `[[run]]`."),
+            value("ignore", "Columns that are inputs but shall not be used."),
+            value("hold", "As of `[[run]]`."),
+        }},
+    };
+}
+// clang-format on
+
+}  // namespace tiretherm::input::schema

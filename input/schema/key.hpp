@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One description of a key of a case: name, form, unit and range, need, kinds of the table that have it and meaning.
+// Readers take units and ranges from it, `tiretherm keys` and docs/case-reference.md print it.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "input/text/quantity.hpp"
+
+namespace tiretherm::input {
+
+enum class Need : std::uint8_t {
+    optional,
+    required,
+    sometimes,  ///< of some kinds of the table, or beside some other key: the reader says when
+    described,  ///< to a reader: as the description of the key says
+};
+
+/// How a value is written.
+enum class KeyForm : std::uint8_t {
+    value,  ///< as the sentence says
+    text,
+    name,    ///< a text that later names a column or a folder
+    texts,   ///< a text, or a list of texts
+    choice,  ///< one of `words`
+    flag,
+    count,  ///< a whole number from `low` to `high`
+    quantity,
+    quantity_of_owner,  ///< unit and range are those of what the table is about: a channel, a parameter, a law
+    quantity_or_text,
+    law,  ///< a quantity, or a table that says how it follows temperature
+    table,
+    tables,  ///< a list of tables
+};
+
+struct Key {
+    std::string_view name;
+    KeyForm form = KeyForm::value;
+    std::string_view sentence;  ///< what it means, with its default
+    QuantitySpec spec{};
+    std::vector<std::string_view> words{};
+    int low = 0;
+    int high = 0;
+    Need need = Need::optional;
+    std::string_view of_kinds{};  ///< kinds of the table that have it, a blank apart; empty: all
+
+    [[nodiscard]] Key required() && { return (need = Need::required, std::move(*this)); }
+    [[nodiscard]] Key sometimes() && { return (need = Need::sometimes, std::move(*this)); }
+    [[nodiscard]] Key kinds(std::string_view kinds) && { return (of_kinds = kinds, std::move(*this)); }
+    /// @param kind word of the table's `kind`; empty where it has none
+    [[nodiscard]] bool is_of(std::string_view kind) const;
+};
+
+enum class TableForm : std::uint8_t { table, list };
+
+/// A table of a case, of a study or of a table of measured numbers.
+struct TableKeys {
+    std::string_view path;  ///< "mesh.layer"; "" for the top of a case, "study:" and "table:" of the other two files
+    TableForm form = TableForm::table;
+    std::string_view sentence;
+    std::vector<Key> keys;
+
+    /// @param kind word of the table's `kind`; empty: the first key of that name
+    /// @returns null where the table has no such key
+    [[nodiscard]] const Key* find(std::string_view name, std::string_view kind = {}) const;
+};
+
+}  // namespace tiretherm::input

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The descriptions of keys: each once, complete, and found by the titles that messages use.
+#include <algorithm>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "input/schema/all_tables.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+const Key& key(std::string_view table, std::string_view name, std::string_view kind = {}) {
+    return *keys_of_table(table)->find(name, kind);
+}
+
+}  // namespace
+
+TEST(AllTables, EveryTableAndEveryKeyIsDescribedOnceAndInFull) {
+    std::set<std::string_view> paths;
+    for (const TableKeys& table : all_tables()) {
+        EXPECT_TRUE(paths.insert(table.path).second) << table.path;
+        EXPECT_TRUE(table.sentence.ends_with('.') || table.sentence.ends_with('`')) << table.path;
+        std::set<std::pair<std::string_view, std::string_view>> names;
+        for (const Key& one : table.keys) {
+            EXPECT_TRUE(names.insert({one.name, one.of_kinds}).second) << table.path << ' ' << one.name;
+            EXPECT_TRUE(one.sentence.ends_with('.')) << table.path << ' ' << one.name;
+            EXPECT_EQ(one.form == KeyForm::choice, !one.words.empty()) << table.path << ' ' << one.name;
+            EXPECT_EQ(one.form == KeyForm::count, one.low < one.high) << table.path << ' ' << one.name;
+            EXPECT_TRUE(one.spec.unit.empty() || !signature(one.spec.unit).empty()) << table.path << ' ' << one.name;
+        }
+    }
+}
+
+// A key that differs between kinds of a table: on a disc a point may lie on the axis, and a spot has a size.
+TEST(AllTables, AKeyMayDifferFromKindToKind) {
+    EXPECT_FALSE(key("[[sensor]]", "radius", "point").spec.above);
+    EXPECT_TRUE(key("[[sensor]]", "radius", "spot").spec.above);
+    EXPECT_TRUE(key("[mesh]", "crown_cells").is_of("section"));
+    EXPECT_FALSE(key("[mesh]", "crown_cells").is_of("layers"));
+    EXPECT_TRUE(key("[mesh]", "kind").is_of("layers"));
+}
+
+// By hand, from the manual.
+TEST(AllTables, TitlesOfMessagesFindThem) {
+    EXPECT_EQ(key("[[mesh.layer]]", "thickness").spec.unit, "m");
+    EXPECT_EQ(key("[mesh.layer]", "thickness").need, Need::required);
+    EXPECT_EQ(key("[[mesh.y]]", "to").need, Need::required);
+    EXPECT_EQ(key("[material.conductivity]", "at").spec.unit, "K");
+    EXPECT_EQ(key("the case", "title").form, KeyForm::text);
+    EXPECT_EQ(key("[effects.road_contact]", "on").form, KeyForm::flag);
+    EXPECT_EQ(key("[identify]", "noise").words, (std::vector<std::string_view>{"automatic", "correlated", "white"}));
+    EXPECT_EQ(key("[drive]", "speed").spec.unit, "m s-1");
+    EXPECT_EQ(key("[time]", "end").need, Need::sometimes);
+}
+
+// Names that a user chooses are no keys: columns of a file, layers, parameters of an effect.
+TEST(AllTables, NamesOfTheUserAreNone) {
+    EXPECT_EQ(keys_of_table("[run.columns]"), nullptr);
+    EXPECT_EQ(keys_of_table("[initial]")->find("tread"), nullptr);
+    EXPECT_EQ(keys_of_table("[effects.road_contact]")->find("Hc"), nullptr);
+}
+
+}  // namespace tiretherm::input
