@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "input/new_case/car_columns.hpp"
+#include "input/loggers/car_columns.hpp"
 
 namespace tiretherm::input {
 namespace {

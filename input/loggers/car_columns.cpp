@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rules on the words of a heading: which it must have, and which make it something else.
 
-#include "input/new_case/car_columns.hpp"
+#include "input/loggers/car_columns.hpp"
 
 #include <algorithm>
 #include <array>
