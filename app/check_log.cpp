@@ -27,9 +27,9 @@ using post::Value;
 
 std::string use_text(const input::ColumnSurvey& column) {
     if (!column.use.empty()) {
-        return column.use == "time"   ? "time"
-               : column.use == "laps" ? "counts the laps"
-                                      : fmt::format("{} {}", column.use, column.used_as);
+        return column.use == "time"     ? "time"
+               : column.used_as.empty() ? std::string(input::text_of_other_use(column.use))
+                                        : fmt::format("{} {}", column.use, column.used_as);
     }
     const bool guess = !column.suggestion.empty() && column.suggestion != column.name && !column.is_dropped;
     return guess ? fmt::format("not used; is it {}?", column.suggestion) : fmt::format("not used: {}", column.reason);

@@ -47,27 +47,16 @@ std::vector<std::string> option_names(const CLI::App& command) {
 
 /// A command by the word that another program has for it.
 std::string other_word_for(const std::string& word) {
-    static const std::map<std::string, std::string> words{{"simulate", "run"},
-                                                          {"sim", "run"},
-                                                          {"start", "run"},
-                                                          {"validate_case", "check"},
-                                                          {"verify", "check"},
-                                                          {"lint", "check"},
-                                                          {"fit", "identify"},
-                                                          {"calibrate", "identify"},
-                                                          {"estimate", "identify"},
-                                                          {"plan", "identify --plan"},
-                                                          {"diff", "compare"},
-                                                          {"sweep", "study"},
-                                                          {"batch", "study"},
-                                                          {"init", "new"},
-                                                          {"create", "new"},
-                                                          {"import", "convert"},
-                                                          {"list", "effects"},
-                                                          {"topics", "help"},
-                                                          {"units", "help units"},
-                                                          {"signs", "help signs"},
-                                                          {"sensors", "help sensors"},
+    static const std::map<std::string, std::string> words{{"simulate", "run"},      {"sim", "run"},
+                                                          {"start", "run"},         {"validate_case", "check"},
+                                                          {"verify", "check"},      {"lint", "check"},
+                                                          {"fit", "identify"},      {"calibrate", "identify"},
+                                                          {"estimate", "identify"}, {"plan", "identify --plan"},
+                                                          {"diff", "compare"},      {"sweep", "study"},
+                                                          {"batch", "study"},       {"init", "new"},
+                                                          {"create", "new"},        {"list", "effects"},
+                                                          {"topics", "help"},       {"units", "help units"},
+                                                          {"signs", "help signs"},  {"sensors", "help sensors"},
                                                           {"version", "--version"}};
     const auto found = words.find(word);
     return found == words.end() ? std::string() : found->second;
@@ -77,6 +66,9 @@ std::string other_word_for(const std::string& word) {
 std::string command_remedy(const CLI::App& program, const std::string& word) {
     if (word.ends_with(".toml") || word.find('/') != std::string::npos) {
         return fmt::format("a command comes first: tiretherm run {}", word);
+    }
+    if (word == "convert" || word == "import") {
+        return "the converter of workbooks is a script: tools/spreadsheet_to_case.py WORKBOOK --out DIR";
     }
     const std::string other = other_word_for(word);
     return other.empty() ? input::suggest(word, command_names(program), "commands")

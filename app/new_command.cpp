@@ -141,8 +141,8 @@ std::optional<input::NewCaseRequest> read_request(const NewOptions& options) {
 bool is_specimen(const input::NewCase& made) { return made.mesh_name == input::specimen_mesh; }
 
 std::string use_of(const input::LogColumn& column) {
-    if (column.counts_laps) {
-        return "counts the laps";
+    if (!column.other_use.empty()) {
+        return std::string(input::text_of_other_use(column.other_use));
     }
     if (!column.is_used()) {
         const bool guess = !column.suggestion.empty() && column.suggestion != column.heading.name && !column.is_dropped;
@@ -173,11 +173,11 @@ void print_json(const input::NewCase& made, const input::NewCaseRequest& request
                        {"to", made.log->time.back()},  {"samples", made.log->time.size()},
                        {"reads", made.unread.empty()}, {"compares", made.log->use == input::LogUse::run}};
         for (const input::LogColumn& column : made.log->columns) {
-            const char* use = column.counts_laps  ? "laps"
-                              : !column.is_used() ? "not used"
-                              : column.is_sensor  ? "sensor"
-                              : column.is_input   ? "input"
-                                                  : "time";
+            const std::string_view use = !column.other_use.empty() ? column.other_use
+                                         : !column.is_used()       ? "not used"
+                                         : column.is_sensor        ? "sensor"
+                                         : column.is_input         ? "input"
+                                                                   : "time";
             json["columns"].push_back({{"column", column.heading.name},
                                        {"unit", column.heading.unit ? Json(*column.heading.unit) : Json()},
                                        {"use", use},

@@ -14,6 +14,7 @@ install(DIRECTORY mesh physics solver input diagnosis post DESTINATION ${CMAKE_I
     FILES_MATCHING PATTERN "*.hpp")
 install(FILES LICENSE docs/licences.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY cases/ DESTINATION ${CMAKE_INSTALL_DATADIR}/tiretherm/cases)
+install(PROGRAMS tools/spreadsheet_to_case.py DESTINATION ${CMAKE_INSTALL_DATADIR}/tiretherm/tools)
 
 # Completion of the command line, written by the program itself from the options that it has.
 set(completion ${PROJECT_BINARY_DIR}/completion)
@@ -30,4 +31,4 @@ configure_package_config_file(cmake/tirethermConfig.cmake.in ${PROJECT_BINARY_DI
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/tirethermConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/tirethermConfig.cmake ${PROJECT_BINARY_DIR}/tirethermConfigVersion.cmake
     cmake/FindCHOLMOD.cmake cmake/FindUDUNITS2.cmake cmake/FindCairo.cmake
-    cmake/FindFreeXL.cmake cmake/FindLibZip.cmake DESTINATION ${package_dir})
+    DESTINATION ${package_dir})

@@ -61,7 +61,6 @@ const std::map<std::string, Offer>& offers() {
         {"EXPERIMENTS", {.endings = {"toml"}}},
         {"FILE", {.endings = log_endings}},
         {"SIZE|LOG", {.endings = log_endings}},
-        {"SHEET", {.endings = {"xls", "xlsx"}, .folders = true}},
         {"DIR", {.folders = true}},
         {"EFFECT", {.words = effect_names()}},
         {"INPUT", {.words = input_names()}},

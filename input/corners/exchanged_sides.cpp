@@ -165,7 +165,7 @@ std::string listed_correlations(double front, double rear) {
 
 }  // namespace
 
-std::string find_exchanged_sides(std::span<const MeasuredRun> corners, bool by_vehicle) {
+std::string find_exchanged_sides(std::span<const MeasuredRun> corners, const TurnsKnown& turns) {
     const auto run_of = [&](std::string_view name) -> const MeasuredRun* {
         const auto found = std::ranges::find(corners, name, &MeasuredRun::corner);
         return found == corners.end() ? nullptr : &*found;
@@ -190,11 +190,14 @@ std::string find_exchanged_sides(std::span<const MeasuredRun> corners, bool by_v
         "loads "
         "and slips make ({})",
         listed_correlations(front, rear));
-    return fmt::format("{}{}", against,
-                       by_vehicle
-                           ? ". Both signs decide: turn yaw_rate_sign and lateral_acceleration_sign of [vehicle] "
-                             "round, or exchange the columns of left and right tires"
-                           : ": are the columns of left and right tires exchanged?");
+    if (!turns.by_vehicle || turns.course_agrees > 0.0) {
+        return fmt::format("{}{}: are the columns of left and right tires exchanged?", against,
+                           turns.by_vehicle ? ", though the car's turns are those over ground" : "");
+    }
+    return fmt::format(
+        "{}{}. Both signs decide: turn yaw_rate_sign and lateral_acceleration_sign of [vehicle] round, or "
+        "exchange the columns of left and right tires",
+        against, turns.course_agrees < 0.0 ? ", and over ground the car turns the other way" : "");
 }
 
 }  // namespace tiretherm::input

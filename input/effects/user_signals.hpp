@@ -21,6 +21,7 @@ struct UserColumn {
     std::string name;
     std::string unit;  ///< the base units, "1", "K", "Pa" as "kg.m-1.s-2"
     solver::SignalHistory signal;
+    std::string beside{};  ///< of a signal of a car that says nothing: another column that may be it, and moves
 };
 
 /// The base units into which a column's own unit is turned; "1" where it has none or an unknown one.

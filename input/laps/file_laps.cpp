@@ -31,10 +31,10 @@ bool is_one_of(std::string_view name, const std::array<std::string_view, N>& wor
 }
 
 /// Whether a name says this direction, and nothing else but where it comes from: "GPS_Lat", "Latitude (deg)", "posLng".
-bool is_position(std::string_view name, std::span<const std::string_view> direction) {
-    constexpr std::array<std::string_view, 14> around{"gps",      "gnss",     "pos", "position",  "car",
-                                                      "vehicle",  "deg",      "raw", "degrees",   "decimal",
-                                                      "location", "filtered", "wgs", "coordinate"};
+bool is_of_receiver(std::string_view name, std::span<const std::string_view> direction) {
+    constexpr std::array<std::string_view, 17> around{
+        "gps",     "gnss",     "pos",      "position", "car",        "vehicle", "deg",    "raw", "degrees",
+        "decimal", "location", "filtered", "wgs",      "coordinate", "over",    "ground", "true"};
     std::size_t found = 0;
     for (const std::string& word : words_of(name)) {
         const bool is_number = std::isdigit(static_cast<unsigned char>(word.front())) != 0;
@@ -49,12 +49,23 @@ bool is_position(std::string_view name, std::span<const std::string_view> direct
 
 bool is_latitude(std::string_view name) {
     constexpr std::array<std::string_view, 4> words{"lat", "latitude", "gpslat", "gpslatitude"};
-    return is_position(name, words);
+    return is_of_receiver(name, words);
 }
 bool is_longitude(std::string_view name) {
     constexpr std::array<std::string_view, 7> words{"lon",    "long",    "lng",         "longitude",
                                                     "gpslon", "gpslong", "gpslongitude"};
-    return is_position(name, words);
+    return is_of_receiver(name, words);
+}
+
+std::variant<Conversion, UnitError> to_degree(const ColumnHead& head) {
+    return conversion(meant_unit(head.heading.unit.value_or("deg"), "degree"), "degree", Scale::absolute);
+}
+
+/// An angle, too: a "Bearing [degC]" is a part of a rig.
+bool is_heading(const ColumnHead& head) {
+    constexpr std::array<std::string_view, 7> words{"heading",    "course",    "bearing",   "cog",
+                                                    "gpsheading", "gpscourse", "gpsbearing"};
+    return is_of_receiver(head.heading.name, words) && std::holds_alternative<Conversion>(to_degree(head));
 }
 
 int find_column(const DataFile& file, bool (*is)(std::string_view name)) {
@@ -87,12 +98,14 @@ Written read_as_written(const DataFile& file, int column, const std::vector<doub
 
 /// Degrees of a column of positions, which is in degrees or in minutes of them.
 void to_degrees(std::vector<double>& values, const ColumnHead& head, double sign) {
-    const auto read = conversion(meant_unit(head.heading.unit.value_or("deg"), "degree"), "degree", Scale::absolute);
+    const auto read = to_degree(head);
     const auto* found = std::get_if<Conversion>(&read);
     for (double& value : values) {
         value = sign * (found != nullptr ? found->to_si(value) : value);
     }
 }
+
+}  // namespace
 
 std::optional<Positions> read_positions(const DataFile& file, const std::vector<double>& time,
                                         const InputErrors& errors) {
@@ -114,7 +127,25 @@ std::optional<Positions> read_positions(const DataFile& file, const std::vector<
     return positions;
 }
 
-}  // namespace
+std::vector<WrittenHeading> read_headings(const DataFile& file, const std::vector<double>& time,
+                                          const InputErrors& errors) {
+    std::vector<WrittenHeading> found;
+    for (std::size_t i = 0; i < file.heads().size(); ++i) {
+        const ColumnHead& head = file.heads()[i];
+        Written written = is_heading(head) ? read_as_written(file, static_cast<int>(i), time, errors) : Written{};
+        if (!written.value.empty()) {
+            to_degrees(written.value, head, 1.0);
+            found.push_back(
+                {.column = head.heading.name, .time = std::move(written.time), .degrees = std::move(written.value)});
+        }
+    }
+    return found;
+}
+
+bool tells_course(const DataFile& file) {
+    return std::ranges::any_of(file.heads(), is_heading) ||
+           (find_column(file, is_latitude) >= 0 && find_column(file, is_longitude) >= 0);
+}
 
 bool counts_laps(std::string_view name) {
     return is_one_of(

@@ -182,8 +182,8 @@ std::optional<LogSurvey> survey_log(const std::filesystem::path& path, const std
                            .suggestion = column.full_suggestion(),
                            .reason = column.reason,
                            .is_dropped = column.is_dropped};
-        if (column.counts_laps) {
-            found.use = "laps";
+        if (!column.other_use.empty()) {
+            found.use = column.other_use;
         }
         solver::leave_reading_if_stopped();
         Known known = known_of(*file, column.column, time, again);

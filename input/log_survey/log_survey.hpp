@@ -22,7 +22,7 @@ struct ColumnSurvey {
     double missing = 0.0;         ///< share of the samples that its rate announces
     std::optional<double> low{};  ///< in `unit`, of a clock s; nothing without a value
     std::optional<double> high{};
-    std::string use{};         ///< "time", "input", "sensor", "laps", or empty
+    std::string use{};         ///< "time", "input", "sensor", "laps", "course", or empty
     std::string used_as{};     ///< the name that the model has for it, "surface_temperature of FL"; empty: none
     std::string suggestion{};  ///< a name that it may have
     std::string reason{};      ///< why it is not used

@@ -14,6 +14,7 @@
 #include "input/measurements/step_times.hpp"
 #include "input/model/probes.hpp"
 #include "input/text/quantity_specs.hpp"
+#include "input/vehicle/dead_channels.hpp"
 
 namespace tiretherm::input {
 
@@ -262,6 +263,8 @@ void read_followed(const RunFile& file, ColumnKeys& keys, RunInputs& into, Input
         if (judge_gaps(followed[i].name, time, value, remedy, errors)) {
             const solver::SignalHistory known = file.repeated.before(known_samples(time, value));
             into.columns[i].signal = keys.holds(followed[i].name) ? held(known) : known;
+            into.columns[i].beside =
+                live_column_beside(file.file, followed[i].column, into.columns[i], file.time, errors);
         }
     }
 }

@@ -128,13 +128,14 @@ void leave_out_idle_corners(RunsBeingRead& runs, InputErrors& errors) {
 }
 
 /// Of each recording, whose corners follow each other.
-void warn_of_exchanged_sides(std::span<const MeasuredRun> runs, bool by_vehicle, std::vector<std::string>& warnings) {
+void warn_of_exchanged_sides(std::span<const MeasuredRun> runs, const TurnsKnown& turns,
+                             std::vector<std::string>& warnings) {
     for (std::size_t first = 0; first < runs.size();) {
         std::size_t end = first + 1;
         while (end < runs.size() && runs[end].recording == runs[first].recording) {
             ++end;
         }
-        const std::string sentence = find_exchanged_sides(runs.subspan(first, end - first), by_vehicle);
+        const std::string sentence = find_exchanged_sides(runs.subspan(first, end - first), turns);
         if (!sentence.empty()) {
             warnings.push_back(fmt::format("{}: {}", runs[first].file, sentence));
         }
@@ -233,6 +234,10 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
         if (measured) {
             builder.run = read_run_inputs(table, file ? &*file : nullptr, errors);
             if (file) {
+                if (document.find("vehicle") != nullptr && !file->time.empty()) {
+                    builder.run->course = course_over_ground(file->file, file->time, errors);
+                    builder.run->course.course = file->repeated.before(builder.run->course.course);
+                }
                 builder.run->start_readings = start_readings(table, *file, *builder.run, reading.document, errors);
             }
         }
@@ -316,12 +321,14 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
         root.allow_unknown_keys();  // they have been reported
         read_parameters(root, runs.front()->builder, measured, of_parameters, into.experiment.parameters);
     }
+    const TurnsKnown turns{.by_vehicle = document.find("vehicle") != nullptr,
+                           .course_agrees = runs.front()->builder.course_agrees};
     for (const auto& one : runs) {
         one->run.problem = std::move(one->builder.problem);
         into.experiment.runs.push_back(std::move(one->run));
     }
     if (errors.count() == 0) {
-        warn_of_exchanged_sides(into.experiment.runs, document.find("vehicle") != nullptr, into.data_warnings);
+        warn_of_exchanged_sides(into.experiment.runs, turns, into.data_warnings);
         classify_unused(into.experiment.runs);
         into.experiment.instruments = measured_instruments(into.experiment.instruments, into.experiment.runs);
     }

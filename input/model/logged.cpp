@@ -15,6 +15,7 @@
 #include "input/tables/data_file.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/vehicle/dead_channels.hpp"
 
 namespace tiretherm::input {
 
@@ -191,6 +192,9 @@ void read_logged(TomlTable& table, ProblemBuilder& builder) {
         }
     }
     const std::vector<double> time = std::move(values.front());
+    if (std::ranges::any_of(builder.followed, is_vehicle_signal)) {
+        builder.course = course_over_ground(*file, time, errors);
+    }
     builder.logged_from = std::min(builder.logged_from.value_or(time.front()), time.front());
     builder.logged_to = std::max(builder.logged_to.value_or(time.back()), time.back());
     if (values.size() > 1) {
@@ -212,7 +216,9 @@ void read_logged(TomlTable& table, ProblemBuilder& builder) {
             known = held(known);
         }
         if (physics::find_signal(name) == nullptr) {
-            std::ranges::find(builder.columns, name, &UserColumn::name)->signal = std::move(known);
+            UserColumn& column = *std::ranges::find(builder.columns, name, &UserColumn::name);
+            column.signal = std::move(known);
+            column.beside = live_column_beside(*file, requested_columns[i].column, column, time, errors);
             continue;
         }
         builder.problem.input_signals.add(solver::Series{.signal = physics::find_signal(name),

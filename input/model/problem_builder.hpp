@@ -13,6 +13,7 @@
 
 #include "input/cameras/camera.hpp"
 #include "input/effects/user_signals.hpp"
+#include "input/laps/course_over_ground.hpp"
 #include "input/laps/laps.hpp"
 #include "input/materials/cord_rubber.hpp"
 #include "input/model/size_limits.hpp"
@@ -64,6 +65,7 @@ struct RunInputs {
     double lead = 0.0;                  ///< s, for which laps are driven before
     std::vector<LapWindow> left_out{};  ///< whose readings do not count
     std::optional<double> last{};       ///< s, last time in the file
+    CourseOverGround course{};          ///< where the case has a car, and its file says where it drives
 
     /// Whether the file gives anything that acts on the tire.
     [[nodiscard]] bool drives() const { return unreadable || !inputs.empty() || !columns.empty(); }
@@ -109,6 +111,8 @@ struct ProblemBuilder {
     std::optional<RunInputs> run{};       ///< the measured run that is being read
     std::vector<std::string> followed{};  ///< what user effects refer to: inputs, columns
     std::vector<UserColumn> columns{};    ///< of them those that a log of [drive] gives
+    CourseOverGround course{};            ///< of a car, likewise
+    double course_agrees = 0.0;           ///< with the turns that [vehicle] takes: as MotionHistory has it
 
     std::vector<Camera> cameras{};
 

@@ -170,14 +170,17 @@ void write_vehicle(CaseDraft& draft) {
     for (const CarValue& value : car_values) {
         assume_entry(draft, value.key, std::string(value.value), value.meaning, std::string(value.ground));
     }
-    if (draft.column("lateral_acceleration") == nullptr && draft.column("yaw_rate") == nullptr) {
+    const bool has_turns =
+        log->has_course || draft.column("lateral_acceleration") != nullptr || draft.column("yaw_rate") != nullptr;
+    if (!has_turns) {
         assume_entry(draft, "steering_ratio", "15", "of the steering wheel to the road wheels", "a sports car");
     }
     write_tires(draft, *log);
     writer.suggestion("downforce_area", "\"0.5 m2\"", "-C_L A, with front_downforce_share = 0.45");
     writer.remark(
         "Left and right are exchanged where both signs are wrong. SAE J670 has both positive in right turns.");
-    writer.suggestion("yaw_rate_sign", "\"right\"", "in which turns it is positive; left without this key");
+    writer.suggestion("yaw_rate_sign", "\"right\"",
+                      "in which turns it is positive; left, unless a GPS heading or positions tell");
     writer.suggestion("lateral_acceleration_sign", "\"right\"",
                       "in which turns it is positive; automatic beside yaw_rate");
 }

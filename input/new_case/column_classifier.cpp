@@ -10,8 +10,9 @@
 
 #include <fmt/format.h>
 
+#include "input/laps/file_laps.hpp"
+#include "input/loggers/car_columns.hpp"
 #include "input/loggers/logger_units.hpp"
-#include "input/new_case/car_columns.hpp"
 #include "input/new_case/case_writer.hpp"
 #include "input/new_case/rig_columns.hpp"
 #include "input/text/column_names.hpp"
@@ -31,10 +32,15 @@ public:
     Classifier(const DataFile& file, const MeshTemplate& mesh, InputErrors& errors)
         : file_(file), mesh_(mesh), meanings_(meanings_of(mesh)), errors_(errors) {}
 
-    LogMeaning meaning() {
+    LogMeaning meaning(const std::map<int, std::string>& dead) {
         const std::vector<ColumnHead>& heads = file_.heads();
         for (std::size_t i = 0; i < heads.size(); ++i) {
             columns_.push_back({.column = static_cast<int>(i), .heading = heads[i].heading, .name = {}});
+        }
+        for (const auto& [column, why] : dead) {
+            LogColumn& of = columns_[static_cast<std::size_t>(column)];
+            of.reason = why;
+            of.must_ignore = meaning_of(of.heading.name) != nullptr;
         }
         refuse_duplicates();
         for (LogColumn& column : columns_) {
@@ -73,10 +79,11 @@ private:
         CarColumn is{};
     };
 
-    /// Whether there are readings of several tires, or of how a car moves, and no load of one tire.
+    /// Whether there are readings of several tires, or of how or where a car moves, and no load of one tire.
     [[nodiscard]] bool looks_like_a_car() const {
         std::set<std::string> corners;
-        bool moves = std::ranges::any_of(columns_, [](const LogColumn& column) { return is_motion(column.name); });
+        bool moves = tells_course(file_) ||
+                     std::ranges::any_of(columns_, [](const LogColumn& column) { return is_motion(column.name); });
         for (const CarCandidate& candidate : candidates_) {
             moves = moves || is_motion(candidate.is.name);
             corners.insert(candidate.is.corner);
@@ -391,8 +398,9 @@ private:
 
 }  // namespace
 
-LogMeaning meaning_of_columns(const DataFile& file, const MeshTemplate& mesh, InputErrors& errors) {
-    return Classifier(file, mesh, errors).meaning();
+LogMeaning meaning_of_columns(const DataFile& file, const MeshTemplate& mesh, const std::map<int, std::string>& dead,
+                              InputErrors& errors) {
+    return Classifier(file, mesh, errors).meaning(dead);
 }
 
 }  // namespace tiretherm::input

@@ -2,6 +2,8 @@
 // Takes each column of a log for the time, an input or what a sensor reads, by its name and unit.
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include "input/new_case/log_columns.hpp"
@@ -16,7 +18,8 @@ struct LogMeaning {
     int infrared_zones = 0;  ///< readings across the tread of each tire; 0: no array
 };
 
-/// @param mesh whose sensors a column may belong to
-[[nodiscard]] LogMeaning meaning_of_columns(const DataFile& file, const MeshTemplate& mesh, InputErrors& errors);
+/// @param mesh whose sensors a column may belong to  @param dead columns that are nothing, by their index, and why
+[[nodiscard]] LogMeaning meaning_of_columns(const DataFile& file, const MeshTemplate& mesh,
+                                            const std::map<int, std::string>& dead, InputErrors& errors);
 
 }  // namespace tiretherm::input

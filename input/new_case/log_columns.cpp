@@ -5,21 +5,23 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "input/laps/file_laps.hpp"
+#include "input/loggers/car_columns.hpp"
 #include "input/loggers/logger_units.hpp"
 #include "input/measurements/dead_stretches.hpp"
 #include "input/measurements/run_inputs.hpp"
-#include "input/new_case/car_columns.hpp"
 #include "input/new_case/column_classifier.hpp"
 #include "input/new_case/rig_columns.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/units.hpp"
 #include "input/text/wildcard.hpp"
+#include "input/vehicle/dead_channels.hpp"
 #include "input/vehicle/vehicle_log.hpp"
 #include "physics/vehicle/vehicle.hpp"
 
@@ -96,6 +98,10 @@ void choose_use(Log& log) {
 
 }  // namespace
 
+std::string_view text_of_other_use(std::string_view use) {
+    return use == "laps" ? "counts the laps" : "tells the turns of the car";
+}
+
 std::string LogColumn::unit_remark() const {
     return unit_is_given ? "given" : unit_ground.empty() ? "assumed" : "assumed: " + unit_ground;
 }
@@ -123,7 +129,9 @@ const LogColumn* Log::find(std::string_view name) const {
 }
 
 bool Log::has_motion() const {
-    return std::ranges::any_of(columns, [](const LogColumn& column) { return is_motion(column.name); });
+    return has_course || std::ranges::any_of(columns, [](const LogColumn& column) {
+               return is_motion(column.name) && column.name != "longitudinal_acceleration";
+           });
 }
 
 namespace {
@@ -205,6 +213,42 @@ void report_wrong_units(const Log& log, const std::vector<ColumnMeaning>& meanin
     }
 }
 
+/// What the log says of the car itself.
+VehicleLog log_of_car(const Log& log, const DataFile& file, const InputErrors& errors) {
+    VehicleLog of_car;
+    const auto history = [&](std::string_view name) {
+        const LogColumn* column = log.find(name);
+        return column == nullptr ? solver::SignalHistory{} : known_samples(log.time, column->value);
+    };
+    of_car.speed = history("speed");
+    for (const VehicleSignal& signal : vehicle_signals()) {
+        of_car.*member_of(signal.name) = history(signal.name);
+    }
+    of_car.course = where_it_drives(course_over_ground(file, log.time, errors), of_car.speed);
+    return of_car;
+}
+
+/// Columns of a car's motion to which no sensor is connected, by their index, and why.
+std::map<int, std::string> dead_columns(const Log& log, const VehicleLog& of_car) {
+    std::map<int, std::string> dead;
+    for (const DeadChannel& channel : dead_channels(of_car)) {
+        dead[log.find(channel.name)->column] = channel.why;
+    }
+    for (const LogColumn& column : log.columns) {
+        const bool has_other = std::ranges::any_of(log.columns, [&](const LogColumn& other) {
+            return !other.is_used() && other.reason == fmt::format("another column is taken for {}", column.name);
+        });
+        if (is_motion(column.name) && has_other && moves_like_noise(column.name, of_car.*member_of(column.name))) {
+            dead.try_emplace(column.column, "moves by no more than noise, and another column may be it");
+        }
+    }
+    const bool stands = std::ranges::all_of(of_car.speed.value, [](double v) { return v == 0.0; });
+    if (log.find("speed") != nullptr && stands && log.has_motion()) {
+        dead[log.find("speed")->column] = "stands at 0 in all its samples";
+    }
+    return dead;
+}
+
 /// Makes missing what a column of a temperature or a speed says while nothing is measured.
 void remove_dead_samples(Log& log, const std::vector<ColumnMeaning>& meanings) {
     for (LogColumn& column : log.columns) {
@@ -215,12 +259,14 @@ void remove_dead_samples(Log& log, const std::vector<ColumnMeaning>& meanings) {
     }
 }
 
-/// Without accelerations, yaw rate and steering there is no [vehicle], which alone could use the other signals of a car.
+/// Without anything that tells its turns there is no [vehicle], which alone could use the other signals of a car.
 void drop_signals_of_the_car(Log& log) {
     for (LogColumn& column : log.columns) {
         if (log.is_car && !log.has_motion() && is_vehicle_signal(column.name)) {
             drop(column,
-                 "of the car, and the log has no acceleration, yaw rate or steering that would tell its motion");
+                 "of the car, and the log has no lateral acceleration, yaw rate, steering or GPS heading that would "
+                 "tell its "
+                 "turns");
         }
     }
 }
@@ -234,17 +280,17 @@ bool may_be_in_ms(const Log& log, const LogColumn& time) {
            }) == log.time.end();
 }
 
-}  // namespace
-
-std::optional<Log> read_log(const std::filesystem::path& path, const MeshTemplate& mesh,
-                            const std::vector<GivenUnit>& units, InputErrors& errors) {
+/// @param dead columns that are not to be used, and why
+std::optional<Log> read_log_without(const std::map<int, std::string>& dead, const std::filesystem::path& path,
+                                    const MeshTemplate& mesh, const std::vector<GivenUnit>& units,
+                                    InputErrors& errors) {
     std::optional<DataFile> file = DataFile::open(path, {}, errors);
     if (!file) {
         return std::nullopt;
     }
     const std::set<std::size_t> given = give_units(units, *file, errors);
     Log log{.path = path.generic_string()};
-    LogMeaning meaning = meaning_of_columns(*file, mesh, errors);
+    LogMeaning meaning = meaning_of_columns(*file, mesh, dead, errors);
     log.columns = std::move(meaning.columns);
     log.is_car = meaning.is_car;
     log.infrared_zones = meaning.infrared_zones;
@@ -278,17 +324,34 @@ std::optional<Log> read_log(const std::filesystem::path& path, const MeshTemplat
         }
     }
     remove_dead_samples(log, meaning.meanings);
+    const VehicleLog of_car = log_of_car(log, *file, errors);
+    if (std::map<int, std::string> found = log.is_car ? dead_columns(log, of_car) : std::map<int, std::string>{};
+        !found.empty()) {
+        found.insert(dead.begin(), dead.end());
+        return read_log_without(found, path, mesh, units, errors);
+    }
+    log.has_course = !of_car.course.course.time.empty();
     turn_signs(log);
     drop_gaps(log);
     drop_signals_of_the_car(log);
     choose_use(log);
     log.laps = find_laps(*file, log.time, std::nullopt, true, errors);
     for (LogColumn& column : log.columns) {
-        column.counts_laps =
-            log.laps.source == LapSource::column && !column.is_used() && column.heading.name == log.laps.column;
-        column.is_foreign = column.is_foreign && !column.counts_laps;
+        const std::string& name = column.heading.name;
+        column.other_use = column.is_used()                                                  ? ""
+                           : log.laps.source == LapSource::column && name == log.laps.column ? "laps"
+                           : log.has_course && name == of_car.course.source                  ? "course"
+                                                                                             : "";
+        column.is_foreign = column.is_foreign && column.other_use.empty();
     }
     return log;
+}
+
+}  // namespace
+
+std::optional<Log> read_log(const std::filesystem::path& path, const MeshTemplate& mesh,
+                            const std::vector<GivenUnit>& units, InputErrors& errors) {
+    return read_log_without({}, path, mesh, units, errors);
 }
 
 void leave_out(Log& log, const std::string& name, const std::string& reason) {

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "input/laps/laps.hpp"
@@ -29,7 +30,7 @@ struct LogColumn {
     std::string reason{};          ///< why it is not used
     bool is_foreign = false;       ///< not used, as nothing of the model goes by such a name
     bool must_ignore = false;      ///< not used, although the reader would know its name
-    bool counts_laps = false;      ///< not used but for the laps of the log
+    std::string_view other_use{};  ///< not used but for the "laps" of the log, or for the "course" of the car
     bool is_dropped = false;       ///< not used, although it is the suggestion: too little in it
     std::vector<double> value{};   ///< [n_samples] SI, NaN where missing; of a used column
 
@@ -45,6 +46,9 @@ struct LogColumn {
     /// The first value that is not missing; nothing where there is none.
     [[nodiscard]] std::optional<double> first_value() const;
 };
+
+/// What a column does that is no signal. @param use "laps", "course"
+[[nodiscard]] std::string_view text_of_other_use(std::string_view use);
 
 /// How a case can use a log.
 enum class LogUse : std::uint8_t {
@@ -62,9 +66,10 @@ struct Log {
     bool is_car = false;     ///< columns were also taken by what loggers of cars call them
     int infrared_zones = 0;  ///< readings of an array across the tread of each tire, infrared_1 ...; 0: no array
     Laps laps{};
+    bool has_course = false;  ///< of a car: a GPS heading or positions tell where it turns
 
     [[nodiscard]] const LogColumn* find(std::string_view name) const;  ///< that is used under this name; null: none
-    [[nodiscard]] bool has_motion() const;  ///< a column tells the turns or the drive and braking of a car
+    [[nodiscard]] bool has_motion() const;                             ///< a column tells the turns of a car
     /// Those at which something is measured or given, front before rear and left before right.
     [[nodiscard]] std::vector<std::string> corners() const;
     /// Those of them at which a sensor reads.
@@ -79,8 +84,10 @@ struct GivenUnit {
 
 /// Reads the log's headings and the columns that have standard names; what is wrong with them goes to `errors`, with the
 /// line. A name is recognised without regard to capitals, blanks and underscores. A column of time goes by its unit
-/// where none goes by its name. In the log of a car (it has accelerations, yaw rate or steering, or readings of several tires, and
+/// where none goes by its name. In the log of a car (it has accelerations, yaw rate, steering, a heading or positions, or readings of several tires, and
 /// no load of one tire) columns are also taken by the names that loggers give them.
+/// Of several columns that may be one thing the first is taken that says anything: no sensor is connected to what stands at one
+/// value while the car moves. What a temperature or a speed says while nothing is measured is missing.
 /// A car's time without unit whose rows are five or more apart, in whole numbers, is in milliseconds.
 /// @param mesh that the case is to have: its sensors are what may have been measured
 /// @param units of columns; one that no column has, or that is no unit, is an error

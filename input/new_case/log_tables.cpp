@@ -98,7 +98,7 @@ void write_unused(CaseWriter& writer, const Log& log) {
     }
     std::vector<std::string> unknown;
     for (const LogColumn& column : log.columns) {
-        if (!column.is_used() && !column.must_ignore && !column.counts_laps && column.suggestion.empty() &&
+        if (!column.is_used() && !column.must_ignore && column.other_use.empty() && column.suggestion.empty() &&
             !column.heading.name.empty()) {
             unknown.push_back(column.heading.name);
         }

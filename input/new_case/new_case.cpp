@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "input/corners/corner.hpp"
+#include "input/loggers/car_columns.hpp"
 #include "input/measurements/runs.hpp"
-#include "input/new_case/car_columns.hpp"
 #include "input/new_case/case_tables.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/toml/toml_text.hpp"

@@ -46,9 +46,9 @@ std::vector<TableKeys> vehicle_tables() {
             quantity("friction", {.unit = "1", .low = 0.0, .high = 10.0, .above = true, .usual_low = 0.2, .usual_high = 2.5}, "Friction coefficient beside stiffnesses: forces against slip are then those of a brush. Default: none, forces are linear in the slip."),
             quantity("steering_ratio", {.unit = "1", .low = 0.0, .high = 100.0, .above = true, .usual_low = 1.0, .usual_high = 30.0}, "Angle of the steering wheel over that of the front wheels. Needed where the steering alone says how the car turns."),
             quantity("smoothing", {.unit = "s", .low = 0.0, .high = 10.0, .usual_low = 0.0, .usual_high = 1.0}, "Base of the triangle under which the signals of the car are averaged, without a delay; 0: as logged. Default: 0.2 s, which keeps 97 % of 1 Hz and removes 10 Hz."),
-            choice("lateral_acceleration_sign", {"left", "right", "automatic"}, "In which turn the column is positive; `automatic`: as the yaw rate says, and without one `left` (ISO 8855). Default: `automatic`."),
-            choice("yaw_rate_sign", {"left", "right"}, "In which turn the column is positive. Default: `left` (ISO 8855)."),
-            choice("steering_sign", {"left", "right"}, "To which side the column is positive. Default: `left` (ISO 8855)."),
+            choice("lateral_acceleration_sign", {"left", "right", "automatic"}, "In which turn the column is positive; `automatic`: as the yaw rate says, without one as a GPS heading or positions say, and without these `left` (ISO 8855). Default: `automatic`."),
+            choice("yaw_rate_sign", {"left", "right", "automatic"}, "In which turn the column is positive; `automatic`: as a GPS heading or positions in the file say, and without them `left` (ISO 8855). Default: `automatic`."),
+            choice("steering_sign", {"left", "right", "automatic"}, "To which side the column is positive; `automatic` is `left` (ISO 8855). Default: `automatic`."),
         }},
     };
 }

@@ -172,7 +172,6 @@ std::uint64_t size_of(const std::filesystem::path& path) {
 }  // namespace
 
 ErrorText hdf5_defect(const std::filesystem::path& path) {
-    silence_hdf5();
     if (ErrorText reason = not_readable(path, std::numeric_limits<std::uintmax_t>::max()); !reason.what.empty()) {
         return reason;
     }
@@ -181,20 +180,27 @@ ErrorText hdf5_defect(const std::filesystem::path& path) {
         const int reason = errno;
         return {fmt::format("cannot be read: {}", std::system_category().message(reason)), nearby_file_remedy(path)};
     }
-    if (H5Fis_hdf5(path.c_str()) <= 0) {
+    const auto is_hdf5 = [&] {
+        const LibraryTurn turn;
+        silence_hdf5();
+        return H5Fis_hdf5(path.c_str()) > 0;
+    };
+    if (!is_hdf5()) {
         return {"is not an HDF5 file", "export it as HDF5; a text file ends in .csv"};
-    }
-    if (Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)) < 0) {
-        return {"is HDF5, but cannot be opened: it is cut off, damaged or still being written",
-                "copy or export it again"};
     }
     if (!survives_hdf5(path)) {
         return {"is HDF5, but damaged: the HDF5 library fails over it", "copy or export it again"};
+    }
+    const LibraryTurn turn;
+    if (Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)) < 0) {
+        return {"is HDF5, but cannot be opened: it is cut off, damaged or still being written",
+                "copy or export it again"};
     }
     return {};
 }
 
 Datasets read_datasets(const std::filesystem::path& path) {
+    const LibraryTurn turn;
     const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
     const bool ours = attribute(file, "format").value_or("").starts_with("tiretherm results");
     Reading reading(size_of(path));
@@ -213,6 +219,7 @@ Datasets read_datasets(const std::filesystem::path& path) {
 
 std::optional<Hdf5Stack> Hdf5Stack::open(const std::filesystem::path& path, const std::string& name,
                                          ErrorText& defect) {
+    const LibraryTurn turn;
     const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
     const std::vector<std::string> known = members(file, H5O_TYPE_DATASET);
     if (std::find(known.begin(), known.end(), name) == known.end()) {
@@ -249,14 +256,17 @@ std::optional<Hdf5Stack> Hdf5Stack::open(const std::filesystem::path& path, cons
 }
 
 std::string Hdf5Stack::text(const std::string& attribute) const {
+    const LibraryTurn turn;
     return input::attribute(*static_cast<const Hdf5Handle*>(dataset_.get()), attribute.c_str()).value_or("");
 }
 
 std::vector<double> Hdf5Stack::numbers(const std::string& attribute) const {
+    const LibraryTurn turn;
     return numeric_attribute(*static_cast<const Hdf5Handle*>(dataset_.get()), attribute.c_str());
 }
 
 bool Hdf5Stack::read(std::size_t index, std::vector<double>& values) const {
+    const LibraryTurn turn;
     const hid_t dataset = *static_cast<const Hdf5Handle*>(dataset_.get());
     const Hdf5Handle space(H5Dget_space(dataset));
     std::vector<hsize_t> start(shape_.size(), 0);

@@ -4,14 +4,18 @@
 
 #include <hdf5.h>
 
+#include "input/tables/own_process.hpp"
+
 namespace tiretherm::input {
 
-/// Closes a handle of HDF5 at the end of a scope; the kind is known to the library.
+/// Closes a handle of HDF5 at the end of a scope; the kind is known to the library. Every function that begins to work with
+/// the library takes its turn first.
 class Hdf5Handle {
 public:
     explicit Hdf5Handle(hid_t handle) : handle_(handle) {}
     ~Hdf5Handle() {
         if (handle_ >= 0) {
+            const LibraryTurn turn;
             H5Idec_ref(handle_);
         }
     }

@@ -79,6 +79,7 @@ FileState state_of(const std::filesystem::path& path) {
 
 bool survives_now(const std::filesystem::path& path) {
     const auto visit = [&] {
+        const LibraryTurn turn;  // the parent's, where no child can be made
         silence_hdf5();
         const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
         std::uint64_t left = most_bytes;

@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <mutex>
 
 #include "solver/stop_signal.hpp"
 
@@ -81,6 +82,15 @@ private:
     int pipe_;
 };
 
+// Not a recursive mutex: that knows its owner by a number which is another one in a child.
+std::mutex turns;
+thread_local int turns_of_thread = 0;
+
+pid_t fork_between_turns() {
+    const LibraryTurn turn;
+    return fork();
+}
+
 [[noreturn]] void answer(int pipe, const std::function<std::string()>& work, unsigned cpu_seconds) {
     const rlimit no_core{.rlim_cur = 0, .rlim_max = 0};
     const rlimit time{.rlim_cur = cpu_seconds, .rlim_max = cpu_seconds + 1};
@@ -100,12 +110,24 @@ private:
 
 }  // namespace
 
+LibraryTurn::LibraryTurn() {
+    if (turns_of_thread++ == 0) {
+        turns.lock();
+    }
+}
+
+LibraryTurn::~LibraryTurn() {
+    if (--turns_of_thread == 0) {
+        turns.unlock();
+    }
+}
+
 std::optional<std::string> in_own_process(const std::function<std::string()>& work, unsigned cpu_seconds) {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0) {
         return work();  // no further process: the work is done in this one
     }
-    const pid_t child = fork();
+    const pid_t child = fork_between_turns();
     if (child == 0) {
         answer(ends[1], work, cpu_seconds);
     }

@@ -77,6 +77,7 @@ void read_vehicle(TomlTable& root, ProblemBuilder& builder) {
     if (!motion) {
         return;
     }
+    builder.course_agrees = motion->course_agrees;
     solver::InputSignals& inputs = builder.problem.input_signals;
     const bool has_disc = inputs.gives(*physics::find_signal("air_temperature")) &&
                           builder.given.try_emplace("brake_temperature", settings->place).second;

@@ -118,7 +118,7 @@ std::vector<const physics::Signal*> VehicleInputModel::signals() const {
 void VehicleInputModel::add_to(solver::Digest& digest) const {
     for (const solver::SignalHistory* history :
          {&log_.speed, &log_.longitudinal_acceleration, &log_.lateral_acceleration, &log_.yaw_rate,
-          &log_.steering_wheel_angle, &log_.brake_pressure, &measured_.camber, &air_,
+          &log_.steering_wheel_angle, &log_.brake_pressure, &log_.course.course, &measured_.camber, &air_,
           &measured_.vertical_load[static_cast<std::size_t>(settings_.corner)]}) {
         add(digest, *history);
     }

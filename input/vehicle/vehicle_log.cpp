@@ -9,6 +9,9 @@
 
 #include <fmt/format.h>
 
+#include "input/toml/toml_text.hpp"
+#include "input/vehicle/at_times.hpp"
+#include "input/vehicle/dead_channels.hpp"
 #include "physics/vehicle/vehicle.hpp"
 
 namespace tiretherm::input {
@@ -32,18 +35,6 @@ const UserColumn* find_column(const ProblemBuilder& builder, std::string_view na
     };
     const UserColumn* own = builder.run ? in(builder.run->columns) : nullptr;
     return own != nullptr ? own : in(builder.columns);
-}
-
-/// Factor from the base units of a column to those of a signal; nothing for another dimension.
-std::optional<double> factor_to(const VehicleSignal& signal, const std::string& base) {
-    if (signal.unit.empty() || signature(signal.unit) == base) {
-        return 1.0;
-    }
-    // UDUNITS reads the g of an accelerometer as a gram.
-    if (signature(signal.unit) == signature("m s-2") && base == "kg") {
-        return 1e3 * physics::standard_gravity;
-    }
-    return std::nullopt;
 }
 
 std::string_view shown_unit(const VehicleSignal& signal) {
@@ -112,6 +103,32 @@ bool take(const VehicleSignal& signal, const UserColumn& column, const SourceLoc
     return signal.unit.empty() || take_away_impossible(signal, place, errors, into);
 }
 
+/// Takes out channels that say nothing, with a remark each. A constant that alone says how the car turns may be a straight line or
+/// a circle, and stays.
+void leave_out_dead(const ProblemBuilder& builder, VehicleLog& log) {
+    std::vector<DeadChannel> dead = dead_channels(log);
+    const auto is_alive = [&](std::string_view name) {
+        return !(log.*member_of(name)).time.empty() && std::ranges::find(dead, name, &DeadChannel::name) == dead.end();
+    };
+    const bool turns_are_told = !log.course.course.time.empty() || is_alive("lateral_acceleration") ||
+                                is_alive("yaw_rate") || is_alive("steering_wheel_angle");
+    for (const DeadChannel& channel : dead) {
+        const std::string& beside = find_column(builder, channel.name)->beside;
+        const bool drives = channel.name == "longitudinal_acceleration" || channel.name == "brake_pressure";
+        if (!turns_are_told && !drives && beside.empty()) {
+            log.remarks.push_back({fmt::format("{} {}, and nothing else says how it turns: is a sensor connected?",
+                                               channel.name, channel.why),
+                                   ""});
+            continue;
+        }
+        log.*member_of(channel.name) = {};
+        log.remarks.push_back({fmt::format("{} {}: not used", channel.name, channel.why),
+                               beside.empty() ? ""
+                                              : fmt::format("take the column that moves: columns = {{ {} = \"{}\" }}",
+                                                            toml_text::key(beside), channel.name)});
+    }
+}
+
 /// The car's speed as [drive] or the run's file gives it, as a history.
 solver::SignalHistory speed_of(const ProblemBuilder& builder) {
     const physics::Signal* speed = physics::find_signal("speed");
@@ -137,8 +154,41 @@ void add_vehicle_columns(const TomlValue& document, std::vector<std::string>& na
     }
 }
 
+std::optional<double> factor_to(const VehicleSignal& signal, const std::string& base) {
+    if (signal.unit.empty() || signature(signal.unit) == base) {
+        return 1.0;
+    }
+    // UDUNITS reads the g of an accelerometer as a gram.
+    if (signature(signal.unit) == signature("m s-2") && base == "kg") {
+        return 1e3 * physics::standard_gravity;
+    }
+    return std::nullopt;
+}
+
+solver::SignalHistory VehicleLog::*member_of(std::string_view name) {
+    const auto found = std::ranges::find(table, name, &VehicleSignal::name);
+    return members.at(static_cast<std::size_t>(found - table.begin()));
+}
+
 bool is_vehicle_signal(std::string_view name) {
     return std::ranges::find(table, name, &VehicleSignal::name) != table.end();
+}
+
+CourseOverGround where_it_drives(CourseOverGround course, const solver::SignalHistory& speed) {
+    constexpr double slow = 2.0;  // m/s
+    if (course.course.time.empty() || speed.time.empty()) {
+        return {};
+    }
+    solver::SignalHistory driven;
+    const std::vector<double> at = at_times(speed, course.course.time);
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        if (std::abs(at[i]) >= slow) {
+            driven.time.push_back(course.course.time[i]);
+            driven.value.push_back(course.course.value[i]);
+        }
+    }
+    course.course = driven.time.size() > 1 ? unwrapped(std::move(driven)) : solver::SignalHistory{};
+    return course;
 }
 
 std::optional<VehicleLog> find_vehicle_log(const ProblemBuilder& builder, const SourceLocation& place,
@@ -157,6 +207,9 @@ std::optional<VehicleLog> find_vehicle_log(const ProblemBuilder& builder, const 
         sound = take(table[i], *column, place, errors, log.*members[i]) && sound;
     }
     log.speed = speed_of(builder);
+    log.course = where_it_drives(
+        builder.run && !builder.run->course.course.time.empty() ? builder.run->course : builder.course, log.speed);
+    leave_out_dead(builder, log);
     return sound ? std::optional(std::move(log)) : std::nullopt;
 }
 

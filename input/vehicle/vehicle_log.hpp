@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "input/laps/course_over_ground.hpp"
 #include "input/model/problem_builder.hpp"
 
 namespace tiretherm::input {
@@ -34,11 +35,23 @@ struct VehicleLog {
     solver::SignalHistory yaw_rate;                   ///< rad/s, sign as logged
     solver::SignalHistory steering_wheel_angle;       ///< rad, sign as logged
     solver::SignalHistory brake_pressure;             ///< any unit
+    CourseOverGround course{};                        ///< where the car is not slow, without jumps by a whole turn
+    std::vector<ErrorText> remarks{};                 ///< which channels say nothing, a sentence each
 };
+
+/// Where the log has a signal. @param name that vehicle_signals has
+[[nodiscard]] solver::SignalHistory VehicleLog::*member_of(std::string_view name);
+
+/// Factor from the base units of a column to those of a signal; nothing for another dimension.
+[[nodiscard]] std::optional<double> factor_to(const VehicleSignal& signal, const std::string& base);
+
+/// The course without what a receiver makes up while the car stands, and without jumps by a whole turn.
+[[nodiscard]] CourseOverGround where_it_drives(CourseOverGround course, const solver::SignalHistory& speed);
 
 /// Finds the signals among the columns of the run's file and of the logs of [drive]; the run's win. A unit of another
 /// dimension and values that no car has are errors, but for single ones, which are left out with a warning; [g] of an
-/// acceleration is standard gravity, not a gram.
+/// acceleration is standard gravity, not a gram. Channels to which no sensor is connected are left out with a remark; a constant
+/// that alone says how the car turns stays unless another column is to be had.
 /// @param place of [vehicle]  @returns nothing after an error
 [[nodiscard]] std::optional<VehicleLog> find_vehicle_log(const ProblemBuilder& builder, const SourceLocation& place,
                                                          InputErrors& errors);

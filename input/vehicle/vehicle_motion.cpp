@@ -10,6 +10,8 @@
 
 #include "input/columns/column_course.hpp"
 #include "input/vehicle/at_times.hpp"
+#include "input/vehicle/clock_shift.hpp"
+#include "input/vehicle/turn_signs.hpp"
 #include "physics/vehicle/local_mean.hpp"
 
 namespace tiretherm::input {
@@ -18,11 +20,19 @@ namespace {
 
 constexpr double slowest = 1.0;             ///< m/s, below which no yaw rate is taken from a_y / V
 constexpr double sure = 0.5;                ///< correlation from which two signals are known to be the same
+constexpr double one_clock = 0.85;          ///< correlation from which neither of two can be late
 constexpr double slope_of_speed = 1.0;      ///< s, over which the acceleration is taken from the speed
+constexpr double slope_of_course = 1.0;     ///< s, over which the yaw rate is taken from the course over ground
 constexpr double least_of_wheelbase = 0.1;  ///< is L + K V^2 of a car whose turn the steering tells
 constexpr double released = 0.02;           ///< of the highest brake pressure
 
 using Values = std::vector<double>;
+
+void turn_round(Values& values, TurnSign sign) {
+    if (sign == TurnSign::right) {
+        std::ranges::transform(values, values.begin(), std::negate<>());
+    }
+}
 
 /// What is read of a log on the way to a motion.
 struct Reader {
@@ -32,6 +42,7 @@ struct Reader {
     bool again = false;  ///< the log has been found sound, with other numbers of the car
     MotionHistory out{};
     Values speed{};
+    Values turned{};  ///< rad/s, the slope of the course over ground; empty: not known
     Values yaw{};
     Values lateral{};
     Values longitudinal{};
@@ -46,8 +57,8 @@ struct Reader {
         double square = 0.0;
         for (std::size_t i = 0; i < raw.size(); ++i) {
             square += (raw[i] - value[i]) * (raw[i] - value[i]);
-            value[i] *= sign == TurnSign::right ? -1.0 : 1.0;
         }
+        turn_round(value, sign);
         if (!name.empty() && settings.smoothing > 0.0) {
             say(fmt::format("{} is smoothed over {:.3g} s, which takes away {:.3g} {} (rms)", name, settings.smoothing,
                             std::sqrt(square / static_cast<double>(raw.size())) / unit, unit_name));
@@ -55,30 +66,97 @@ struct Reader {
         return value;
     }
 
-    [[nodiscard]] Values speed_times_yaw() const {
+    [[nodiscard]] Values speed_times(const Values& rate) const {
         Values product(speed.size());
-        std::ranges::transform(speed, yaw, product.begin(), std::multiplies<>());
+        std::ranges::transform(speed, rate, product.begin(), std::multiplies<>());
         return product;
     }
 
+    void read_course();
+    Witness witness();
+    TurnSign settle(std::string_view name, TurnSign stated, const Values& acceleration);
     bool read_yaw_rate();
+    bool read_steering();
+    bool clocks_differ(const Told& one, Told other, bool may_be_turned);
     bool read_lateral();
     bool agree_in_size(std::string_view name, const Values& acceleration, const Values& expected,
                        std::string_view what);
     bool read_longitudinal();
 };
 
-std::string_view turns(TurnSign sign) { return sign == TurnSign::right ? "right" : "left"; }
+/// The rate at which the car turns over ground. While it stands a receiver makes directions up.
+void Reader::read_course() {
+    const CourseOverGround& course = log.course;
+    if (course.course.time.empty()) {
+        return;
+    }
+    const double window = course.window(std::max(slope_of_course, settings.smoothing));
+    turned = at_times(
+        {.time = course.course.time, .value = physics::local_slope(course.course.time, course.course.value, window)},
+        out.time);
+    for (std::size_t i = 0; i < turned.size(); ++i) {
+        turned[i] = std::abs(speed[i]) < slowest ? 0.0 : turned[i];
+    }
+}
+
+/// The course over ground, or else the steering, whose sign is known where the case says it.
+Witness Reader::witness() {
+    if (!turned.empty()) {
+        return {.told = {fmt::format("the course by {}", log.course.source), speed_times(turned)},
+                .is_course = true,
+                .is_sure = true};
+    }
+    if (log.steering_wheel_angle.time.empty()) {
+        return {};
+    }
+    const Values steered = smooth(log.steering_wheel_angle, settings.steering, "", 1.0, "");
+    return {.told = {"steering_wheel_angle", speed_times(speed_times(steered))},
+            .is_sure = settings.steering != TurnSign::automatic};
+}
+
+/// @param stated automatic: not  @param acceleration that the signal tells
+TurnSign Reader::settle(std::string_view name, TurnSign stated, const Values& acceleration) {
+    const Witness beside = witness();
+    const double r = beside.told.acceleration.empty() ? 0.0 : correlation(acceleration, beside.told.acceleration);
+    const bool is_late = beside.is_course && std::abs(r) < one_clock &&
+                         clocks_differ({std::string(name), acceleration}, beside.told, true);
+    if (is_late || std::abs(r) <= sure) {
+        return stated;  // of two clocks the sign of their correlation says nothing
+    }
+    const Settled settled = settle_sign(name, stated, r, beside);
+    out.course_agrees = beside.is_course ? settled.agrees * std::abs(r) : 0.0;
+    if (!settled.sentence.empty()) {
+        say(settled.sentence);
+    }
+    return settled.sign;
+}
 
 bool Reader::read_yaw_rate() {
     if (!log.yaw_rate.time.empty()) {
-        yaw = smooth(log.yaw_rate, settings.yaw_rate, "yaw_rate", 1.0, "rad/s");
-        say(fmt::format("yaw_rate is taken as positive in {} turns (yaw_rate_sign)", turns(settings.yaw_rate)));
+        yaw = smooth(log.yaw_rate, TurnSign::left, "yaw_rate", 1.0, "rad/s");
+        const TurnSign settled = settle("yaw_rate", settings.yaw_rate, speed_times(yaw));
+        if (settled == settings.yaw_rate) {
+            say(fmt::format("yaw_rate is taken as positive in {} turns (yaw_rate_sign)", turns(settled)));
+        }
+        turn_round(yaw, settled);
         return true;
     }
-    if (!log.lateral_acceleration.time.empty() || log.steering_wheel_angle.time.empty()) {
-        return true;  // from the lateral acceleration
+    if (!log.lateral_acceleration.time.empty()) {
+        return true;  // from it
     }
+    if (!turned.empty()) {
+        yaw = turned;
+        say(fmt::format(
+            "yaw rate is the slope of the course over ground by {}, over {:.3g} s, and 0 where the car is "
+            "slower than {:.3g} km/h: the change of the sideslip angle is neglected",
+            log.course.source, log.course.window(std::max(slope_of_course, settings.smoothing)), 3.6 * slowest));
+        return true;
+    }
+    return log.steering_wheel_angle.time.empty() || read_steering();
+}
+
+/// The turns of a linear car from its steering.
+bool Reader::read_steering() {
     const double ratio = settings.numbers[VehicleNumber::steering_ratio];
     if (std::isnan(ratio)) {
         errors.add(settings.place, "the turns follow from steering_wheel_angle, but the steering ratio is not given",
@@ -134,17 +212,35 @@ bool Reader::agree_in_size(std::string_view name, const Values& acceleration, co
     return false;
 }
 
+/// Whether one of two signals that tell the same is late beside the other; says so.
+bool Reader::clocks_differ(const Told& one, Told other, bool may_be_turned) {
+    if (again) {
+        return false;
+    }
+    const std::vector<std::string> remarks = clock_remarks(out.time, one, std::move(other), may_be_turned);
+    out.sources.insert(out.sources.end(), remarks.begin(), remarks.end());
+    return !remarks.empty();
+}
+
 bool Reader::read_lateral() {
     const solver::SignalHistory& logged = log.lateral_acceleration;
     if (logged.time.empty()) {
-        if (log.yaw_rate.time.empty() && log.steering_wheel_angle.time.empty()) {
-            errors.add(settings.place,
-                       "nothing tells the turns of the car: neither lateral_acceleration nor yaw_rate "
-                       "nor steering_wheel_angle is a column",
-                       "rename one: columns = { AccY = \"lateral_acceleration\" }");
+        if (yaw.empty()) {
+            constexpr std::string_view nothing =
+                "nothing tells the turns of the car: neither lateral_acceleration nor yaw_rate nor "
+                "steering_wheel_angle "
+                "nor a heading or positions is a column";
+            const auto dead =
+                std::ranges::find_if(log.remarks, [](const ErrorText& one) { return !one.remedy.empty(); });
+            if (dead == log.remarks.end()) {
+                errors.add(settings.place, std::string(nothing),
+                           "rename one: columns = { AccY = \"lateral_acceleration\" }");
+            } else {
+                errors.add(settings.place, fmt::format("{} that moves: {}", nothing, dead->what), dead->remedy);
+            }
             return false;
         }
-        lateral = speed_times_yaw();
+        lateral = speed_times(yaw);
         if (!log.yaw_rate.time.empty()) {
             say("lateral acceleration is speed times yaw_rate: the change of the sideslip angle is neglected");
         }
@@ -153,12 +249,15 @@ bool Reader::read_lateral() {
     TurnSign sign = settings.lateral_acceleration;
     lateral = smooth(logged, TurnSign::left, "lateral_acceleration", physics::standard_gravity, "g");
     if (!yaw.empty()) {
-        const double r = correlation(lateral, speed_times_yaw());
-        if (!agree_in_size("lateral_acceleration", lateral, speed_times_yaw(), "speed times yaw_rate")) {
+        const double r = correlation(lateral, speed_times(yaw));
+        const bool is_late =
+            clocks_differ({"lateral_acceleration", lateral}, {"speed times yaw_rate", speed_times(yaw)}, true);
+        if (!is_late && !agree_in_size("lateral_acceleration", lateral, speed_times(yaw), "speed times yaw_rate")) {
             return false;
         }
         const TurnSign seen = r < 0.0 ? TurnSign::right : TurnSign::left;
-        if (sign != TurnSign::automatic && std::abs(r) > sure && seen != sign) {
+        const bool is_sure = !is_late && std::abs(r) > sure;
+        if (sign != TurnSign::automatic && is_sure && seen != sign) {
             errors.add(settings.place,
                        fmt::format("lateral_acceleration_sign says positive in {} turns, but beside speed times "
                                    "yaw_rate it is positive in {} ones (r = {:.2f})",
@@ -166,7 +265,7 @@ bool Reader::read_lateral() {
                        "correct lateral_acceleration_sign or yaw_rate_sign: the wrong tire would be loaded");
             return false;
         }
-        if (sign == TurnSign::automatic && std::abs(r) > sure) {
+        if (sign == TurnSign::automatic && is_sure) {
             sign = seen;
             say(
                 fmt::format("lateral_acceleration is taken as positive in {} turns: its correlation with speed times "
@@ -174,14 +273,15 @@ bool Reader::read_lateral() {
                             turns(sign), r));
         }
     }
+    if (yaw.empty()) {
+        sign = settle("lateral_acceleration", sign, lateral);
+    }
     if (sign == TurnSign::automatic) {
         sign = TurnSign::left;
         say("lateral_acceleration is taken as positive in left turns (ISO 8855); many loggers have it the other way: "
             "say so with lateral_acceleration_sign");
     }
-    if (sign == TurnSign::right) {
-        std::ranges::transform(lateral, lateral.begin(), std::negate<>());
-    }
+    turn_round(lateral, sign);
     if (yaw.empty()) {
         yaw.resize(lateral.size());
         for (std::size_t i = 0; i < yaw.size(); ++i) {
@@ -203,7 +303,11 @@ bool Reader::read_longitudinal() {
     longitudinal = smooth(log.longitudinal_acceleration, TurnSign::left, "longitudinal_acceleration",
                           physics::standard_gravity, "g");
     const Values smoothed = physics::local_mean(out.time, longitudinal, 2.0 * slope_of_speed);
-    if (const double r = correlation(smoothed, slope); r < -sure) {
+    const double r = correlation(smoothed, slope);
+    if (r >= -sure && clocks_differ({"longitudinal_acceleration", smoothed}, {"speed", slope}, false)) {
+        return true;
+    }
+    if (r < -sure) {
         errors.add(settings.place,
                    fmt::format("longitudinal_acceleration is positive where the speed falls (r = {:.2f})", r),
                    "turn the sign of the column: positive is speeding up");
@@ -230,10 +334,14 @@ std::optional<MotionHistory> read_motion(const VehicleSettings& settings, const 
         return std::nullopt;
     }
     reader.speed = reader.smooth(log.speed, TurnSign::left, "", 1.0, "");
+    for (const ErrorText& dead : log.remarks) {
+        reader.say(dead.remedy.empty() ? dead.what : fmt::format("{}; {}", dead.what, dead.remedy));
+    }
+    reader.read_course();
     if (!reader.read_yaw_rate() || !reader.read_lateral() || !reader.read_longitudinal()) {
         return std::nullopt;
     }
-    const bool turns_are_known = !log.yaw_rate.time.empty();
+    const bool turns_are_known = !log.yaw_rate.time.empty();  // a slope of the course is too rough for another one
     const Values yaw_acceleration =
         physics::local_slope(reader.out.time, reader.yaw, std::max(settings.smoothing, 0.1));
     if (!turns_are_known) {

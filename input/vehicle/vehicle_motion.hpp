@@ -14,10 +14,12 @@ struct MotionHistory {
     std::vector<double> time;                    ///< [n] s, ascending
     std::vector<physics::VehicleMotion> motion;  ///< [n]
     std::vector<std::string> sources;            ///< from what it was taken, a sentence each
+    double course_agrees = 0.0;  ///< correlation of its turns with those over ground; 0: these are not known
 };
 
 /// Smooths the signals of the log, turns them into the axes of the car, and takes what is missing from the others:
-///     a_x = dV/dt;   a_y = V r;   r = V delta / (L + K V^2) of a steady turn (Gillespie 1992, ch. 6);   r = a_y / V
+///     a_x = dV/dt;   a_y = V r;   r = a_y / V;   r = d(course)/dt;   r = V delta / (L + K V^2) of a steady turn
+/// (Gillespie 1992, ch. 6). The course over ground also tells the signs of the others.
 /// Errors are an unknown speed, no signal of a turn, a speed beyond the critical one of an oversteering car whose turn is
 /// known from the steering alone, and signs that contradict each other.
 [[nodiscard]] std::optional<MotionHistory> motion_of(const VehicleSettings& settings, const VehicleLog& log,

@@ -115,16 +115,14 @@ void read_shares(NumberReader& reader, VehicleKind& kind) {
 }
 
 void read_signs(TomlTable& table, VehicleSettings& settings) {
-    constexpr std::array<std::string_view, 3> turns{"left", "right", "automatic"};
-    constexpr std::array<std::string_view, 2> sides{"left", "right"};
-    const auto read = [&](std::string_view key, std::span<const std::string_view> words, TurnSign& sign) {
-        if (const std::optional<std::size_t> word = table.choice(key, words)) {
+    const auto read = [&](std::string_view key, TurnSign& sign) {
+        if (const std::optional<std::size_t> word = table.choice(key)) {
             sign = static_cast<TurnSign>(*word);
         }
     };
-    read("lateral_acceleration_sign", turns, settings.lateral_acceleration);
-    read("yaw_rate_sign", sides, settings.yaw_rate);
-    read("steering_sign", sides, settings.steering);
+    read("lateral_acceleration_sign", settings.lateral_acceleration);
+    read("yaw_rate_sign", settings.yaw_rate);
+    read("steering_sign", settings.steering);
 }
 
 }  // namespace

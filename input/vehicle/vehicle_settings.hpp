@@ -20,8 +20,8 @@ struct VehicleSettings {
     physics::Corner corner = physics::Corner::front_left;
     double smoothing = 0.2;  ///< s
     TurnSign lateral_acceleration = TurnSign::automatic;
-    TurnSign yaw_rate = TurnSign::left;
-    TurnSign steering = TurnSign::left;
+    TurnSign yaw_rate = TurnSign::automatic;
+    TurnSign steering = TurnSign::automatic;
     SourceLocation place{};
 
     /// Whether the tires of all axles have a longitudinal law.

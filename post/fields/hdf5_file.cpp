@@ -45,6 +45,7 @@ hid_t string_type() {
 }  // namespace
 
 Hdf5File::Hdf5File(const std::filesystem::path& path) : path_(path) {
+    const input::LibraryTurn turn;
     input::silence_hdf5();
     const Scoped access(H5Pcreate(H5P_FILE_ACCESS));
     // A lock would keep others from looking at a run that is under way.
@@ -53,6 +54,7 @@ Hdf5File::Hdf5File(const std::filesystem::path& path) : path_(path) {
 }
 
 Hdf5File::~Hdf5File() {
+    const input::LibraryTurn turn;
     for (const Growing& dataset : growing_) {
         H5Dclose(dataset.dataset);
     }
@@ -62,6 +64,7 @@ Hdf5File::~Hdf5File() {
 }
 
 void Hdf5File::close() {
+    const input::LibraryTurn turn;
     for (const Growing& dataset : std::exchange(growing_, {})) {
         check(H5Dclose(dataset.dataset), "write to");
     }
@@ -78,6 +81,7 @@ Hdf5File::Handle Hdf5File::check(Handle result, const std::string& doing) const 
 }
 
 void Hdf5File::add_group(const std::string& path) {
+    const input::LibraryTurn turn;
     const Scoped list(creation(H5P_GROUP_CREATE));
     const Scoped group(check(H5Gcreate2(file_, path.c_str(), H5P_DEFAULT, list, H5P_DEFAULT), "write " + path + " to"));
 }
@@ -100,11 +104,13 @@ void Hdf5File::attach(Handle dataset, const Label& label) {
 }
 
 void Hdf5File::add_attribute(const std::string& object, const std::string& name, const std::string& value) {
+    const input::LibraryTurn turn;
     const Scoped opened(check(H5Oopen(file_, object.c_str(), H5P_DEFAULT), "open " + object + " of"));
     attach(opened, name, value);
 }
 
 void Hdf5File::add_attribute(const std::string& object, const std::string& name, double value) {
+    const input::LibraryTurn turn;
     const Scoped opened(check(H5Oopen(file_, object.c_str(), H5P_DEFAULT), "open " + object + " of"));
     const Scoped space(H5Screate(H5S_SCALAR));
     const Scoped attribute(
@@ -115,6 +121,7 @@ void Hdf5File::add_attribute(const std::string& object, const std::string& name,
 template <typename Value>
 void Hdf5File::write_table(const std::string& path, std::span<const Value> values, std::size_t width, Handle type,
                            const Label& label) {
+    const input::LibraryTurn turn;
     const std::array<hsize_t, 2> size{width == 0 ? values.size() : values.size() / width, width};
     const Scoped space(H5Screate_simple(width == 0 ? 1 : 2, size.data(), nullptr));
     const Scoped list(creation(H5P_DATASET_CREATE));
@@ -139,6 +146,7 @@ void Hdf5File::write(const std::string& path, std::span<const int> values, std::
 
 void Hdf5File::write_strings(const std::string& path, std::span<const char* const> values, bool scalar,
                              const Label& label) {
+    const input::LibraryTurn turn;
     const Scoped type(string_type());
     const hsize_t size = values.size();
     const Scoped space(scalar ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &size, nullptr));
@@ -164,6 +172,9 @@ void Hdf5File::write(const std::string& path, const std::string& text, const Lab
     write_strings(path, {&one, 1}, true, label);
 }
 
-void Hdf5File::flush() { check(H5Fflush(file_, H5F_SCOPE_LOCAL), "write to"); }
+void Hdf5File::flush() {
+    const input::LibraryTurn turn;
+    check(H5Fflush(file_, H5F_SCOPE_LOCAL), "write to");
+}
 
 }  // namespace tiretherm::post

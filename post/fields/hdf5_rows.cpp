@@ -15,6 +15,7 @@ constexpr std::uint64_t chunk_bytes = 16384;  // of rows that are not compressed
 }  // namespace
 
 Hdf5File::Rows Hdf5File::add_rows(const std::string& path, std::size_t width, const Label& label) {
+    const input::LibraryTurn turn;
     const bool flat = width == 0;
     const std::uint64_t values = flat ? 1 : width;
     const std::uint64_t bytes = values * sizeof(double);
@@ -38,6 +39,7 @@ Hdf5File::Rows Hdf5File::add_rows(const std::string& path, std::size_t width, co
 }
 
 void Hdf5File::append(Rows rows, std::span<const double> values) {
+    const input::LibraryTurn turn;
     if (values.empty()) {
         return;
     }

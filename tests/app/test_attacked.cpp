@@ -17,7 +17,6 @@ using Json = nlohmann::json;
 
 const std::string cases = TIRETHERM_SOURCE_DIR "/cases/";
 const std::string bench = cases + "practice/two_node_bench.toml --data " + cases + "practice/run1.csv";
-const std::string workbook = cases + "convert/thesis_225_50_R17.xlsx";
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -197,8 +196,7 @@ TEST(Attacked, FullDiskIsASentenceForEveryCommandAndLeavesNoDraft) {
     post::replace_file(scratch / "study.toml", three);
     for (const std::string& command :
          {"run " + two_node + " --mat --fields 600 --out disk/o", std::string("study study.toml --out disk/o"),
-          "identify " + bench + " --out disk/o", "convert " + workbook + " --out disk/o/deeper",
-          std::string("new 225/50R17 --out disk/o/x.toml")}) {
+          "identify " + bench + " --out disk/o", std::string("new 225/50R17 --out disk/o/x.toml")}) {
         int failed = 0;
         for (const std::size_t kilobytes : {0U, 1U, 2U, 4U, 8U, 12U, 20U, 32U, 48U, 80U, 128U, 200U}) {
             SCOPED_TRACE(fmt::format("{} kB free: {}", kilobytes, command));
@@ -264,7 +262,7 @@ TEST(Attacked, PlacesThatCannotBeWrittenAreRefusedBeforeComputing) {
                        "case = \"slow.toml\"\n[[vary]]\nkey = \"drive.speed\"\nvalues = [\"60 km/h\"]\n");
     for (const std::string& command :
          {std::string("run slow.toml"), std::string("study study.toml"), "compare " + bench, "identify " + bench,
-          "diagnose " + bench, "convert " + workbook, std::string("new 225/50R17 --force")}) {
+          "diagnose " + bench, std::string("new 225/50R17 --force")}) {
         for (const char* out : {"file/x", "/proc/x/y", "/dev/null/x"}) {
             const Call refused = call(fmt::format("{} --out {}", command, out), scratch.path());
             EXPECT_EQ(refused.exit_code, 1) << command;
@@ -370,7 +368,7 @@ TEST(Attacked, ControlCharactersOfFilesReachNoTerminal) {
     post::replace_file(scratch / name, text);
     const std::string quoted = "\"$(printf 'a\\033[31m\\nb.toml')\"";
     for (const std::string& command :
-         {"check " + quoted, "run " + quoted + " --no-pictures --out o", "check " + quoted + "x", "convert " + quoted,
+         {"check " + quoted, "run " + quoted + " --no-pictures --out o", "check " + quoted + "x",
           "new " + quoted + " --out n.toml", "study " + quoted, "run " + quoted + " --out " + quoted + "/x"}) {
         const Call made = call(command, scratch.path());
         EXPECT_FALSE(has(made.out + made.err, "\033")) << command << made.out << made.err;

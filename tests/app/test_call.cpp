@@ -76,6 +76,18 @@ TEST(Call, UnknownCommandIsAnsweredWithTheNearestOne) {
     EXPECT_EQ(Json::parse(call("rum --json").out)["error"], "there is no command \"rum\"; did you mean `run`?");
 }
 
+TEST(Call, TheConverterOfWorkbooksIsNamedWhereItIsLookedFor) {
+    for (const std::string command : {"convert tire.xlsx --out o", "import tire.xls"}) {
+        const Call sent = call(command);
+        EXPECT_EQ(sent.exit_code, 1);
+        EXPECT_EQ(sent.out, "");
+        EXPECT_EQ(sent.err,
+                  fmt::format("tiretherm: there is no command \"{}\"; the converter of workbooks is a script: "
+                              "tools/spreadsheet_to_case.py WORKBOOK --out DIR\n",
+                              command.substr(0, command.find(' '))));
+    }
+}
+
 TEST(Call, UnknownOptionIsAnsweredWithTheNearestOne) {
     const Call wrong = call("run " + two_node + " --ouput x");
     EXPECT_EQ(wrong.exit_code, 1);

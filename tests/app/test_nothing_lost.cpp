@@ -16,7 +16,6 @@ namespace fs = std::filesystem;
 
 const std::string cases = TIRETHERM_SOURCE_DIR "/cases/";
 const std::string practice_bench = cases + "practice/two_node_bench.toml";
-const std::string workbook = cases + "convert/thesis_225_50_R17.xlsx";
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -143,18 +142,12 @@ TEST(NothingLost, LogsAndSheetsAreNoTargetsOfCases) {
         EXPECT_TRUE(has(refused.err, " would be replaced, and it is a file that the call reads")) << refused.err;
         EXPECT_EQ(post::read_text(scratch / "drive.csv"), post::read_text(cases + "practice/run1.csv"));
     }
-    fs::copy_file(workbook, scratch / "tire.xlsx");
-    fs::create_symlink("tire.xlsx", scratch / "tire.toml");
-    const Call refused = call("convert tire.xlsx --force", scratch.path());
-    EXPECT_EQ(refused.exit_code, 1);
-    EXPECT_EQ(post::read_text(scratch / "tire.xlsx"), post::read_text(workbook));
 }
 
 TEST(NothingLost, EmptyNameOfAFolderIsRefused) {
     for (const std::string& command :
          {"run " + two_node, "compare " + practice_bench, "identify " + practice_bench, "diagnose " + practice_bench,
-          "study " + cases + "studies/speed_and_load_two_node.toml", "convert " + workbook,
-          std::string("new '225/50 R17'")}) {
+          "study " + cases + "studies/speed_and_load_two_node.toml", std::string("new '225/50 R17'")}) {
         const sample::Scratch scratch;
         const Call refused = call(command + " --out ''", scratch.path());
         EXPECT_EQ(refused.exit_code, 1) << command;
@@ -233,7 +226,7 @@ TEST(Stopped, JsonSaysItInItsObject) {
 }
 
 // Commands that are quick, or have not begun with their runs, are hit at some moment of a sweep.
-TEST(Stopped, ConvertNewValidateAndAStudyBeforeItsRunsEndWithASentence) {
+TEST(Stopped, NewValidateAndAStudyBeforeItsRunsEndWithASentence) {
     const sample::Scratch scratch;
     post::replace_file(scratch / "study.toml", "case = \"" + two_node +
                                                    "\"\n[[vary]]\nkey = \"drive.speed\"\nfrom = \"60 km/h\"\nto = "
@@ -243,8 +236,7 @@ TEST(Stopped, ConvertNewValidateAndAStudyBeforeItsRunsEndWithASentence) {
         std::string sentence;
     };
     for (const Stopped& stopped :
-         {Stopped{"convert " + workbook + " --out o", "tiretherm: stopped; no case was written\n"},
-          Stopped{"new " + cases + "practice/run1.csv --out o/new.toml", "tiretherm: stopped; no case was written\n"},
+         {Stopped{"new " + cases + "practice/run1.csv --out o/new.toml", "tiretherm: stopped; no case was written\n"},
           Stopped{"validate " + cases + "validation.toml", "tiretherm: stopped; there is no table\n"},
           Stopped{"study study.toml --out o", "tiretherm: stopped; nothing was run\n"}}) {
         SCOPED_TRACE(stopped.command);

@@ -13,14 +13,12 @@
 #include <fmt/format.h>
 
 #include "fuzz/promises.hpp"
-#include "fuzz/workbook.hpp"
 #include "input/cameras/frame_file.hpp"
 #include "input/effects/user_formula.hpp"
 #include "input/log_survey/log_survey.hpp"
 #include "input/measurements/experiment.hpp"
 #include "input/model/reader.hpp"
 #include "input/new_case/new_case.hpp"
-#include "input/spreadsheet/sheet_case.hpp"
 #include "input/studies/study.hpp"
 #include "input/tables/field_file.hpp"
 #include "input/tire_property_file/tir_file.hpp"
@@ -172,37 +170,6 @@ bool take_tir(std::string_view bytes) {
     return tire.has_value();
 }
 
-bool take_sheets(const fs::path& path) {
-    const input::SheetCase converted = input::convert_sheet(path);
-    check_messages(converted.errors, converted.warnings);
-    promise(converted.text.empty() == !converted.errors.empty(), "a converted case beside errors, or neither");
-    if (!converted.text.empty()) {
-        const input::Reading reading = input::read_case(scratch_file("converted.toml", ""), converted.text);
-        check_outcome(reading.problem.has_value(), reading.errors, reading.warnings);
-        for (const input::InputError& error : reading.errors) {
-            promise(error.what.find("TOML") == std::string::npos, "the converted case is no TOML: " + error.what);
-        }
-    }
-    return !converted.text.empty();
-}
-
-bool take_workbook(std::string_view bytes) { return take_sheets(scratch_file("book.xlsx", bytes)); }
-
-/// The sheet SEL of the shipped workbook, as CSV.
-bool take_sheet_csv(std::string_view bytes) {
-    static const fs::path folder = [] {
-        const fs::path made = scratch_file("book/SEL.csv", "").parent_path();
-        fs::copy(shipped("convert/thesis_225_50_R17"), made,
-                 fs::copy_options::overwrite_existing | fs::copy_options::recursive);
-        return made;
-    }();
-    static_cast<void>(scratch_file("book/SEL.csv", bytes));
-    return take_sheets(folder);
-}
-
-/// A worksheet's XML inside a sound workbook.
-bool take_sheet_xml(std::string_view bytes) { return take_sheets(workbook_with_sheet(bytes)); }
-
 bool take_study(std::string_view bytes) {
     const input::StudyReading reading = input::read_study(scratch_file("study.toml", bytes));
     check_outcome(reading.study.has_value(), reading.errors, reading.warnings);
@@ -292,9 +259,6 @@ constexpr std::array all{
     Target{"field_csv", take_field_csv},
     Target{"field_hdf5", take_field_hdf5},
     Target{"tir", take_tir},
-    Target{"workbook", take_workbook},
-    Target{"sheet_csv", take_sheet_csv},
-    Target{"sheet_xml", take_sheet_xml},
     Target{"study", take_study},
     Target{"study_journal", take_study_journal},
     Target{"validation", take_validation},

@@ -21,7 +21,7 @@ function(consumer name)
 endfunction()
 
 step(${CMAKE_COMMAND} --install ${build} --prefix ${scratch}/prefix)
-foreach(installed bin/tiretherm include/tiretherm/mesh/mesh.hpp share/tiretherm/cases
+foreach(installed bin/tiretherm include/tiretherm/mesh/mesh.hpp share/tiretherm/cases share/tiretherm/tools/spreadsheet_to_case.py
         share/bash-completion/completions/tiretherm share/zsh/site-functions/_tiretherm share/doc/tiretherm/LICENSE)
     if(NOT EXISTS ${scratch}/prefix/${installed})
         message(FATAL_ERROR "${installed} was not installed")
@@ -29,7 +29,7 @@ foreach(installed bin/tiretherm include/tiretherm/mesh/mesh.hpp share/tiretherm/
 endforeach()
 
 set(hidden "")
-foreach(package VTK HDF5 tomlplusplus UDUNITS2 muparser FreeXL LibZip pugixml Ceres Cairo nlohmann_json CLI11)
+foreach(package VTK HDF5 tomlplusplus UDUNITS2 muparser Ceres Cairo nlohmann_json CLI11)
     list(APPEND hidden -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
 endforeach()
 consumer(core ${hidden})

@@ -9,7 +9,7 @@ namespace tiretherm::physics::effects {
 
 namespace {
 
-constexpr double most = 10.0;  // s
+constexpr double most = 600.0;  // s, of a receiver whose clock was set during the run
 
 constexpr ParameterSpec delay_of(std::string_view signal) {
     return {signal, "s", 0.0, -most, most, "how late this input is written; negative: early", false, 0.0};

@@ -330,7 +330,8 @@ TEST(ExchangedSides, NothingIsSaidOfTheShippedCars) {
     EXPECT_EQ(sides_of(read_experiment(shipped("wheels.toml"))), "");
 }
 
-// Yaw rate and lateral acceleration read as positive in right turns load the wrong tires. The temperatures say so.
+// Yaw rate and lateral acceleration read as positive in right turns load the wrong tires. The temperatures say so, and so
+// do the positions of the log.
 TEST(ExchangedSides, WrongSignsOfBothAreTold) {
     const std::string signs =
         "[vehicle]\nyaw_rate_sign = \"right\"\nlateral_acceleration_sign = \"left\"\nsteering_sign = \"right\"\n";
@@ -343,13 +344,14 @@ TEST(ExchangedSides, WrongSignsOfBothAreTold) {
             "what their loads and slips make (r = -0."))
         << said;
     EXPECT_TRUE(has(said,
-                    ". Both signs decide: turn yaw_rate_sign and "
+                    "and over ground the car turns the other way. Both signs decide: turn yaw_rate_sign and "
                     "lateral_acceleration_sign of [vehicle] round"))
         << said;
+    EXPECT_TRUE(has(error_report(reading), "beside the course by the positions it is positive in left ones"));
 }
 
-// The columns of the front tires alone are exchanged: the rear ones are right, and so are the signs. All four
-// exchanged are left and right exchanged.
+// The columns of the front tires alone are exchanged: the rear ones are right, and so are the signs. All four exchanged while
+// the car turns as over ground: it is the columns again.
 TEST(ExchangedSides, ExchangedColumnsAreTold) {
     const Written written;
     const std::string front = sides_of(read_car(
@@ -358,7 +360,9 @@ TEST(ExchangedSides, ExchangedColumnsAreTold) {
     EXPECT_TRUE(has(front, "exchange their columns")) << front;
     const std::string all = sides_of(read_car(
         written, corner("FL", "FR") + corner("FR", "FL") + corner("RL", "RR") + corner("RR", "RL"), "\"corner\""));
-    EXPECT_TRUE(has(all, "or exchange the columns of left and right tires")) << all;
+    EXPECT_TRUE(
+        has(all, "though the car's turns are those over ground: are the columns of left and right tires exchanged?"))
+        << all;
 }
 
 }  // namespace tiretherm::input

@@ -29,7 +29,7 @@ const std::vector<std::pair<std::string, brush_fields::Columns>>& shipped() {
     return all;
 }
 
-std::string text_of(const fs::path& file) {
+std::string text_of_table(const fs::path& file) {
     std::ostringstream text;
     text << std::ifstream(file, std::ios::binary).rdbuf();
     return text.str();
@@ -42,7 +42,7 @@ FieldFile read_field(const fs::path& file, physics::FieldOf of, bool watts) {
     return field ? std::move(*field) : FieldFile{};
 }
 
-solver::Problem read(std::string_view name) {
+solver::Problem shipped_problem(std::string_view name) {
     Reading reading = read_case(folder() / (std::string(name) + ".toml"));
     EXPECT_TRUE(reading.problem.has_value()) << render(reading);
     EXPECT_TRUE(reading.warnings.empty()) << render(reading);
@@ -83,7 +83,7 @@ TEST(ContactFields, FilesAreThoseOfTheBrushModel) {
             fs::remove(hdf5);
             columns.write_hdf5(hdf5);
         }
-        EXPECT_EQ(text_of(csv), columns.csv()) << name;
+        EXPECT_EQ(text_of_table(csv), columns.csv()) << name;
         EXPECT_LT(fs::file_size(csv), 200000U);
         EXPECT_LT(fs::file_size(hdf5), 200000U);
     }
@@ -115,7 +115,7 @@ TEST(ContactFields, WattsAreTheSlidingPowerOfTheBrush) {
         power += brush_fields::rib(brush_fields::middle_of(j)).sliding_power(slip, brush_fields::rolling);
     }
     const FieldFile field = read_field(folder() / "contact.h5", physics::FieldOf::friction, true);
-    const solver::Problem problem = read("cornering");
+    const solver::Problem problem = shipped_problem("cornering");
     const std::vector<int> patches{problem.mesh.find_patch("outside")};
     const auto transfer = physics::onto_faces(problem.mesh, patches, field.frames.front().points);
     EXPECT_NEAR(transfer.total(field.frames.front().density), power, 0.02 * power);
@@ -124,7 +124,7 @@ TEST(ContactFields, WattsAreTheSlidingPowerOfTheBrush) {
 // Two numbers of each case as this program gives them, printed to 0.1 K: a change must be meant. Each total of the laws is
 // untouched by the fields, and the ledger closes.
 TEST(ContactFields, CorneringWarmsTheOutsideShoulderMore) {
-    const solver::Problem problem = read("cornering");
+    const solver::Problem problem = shipped_problem("cornering");
     const solver::Report report = run(problem);
     EXPECT_NEAR(channel(problem, report, "outside_shoulder_bulk_temperature"), 52.4, 0.06);
     EXPECT_NEAR(channel(problem, report, "inside_shoulder_bulk_temperature"), 48.9, 0.06);
@@ -140,7 +140,7 @@ TEST(ContactFields, CorneringWarmsTheOutsideShoulderMore) {
 }
 
 TEST(ContactFields, RampGivesTheFilesWatts) {
-    solver::Problem problem = read("ramp");
+    solver::Problem problem = shipped_problem("ramp");
     const solver::Report shipped = run(problem);
     EXPECT_NEAR(channel(problem, shipped, "surface_temperature"), 50.65, 0.06);
     EXPECT_NEAR(channel(problem, shipped, "outside_shoulder_bulk_temperature"), 47.3, 0.06);

@@ -279,4 +279,40 @@ TEST(NewCaseCar, LogOfOneTireIsNone) {
 }
 
 }  // namespace
+// An accelerometer that is not connected is passed over for the one that is, wherever it stands.
+TEST(NewCaseCar, TakesTheLiveOneOfTwoAccelerations) {
+    const Written written;
+    const std::vector<Logged> channels{
+        {"GPS Speed [km/h]", [](double t) { return 108.0 + 30.0 * std::sin(0.5 * t); }},
+        {"latacc [g]", [](double) { return 0.0; }},
+        {"longacc [g]", [](double) { return 0.0; }},
+        {"latacc-calc [g]", [](double t) { return 0.8 * std::sin(t); }},
+        {"Tire Temp FL [C]", [](double t) { return 40.0 + 0.37 * t + 0.01 * std::sin(7.0 * t); }}};
+    written.add("log.csv", table(channels));
+    const NewCase made = make(written, "225/50 R17", "", "log.csv");
+    EXPECT_TRUE(made.errors.empty()) << errors_of(made, written);
+    EXPECT_EQ(column_of(made, "latacc-calc").name, "lateral_acceleration");
+    EXPECT_EQ(column_of(made, "latacc").name, "");
+    EXPECT_EQ(column_of(made, "latacc").reason, "stands at 0 in all its samples while the car moves");
+    EXPECT_EQ(column_of(made, "longacc").name, "");
+}
+
+// Neither acceleration nor yaw rate nor steering: the heading tells the turns, and the case has a [vehicle]. Its template has both
+// signs. The tire's sensor says nothing for a second; the tire starts at what it says then.
+TEST(NewCaseCar, AHeadingMakesAVehicle) {
+    const Written written;
+    const std::vector<Logged> channels{
+        {"GPS Speed [km/h]", [](double t) { return 108.0 + 30.0 * std::sin(0.5 * t); }},
+        {"GPS Heading [deg]", [](double t) { return 100.0 - 14.0 * std::sin(t); }},
+        {"Tire Temp FL [C]", [](double t) { return t < 0.95 ? 80.0 : 40.0 + 0.37 * t + 0.01 * std::sin(70.0 * t); }}};
+    written.add("log.csv", table(channels));
+    const NewCase made = make(written, "225/50 R17", "", "log.csv");
+    EXPECT_TRUE(made.errors.empty()) << errors_of(made, written);
+    EXPECT_NE(made.text.find("[vehicle]"), std::string::npos);
+    EXPECT_EQ(column_of(made, "GPS Heading").other_use, "course");
+    EXPECT_NE(made.text.find("# yaw_rate_sign = \"right\""), std::string::npos) << made.text;
+    EXPECT_NE(made.text.find("# lateral_acceleration_sign = \"right\""), std::string::npos);
+    EXPECT_EQ(made.text.find("80 degC"), std::string::npos) << made.text;
+}
+
 }  // namespace tiretherm::input
