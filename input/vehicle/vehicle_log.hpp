@@ -39,6 +39,7 @@ struct VehicleLog {
     solver::SignalHistory steering_wheel_angle;       ///< rad, sign as logged
     solver::SignalHistory brake_pressure;             ///< any unit
     CourseOverGround course{};                        ///< where the car is not slow, without jumps by a whole turn
+    bool speed_is_brought_back = false;               ///< [effects.input_delay] says by how much the speed is late
     std::vector<ErrorText> remarks{};                 ///< which channels say nothing, a sentence each
 };
 

@@ -203,6 +203,10 @@ TEST(CarSignals, ALateSpeedIsToldWithItsDelay) {
     ASSERT_TRUE(reading.problem) << render(reading);
     EXPECT_TRUE(warns(reading, "speed is 3.7")) << render(reading);
     EXPECT_TRUE(warns(reading, "[effects.input_delay] with speed = \"3.7"));
+    const Reading mended = read(log, "[effects.input_delay]\nspeed = \"3.7 s\"\n",
+                                "columns = { V = \"speed\", AccX = \"longitudinal_acceleration\" }\n");
+    ASSERT_TRUE(mended.problem) << render(mended);
+    EXPECT_FALSE(warns(mended, "their clocks differ"));
 }
 
 // The accelerometer that the case takes is not connected, and another column of the log is one that is.
