@@ -12,6 +12,7 @@
 
 #include "input/model/continued_schedule.hpp"
 #include "solver/in_parallel.hpp"
+#include "solver/linear/petsc_factor.hpp"
 #include "solver/stop_signal.hpp"
 #include "solver/time_integration/run_to_end.hpp"
 
@@ -177,14 +178,15 @@ void HotSpotTracker::add_spread(HotSpots& into) const {
     // Two runs for each key, one standard deviation to either side.
     const std::size_t n = case_->uncertain.size();
     std::vector<solver::PlaceSlopes> sides(2 * n);
-    solver::in_parallel(2 * n, [&](std::size_t i) {
+    const auto to_a_side = [&](std::size_t i) {
         const auto problem = case_->moved(case_->uncertain[i / 2], i % 2 == 0 ? -1.0 : 1.0);
         sides[i].status.outcome = solver::Outcome::stopped;
         // Places are nodes of the case's own mesh.
         if (problem && problem->mesh.n_nodes == problem_.mesh.n_nodes && !solver::stop_requested()) {
             sides[i] = solver::place_slopes(*problem, places, {}, base.step_ends);
         }
-    });
+    };
+    solver::in_parallel(2 * n, to_a_side, solver::side_by_side(problem_.settings.linear_solver));
     for (std::size_t p = 0; p < places.size(); ++p) {
         std::vector<solver::Driver> drivers;
         double mean = into.spots[p].history.temperature()[into.spots[p].history.hottest_row()];

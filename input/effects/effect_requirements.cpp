@@ -14,6 +14,7 @@
 #include "input/text/suggestions.hpp"
 #include "physics/contact/travelling.hpp"
 #include "physics/tire_laws/disk_film.hpp"
+#include "solver/quantity_inputs.hpp"
 #include "solver/system.hpp"
 
 namespace tiretherm::input {
@@ -71,9 +72,8 @@ std::vector<std::string> sensors_that_read(const ProblemBuilder& builder, std::s
         const bool by_model = std::ranges::any_of(builder.problem.effects, [&](const ActiveEffect& a) {
             return uses(*a.effect, signal) && std::ranges::count(a.channels, static_cast<int>(c)) > 0;
         });
-        // The Magic Formula follows the camber where there is any, but does not need it.
         if (std::ranges::count(quantity.signals, signal) > 0 || by_model ||
-            (quantity.needs_magic_formula && signal == "camber")) {
+            std::ranges::count(solver::optional_signals(channel.quantity), signal) > 0) {
             found.push_back(channel.name);
         }
     }

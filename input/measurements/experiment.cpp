@@ -5,6 +5,7 @@
 
 #include "input/corners/corner.hpp"
 #include "input/measurements/runs.hpp"
+#include "input/model/petsc_refusal.hpp"
 #include "input/toml/document.hpp"
 
 namespace tiretherm::input {
@@ -31,6 +32,7 @@ ExperimentReading read_experiment(const std::filesystem::path& file, const std::
             }
         }
         runs = read_runs(*document, case_name(file), data, mode, errors);
+        refuse_petsc(*document, errors);
         const bool has_runs = mode == ReadMode::planned || !data.empty() || document->find("run") != nullptr;
         if (!has_runs && errors.count() == 0 && runs.experiment.runs.front().numbers.empty()) {
             errors.add(document->place, "the case has no measured run",

@@ -258,11 +258,10 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
             std::ranges::move(columns_of_one_tire(table, *file), std::back_inserter(of_one_tire));
             read_series(*file, builder, errors, run);
             warn_of_starts(reading.document, builder.problem, run, errors);
-            if (document.find("vehicle") != nullptr) {  // its columns are used; the brakes may heat the tire besides
+            if (document.find("vehicle") != nullptr) {
                 for (const FollowedColumn& column : file->columns.followed) {
                     std::erase_if(file->columns.unused, [&](int unused) {
-                        return unused == column.column && is_vehicle_signal(column.name) &&
-                               column.name != "brake_pressure";
+                        return unused == column.column && is_used_up_by_vehicle(column.name);
                     });
                 }
             }

@@ -84,8 +84,8 @@ struct GivenUnit {
 
 /// Reads the log's headings and the columns that have standard names; what is wrong with them goes to `errors`, with the
 /// line. A name is recognised without regard to capitals, blanks and underscores. A column of time goes by its unit
-/// where none goes by its name. In the log of a car (it has accelerations, yaw rate, steering, a heading or positions, or readings of several tires, and
-/// no load of one tire) columns are also taken by the names that loggers give them.
+/// where none goes by its name. In the log of a car (it has accelerations, yaw rate, steering, a heading or positions, or
+/// readings of several tires, and no load of one tire) columns are also taken by the names that loggers give them.
 /// Of several columns that may be one thing the first is taken that says anything: no sensor is connected to what stands at one
 /// value while the car moves. What a temperature or a speed says while nothing is measured is missing.
 /// A car's time without unit whose rows are five or more apart, in whole numbers, is in milliseconds.

@@ -32,7 +32,7 @@ std::vector<TableKeys> time_tables() {
             quantity("output", interval, "Interval of the rows of channels. Default: 0 s, every step."),
             quantity("fields", interval, "Interval of the stored fields. Default: 0 s, the first and the last."),
             choice("method", {"tr_bdf2", "backward_euler"}, "Time integration. Default: tr_bdf2."),
-            choice("linear_solver", {"automatic", "cholesky", "conjugate_gradient", "petsc"}, "Default: automatic, by the predicted fill."),
+            choice("linear_solver", {"automatic", "cholesky", "conjugate_gradient", "petsc"}, "`petsc` is for `run` alone. Default: automatic, by the predicted fill."),
         }},
     };
 }

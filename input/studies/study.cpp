@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "input/measurements/runs.hpp"
+#include "input/model/petsc_refusal.hpp"
 #include "input/model/reader.hpp"
 #include "input/parameters/parameter_path.hpp"
 #include "input/studies/study_fingerprint.hpp"
@@ -203,6 +204,7 @@ private:
             InputErrors errors = study_.errors_;
             const TomlValue document = study_.document_of(r, errors);
             const Runs made = read_runs(document, study_.case_name, {}, ReadMode::measured, errors);
+            refuse_petsc(document, errors);
             const solver::Problem& problem = made.problem;
             if (r == 0) {
                 study_.channels = problem.channels;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "input/measurements/runs.hpp"
+#include "input/model/petsc_refusal.hpp"
 #include "input/model/reader.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/validation/validation_reader.hpp"
@@ -46,6 +47,12 @@ std::optional<std::size_t> CaseCache::find(const std::string& path, const Source
     std::optional<std::size_t>& index = known_[file.generic_string()];
     Reading reading = read_case(file);
     errors_.insert(errors_.end(), reading.errors.begin(), reading.errors.end());
+    InputErrors refused;
+    if (const std::optional<TomlValue> document = read_document(file, refused)) {
+        refuse_petsc(*document, refused);
+        const std::vector<InputError> all = refused.in_order();
+        errors_.insert(errors_.end(), all.begin(), all.end());
+    }
     warnings_.insert(warnings_.end(), reading.warnings.begin(), reading.warnings.end());
     if (reading.problem) {
         index = runs_.size();

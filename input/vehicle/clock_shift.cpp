@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -32,7 +33,7 @@ constexpr double gained = 0.3;              ///< by the shift, at least
 constexpr std::size_t few_windows = 3;      ///< in a longer log one alone may agree by chance
 constexpr double alike = 2.0;               ///< s between shifts that are one
 constexpr double as_good = 0.02;            ///< below the best correlation: another shift is as likely
-constexpr double better = 0.15;             ///< than without a shift, where the sign is another one with it
+constexpr double better = 0.03;             ///< correlation by which one sign agrees better than the other
 
 /// Two channels at even times.
 struct Pair {
@@ -89,6 +90,26 @@ struct Curve {
     Values lowest{};  ///< of the windows
 };
 
+using Range = std::pair<std::size_t, std::size_t>;  ///< begin and end, indices into the even times
+
+std::size_t count_of_windows(const Pair& pair) {
+    const double length = static_cast<double>(pair.first.size() - 1) * pair.step;
+    return std::max<std::size_t>(1, static_cast<std::size_t>(length / window_length));
+}
+
+/// The windows in which something moves.
+std::vector<Range> windows_of(const Pair& pair) {
+    const std::size_t windows = count_of_windows(pair);
+    std::vector<Range> active;
+    for (std::size_t w = 0; w < windows; ++w) {
+        const Range range{w * pair.first.size() / windows, (w + 1) * pair.first.size() / windows};
+        if (deviation(pair.first, range.first, range.second) >= least_activity) {
+            active.push_back(range);
+        }
+    }
+    return active;
+}
+
 std::ptrdiff_t most_steps(const Pair& pair) { return static_cast<std::ptrdiff_t>(longest_shift / pair.step); }
 
 Curve curve_of(const Pair& pair, std::size_t begin, std::size_t end) {
@@ -144,6 +165,30 @@ bool is_late(const ClockShift& one) {
     return one.correlation >= agree && one.correlation >= one.together + gained && std::abs(one.delay) >= least_shift;
 }
 
+/// Whether two agree better with one of them turned round, in each window without a shift or with one that is that of all. Where
+/// that is as good as without, since half a lap changes the sign, their correlation as they are decides.
+bool agree_turned_round(const Pair& pair, double correlation_as_they_are) {
+    std::vector<Values> curves;
+    for (const auto& [begin, end] : windows_of(pair)) {
+        curves.push_back(curve_of(pair, begin, end).sum);
+    }
+    const auto no_shift = static_cast<std::size_t>(most_steps(pair));
+    double best_along = 0.0;
+    double best_turned = 0.0;
+    for (std::size_t k = 0; k <= 2 * no_shift; ++k) {
+        double along = 0.0;
+        double turned = 0.0;
+        for (const Values& curve : curves) {
+            along += std::max(curve[no_shift], curve[k]);
+            turned -= std::min(curve[no_shift], curve[k]);
+        }
+        best_along = std::max(best_along, along);
+        best_turned = std::max(best_turned, turned);
+    }
+    const double margin = better * static_cast<double>(curves.size());
+    return std::abs(best_along - best_turned) < margin ? correlation_as_they_are < 0.0 : best_turned > best_along;
+}
+
 std::string sentence_of(const ClockShift& shift, const std::string& beside, const std::string& late) {
     const std::string remedy =
         late == "speed"
@@ -170,16 +215,9 @@ std::vector<ClockShift> clock_shifts(const Values& time, const Values& first, co
         return found;
     }
     const Pair pair = at_even_times(time, first, second);
-    const auto windows =
-        std::max<std::size_t>(1, static_cast<std::size_t>((time.back() - time.front()) / window_length));
     std::vector<Curve> parts;
     bool all = true;
-    for (std::size_t w = 0; w < windows; ++w) {
-        const std::size_t begin = w * pair.first.size() / windows;
-        const std::size_t end = (w + 1) * pair.first.size() / windows;
-        if (deviation(pair.first, begin, end) < least_activity) {
-            continue;
-        }
+    for (const auto& [begin, end] : windows_of(pair)) {
         if (shifted_correlation(pair, begin, end, 0) >= agree) {
             all = false;
             continue;
@@ -199,7 +237,8 @@ std::vector<ClockShift> clock_shifts(const Values& time, const Values& first, co
     for (const Curve& part : parts) {
         ClockShift shift = shift_of(pair, part);
         shift.all = all && parts.size() == 1;
-        const bool is_chance = shift.windows == 1 && (windows > few_windows || shift.correlation < surely_agree);
+        const bool is_chance =
+            shift.windows == 1 && (count_of_windows(pair) > few_windows || shift.correlation < surely_agree);
         if (is_late(shift) && !is_chance) {
             found.push_back(std::move(shift));
         }
@@ -209,26 +248,15 @@ std::vector<ClockShift> clock_shifts(const Values& time, const Values& first, co
 
 std::vector<std::string> clock_remarks(const Values& time, const Told& one, Told other, bool may_be_turned) {
     const double r = correlation(one.acceleration, other.acceleration);
-    std::vector<ClockShift> shifts;
-    double best = 0.0;
-    for (const bool turned_round : {false, true}) {
-        if (turned_round) {
-            std::ranges::transform(other.acceleration, other.acceleration.begin(), std::negate<>());
-        }
-        if (turned_round && !may_be_turned) {
-            continue;
-        }
-        std::vector<ClockShift> found = clock_shifts(time, one.acceleration, other.acceleration);
-        const double top = found.empty() ? 0.0 : std::ranges::max(found, {}, &ClockShift::correlation).correlation;
-        // With the other sign half a lap may agree as well as no shift does.
-        const bool goes_along = (r < 0.0) == turned_round;
-        if (top > std::max(best, goes_along ? 0.0 : std::abs(r) + better)) {
-            best = top;
-            shifts = std::move(found);
-        }
+    const bool is_open = std::abs(r) < surely_agree && time.size() > 1;
+    const bool turned_round =
+        may_be_turned &&
+        (is_open ? agree_turned_round(at_even_times(time, one.acceleration, other.acceleration), r) : r < 0.0);
+    if (turned_round) {
+        std::ranges::transform(other.acceleration, other.acceleration.begin(), std::negate<>());
     }
     std::vector<std::string> remarks;
-    for (const ClockShift& shift : shifts) {
+    for (const ClockShift& shift : clock_shifts(time, one.acceleration, other.acceleration)) {
         remarks.push_back(sentence_of(shift, one.name, other.name));
     }
     return remarks;

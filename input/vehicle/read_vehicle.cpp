@@ -40,6 +40,12 @@ void warn_of_limits(const CornerSignals& signals, const VehicleSettings& setting
     }
 }
 
+bool delays_speed(const TomlValue& document) {
+    const TomlValue* effects = document.find("effects");
+    const TomlValue* delay = effects != nullptr ? effects->find("input_delay") : nullptr;
+    return delay != nullptr && delay->find("speed") != nullptr;
+}
+
 }  // namespace
 
 void read_vehicle(TomlTable& root, ProblemBuilder& builder) {
@@ -59,6 +65,9 @@ void read_vehicle(TomlTable& root, ProblemBuilder& builder) {
         return;
     }
     std::optional<VehicleLog> log = find_vehicle_log(builder, settings->place, errors);
+    if (log) {
+        log->speed_is_brought_back = delays_speed(root.content());
+    }
     std::vector<std::string> names;
     std::vector<std::string> kept;
     std::vector<ComputedInput> given;

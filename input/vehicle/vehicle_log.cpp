@@ -23,7 +23,7 @@ constexpr std::array<VehicleSignal, 5> table{{
     {"lateral_acceleration", "m s-2", -80.0, 80.0, "positive in left turns, or as lateral_acceleration_sign says"},
     {"yaw_rate", "rad s-1", -6.0, 6.0, "positive in left turns, or as yaw_rate_sign says"},
     {"steering_wheel_angle", "rad", -30.0, 30.0, "positive to the left, or as steering_sign says"},
-    {"brake_pressure", "", 0.0, 0.0, "in any unit, 0 when the brakes are released"},
+    {"brake_pressure", "", 0.0, 0.0, "in any unit, 0 when the brakes are released", true},
 }};
 constexpr std::array members{&VehicleLog::longitudinal_acceleration, &VehicleLog::lateral_acceleration,
                              &VehicleLog::yaw_rate, &VehicleLog::steering_wheel_angle, &VehicleLog::brake_pressure};
@@ -189,6 +189,11 @@ CourseOverGround where_it_drives(CourseOverGround course, const solver::SignalHi
     }
     course.course = driven.time.size() > 1 ? unwrapped(std::move(driven)) : solver::SignalHistory{};
     return course;
+}
+
+bool is_used_up_by_vehicle(std::string_view name) {
+    const auto* const found = std::ranges::find(table, name, &VehicleSignal::name);
+    return found != table.end() && !found->may_heat;
 }
 
 std::optional<VehicleLog> find_vehicle_log(const ProblemBuilder& builder, const SourceLocation& place,

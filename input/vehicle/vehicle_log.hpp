@@ -17,6 +17,7 @@ struct VehicleSignal {
     double low = 0.0;       ///< in the unit: beyond, it is an error of the unit or of the sensor
     double high = 0.0;
     std::string_view meaning;
+    bool may_heat = false;  ///< it tells of the tire's heat, too: a motion that [vehicle] has used up is no news
 };
 
 /// longitudinal_acceleration, lateral_acceleration, yaw_rate, steering_wheel_angle, brake_pressure.
@@ -26,6 +27,8 @@ struct VehicleSignal {
 /// @param names each once
 void add_vehicle_columns(const TomlValue& document, std::vector<std::string>& names);
 [[nodiscard]] bool is_vehicle_signal(std::string_view name);
+/// Whether [vehicle] takes up all that a column of this name says.
+[[nodiscard]] bool is_used_up_by_vehicle(std::string_view name);
 
 /// What a log says of a car. A history without points is not given.
 struct VehicleLog {
@@ -36,6 +39,7 @@ struct VehicleLog {
     solver::SignalHistory steering_wheel_angle;       ///< rad, sign as logged
     solver::SignalHistory brake_pressure;             ///< any unit
     CourseOverGround course{};                        ///< where the car is not slow, without jumps by a whole turn
+    bool speed_is_brought_back = false;               ///< [effects.input_delay] says by how much the speed is late
     std::vector<ErrorText> remarks{};                 ///< which channels say nothing, a sentence each
 };
 

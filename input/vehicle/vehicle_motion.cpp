@@ -77,6 +77,7 @@ struct Reader {
     TurnSign settle(std::string_view name, TurnSign stated, const Values& acceleration);
     bool read_yaw_rate();
     bool read_steering();
+    void add_turn_error(const std::string& what, const std::string& remedy);
     bool clocks_differ(const Told& one, Told other, bool may_be_turned);
     bool read_lateral();
     bool agree_in_size(std::string_view name, const Values& acceleration, const Values& expected,
@@ -155,12 +156,22 @@ bool Reader::read_yaw_rate() {
     return log.steering_wheel_angle.time.empty() || read_steering();
 }
 
+/// The turns are not known. Where a column that says nothing is used in place of one that moves, that one is the remedy.
+void Reader::add_turn_error(const std::string& what, const std::string& remedy) {
+    const auto dead = std::ranges::find_if(log.remarks, [](const ErrorText& one) {
+        return !one.remedy.empty() && !one.what.starts_with("longitudinal_") && !one.what.starts_with("brake_");
+    });
+    const bool has_other = dead != log.remarks.end();
+    errors.add(settings.place, has_other ? fmt::format("{}; {}", what, dead->what) : what,
+               has_other ? dead->remedy : remedy);
+}
+
 /// The turns of a linear car from its steering.
 bool Reader::read_steering() {
     const double ratio = settings.numbers[VehicleNumber::steering_ratio];
     if (std::isnan(ratio)) {
-        errors.add(settings.place, "the turns follow from steering_wheel_angle, but the steering ratio is not given",
-                   "add steering_ratio = 15, the steering wheel's angle over that of the road wheels");
+        add_turn_error("the turns follow from steering_wheel_angle, but the steering ratio is not given",
+                       "add steering_ratio = 15, the steering wheel's angle over that of the road wheels");
         return false;
     }
     const physics::Vehicle vehicle = vehicle_of(settings.numbers, settings.kind);
@@ -217,8 +228,11 @@ bool Reader::clocks_differ(const Told& one, Told other, bool may_be_turned) {
     if (again) {
         return false;
     }
+    const bool is_mended = other.name == "speed" && log.speed_is_brought_back;
     const std::vector<std::string> remarks = clock_remarks(out.time, one, std::move(other), may_be_turned);
-    out.sources.insert(out.sources.end(), remarks.begin(), remarks.end());
+    if (!is_mended) {
+        out.sources.insert(out.sources.end(), remarks.begin(), remarks.end());
+    }
     return !remarks.empty();
 }
 
@@ -226,18 +240,10 @@ bool Reader::read_lateral() {
     const solver::SignalHistory& logged = log.lateral_acceleration;
     if (logged.time.empty()) {
         if (yaw.empty()) {
-            constexpr std::string_view nothing =
+            add_turn_error(
                 "nothing tells the turns of the car: neither lateral_acceleration nor yaw_rate nor "
-                "steering_wheel_angle "
-                "nor a heading or positions is a column";
-            const auto dead =
-                std::ranges::find_if(log.remarks, [](const ErrorText& one) { return !one.remedy.empty(); });
-            if (dead == log.remarks.end()) {
-                errors.add(settings.place, std::string(nothing),
-                           "rename one: columns = { AccY = \"lateral_acceleration\" }");
-            } else {
-                errors.add(settings.place, fmt::format("{} that moves: {}", nothing, dead->what), dead->remedy);
-            }
+                "steering_wheel_angle nor a heading or positions is a column",
+                "rename one: columns = { AccY = \"lateral_acceleration\" }");
             return false;
         }
         lateral = speed_times(yaw);

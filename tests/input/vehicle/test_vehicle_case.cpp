@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "input/vehicle/known_car.hpp"
+#include "input/vehicle/vehicle_log.hpp"
 
 namespace tiretherm::input::known_car {
 
@@ -31,6 +32,15 @@ TEST(VehicleCase, LogGivesTheLoadsAndSlipsOfAKnownCar) {
             ASSERT_NEAR(in.speed, truth.V + (left ? -0.75 : 0.75) * truth.r, 1e-6) << t;
         }
     }
+}
+
+// The motion is in the loads and slips; the brakes may heat the tire besides, so their column stays one that explains
+// what is left over.
+TEST(VehicleCase, OfTheColumnsOfACarTheBrakesAloneAreNotUsedUp) {
+    for (const VehicleSignal& signal : vehicle_signals()) {
+        EXPECT_EQ(is_used_up_by_vehicle(signal.name), signal.name != "brake_pressure") << signal.name;
+    }
+    EXPECT_FALSE(is_used_up_by_vehicle("tire_temperature"));
 }
 
 TEST(VehicleCase, LoggerThatIsPositiveInRightTurnsIsFoundOut) {
