@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "input/text/suggestions.hpp"
+#include "input/text/unit_text.hpp"
 
 namespace tiretherm::input {
 
@@ -112,6 +113,17 @@ std::string unit_remedy(std::string_view unit, const QuantitySpec& spec) {
 
 }  // namespace
 
+std::string absolute_pressure_remedy(std::string_view unit, const QuantitySpec& spec) {
+    constexpr double atmosphere = 101325.0;  // Pa, ISO 2533 at sea level
+    const std::string_view gauge = gauge_unit_of(unit);
+    if (gauge.empty() || signature(spec.unit) != signature("Pa")) {
+        return {};
+    }
+    const auto read = std::get<Conversion>(conversion(gauge, "Pa", Scale::absolute));
+    return fmt::format("take the atmosphere's {:.4g} {} (at sea level) away from the numbers and write {}",
+                       read.from_si(atmosphere), gauge, gauge);
+}
+
 UnitRead read_unit(std::string_view unit, const QuantitySpec& spec, std::string_view subject) {
     const auto result = conversion(unit, spec.unit, spec.scale);
     if (const auto* found = std::get_if<Conversion>(&result)) {
@@ -120,6 +132,12 @@ UnitRead read_unit(std::string_view unit, const QuantitySpec& spec, std::string_
     const std::string remedy = write_like(spec);
     switch (std::get<UnitError>(result)) {
         case UnitError::unknown:
+            if (const std::string absolute = absolute_pressure_remedy(unit, spec); !absolute.empty()) {
+                return {{},
+                        ErrorText{fmt::format("{}: \"{}\" is an absolute pressure; wanted is one above the atmosphere",
+                                              subject, unit),
+                                  absolute}};
+            }
             return {{}, ErrorText{fmt::format("{}: \"{}\" is not a unit", subject, unit), unit_remedy(unit, spec)}};
         case UnitError::number_inside:
             return {{}, ErrorText{fmt::format("{}, with a number inside the unit \"{}\"", subject, unit), remedy}};
