@@ -2,15 +2,20 @@
 // The first sentences of a fit and of a plan, and the figures by lap that a fit leaves.
 #include "post/identification/identification_headline.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "post/report/file.hpp"
 #include "tests/diagnosis/practice_bench.hpp"
 
-namespace tiretherm::post {
+namespace tiretherm::diagnosis {
 namespace {
 
-using namespace diagnosis;
+using post::identification_headline;
+using post::IdentificationRecord;
+using post::read_text;
+using post::write_identification;
 
 /// A fit of the practice bench that nobody made: it came to what was known before, and to 0.5 K below all readings.
 struct MadeUpFit {
@@ -27,8 +32,13 @@ struct MadeUpFit {
                                      .low = one.prior - width,
                                      .high = one.prior + width});
         }
-        result.channels = {{.channel = 0, .name = "surface_temperature", .stated = 0.5, .rmse_after = 0.98},
-                           {.channel = 1, .name = "bulk_temperature", .rmse_after = 0.31}};
+        result.channels.resize(2);
+        result.channels[0].name = "surface_temperature";
+        result.channels[0].stated = 0.5;
+        result.channels[0].rmse_after = 0.98;
+        result.channels[1].channel = 1;
+        result.channels[1].name = "bulk_temperature";
+        result.channels[1].rmse_after = 0.31;
         result.before = result.after = observations.measured.array() - 0.5;
         result.values.setZero(static_cast<Eigen::Index>(result.fitted.size()));
     }
@@ -122,4 +132,4 @@ TEST(IdentificationFiles, LapsAreWrittenWhereThereAreAny) {
     EXPECT_EQ(std::ranges::count(laps, '\n'), 1 + 2 * (2 + 3)) << laps;
 }
 
-}  // namespace tiretherm::post
+}  // namespace tiretherm::diagnosis
