@@ -129,15 +129,16 @@ UnitRead read_unit(std::string_view unit, const QuantitySpec& spec, std::string_
     if (const auto* found = std::get_if<Conversion>(&result)) {
         return {*found, std::nullopt};
     }
+    // UDUNITS takes the a of psi(a) for 100 m2.
+    if (const std::string absolute = absolute_pressure_remedy(unit, spec); !absolute.empty()) {
+        return {{},
+                ErrorText{fmt::format("{}: \"{}\" is an absolute pressure; wanted is one above the atmosphere", subject,
+                                      unit),
+                          absolute}};
+    }
     const std::string remedy = write_like(spec);
     switch (std::get<UnitError>(result)) {
         case UnitError::unknown:
-            if (const std::string absolute = absolute_pressure_remedy(unit, spec); !absolute.empty()) {
-                return {{},
-                        ErrorText{fmt::format("{}: \"{}\" is an absolute pressure; wanted is one above the atmosphere",
-                                              subject, unit),
-                                  absolute}};
-            }
             return {{}, ErrorText{fmt::format("{}: \"{}\" is not a unit", subject, unit), unit_remedy(unit, spec)}};
         case UnitError::number_inside:
             return {{}, ErrorText{fmt::format("{}, with a number inside the unit \"{}\"", subject, unit), remedy}};

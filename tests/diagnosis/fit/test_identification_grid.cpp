@@ -93,7 +93,7 @@ void measure_on_a_fine_grid(input::Experiment& experiment, double truth) {
 }  // namespace
 
 // The data are those of a grid four times as fine. On the coarse grid the conductivity makes up for its error and lies off by
-// many of its standard deviations; corrected by a grid twice as fine, at second order, no more than a quarter of that is left,
+// more than a tenth, which passes for slow noise of the sensors; corrected by a grid twice as fine, at second order, no more than a quarter of that is left,
 // and the truth lies within the interval, to which a quarter of the correction belongs.
 TEST(IdentificationGrid, TheCorrectionBringsAConductivityBackToTheTruth) {
     constexpr double truth = 0.55;
@@ -106,7 +106,8 @@ TEST(IdentificationGrid, TheCorrectionBringsAConductivityBackToTheTruth) {
     ASSERT_TRUE(rough.status.ok()) << rough.status.message;
     ASSERT_TRUE(corrected.status.ok()) << corrected.status.message;
     const double off = std::abs(rough.fitted.front().value - truth);
-    EXPECT_GT(off, 3.0 * rough.fitted.front().standard_deviation);
+    EXPECT_GT(off, 0.1 * truth);
+    EXPECT_GT(off, 2.0 * corrected.fitted.front().standard_deviation);
     EXPECT_LT(std::abs(corrected.fitted.front().value - truth), 0.25 * off);
     EXPECT_LT(corrected.fitted.front().low, truth);
     EXPECT_GT(corrected.fitted.front().high, truth);

@@ -177,8 +177,7 @@ TEST(NewCaseService, ASizeWithoutALoadIndexCarriesWhatItsSizeLetsExpect) {
     EXPECT_NE(kart.text.find("vertical_load = \"920 N\""), std::string::npos) << kart.text;
     EXPECT_NE(kart.text.find("assumed: the size has no load index"), std::string::npos) << kart.text;
     EXPECT_NE(kart.text.find("scaled at 100 kPa"), std::string::npos) << kart.text;
-    const solver::Problem truck = problem_of(make(written, "11 R22.5", "two_node"), written);
-    EXPECT_NEAR(truck.input_signals.at(0.0, solver::JumpSide::after).vertical_load, 25.7e3, 0.2e3);
+    EXPECT_NE(make(written, "11 R22.5", "two_node").text.find("vertical_load = \"25810 N\""), std::string::npos);
 }
 
 // UN R30 of a V tire on a drum of 1.7 m: 240 - 40 = 200 km/h after a ramp of 10 min, 10 km/h more every 10 min, 230 km/h for 20 min.

@@ -80,7 +80,7 @@ TEST(IdentificationHeadline, IsTheCountTheValuesAndTheMisfit) {
     const std::vector<std::string> sentences = identification_headline(fit.record());
     const std::size_t n = fit.result.fitted.size();
     EXPECT_EQ(sentences.front(), fmt::format("{} of {} parameters are determined by the data.", n, n));
-    EXPECT_EQ(of_film(sentences), "air_convection.lambda_h 1.09 (95 %: 1.05 to 1.13).");
+    EXPECT_EQ(of_film(sentences), "air_convection.lambda_h 1.090 (95 %: 1.050 to 1.130).");
     EXPECT_EQ(sentences.back(),
               "rms after the fit: surface_temperature 0.98 K (data sheet 0.5), bulk_temperature 0.31 K.");
 }
@@ -92,13 +92,13 @@ TEST(IdentificationHeadline, SaysWhatTheDataDoNotDetermine) {
     const std::size_t n = fit.result.fitted.size();
     const std::vector<std::string> doubtful = identification_headline(fit.record());
     EXPECT_EQ(doubtful.front(), fmt::format("{} of {} parameters are determined by the data, 1 doubtful.", n - 1, n));
-    EXPECT_EQ(of_film(doubtful), "air_convection.lambda_h 1.09 (95 %: 1.05 to 1.13), doubtful.");
+    EXPECT_EQ(of_film(doubtful), "air_convection.lambda_h 1.090 (95 %: 1.050 to 1.130), doubtful.");
     EXPECT_FALSE(doubtful[1].starts_with("air_convection.lambda_h")) << doubtful[1];
     fit.film(Identifiability::not_determined);
     EXPECT_EQ(of_film(identification_headline(fit.record())).find("95 %"), std::string::npos);
     fit.film(Identifiability::at_bound).high_is_open = true;
     EXPECT_EQ(of_film(identification_headline(fit.record())),
-              "air_convection.lambda_h 1.09 (95 %: 1.05 to > 1.13), at bound.");
+              "air_convection.lambda_h 1.090 (95 %: 1.050 to > 1.130), at bound.");
 }
 
 // Of a plan there is no value and no misfit, but the width that the interval would have.
@@ -108,7 +108,7 @@ TEST(IdentificationHeadline, OfAPlanIsTheWidthThatIntervalsWouldHave) {
     const std::vector<std::string> sentences = identification_headline(fit.record(true));
     const std::size_t n = fit.result.fitted.size();
     EXPECT_EQ(sentences.front(), fmt::format("{} of {} parameters would be determined by the data.", n, n));
-    EXPECT_EQ(of_film(sentences), "air_convection.lambda_h +- 0.04 (95 %).");
+    EXPECT_EQ(of_film(sentences), "air_convection.lambda_h +- 0.040 (95 %).");
     EXPECT_EQ(sentences.back().find("rms"), std::string::npos);
 }
 
