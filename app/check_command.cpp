@@ -3,7 +3,6 @@
 // its size or all input errors, as text or JSON; of a log, what is in it.
 
 #include <algorithm>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -230,6 +229,12 @@ void print_json(const Checked& checked) {
 
 void print(const Checked& checked, bool json) { json ? print_json(checked) : print_text(checked); }
 
+/// What is unusual about the case, then about its data.
+std::vector<std::string> joined(std::vector<std::string> of_case, const std::vector<std::string>& of_data) {
+    of_case.insert(of_case.end(), of_data.begin(), of_data.end());
+    return of_case;
+}
+
 int check(const CheckOptions& options) {
     if (input::is_log_file(options.case_file)) {
         if (options.data.empty()) {
@@ -259,20 +264,19 @@ int check(const CheckOptions& options) {
                           options.json);
             return Exit::input_error;
         }
-        print({*reading.problem, reading.warnings, {}, reading.runs, reading.plies}, options.json);
+        print({*reading.problem, joined(reading.warnings, reading.data_warnings), {}, reading.runs, reading.plies},
+              options.json);
         return Exit::done;
     }
-    input::ExperimentReading reading =
+    const input::ExperimentReading reading =
         input::read_experiment(options.case_file, {options.data.begin(), options.data.end()});
     if (!reading.experiment) {
         report_errors({.problem = std::nullopt, .errors = reading.errors, .warnings = reading.warnings},
                       "the case cannot be compared with these data", options.json);
         return Exit::input_error;
     }
-    std::vector<std::string> warnings = std::move(reading.warnings);
-    std::ranges::move(reading.data_warnings, std::back_inserter(warnings));
     print({.problem = reading.experiment->runs.front().problem,
-           .warnings = std::move(warnings),
+           .warnings = joined(reading.warnings, reading.data_warnings),
            .runs = reading.experiment->runs,
            .plies = reading.plies},
           options.json);

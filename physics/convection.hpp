@@ -15,11 +15,17 @@ struct ForcedConvection {
     double air_conductivity = 0.025;  ///< W/(m K)
     double air_viscosity = 1.5e-5;    ///< m2/s
 
+    /// @returns m, L
+    [[nodiscard]] static double length(const Tire& tire) {
+        return 1.0 / (1.0 / (2.0 * tire.unloaded_radius) + 1.0 / tire.width);
+    }
+    /// @param speed m/s
+    [[nodiscard]] double reynolds(const Tire& tire, double speed) const {
+        return std::abs(speed) * length(tire) / air_viscosity;
+    }
     /// @param speed m/s  @returns W/(m2 K)
     [[nodiscard]] double operator()(const Tire& tire, double speed) const {
-        const double length = 1.0 / (1.0 / (2.0 * tire.unloaded_radius) + 1.0 / tire.width);
-        const double reynolds = std::abs(speed) * length / air_viscosity;
-        return air_conductivity / length * coefficient * std::pow(reynolds, exponent);
+        return air_conductivity / length(tire) * coefficient * std::pow(reynolds(tire, speed), exponent);
     }
 };
 

@@ -56,11 +56,15 @@ enum class Scope : std::uint8_t { patch, layer, zone, channel };
 
 struct MeasuredLoss;
 
-/// Values of an input at which a law was compared with measurements.
+/// Values within which a law was compared with measurements, or is said to hold. The source stands beside each.
 struct ComparedRange {
-    std::string_view signal;
-    double low = 0.0;  ///< SI
+    std::string_view signal;  ///< an input; empty: what `value` makes of all
+    double low = 0.0;         ///< SI, or in `unit`
     double high = 0.0;
+    std::string_view how = "compared";  ///< what was done there: "compared", "fitted", "measured", "stated"
+    std::string_view unit{};            ///< of `value`: "times its reference pressure"
+    /// 0 where the range says nothing.
+    double (*value)(const ActiveEffect& active, const Tire& tire, const Inputs& inputs) = nullptr;
 };
 
 /// One physical cause, as plain data: facts that all effects have, and the class it belongs to with the functions of that
@@ -74,7 +78,7 @@ struct Effect {
     std::string_view source;
     std::string_view valid{};  ///< where its law and its standard numbers hold, and what is assumed of them
     std::string_view meaning;
-    std::span<const ComparedRange> compared{};  ///< inputs at which its law was compared with measurements
+    std::span<const ComparedRange> compared{};  ///< where its law was compared with measurements, or is said to hold
     std::span<const ParameterSpec> parameters{};
     std::span<const Choice> choices{};
     std::span<const Table> tables{};

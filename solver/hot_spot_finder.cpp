@@ -21,28 +21,41 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 /// Two mirrored shoulders are equally hot but for round-off: the first one is reported, always. K
 constexpr double as_hot = 1e-7;
 
-/// The highest place of the parabola through three points, between two limits, and its weights there.
+/// Beside a jump the field bends much more than it does further on: a parabola across both overshoots. Between two nodes it
+/// bends at most this many times as much as behind the second of them. In a smooth field the two are nearly equal.
+constexpr double most_bend = 2.0;
+
+/// Three points with the parabola through them.
+struct Three {
+    std::array<double, 3> x{};
+    std::array<double, 3> f{};
+
+    [[nodiscard]] double slope(std::size_t i) const { return (f[i + 1] - f[i]) / (x[i + 1] - x[i]); }
+    [[nodiscard]] double bend() const { return (slope(1) - slope(0)) / (x[2] - x[0]); }
+};
+
+/// The highest place between two limits, and its weights there.
 struct Peak {
     double at = 0.0;
     std::array<double, 3> weight{};
 };
 
-Peak peak(const std::array<double, 3>& x, const std::array<double, 3>& f, double low, double high) {
-    const double left = (f[1] - f[0]) / (x[1] - x[0]);
-    const double right = (f[2] - f[1]) / (x[2] - x[1]);
-    const double bend = (right - left) / (x[2] - x[0]);
-    const auto value = [&](double z) { return f[0] + (z - x[0]) * (left + (z - x[1]) * bend); };
+/// Of the straight line from the first point to the second with `times` the bend of the parabola, which it is with 1.
+Peak peak(const Three& three, double times, double low, double high) {
+    const std::array<double, 3>& x = three.x;
+    const double slope = three.slope(0);
+    const double bend = times * three.bend();
+    const auto value = [&](double z) { return (z - x[0]) * (slope + (z - x[1]) * bend); };
     Peak found;
     if (bend < 0.0) {
-        found.at = std::clamp(0.5 * (x[0] + x[1] - left / bend), low, high);
+        found.at = std::clamp(0.5 * (x[0] + x[1] - slope / bend), low, high);
     } else {
         found.at = value(low) > value(high) ? low : high;
     }
-    for (std::size_t i = 0; i < 3; ++i) {
-        const std::size_t j = (i + 1) % 3;
-        const std::size_t k = (i + 2) % 3;
-        found.weight[i] = (found.at - x[j]) * (found.at - x[k]) / ((x[i] - x[j]) * (x[i] - x[k]));
-    }
+    const double along = (found.at - x[0]) / (x[1] - x[0]);
+    const double across = times * (found.at - x[0]) * (found.at - x[1]);
+    found.weight = {1.0 - along + across / ((x[0] - x[1]) * (x[0] - x[2])),
+                    along + across / ((x[1] - x[0]) * (x[1] - x[2])), across / ((x[2] - x[0]) * (x[2] - x[1]))};
     return found;
 }
 
@@ -122,22 +135,35 @@ int HotSpotFinder::hottest_node(std::span<const double> T) const {
     return hottest;
 }
 
-/// Between three neighbours from `first` on, where the parabola through them is highest between two limits.
-template <typename Place, typename Value>
-HotSpotFinder::Interpolant HotSpotFinder::at_peak(std::size_t first, const Place& place, const Value& value, double low,
-                                                  double high) {
-    std::array<double, 3> x{};
-    std::array<double, 3> f{};
-    Interpolant here{.count = 3};
-    for (std::size_t i = 0; i < 3; ++i) {
-        here.index[i] = first + i;
-        x[i] = place(first + i);
-        f[i] = value(first + i);
+/// Between three neighbours from `first` on, where the parabola through them is highest between two limits. Towards a
+/// neighbour behind which the field goes on, it bends no more than `most_bend` allows.
+/// @param joined whether i and i + 1 of n belong together
+template <typename Joined, typename Place, typename Value>
+HotSpotFinder::Interpolant HotSpotFinder::at_peak(std::size_t first, std::size_t n, const Joined& joined,
+                                                  const Place& place, const Value& value, double low, double high) {
+    const auto about = [&](const std::array<std::size_t, 3>& index) {
+        return Three{.x = {place(index[0]), place(index[1]), place(index[2])},
+                     .f = {value(index[0]), value(index[1]), value(index[2])}};
+    };
+    const auto put = [](const std::array<std::size_t, 3>& index, const Peak& found) {
+        return Interpolant{.at = found.at, .index = index, .weight = found.weight, .count = 3};
+    };
+    const std::array<std::size_t, 3> index{first, first + 1, first + 2};
+    const Three three = about(index);
+    const Peak found = peak(three, 1.0, low, high);
+    const double middle = three.x[1];
+    if (found.at > middle && first + 3 < n && joined(first + 2)) {
+        const std::array<std::size_t, 3> behind{first + 1, first + 2, first + 3};
+        if (const Three other = about(behind); most_bend * other.bend() > three.bend()) {
+            return put(behind, peak(other, other.bend() < 0.0 ? most_bend : 0.0, middle, high));
+        }
+    } else if (found.at < middle && first > 0 && joined(first - 1)) {
+        const std::array<std::size_t, 3> behind{first + 1, first, first - 1};
+        if (const Three other = about(behind); most_bend * other.bend() > three.bend()) {
+            return put(behind, peak(other, other.bend() < 0.0 ? most_bend : 0.0, low, middle));
+        }
     }
-    const Peak found = peak(x, f, low, high);
-    here.at = found.at;
-    here.weight = found.weight;
-    return here;
+    return put(index, found);
 }
 
 /// A surface is a place of its own: nothing lies beyond it.
@@ -160,8 +186,8 @@ HotSpotFinder::Interpolant HotSpotFinder::in_depth(const LinePosition& position,
         return here;
     }
     return at_peak(
-        first, [&](std::size_t i) { return line.depth[i]; }, [&](std::size_t i) { return T[at(line.node[i])]; },
-        line.edge[cell], line.edge[cell + 1]);
+        first, n, joined, [&](std::size_t i) { return line.depth[i]; },
+        [&](std::size_t i) { return T[at(line.node[i])]; }, line.edge[cell], line.edge[cell + 1]);
 }
 
 double HotSpotFinder::at_depth(std::size_t line, const Interpolant& depth, std::span<const double> T) const {
@@ -181,7 +207,8 @@ HotSpotFinder::Interpolant HotSpotFinder::along(std::size_t line, const Interpol
     const mesh::Column& column = column_of(line);
     here.at = column.middle();
     const std::size_t n = lines_.size();
-    const std::size_t first = three_about(line, n, [&](std::size_t i) { return goes_on_[i]; });
+    const auto joined = [&](std::size_t i) { return goes_on_[i]; };
+    const std::size_t first = three_about(line, n, joined);
     if (first == n) {
         return here;
     }
@@ -189,7 +216,7 @@ HotSpotFinder::Interpolant HotSpotFinder::along(std::size_t line, const Interpol
     const bool ends_before = line == first;
     const bool ends_behind = line == first + 2;
     return at_peak(
-        first, [&](std::size_t i) { return column_of(i).middle(); },
+        first, n, joined, [&](std::size_t i) { return column_of(i).middle(); },
         [&](std::size_t i) { return at_depth(i, depth, T); }, ends_before ? column.middle() : column.from,
         ends_behind ? column.middle() : column.to);
 }

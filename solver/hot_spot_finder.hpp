@@ -13,7 +13,8 @@ namespace tiretherm::solver {
 
 /// The hottest place of a part, between its cells as well: a parabola through three nodes in depth and another along the
 /// meridian about the hottest node, each on one side of a jump of material or thickness where there is one; along the
-/// meridian never beyond the last node before it. Second order in the cell size where the hottest node alone lies below the
+/// meridian never beyond the last node before it. Towards a neighbour it bends at most twice as much as the field does behind
+/// that: a jump on one side makes no peak on the other. Second order in the cell size where the hottest node alone lies below the
 /// peak by as much as half a cell's bend. Along the meridian on a section and a ring, around the
 /// tire nowhere; of lumps and of directions with too few
 /// cells the node itself. This is what "hottest" means wherever a result names it.
@@ -60,9 +61,9 @@ private:
         return mesh_->columns[line % mesh_->columns.size()];
     }
     void add_line(Line line);
-    template <typename Place, typename Value>
-    [[nodiscard]] static Interpolant at_peak(std::size_t first, const Place& place, const Value& value, double low,
-                                             double high);
+    template <typename Joined, typename Place, typename Value>
+    [[nodiscard]] static Interpolant at_peak(std::size_t first, std::size_t n, const Joined& joined, const Place& place,
+                                             const Value& value, double low, double high);
     [[nodiscard]] int hottest_node(std::span<const double> T) const;
     [[nodiscard]] Interpolant in_depth(const LinePosition& position, std::span<const double> T) const;
     [[nodiscard]] Interpolant along(std::size_t line, const Interpolant& depth, std::span<const double> T) const;

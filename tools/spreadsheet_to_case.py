@@ -154,16 +154,17 @@ STANDARD_LAWS = {
                      "not printed in the thesis: the line through its 0.29 W/mK at 20 degC and 0.95 W/mK at 90 degC")}
 ZERO = 273.15  # 0 degC in kelvin
 # Laws of the load that a measured table can stand beside: the keys of their two numbers, and the law in the units of the sheet.
-LAWS = {"contact_length": ("tire.contact_length_limit", "tire.contact_length_slope", lambda l, k, load: l - 2 * l / (1 + math.exp(k * load / 1000))),
+LAWS = {"contact_length": ("tire.contact_length_limit", "tire.contact_length_slope",
+                           lambda l, k, load: l - 2 * l / (1 + math.exp(k * load / 1000))),
         "contact_area": ("tire.contact_area_slope", "tire.contact_area_at_zero", lambda a, b, load: a * load + b),
         "loaded_radius": ("tire.loaded_radius_slope", "tire.loaded_radius_at_zero", lambda a, b, load: a * load + b),
         "rolling_radius": ("tire.rolling_radius_factor", "tire.rolling_radius_exponent", lambda a, b, load: a * load**b)}
 NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?")
 Parameter = namedtuple("Parameter", "sheet names use key units standard reason law")
 Table = namedtuple("Table", "sheet variables variable_unit values value_unit key")
-Value = namedtuple("Value", "text number unit name_at at")  # `at`: number of the sheet, row and column, from 0
-Measured = namedtuple("Measured", "table units rows at")  # units and rows: of the variable and the value
-Entry = namedtuple("Entry", "key lines remark name at unit")  # `at`: of each line, or None
+Value = namedtuple("Value", "text number unit name cell sound")
+Measured = namedtuple("Measured", "table names units rows cells")  # names, units and rows: of the variable and the value
+Entry = namedtuple("Entry", "key lines remark name cells unit")  # cells: of each line, or None
 
 
 def fields_of(table):
@@ -222,7 +223,8 @@ def needed(module):
     try:
         return __import__(module)
     except ImportError:
-        raise Refused(f"Python's module {module}, which reads such a workbook, is missing", f"apt-get install python3-{module}") from None
+        raise Refused(f"Python's module {module}, which reads such a workbook, is missing",
+                      f"apt-get install python3-{module}") from None
 
 
 def cell_text(value):
@@ -267,6 +269,8 @@ def read_sheets(path):
     try:
         if path.is_dir():
             return list(csv_sheets(path))
+        if path.exists() and not path.is_file():
+            raise Refused(f"{path}: it is no regular file", kinds)
         with open(path, "rb") as file:
             head = file.read(4)
         reader = xlsx_sheets if head.startswith(b"PK") else xls_sheets if head == b"\xd0\xcf\x11\xe0" else None
@@ -278,7 +282,25 @@ def read_sheets(path):
     except OSError as error:
         raise Refused(f"{path}: it cannot be read: {error.strerror or error}", kinds) from None
     except Exception as error:  # the libraries raise errors of any kind where a workbook is damaged or has a password
-        raise Refused(f"{path}: the workbook cannot be read: {printable(str(error))}", "save it anew, as .xlsx, without a password") from None
+        reason = printable(str(error)) or type(error).__name__
+        raise Refused(f"{path}: the workbook is damaged or has a password ({reason})", "save it anew, as .xlsx, without one") from None
+
+
+class Cell(str):
+    """The text of a cell, which knows where it stands."""
+
+    def __new__(cls, text, place, order):
+        cell = super().__new__(cls, text)
+        cell.place, cell.order = place, order
+        return cell
+
+
+def cells_of(rows, sheet, title):
+    """The rows as cells, each with some empty ones at its end: a value and its unit may be asked for anywhere."""
+    width = max(map(len, rows), default=0) + 3
+    letters = [chr(ord("A") + c) if c < 26 else chr(ord("A") + c // 26 - 1) + chr(ord("A") + c % 26) for c in range(min(width, 702))]
+    return [[Cell(text, f"{title}!{letters[min(c, 701)]}{r + 1}", (sheet, r, c))
+             for c, text in enumerate(row + [""] * (width - len(row)))] for r, row in enumerate(rows)]
 
 
 class Sheets:
@@ -286,35 +308,25 @@ class Sheets:
 
     def __init__(self, path):
         self.path, self.errors, self.warnings, self.values, self.measured = path, [], [], {}, []
-        self.parameters = list(parameters())
-        self.tables = [Table(sheet, x.split("; "), x_unit, y.split("; "), y_unit, key) for sheet, x, x_unit, y, y_unit, key in fields_of(TABLES)]
-        self.names = list(dict.fromkeys(p.sheet for p in self.parameters))
-        self.sheets = read_sheets(path)
-        self.known = [next((name for name in self.names if called(title, name)), None) for title, _ in self.sheets]
-        for s, name in enumerate(self.known):
+        self.parameters, self.tables = list(parameters()), [Table(*fields) for fields in fields_of(TABLES)]
+        names, sheets = list(dict.fromkeys(p.sheet for p in self.parameters)), read_sheets(path)
+        self.known = [next((name for name in names if called(title, name)), None) for title, _ in sheets]
+        for s, ((title, rows), name) in enumerate(zip(sheets, self.known)):
             if name:
-                self.scan(s, name)
-        self.check_names()
+                self.scan(name, cells_of(rows, s, title))
+        self.check_names(names, [title for (title, _), name in zip(sheets, self.known) if not name])
 
-    def wrong(self, at, what, remedy=""):
-        self.errors.append((at or (len(self.sheets), 0, 0), what, remedy))
+    def wrong(self, cell, what, remedy=""):
+        """@param cell None: the spreadsheet as a whole"""
+        place = f"{self.path}, {cell.place}" if cell is not None else str(self.path)
+        self.errors.append((cell.order if cell is not None else (math.inf,), place, what, remedy))
 
-    def spell(self, at, whole=True):
-        s, row, column = at
-        if s == len(self.sheets):
-            return str(self.path)
-        letters, column = "", column + 1
-        while column > 0:
-            letters, column = chr(ord("A") + (column - 1) % 26) + letters, (column - 1) // 26
-        return (f"{self.path}, " if whole else "") + self.sheets[s][0] + (f"!{letters}{row + 1}" if row >= 0 else "")
-
-    def check_names(self):
-        strange = [title for (title, _), name in zip(self.sheets, self.known) if not name]
+    def check_names(self, names, strange):
         if not any(self.known):
             self.wrong(None, f"none of the ten sheets is there; there is {listed(strange) or 'nothing'}",
-                       f"the sheets are {listed(self.names)} (of a folder: INFO.csv ...), see cases/convert/README.md")
+                       f"the sheets are {listed(names)} (of a folder: INFO.csv ...), see cases/convert/README.md")
             return
-        for name in self.names:
+        for name in names:
             count, near = self.known.count(name), difflib.get_close_matches(name, strange, 1)
             if count > 1:
                 self.wrong(None, f"there are {count} sheets {name}", "keep one of them")
@@ -322,112 +334,114 @@ class Sheets:
                 self.wrong(None, f"there is no sheet {name}", f"rename {near[0]}?" if near else
                            f"add it; one with a title alone takes all defaults of {name}")
         self.warnings += [f"the sheet {title} is none of the ten and is not read" for title in strange]
-        if "INFO" in self.known and not any(p.key == "tire.size" for p in self.values):
-            self.wrong((self.known.index("INFO"), -1, 0), "the sheet has no Size", "add a row: Size, 225/50 R17")
+        if not any(p.key == "tire.size" for p in self.values):
+            self.wrong(None, "the sheet INFO has no Size", "add a row: Size, 225/50 R17")
 
-    def scan(self, s, name):
+    def scan(self, sheet, rows):
         """Rows of `name, value, unit, note` or two such groups side by side, and measured tables."""
-        rows, labels, r = self.sheets[s][1], {}, 0
+        labels, r = {}, 0
         while r < len(rows):
-            filled = [c for c, text in enumerate(rows[r]) if text]
-            taken = 1
-            if filled and not rows[r][filled[0]].startswith("#") and not all(called(rows[r][c], *HEADINGS) for c in filled):
-                taken = self.scan_tables(s, name, r, filled)
-                if not taken:
-                    self.scan_row(s, name, r, labels)
+            filled = [cell for cell in rows[r] if cell]
+            is_read = filled and not filled[0].startswith("#") and not all(called(cell, *HEADINGS) for cell in filled)
+            taken = self.scan_tables(sheet, rows[r:], filled) if is_read else 1
+            if not taken:
+                self.scan_row(sheet, rows[r], labels)
             r += taken or 1
 
-    def scan_row(self, s, name, r, labels):
+    def scan_row(self, sheet, row, labels):
         def find(text):
-            return next((p for p in self.parameters if p.sheet == name and called(text, *p.names)), None)
+            return next((p for p in self.parameters if p.sheet == sheet and called(text, *p.names)), None)
 
-        row, c, first = self.sheets[s][1][r], 0, True
-        while c < len(row):
+        c, first = 0, True
+        while c < len(row) - 2:
             label = labels.get(c - 1, "")
             parameter = find(f"{label} {row[c]}") or find(row[c]) if row[c] else None
-            if called(row[c], *LABELS.get(name, ())):
+            if called(row[c], *LABELS.get(sheet, ())):
                 labels[c] = row[c]  # holds for the rows below it, too
             elif parameter:
-                self.take(parameter, s, r, c)
+                self.take(parameter, *row[c:c + 3])
                 first, c = False, c + 2
             elif row[c] and first:  # behind a parameter there may stand a note
-                self.unknown(s, name, r, c, f"{label} {row[c]}".strip())
+                self.unknown(sheet, row[c], f"{label} {row[c]}".strip(), row[c + 1:])
                 return
             c += 1
 
-    def unknown(self, s, name, r, c, text):
-        row = self.sheets[s][1][r]
-        if NUMBER.fullmatch(row[c]):
-            self.wrong((s, r, c), f"{row[c]} stands in the place of a parameter's name", "begin a remark with #")
-        elif any(other and not called(other, *HEADINGS) for other in row[c + 1:]):  # alone it is a title
-            home = next((p.sheet for p in self.parameters if called(row[c], *p.names)), None)
-            near = difflib.get_close_matches(text, [p.names[0] for p in self.parameters if p.sheet == name], 1)
-            self.wrong((s, r, c), f'{name} has no parameter "{text}"', f"it belongs into the sheet {home}" if home else
-                       f"did you mean `{near[0]}`?" if near else "take a name of cases/convert/README.md, or begin a remark with #")
+    def unknown(self, sheet, cell, text, behind):
+        if NUMBER.fullmatch(cell):
+            self.wrong(cell, f"{cell} stands in the place of a parameter's name", "begin a remark with #")
+        elif any(other and not called(other, *HEADINGS) for other in behind):  # alone it is a title
+            home = next((p.sheet for p in self.parameters if called(cell, *p.names)), None)
+            near = difflib.get_close_matches(text, [p.names[0] for p in self.parameters if p.sheet == sheet], 1)
+            self.wrong(cell, f'{sheet} has no parameter "{text}"', f"it belongs into the sheet {home}" if home else
+                       f"did you mean `{near[0]}`?" if near else "see cases/convert/README.md, or begin a remark with #")
 
-    def take(self, parameter, s, r, c):
-        """The parameter whose name stands at r, c with its value and its unit to the right; without a value it is not there."""
-        row, name, at = self.sheets[s][1][r] + ["", ""], parameter.names[0], (s, r, c + 1)
-        text, number, unit = row[c + 1], None, plain_unit(row[c + 2])
-        if parameter in self.values and text:
-            alias = "" if called(row[c], name) else f', here as "{row[c]}"'
-            self.wrong((s, r, c), f"{name} stands twice{alias}, first at {self.spell(self.values[parameter].name_at, False)}",
-                       "remove one of them")
-        elif text and parameter.use in ("on", "word", "sensor", "scale"):
+    def take(self, parameter, name, cell, unit_cell):
+        """A parameter with its value and unit; without a value it is not there."""
+        title, text, number, unit, sound = parameter.names[0], cell, None, plain_unit(unit_cell), True
+        if not cell:
+            return
+        if parameter in self.values:
+            alias = "" if called(name, title) else f', here as "{name}"'
+            self.wrong(name, f"{title} stands twice{alias}, first at {self.values[parameter].name.place}", "remove one of them")
+            return
+        if parameter.use in ("on", "word", "sensor", "scale"):
             choices = {"degC": ("degC", "C", "Celsius"), "K": ("K", "kelvin")} if parameter.use == "scale" else {
                 "ON": ("on", "1", "true", "yes"), "OFF": ("off", "0", "false", "no")}
-            chosen = next((word for word, names in choices.items() if called(plain_unit(text), *names)), None)
-            if not chosen:
-                self.wrong(at, f'{name} is "{text}"', f"write {' or '.join(choices)}")
-            self.values[parameter] = Value(chosen, number, unit, (s, r, c), chosen and at)
-        elif text:
-            if parameter.use != "text":
-                number, unit = self.number(name, text, unit, at)
-                unit = parameter.units[0] if unit in parameter.units or parameter.units[0] == "1" and unit in ("", "-") else unit
-            self.values[parameter] = Value(text, number, unit, (s, r, c), at if number is not None or parameter.use == "text" else None)
+            text = next((word for word, names in choices.items() if called(plain_unit(cell), *names)), None)
+            sound = text is not None
+            if not sound:
+                self.wrong(cell, f'{title} is "{cell}"', f"write {' or '.join(choices)}")
+        elif parameter.use != "text":
+            number, unit = self.number(title, cell, unit)
+            sound = number is not None
+            if unit in parameter.units or parameter.units[0] == "1" and unit in ("", "-"):
+                unit = parameter.units[0]
+        self.values[parameter] = Value(text, number, unit, name, cell, sound)
 
-    def number(self, name, text, unit, at):
+    def number(self, name, cell, unit):
         """A number and its unit, which it may bring itself where the unit has no cell of its own ("")."""
-        found = NUMBER.match(text)
-        rest = text[found.end():].strip() if found else text
+        found = NUMBER.match(cell)
+        rest = cell[found.end():].strip() if found else cell
         if found and math.isfinite(float(found[0])) and (not rest or unit == "" and rest[0] != ","):
             return float(found[0]), plain_unit(rest) or unit
         comma = found and rest.startswith(",")
-        self.wrong(at, f'{name} is "{text}", with a comma in the number' if comma else f'{name} is "{text}"; a number is wanted',
-                   "write a decimal point" if comma else "open and save the workbook, which computes it" if text[0] == "=" else "")
+        self.wrong(cell, f'{name} is "{cell}"' + (", with a comma in the number" if comma else "; a number is wanted"),
+                   "write a decimal point" if comma else "open and save the workbook, which computes it" if cell[0] == "=" else "")
         return None, unit
 
-    def scan_tables(self, s, name, r, filled):
+    def scan_tables(self, sheet, rows, filled):
         """The measured tables under a row of headings. Returns how many rows they take, 0 where the row is no such heading."""
-        rows = self.sheets[s][1]
-        heads = {c: re.fullmatch(r"(.*?)\s*(\[.*\])?", rows[r][c]).groups("") for c in filled}
+        heads = {cell: re.fullmatch(r"(.*?)\s*(\[.*\])?", cell).groups("") for cell in filled}
         variable, unit = heads[filled[0]]
-        tables = [t for t in self.tables if t.sheet == name and unit and len(heads) > 1 and called(variable, *t.variables)]
-        known = [*TEMPERATURE.split("; "), *(title for t in tables for title in t.values)]
-        for c in filled[1:] if tables else ():
-            if not called(heads[c][0], *known):
-                self.wrong((s, r, c), f'{name} has no column "{heads[c][0]}"', f"its columns are {listed([t.values[0] for t in tables])}")
-        end = next((e for e in range(r + 1, len(rows)) if not any("".join(rows[e][c:c + 1]) for c in filled)), len(rows))
-        for table in tables if end > r + 1 else ():
-            column = next((c for c in filled if called(heads[c][0], *table.values)), None)
-            if any(m.table == table for m in self.measured) and column is not None:
-                self.wrong((s, r, column), f"a second column {table.values[0]}", "keep one of them")
-            elif column is not None:
-                of = (filled[0], column)
-                self.read_table(table, s, of, [plain_unit(heads[c][1]) for c in of], range(r + 1, end))
-        return end - r if tables else 0
+        tables = [t for t in self.tables if t.sheet == sheet and unit and len(filled) > 1 and called(variable, *t.variables.split("; "))]
+        if not tables:
+            return 0
+        known = [*TEMPERATURE.split("; "), *(title for t in tables for title in t.values.split("; "))]
+        for cell in filled[1:]:
+            if not called(heads[cell][0], *known):
+                self.wrong(cell, f'{sheet} has no column "{heads[cell][0]}"',
+                           f"its columns are {listed([t.values.split('; ')[0] for t in tables])}")
+        columns = [cell.order[2] for cell in filled]
+        end = next((r for r in range(1, len(rows)) if not any(rows[r][c] for c in columns)), len(rows))
+        for table in tables if end > 1 else ():
+            head = next((cell for cell in filled if called(heads[cell][0], *table.values.split("; "))), None)
+            if head is not None and any(m.table == table for m in self.measured):
+                self.wrong(head, f"a second column {heads[head][0]}", "keep one of them")
+            elif head is not None:
+                units = [plain_unit(heads[cell][1]) for cell in (filled[0], head)]
+                self.read_table(table, units, [(row[columns[0]], row[head.order[2]]) for row in rows[1:end]])
+        return end
 
-    def read_table(self, table, s, of, units, span):
-        measured = Measured(table, units, [], [])
-        for r in span:
-            row = self.sheets[s][1][r] + [""] * (max(of) + 1)
-            if row[of[1]] and not row[of[0]]:
-                self.wrong((s, r, of[1]), f"{table.values[0]} is given without {table.variables[0]}")
-            numbers = [self.number(names[0], row[c], None, (s, r, c))[0] if row[c] else None
-                       for names, c in zip((table.variables, table.values), of)]
+    def read_table(self, table, units, pairs):
+        names = [table.variables.split("; ")[0], table.values.split("; ")[0]]
+        measured = Measured(table, names, units, [], [])
+        for pair in pairs:
+            if pair[1] and not pair[0]:
+                self.wrong(pair[1], f"{names[1]} is given without {names[0]}")
+            numbers = [self.number(name, cell, None)[0] if cell else None for name, cell in zip(names, pair)]
             if None not in numbers:
                 measured.rows.append(numbers)
-                measured.at.append((s, r, of[1]))
+                measured.cells.append(pair[1])
         if measured.rows:
             self.measured.append(measured)
 
@@ -459,14 +473,15 @@ class Case:
     def parameter(self, parameter):
         sheet, name, use, key = parameter.sheet, parameter.names[0], parameter.use, parameter.key
         value = self.sheets.values.get(parameter)
-        rival = next((p for p, v in self.sheets.values.items() if p != parameter and v.at and key and p.key == key and
+        rival = next((p for p, v in self.sheets.values.items() if p != parameter and v.sound and key and p.key == key and
                       p.sheet == "LateralStiffness"), None)
-        if value is None or not value.at:
+        if value is None or not value.sound:
             if parameter.reason and use != "none" and not rival and not self.table_for(parameter.law):
                 self.assume(key, parameter.standard, parameter.reason, sheet, name)
         elif use == "none" or rival:
             shown = value.text if value.unit in ("", "1", "-") else f"{number_text(value.number)} {value.unit}"
-            self.unmapped.append((sheet, name, shown, f"{rival.names[0]} of {rival.sheet} takes its place" if rival else parameter.reason))
+            reason = f"{rival.names[0]} of {rival.sheet} takes its place" if rival else parameter.reason
+            self.unmapped.append((sheet, name, shown, reason))
         else:
             self.mapped += 1
             on = value.text == "ON"
@@ -474,11 +489,11 @@ class Case:
                        "sensor": parameter.standard}.get(use) or quantity(value.number, value.unit)
             if use == "rate":  # a = -2 ln(0.003)/dT, (71) with the errata's natural logarithm
                 if value.unit != parameter.units[0] or value.number <= 0:
-                    self.sheets.wrong(value.at, f"{name} is {value.text} {value.unit}; above 0 {parameter.units[0]} is wanted")
+                    self.sheets.wrong(value.cell, f"{name} is {value.text} {value.unit}; above 0 {parameter.units[0]} is wanted")
                     return
                 written = quantity(-2 * math.log(0.003) / value.number, "K")
             if use != "sensor" or on:
-                self.entries.append(Entry(key, [written], f"{sheet}: {name}", name, [value.at], parameter.units[0]))
+                self.entries.append(Entry(key, [written], f"{sheet}: {name}", name, [value.cell], parameter.units[0]))
 
     def table_for(self, law):
         """The measured table that takes the place of a law whose coefficients are left out."""
@@ -492,8 +507,8 @@ class Case:
             variable = "temperature" if table.variable_unit == "degC" else "load"
             lines = [f'{{ columns = ["{variable} [{measured.units[0]}]", "{law} [{measured.units[1]}]"], rows = [',
                      *(f"    [{number_text(x)}, {number_text(y)}]," for x, y in measured.rows), "] }"]
-            at = [measured.at[0], *measured.at, measured.at[-1]]
-            self.entries.append(Entry(table.key, lines, f"{table.sheet}: {table.values[0]}", table.values[0], at, ""))
+            cells = [measured.cells[0], *measured.cells, measured.cells[-1]]
+            self.entries.append(Entry(table.key, lines, f"{table.sheet}: {measured.names[1]}", measured.names[1], cells, ""))
 
     def law(self, law, *of):
         """A law k or c = A T^2 + B T + C, of its coefficients; about 0 degC, whatever scale the sheet counts on."""
@@ -501,32 +516,36 @@ class Case:
         sheet, key, names = of[0].sheet, f"material.{law}", [p.names[0] for p in of]
         if self.table_for(law):
             return
-        if not given[2] or not all(value.at for value in (*given, scale) if value):
+        if not given[2] or not all(value.sound for value in (*given, scale) if value):
             first = next((i for i in range(2) if given[i]), None)
             if first is not None and not given[2]:
-                self.sheets.wrong(given[first].name_at, f"{names[first]} is given without coeff. C", "give all three, a 0 where there is none")
+                self.sheets.wrong(given[first].name, f"{names[first]} is given without coeff. C",
+                                  "give all three, a 0 where there is none")
             self.assume(key, *STANDARD_LAWS[law], sheet, "coefficients A, B, C")
             return
         a, b, c = (value.number if value else 0.0 for value in given)
         units = [value.unit if value else p.units[0] for p, value in zip(of, given)]
         own_units = units == [p.units[0] for p in of[:3]]
-        if a or b:
-            if scale is None:
-                self.missing.append((f"{key}.at", '"0 degC"', "the thesis does not say on which scale: degrees Celsius, as in its other sheets",
-                                     sheet, names[3]))
-            elif scale.text == "K":
-                c, b = c + ZERO * (b + ZERO * a), b + 2 * ZERO * a
-                if not own_units:
-                    self.sheets.wrong(given[2].at, f"the law of {sheet} counts in kelvin, in {listed(units)}",
-                                      f"write {listed([p.units[0] for p in of[:3]])}")
+        if (a or b) and scale is None:
+            reason = "the thesis does not say on which scale: degrees Celsius, as in its other sheets"
+            self.missing.append((f"{key}.at", '"0 degC"', reason, sheet, names[3]))
+        elif (a or b) and scale.text == "K":
+            c, b = c + ZERO * (b + ZERO * a), b + 2 * ZERO * a
+            if not own_units:
+                self.sheets.wrong(given[2].cell, f"the law of {sheet} counts in kelvin, in {listed(units)}",
+                                  f"write {listed([p.units[0] for p in of[:3]])}")
+                self.assume(key, *STANDARD_LAWS[law], sheet, "coefficients A, B, C")
+                return
         # The thesis's own k turns negative below -10.8 degC; where it was measured the range changes nothing.
         if own_units:
             self.laws[law] = lambda t: c + t * (b + t * a)
         turn = min(max(-b / (2 * a), -40.0), 200.0) if a else 0.0
-        limits = "" if not own_units or min(map(self.laws[law], (-40.0, turn, 200.0))) > 0 else ', range = ["20 degC", "120 degC"]'
-        text = [quantity(*term) for term in zip((a, b, c), units)]
-        self.entries.append(Entry(key, [f'{{ at = "0 degC", value = {text[2]}, slope = {text[1]}, curvature = {text[0]}{limits} }}'],
-                                  f"{sheet}: coefficients A, B, C", f"the law of {sheet}", [given[2].at], of[2].units[0]))
+        is_held = own_units and min(map(self.laws[law], (-40.0, turn, 200.0))) <= 0
+        curvature, slope, value = (quantity(*term) for term in zip((a, b, c), units))
+        text = f'at = "0 degC", value = {value}, slope = {slope}, curvature = {curvature}'
+        text += ', range = ["20 degC", "120 degC"]' if is_held else ""
+        self.entries.append(Entry(key, [f"{{ {text} }}"], f"{sheet}: coefficients A, B, C", f"the law of {sheet}",
+                                  [given[2].cell], of[2].units[0]))
         self.mapped += sum(value is not None for value in (*given, scale))
         self.missing += [(f"{key}.{part}", quantity(0.0, p.units[0]), "no such term", sheet, p.names[0])
                          for p, value, part in zip(of, given, ("curvature", "slope", "value")) if not value]
@@ -554,13 +573,14 @@ class Case:
     def compare(self):
         """Lists what the program computes itself, and measured tables that stand beside the law which the case takes."""
         for p, value in self.sheets.values.items():
-            if p.use == "computed" and value.at:
-                self.unmapped.append((p.sheet, p.names[0], quantity(value.number, value.unit).strip('"'), "the program computes it"))
-        for table, units, rows, _ in self.sheets.measured:
+            if p.use == "computed" and value.sound:
+                shown = quantity(value.number, value.unit).strip('"')
+                self.unmapped.append((p.sheet, p.names[0], shown, "the program computes it"))
+        for table, names, units, rows, _ in self.sheets.measured:
             law = table.key.rpartition(".")[2]
             if not self.table_for(law):
-                reason = "the law of the same sheet is used" if law else "the program makes the cornering stiffness of the modulus"
-                self.unmapped.append((table.sheet, f"{table.values[0]} against {table.variables[0]}", f"{len(rows)} rows",
+                reason = f"the {'law of the same sheet is used' if law else 'program makes the cornering stiffness of the modulus'}"
+                self.unmapped.append((table.sheet, f"{names[1]} against {names[0]}", f"{len(rows)} rows",
                                       reason + self.furthest(table, law, units, rows)))
 
     def furthest(self, table, law, units, rows):
@@ -574,11 +594,6 @@ class Case:
         x, y = max(rows, key=lambda row: abs(value(row[0]) / row[1] - 1) if row[1] else math.inf)
         return f"; furthest off at {x:.6g} {units[0]}: measured {y:.4g} {units[1]}, law {value(x):.4g} {units[1]}"
 
-    def preamble(self):
-        yield "Made by tools/spreadsheet_to_case.py of the ten sheets of a thesis's spreadsheet: the two-node model."
-        yield "To run it otherwise, write a case that includes this one and says what differs."
-        yield from self.listing()
-
     def listing(self):
         """What was assumed and what was left out, a line each."""
         yield "Not in the sheets and assumed:"
@@ -588,13 +603,18 @@ class Case:
             yield "In the sheets, but without a place in a case:"
         yield from (f"    {sheet}: {name} = {value}: {reason}" for sheet, name, value, reason in self.unmapped)
 
+    def text(self):
+        head = ["Made by tools/spreadsheet_to_case.py of the ten sheets of a thesis's spreadsheet: the two-node model.",
+                "To run it otherwise, write a case that includes this one and says what differs.", *self.listing()]
+        return "\n".join([*(f"# {printable(line)}" for line in head), "", *(line for line, _, _ in self.lines()), ""])
+
 
 def check(case, stem, program):
     """Lets the program read the case, and tells what it finds at the cells that it comes from."""
     lines, sheets = list(case.lines()), case.sheets
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, f"{stem}.toml")
-        file.write_text("\n".join(line for line, _, _ in lines) + "\n")
+        file.write_text("\n".join(line for line, _, _ in lines) + "\n", encoding="utf-8")
         told = json.loads(subprocess.run([program, "check", file, "--json"], capture_output=True, text=True, check=False).stdout)
 
     def of(number, sentence):
@@ -603,12 +623,13 @@ def check(case, stem, program):
             return None, None, sentence
         key = entry.key.rpartition(".")[2]
         sentence = entry.name + (sentence[len(key):] if sentence.startswith(key) else f": {sentence}")
-        return entry, entry.at[i], sentence + ("" if entry.at[i] else f" ({key} is assumed, the sheets do not say it)")
+        assumed = "" if entry.cells[i] is not None else f" ({key} is assumed, the sheets do not say it)"
+        return entry, entry.cells[i], sentence + assumed
 
     for mistake in told["mistakes"]:
-        entry, at, what = of(mistake["line"], mistake["message"])
+        entry, cell, what = of(mistake["line"], mistake["message"])
         is_unit = entry and entry.unit and re.search("without a unit|not a unit| is wanted$", what)
-        sheets.wrong(at, what, f"write {entry.unit}" if is_unit else mistake["remedy"])
+        sheets.wrong(cell, what, f"write {entry.unit}" if is_unit else mistake["remedy"])
     for warning in told["warnings"]:
         number, sentence = re.fullmatch(r"(?:.*?\.toml:(\d+)(?::\d+)?: )?(.*)", warning, re.DOTALL).groups()
         sheets.warnings.append(of(int(number or 0), sentence)[2])
@@ -619,29 +640,31 @@ def convert(options):
     case = Case(sheets)
     case.compare()
     target = options.out / f"{options.sheet.stem if options.sheet.is_file() else options.sheet.resolve().name}.toml"
-    built = Path(__file__).resolve().parents[1]
-    program = options.program or next(filter(shutil.which, ("tiretherm", built / "build/release/tiretherm", built.parent.parent / "bin/tiretherm")), None)
+    root = Path(__file__).resolve().parents[1]  # of the repository, or share/tiretherm where it is installed
+    places = ("tiretherm", root / "build/release/tiretherm", root.parent.parent / "bin/tiretherm")
+    program = options.program or next(filter(shutil.which, places), None)
     if program and any(sheets.known):
         check(case, target.stem, program)
     borrowed = [name for _, value, _, sheet, name in case.missing if value and sheet in ("ContactPatch", "Radius")]
     size = next((value.text for p, value in sheets.values.items() if p.key == "tire.size"), "225/50 R17")
     if borrowed and not called(size, "225/50 R17", "225/50R17"):
         sheets.warnings.append(f"{listed(borrowed)} of the {size}: taken from {THESIS}; give its own")
-    for at, what, remedy in sorted(sheets.errors, key=lambda error: error[0]):
-        print(printable(f"{sheets.spell(at)}: {what}"), *([f"    remedy: {printable(remedy)}"] if remedy else []), sep="\n", file=sys.stderr)
+    for _, place, what, remedy in sorted(sheets.errors, key=lambda error: error[0]):
+        print(printable(f"{place}: {what}"), f"\n    remedy: {printable(remedy)}" if remedy else "", sep="", file=sys.stderr)
     if sheets.errors:
         count = len(sheets.errors)
         raise Refused(f"{count} error{'s' * (count > 1)}; no case was written", "")
-    text = "".join(f"# {printable(line)}\n" for line in case.preamble()) + "\n" + "".join(line + "\n" for line, _, _ in case.lines())
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
         with open(target, "w" if options.force else "x", encoding="utf-8") as file:
-            file.write(text)
+            file.write(case.text())
     except FileExistsError:
-        raise Refused(f"{target} exists and is left as it is", "replace it with --force, or write elsewhere with --out DIR") from None
+        raise Refused(f"{target} exists and is left as it is",
+                      "replace it with --force, or write elsewhere with --out DIR") from None
     except OSError as error:
         raise Refused(f"{target} cannot be written: {error.strerror}", "choose another directory with --out") from None
-    print(f"{target}: a case of the two-node model\n  {case.mapped} parameters of {sum(map(bool, sheets.known))} sheets have their place in it")
+    print(f"{target}: a case of the two-node model")
+    print(f"  {case.mapped} parameters of {sum(map(bool, sheets.known))} sheets have their place in it")
     print(*map(printable, case.listing()), *(f"warning: {printable(warning)}" for warning in sheets.warnings), sep="\n")
     print(f"It runs with: tiretherm run {target}" if program else
           f"It was not checked, for the program was not found: tiretherm check {target}, or give --program FILE")
@@ -651,10 +674,12 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter, epilog=(
         "An .xlsx needs the Debian package python3-openpyxl, an .xls python3-xlrd.\nExit code: 0 the case was written, 1 an error.\n"
         "Example:\n  tools/spreadsheet_to_case.py cases/convert/thesis_225_50_R17.xlsx --out out/my_cases"))
-    parser.add_argument("sheet", type=Path, metavar="SHEET", help="workbook (.xls, .xlsx), or a folder with a CSV file for each sheet")
-    parser.add_argument("--out", type=Path, default=Path("."), metavar="DIR", help="where the case goes, called like the spreadsheet; default: here")
+    parser.add_argument("sheet", type=Path, metavar="SHEET", help="workbook (.xls, .xlsx), or a folder with a CSV file of each sheet")
+    parser.add_argument("--out", type=Path, default=Path("."), metavar="DIR",
+                        help="where the case goes, called like the spreadsheet; default: here")
     parser.add_argument("--force", action="store_true", help="replace a case that is there already")
-    parser.add_argument("--program", metavar="FILE", help="tiretherm, where it is neither on the path nor built beside this script")
+    parser.add_argument("--program", metavar="FILE",
+                        help="tiretherm, where it is neither on the path nor built beside this script")
     try:
         convert(parser.parse_args())
     except Refused as refusal:

@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "diagnosis/compare/comparison_regressors.hpp"
+#include "diagnosis/fit/refinement.hpp"
 #include "solver/sensitivity/prediction.hpp"
 
 namespace tiretherm::diagnosis {
@@ -139,7 +140,7 @@ std::vector<double> ComparedSeries::difference() const {
     return result;
 }
 
-Comparison compare(const input::Experiment& experiment, const std::string& name) {
+Comparison compare(const input::Experiment& experiment, const std::string& name, const input::Experiment* finer) {
     using Clock = std::chrono::steady_clock;
     Comparison result;
     result.name = name;
@@ -152,6 +153,7 @@ Comparison compare(const input::Experiment& experiment, const std::string& name)
     std::map<std::size_t, ComparedChannel> channels;  // in the case's order
     for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
         const input::MeasuredRun& run = experiment.runs[r];
+        result.extrapolations.add(run.problem);
         result.runs.push_back(run.name);
         result.inputs.push_back(run.problem.input_signals);
         result.laps.push_back(run.laps);
@@ -183,6 +185,11 @@ Comparison compare(const input::Experiment& experiment, const std::string& name)
         }
         for (const input::MeasuredFrames& frames : run.frames) {
             result.images.push_back(compare_images(run, r, frames, beside.times, beside.prediction));
+        }
+    }
+    if (finer != nullptr) {
+        for (const GridError& error : grid_errors(experiment, *finer)) {
+            channels[error.channel].grid_error = error.largest;
         }
     }
     for (auto& [index, channel] : channels) {

@@ -13,6 +13,7 @@
 #include "diagnosis/compare/stretch.hpp"
 #include "input/measurements/experiment.hpp"
 #include "solver/channel_unit.hpp"
+#include "solver/compared_ranges.hpp"
 #include "solver/status.hpp"
 
 namespace tiretherm::diagnosis {
@@ -65,6 +66,7 @@ struct ComparedChannel {
     double noise = 0.0;             ///< what changes from one sample to the next; NaN: too few samples to tell
     double sensor = 0.0;            ///< standard deviation taken for the sensor
     bool sensor_is_stated = false;  ///< by the case; otherwise it is `noise`
+    double grid_error = 0.0;        ///< SI, the largest of grid and steps; 0 where nobody looked
     ModelUncertainty model;
     std::vector<RunFigures> runs;
     std::vector<PhaseFigures> phases;
@@ -100,6 +102,7 @@ struct Comparison {
     std::vector<std::vector<input::Lap>> laps;  ///< [runs] of a circuit; may be empty
     std::vector<RunHeat> heat;                  ///< [runs]
     std::vector<std::string> not_driven{};      ///< what of schedules and files is not simulated
+    solver::Extrapolations extrapolations{};    ///< laws beyond their ranges
     std::vector<ComparedChannel> channels;      ///< of which anything was logged
     std::vector<ComparedNumber> numbers;
     std::vector<ComparedImages> images;  ///< of cameras, run by run
@@ -110,7 +113,9 @@ struct Comparison {
 };
 
 /// Simulates every run as the case stands and compares.
-[[nodiscard]] Comparison compare(const input::Experiment& experiment, const std::string& name);
+/// @param finer the experiment on a grid of half the spacing, for the error of the grid; null: it is not looked at
+[[nodiscard]] Comparison compare(const input::Experiment& experiment, const std::string& name,
+                                 const input::Experiment* finer = nullptr);
 /// The figures of a channel, from its series.
 /// @param regressors names and units, in the order of ComparedSeries::regressor
 /// @param laps [runs]

@@ -130,12 +130,11 @@ struct CorrectedFit {
             number.before += by;
             number.after += by;
         }
+        const std::vector<double> largest = largest_changes(observations, change);
         for (ChannelFit& channel : into.channels) {
-            for (const Block& block : observations.blocks) {
-                if (block.channel >= 0 &&
-                    observations.channels[static_cast<std::size_t>(block.channel)] == channel.channel) {
-                    const auto rows = Eigen::seqN(block.first, block.rows());
-                    channel.grid_error = std::max(channel.grid_error, change(rows).cwiseAbs().maxCoeff());
+            for (std::size_t c = 0; c < largest.size(); ++c) {
+                if (observations.channels[c] == channel.channel) {
+                    channel.grid_error = std::max(channel.grid_error, largest[c]);
                 }
             }
         }

@@ -3,6 +3,7 @@
 
 #include "diagnosis/fit/refinement.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "diagnosis/fit/fit.hpp"
@@ -54,6 +55,43 @@ Eigen::VectorXd change_by_refinement(const Model& model, const input::Experiment
         add(simulate_over(model, *finer, model.steps));
     }
     return change;
+}
+
+std::vector<double> largest_changes(const Observations& observations, const Eigen::VectorXd& change) {
+    std::vector<double> largest(observations.channels.size(), 0.0);
+    for (const Block& block : observations.blocks) {
+        if (block.channel >= 0) {
+            double& most = largest[static_cast<std::size_t>(block.channel)];
+            most = std::max(most, change(Eigen::seqN(block.first, block.rows())).cwiseAbs().maxCoeff());
+        }
+    }
+    return largest;
+}
+
+std::vector<GridError> grid_errors(const input::Experiment& experiment, const input::Experiment& finer) {
+    input::Experiment still = experiment;
+    still.parameters.clear();
+    input::Experiment still_finer = finer;
+    still_finer.parameters.clear();
+    const Observations observations = observe(still);
+    Simulator simulator(still, observations);
+    const Eigen::VectorXd values = simulator.start();
+    const ModelPrediction& base = simulator.at(values);
+    if (!base.status.ok()) {
+        return {};
+    }
+    const std::vector<double> largest =
+        largest_changes(observations, change_by_refinement({.experiment = still,
+                                                            .observations = observations,
+                                                            .values = values,
+                                                            .simulated = base.simulated,
+                                                            .steps = simulator.steps()},
+                                                           &still_finer));
+    std::vector<GridError> errors;
+    for (std::size_t c = 0; c < largest.size(); ++c) {
+        errors.push_back({.channel = observations.channels[c], .largest = largest[c]});
+    }
+    return errors;
 }
 
 }  // namespace tiretherm::diagnosis

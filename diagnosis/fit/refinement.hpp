@@ -25,4 +25,16 @@ struct Model {
 /// @param finer the experiment on that grid; null: the steps alone  @returns [n_rows] SI
 [[nodiscard]] Eigen::VectorXd change_by_refinement(const Model& model, const input::Experiment* finer);
 
+/// The largest change of each observed channel but of cameras. @param change [n_rows] SI
+/// @returns [n_noises of the observations] SI
+[[nodiscard]] std::vector<double> largest_changes(const Observations& observations, const Eigen::VectorXd& change);
+
+/// By how much the error of grid and steps moves what a case as it stands simulates at the samples.
+struct GridError {
+    std::size_t channel = 0;  ///< index into Problem::channels
+    double largest = 0.0;     ///< SI
+};
+/// Of each channel that was measured; none where a simulation fails. @param finer the experiment on a grid of half the spacing
+[[nodiscard]] std::vector<GridError> grid_errors(const input::Experiment& experiment, const input::Experiment& finer);
+
 }  // namespace tiretherm::diagnosis

@@ -24,6 +24,7 @@ constexpr double least_of_input = 0.01;  ///< of an input's range, which may hav
 constexpr double surely_beyond = 3.0;    ///< of the limit: no tire has it
 constexpr double least_sure = 10.0;      ///< K
 constexpr double steep = 0.75;           ///< of its height that a spike rises and falls at once; a cusp does not
+constexpr double lively = 2.0;           ///< steps of an input about its spike, which is higher
 constexpr std::size_t half_window = 5;   ///< samples on either side of a running median
 constexpr std::size_t widest_spike = 3;  ///< samples; what lasts longer is an event. Of an input a single one
 
@@ -68,6 +69,18 @@ double scale_of(const RecordedColumn& column, const std::vector<double>& off, co
     const double least = column.is_input ? least_of_input : least_scale;
     return std::max(
         {1.4826 * median(std::move(magnitudes)), least * (column.high() - column.low()), column.resolution()});
+}
+
+/// The largest step between neighbouring samples about a spike, which is left out.
+double largest_step_about(const std::vector<double>& value, std::size_t first, std::size_t end) {
+    double largest = 0.0;
+    for (std::size_t i = first > half_window ? first - half_window : 1; i < std::min(end + half_window, value.size());
+         ++i) {
+        if (i < first || i > end) {
+            largest = std::max(largest, std::abs(value[i] - value[i - 1]));
+        }
+    }
+    return largest;
 }
 
 }  // namespace
@@ -129,7 +142,9 @@ std::vector<Outlier> outliers_of(const Recording& recording, const RecordedColum
                           std::abs(value[i] - value[i - 1]) > steep * height &&
                           std::abs(value[end] - value[end - 1]) > steep * height;
         const bool real = !column.is_input && back && is_eventful(recording, column.time[i - 1], column.time[end]);
-        if (back && !real && end - i <= widest) {
+        // A driver's inputs move from sample to sample: a spike no higher than what they do about it is none.
+        const bool usual = column.is_input && back && height <= lively * largest_step_about(value, i, end);
+        if (back && !real && !usual && end - i <= widest) {
             const bool is_sure =
                 !column.is_input && column.is_temperature() && height > surely_beyond * limit && height > least_sure;
             found.push_back({.where = {.first = i, .length = end - i}, .height = height, .is_sure = is_sure});

@@ -13,7 +13,11 @@ QuantitySpec value_spec(solver::Quantity quantity) {
 }
 
 QuantitySpec deviation_spec(solver::Quantity quantity) {
-    return {.unit = unit_of(quantity), .scale = Scale::difference, .low = 0.0, .above = true};
+    QuantitySpec spec{.unit = unit_of(quantity), .scale = Scale::difference, .low = 0.0, .above = true};
+    if (quantity == solver::Quantity::temperature) {
+        spec.high = quantity_specs::tolerance.high;
+    }
+    return spec;
 }
 
 }  // namespace tiretherm::input

@@ -144,6 +144,7 @@ Reading read_case(const fs::path& file, const std::string* text, const std::stri
         }
         problem = runs.problem_of(asked);
         corners = runs.corners.size();
+        reading.data_warnings = runs.data_warnings;
         reading.limits = runs.limits;
         reading.plies = runs.plies;
         if (run != nullptr && errors.count() == 0) {

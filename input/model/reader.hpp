@@ -29,12 +29,13 @@ struct RunOfCase {
 /// A case that has been read. There is a problem exactly when there is no error.
 struct Reading {
     std::optional<solver::Problem> problem;
-    std::vector<InputError> errors;     ///< all of the case and of its files, in the order of their places
-    std::vector<std::string> warnings;  ///< unusual but possible: "case.toml:12: ..."
-    std::vector<std::string> files{};   ///< all that were read: the case, what it includes, logs, tables
-    std::vector<std::string> runs{};    ///< names of the case's [[run]] tables; empty without any
-    std::string run{};                  ///< of them that which the problem is
-    std::vector<RunOfCase> chosen{};    ///< of read_case_run: one run, or that of each corner
+    std::vector<InputError> errors;            ///< all of the case and of its files, in the order of their places
+    std::vector<std::string> warnings;         ///< unusual but possible: "case.toml:12: ..."
+    std::vector<std::string> data_warnings{};  ///< what is suspicious about the logs of its runs, a sentence each
+    std::vector<std::string> files{};          ///< all that were read: the case, what it includes, logs, tables
+    std::vector<std::string> runs{};           ///< names of the case's [[run]] tables; empty without any
+    std::string run{};                         ///< of them that which the problem is
+    std::vector<RunOfCase> chosen{};           ///< of read_case_run: one run, or that of each corner
     SizeLimits limits{};
     std::vector<PlySummary> plies{};  ///< materials of cords in rubber that layers are made of
 };

@@ -128,6 +128,12 @@ Where read_quantity(TomlTable& sensor, const solver::QuantityDescription& quanti
     return channel;
 }
 
+/// What a kind of sensor reads.
+solver::Quantity quantity_of(std::string_view kind) {
+    const auto found = std::ranges::find(solver::quantities(), kind, &solver::QuantityDescription::kind);
+    return found != solver::quantities().end() ? found->quantity : solver::Quantity::temperature;
+}
+
 /// The channels of a sensor, without their names: one, or of strips several. Empty after an error.
 std::vector<solver::Channel> read_places(TomlTable& sensor, std::string_view kind, const ProblemBuilder& builder,
                                          const std::string& property_file) {
@@ -247,6 +253,12 @@ void read_sensors(TomlTable& root, ProblemBuilder& builder) {
         if (name == "time") {
             sensor.add_error("name", "time is the name of the clock", "rename the sensor");
         }
+        std::optional<double> sigma;
+        if (kind) {
+            sigma = sensor.quantity("standard_deviation", deviation_spec(quantity_of(names[*kind])));
+        } else {
+            sensor.declare_keys({"standard_deviation"});  // in the unit of nobody knows what
+        }
         std::vector<solver::Channel> found;
         if (kind && builder.has_mesh) {
             found = read_places(sensor, names[*kind], builder, property_file);
@@ -255,14 +267,11 @@ void read_sensors(TomlTable& root, ProblemBuilder& builder) {
             for (const std::string_view key : {"depth", "x", "y", "radius", "from", "to", "angle"}) {
                 sensor.quantity(key, quantity_specs::coordinate, Need::optional);
             }
-            sensor.declare_keys({"standard_deviation"});
             sensor.allow_unknown_keys();
         }
         if (found.empty()) {
-            sensor.declare_keys({"standard_deviation"});
             found.emplace_back();  // others may refer to it
         } else {
-            const auto sigma = sensor.quantity("standard_deviation", deviation_spec(found.front().quantity));
             for (solver::Channel& channel : found) {
                 channel.standard_deviation = sigma;
                 channel.meaning = described(meaning, channel.meaning, found.size() == 1);

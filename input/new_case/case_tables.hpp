@@ -4,6 +4,7 @@
 
 #include "input/new_case/case_writer.hpp"
 #include "input/new_case/new_case.hpp"
+#include "physics/tire_laws/scaled_tire.hpp"
 
 namespace tiretherm::input {
 
@@ -14,11 +15,18 @@ struct CaseDraft {
     double tread_thickness = 0.0;     ///< m
     double sidewall_thickness = 0.0;  ///< m
     double inflation_pressure = 0.0;  ///< Pa above the atmosphere
+    std::string pressure_ground{};    ///< where it is from; empty: given, or that of the thesis's tire
     NewCase& result;                  ///< its log, and what is assumed and missing
     CaseWriter writer{};
 
     [[nodiscard]] bool is_specimen() const { return mesh.name == specimen_mesh; }
     [[nodiscard]] const Log* log() const { return result.log ? &*result.log : nullptr; }
+    [[nodiscard]] physics::TireOutline outline() const {
+        return {.width = request.size.width,
+                .section_height = request.size.section_height,
+                .rim_diameter = request.size.rim_diameter,
+                .inflation_pressure = inflation_pressure};
+    }
     /// The column that the case takes for an input or a sensor; null: none.
     [[nodiscard]] const LogColumn* column(std::string_view name) const {
         return log() != nullptr && log()->use != LogUse::nothing ? log()->find(name) : nullptr;

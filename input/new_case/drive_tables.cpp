@@ -64,6 +64,14 @@ Constant constant(const CaseDraft& draft, const NeededInput& input) {
                 fmt::format("80 % of what load index {} carries at {:g} kPa", size.service->load_index,
                             draft.inflation_pressure * 1e-3)};
     }
+    constexpr double of_thesis = 4000.0;  // N, of its first warm-up
+    if (const double ratio = physics::load_ratio(draft.outline());
+        input.name == "vertical_load" && std::abs(ratio - 1.0) > 1e-9) {
+        return {fmt::format("{:.0f} N", 10.0 * std::round(0.1 * of_thesis * ratio)),
+                fmt::format("the size has no load index; that of the thesis's first warm-up in proportion to the size "
+                            "at {:g} kPa",
+                            draft.inflation_pressure * 1e-3)};
+    }
     constexpr double unknown = std::numeric_limits<double>::infinity();
     const double fastest = size.service ? size.service->speed().value_or(unknown) : unknown;
     if (input.name == "speed" && speed_share * fastest < usual_speed) {

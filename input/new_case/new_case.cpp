@@ -3,6 +3,7 @@
 #include "input/new_case/new_case.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -20,6 +21,7 @@ namespace {
 
 // Of the library's light truck tire, beside the thesis's passenger tire: cases/tires/drum_265_65_R16C.toml says why.
 constexpr double passenger_pressure = 220e3;   // Pa above the atmosphere
+constexpr double kart_pressure = 100e3;        // Pa, of slicks that are warm (recalled)
 constexpr double light_truck_tread = 3e-3;     // m more
 constexpr double light_truck_sidewall = 2e-3;  // m more
 constexpr double truck_tread = 13e-3;          // m more: a deeper pattern and four belts of steel
@@ -36,9 +38,31 @@ CaseDraft begin(const NewCaseRequest& request, NewCase& result) {
     draft.sidewall_thickness = thesis.sidewall_thickness + (size.truck         ? truck_sidewall
                                                             : size.light_truck ? light_truck_sidewall
                                                                                : 0.0);
-    draft.inflation_pressure =
-        request.inflation_pressure.value_or(size.light_truck ? size.load_pressure() : passenger_pressure);
+    draft.inflation_pressure = request.inflation_pressure.value_or(size.light_truck ? size.load_pressure()
+                                                                   : size.is_kart() ? kart_pressure
+                                                                                    : passenger_pressure);
+    draft.pressure_ground = size.is_kart() && !request.inflation_pressure ? "assumed: a kart's" : "";
     return draft;
+}
+
+/// Where nobody gives the pressure and the log has it, the mean of what its tires begin with.
+void take_pressure(CaseDraft& draft) {
+    constexpr double least = 20e3;  // Pa; what is lower is no tire's
+    if (draft.request.inflation_pressure || draft.log() == nullptr || draft.log()->use == LogUse::nothing) {
+        return;
+    }
+    double sum = 0.0;
+    double tires = 0.0;
+    for (const LogColumn& column : draft.log()->columns) {
+        if (column.name == "inflation_pressure" && column.first_value().value_or(0.0) > least) {
+            sum += *column.first_value();
+            tires += 1.0;
+        }
+    }
+    if (tires > 0.0) {
+        draft.inflation_pressure = 1e3 * std::round(1e-3 * sum / tires);
+        draft.pressure_ground = "what the log's inflation_pressure begins with";
+    }
 }
 
 void take_mesh(CaseDraft& draft, std::string_view name) {
@@ -84,6 +108,7 @@ bool read_mesh_and_log(CaseDraft& draft) {
             draft.result.log = std::move(lumped);
         }
     }
+    take_pressure(draft);
     draft.result.errors = errors.in_order();
     draft.result.files = errors.files();
     return draft.result.errors.empty();
@@ -147,9 +172,11 @@ void list_missing(const CaseDraft& draft) {
     for (const LogColumn& column : log->columns) {
         if (!column.is_used() && (column.must_ignore || column.suggestion == column.heading.name)) {
             const bool has_unit = !trim(column.heading.unit.value_or("")).empty();
+            const std::string absolute = absolute_pressure_remedy(column.heading.unit.value_or(""), {.unit = "Pa"});
             missing.push_back(
                 {fmt::format("{} is not used: {}", column.title(), column.reason),
-                 column.suggested_unit.empty() ? fmt::format("complete the column {}", column.heading.name)
+                 !absolute.empty()               ? absolute
+                 : column.suggested_unit.empty() ? fmt::format("complete the column {}", column.heading.name)
                  : has_unit
                      ? fmt::format("if [{}] is {}, say --unit \"{}={}\", or else what it is", *column.heading.unit,
                                    column.suggested_unit, column.heading.name, column.suggested_unit)

@@ -65,10 +65,7 @@ std::string more_than_thesis(double metres) {
 
 void write_tire(CaseDraft& draft) {
     const TireSize& size = draft.request.size;
-    const physics::TireOutline outline{.width = size.width,
-                                       .section_height = size.section_height,
-                                       .rim_diameter = size.rim_diameter,
-                                       .inflation_pressure = draft.inflation_pressure};
+    const physics::TireOutline outline = draft.outline();
     const physics::Tire tire = physics::scaled_tire(outline);
     const physics::TireOutline base;
     const bool is_thesis = std::abs(size.radius() - 0.5 * base.rim_diameter - base.section_height) < 1e-9 &&
@@ -97,7 +94,8 @@ void write_tire(CaseDraft& draft) {
                         "{{ columns = [\"load [kN]\", \"length [mm]\"], rows = [[2, 60], [4, 97]] }}",
                         draft.inflation_pressure * 1e-3, ratio));
         draft.assume("tire", "laws of the load",
-                     fmt::format("scaled from the thesis's 225/50 R17 at {:g} kPa", draft.inflation_pressure * 1e-3));
+                     fmt::format("scaled from the thesis's 225/50 R17 at {:g} kPa{}{}", draft.inflation_pressure * 1e-3,
+                                 draft.pressure_ground.empty() ? "" : ", ", draft.pressure_ground));
     }
     writer.lines({"[tire]"});
     writer.entry(
@@ -112,7 +110,8 @@ void write_tire(CaseDraft& draft) {
                  "of the sidewall" + more_than_thesis(draft.sidewall_thickness - base_tire.sidewall_thickness));
     write_laws(writer, tire, why);
     writer.entry("reference_pressure", fmt::format("\"{:g} kPa\"", draft.inflation_pressure * 1e-3),
-                 "at which these laws hold; they follow drive.inflation_pressure where it is given");
+                 fmt::format("{}{}at which these laws hold; they follow drive.inflation_pressure where it is given",
+                             draft.pressure_ground, draft.pressure_ground.empty() ? "" : "; "));
 }
 
 }  // namespace tiretherm::input

@@ -133,6 +133,9 @@ std::string DataFile::unit_remedy(const ColumnHead& head, const QuantitySpec& sp
     const std::string example = dimension(spec.unit, spec.scale).example;
     const std::size_t blank = example.find(' ');
     const std::string written = head.heading.unit.value_or("");
+    if (std::string absolute = absolute_pressure_remedy(written, spec); !absolute.empty()) {
+        return absolute;
+    }
     const std::string guess = guess_unit(written, spec.unit, spec.scale);
     const std::string unit = !guess.empty()               ? guess
                              : blank == std::string::npos ? std::string(spec.unit)

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "input/text/suggestions.hpp"
+#include "input/text/unit_text.hpp"
 
 namespace tiretherm::input {
 
@@ -112,10 +113,28 @@ std::string unit_remedy(std::string_view unit, const QuantitySpec& spec) {
 
 }  // namespace
 
+std::string absolute_pressure_remedy(std::string_view unit, const QuantitySpec& spec) {
+    constexpr double atmosphere = 101325.0;  // Pa, ISO 2533 at sea level
+    const std::string_view gauge = gauge_unit_of(unit);
+    if (gauge.empty() || signature(spec.unit) != signature("Pa")) {
+        return {};
+    }
+    const auto read = std::get<Conversion>(conversion(gauge, "Pa", Scale::absolute));
+    return fmt::format("take the atmosphere's {:.4g} {} (at sea level) away from the numbers and write {}",
+                       read.from_si(atmosphere), gauge, gauge);
+}
+
 UnitRead read_unit(std::string_view unit, const QuantitySpec& spec, std::string_view subject) {
     const auto result = conversion(unit, spec.unit, spec.scale);
     if (const auto* found = std::get_if<Conversion>(&result)) {
         return {*found, std::nullopt};
+    }
+    // UDUNITS takes the a of psi(a) for 100 m2.
+    if (const std::string absolute = absolute_pressure_remedy(unit, spec); !absolute.empty()) {
+        return {{},
+                ErrorText{fmt::format("{}: \"{}\" is an absolute pressure; wanted is one above the atmosphere", subject,
+                                      unit),
+                          absolute}};
     }
     const std::string remedy = write_like(spec);
     switch (std::get<UnitError>(result)) {

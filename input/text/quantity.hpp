@@ -36,6 +36,10 @@ struct ParsedQuantity {
 /// Reads "25 degC". @param name what messages call it
 [[nodiscard]] ParsedQuantity parse_quantity(std::string_view text, const QuantitySpec& spec, std::string_view name);
 
+/// What to do about numbers in a unit of absolute pressure (psia, bara, kPa abs) where a pressure above the atmosphere is
+/// wanted; empty for any other unit.
+[[nodiscard]] std::string absolute_pressure_remedy(std::string_view unit, const QuantitySpec& spec);
+
 /// Converts and checks a number whose unit is known, such as a cell of a table.
 /// @param shown the value as messages show it, such as `"-5 mm"` or 900 km/h  @param unit as written
 [[nodiscard]] ParsedQuantity check_quantity(double written, const Conversion& unit_conversion, std::string_view unit,

@@ -85,6 +85,37 @@ std::string spelt_out(std::string_view written) {
     return result;
 }
 
+namespace {
+
+std::string in_small_letters(std::string_view text) {
+    std::string small(text);
+    std::ranges::transform(small, small.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return small;
+}
+
+}  // namespace
+
+std::string_view gauge_unit_of(std::string_view absolute) {
+    constexpr std::array<std::string_view, 6> pressures{"psi", "bar", "mbar", "hPa", "kPa", "MPa"};
+    constexpr std::array<std::string_view, 4> marks{"(abs)", "(a)", "abs", "a"};
+    const std::string unit = in_small_letters(trim(absolute));
+    for (const std::string_view mark : marks) {
+        if (!unit.ends_with(mark)) {
+            continue;
+        }
+        std::string_view rest = std::string_view(unit).substr(0, unit.size() - mark.size());
+        while (rest.ends_with(' ') || rest.ends_with('_') || rest.ends_with('.') || rest.ends_with('-')) {
+            rest.remove_suffix(1);
+        }
+        const auto found = std::ranges::find_if(
+            pressures, [&](std::string_view pressure) { return in_small_letters(pressure) == rest; });
+        if (found != pressures.end()) {
+            return *found;
+        }
+    }
+    return {};
+}
+
 bool has_number(std::string_view unit) {
     char before = '(';  // last character that is not blank
     for (std::size_t i = 0; i < unit.size(); ++i) {

@@ -17,6 +17,10 @@ namespace tiretherm::input {
 using UnitAlias = std::array<std::string_view, 2>;
 [[nodiscard]] std::span<const UnitAlias> unit_aliases();
 
+/// The unit of a pressure above the atmosphere that belongs to one of an absolute pressure: "psia" and "psi abs" give "psi",
+/// "bar(a)" "bar". Empty for any other text.
+[[nodiscard]] std::string_view gauge_unit_of(std::string_view absolute);
+
 /// Whether a unit holds a number that is neither an exponent nor a 1 that is divided. UDUNITS would read "mm 3" as
 /// three millimetres and "K @ 5" as a shifted kelvin.
 [[nodiscard]] bool has_number(std::string_view unit);

@@ -28,6 +28,8 @@ struct TireSize {
     /// Pressure above the atmosphere at which it carries the load of its index: 250 kPa, of light trucks 450, of trucks 800;
     /// usual ones (recalled), for sidewalls differ. Pa
     [[nodiscard]] double load_pressure() const;
+    /// On rims of 5 and 6 in.
+    [[nodiscard]] bool is_kart() const { return rim_diameter < 0.17; }
     /// Half the rim and the section height: m, without load.
     [[nodiscard]] double radius() const { return 0.5 * rim_diameter + section_height; }
 };

@@ -46,6 +46,14 @@ bool is_chosen(const ActiveEffect& active) {
     return choice >= 0 && active.choices[static_cast<std::size_t>(choice)] == 1;
 }
 
+double reynolds_in_millions(const ActiveEffect& active, const Ring& ring, const Tire& tire, const Inputs& inputs) {
+    if (!is_chosen(active) || std::abs(rolling_speed(inputs)) <= standing_speed) {
+        return 0.0;
+    }
+    const double turning = 2.0 * std::numbers::pi * std::abs(tire.revolutions(inputs));
+    return 1e-6 * turning * ring.outer * ring.outer / Air::viscosity(inputs.air_temperature);
+}
+
 void evaluate(const ActiveEffect& active, const Ring& ring, const OperatingPoint& point, std::span<double> out) {
     const Inputs& in = point.inputs;
     const bool stands = std::abs(rolling_speed(in)) <= standing_speed;

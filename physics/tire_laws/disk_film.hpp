@@ -60,6 +60,12 @@ struct Ring {
 /// Whether an effect has this choice and takes the rotating disk: then it needs a tire and the inputs `reads`.
 [[nodiscard]] bool is_chosen(const ActiveEffect& active);
 
+/// Re = w R^2/nu at the ring's edge over a million, 0 where the film is constant. Measured up to 7e5 on smooth disks (Cobb &
+/// Saunders 1956, recalled).
+[[nodiscard]] double reynolds_in_millions(const ActiveEffect& active, const Ring& ring, const Tire& tire,
+                                          const Inputs& inputs);
+inline constexpr double measured_up_to = 0.7;  ///< million
+
 inline constexpr int n_coefficients = 4;
 
 /// Coefficients of the moment: the air's temperature, the laminar and the turbulent part with the air's properties at

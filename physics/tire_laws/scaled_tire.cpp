@@ -2,6 +2,8 @@
 // Scales the thesis's tire, its laws (35), (37), (57) and (62), by radius, stiffness and inflation.
 #include "physics/tire_laws/scaled_tire.hpp"
 
+#include <cmath>
+
 namespace tiretherm::physics {
 
 double vertical_stiffness(const TireOutline& outline) {
@@ -10,6 +12,14 @@ double vertical_stiffness(const TireOutline& outline) {
     tire.section_height = outline.section_height;
     tire.unloaded_radius = 0.5 * outline.rim_diameter + outline.section_height;
     return tire.vertical_stiffness(outline.inflation_pressure);
+}
+
+double load_ratio(const TireOutline& outline) {
+    const auto load = [](const TireOutline& of) {
+        const double radius = 0.5 * of.rim_diameter + of.section_height;
+        return of.width * std::sqrt(radius * of.section_height) * std::pow(of.inflation_pressure, 0.8);
+    };
+    return load(outline) / load({});
 }
 
 Tire scaled_tire(const TireOutline& outline) {

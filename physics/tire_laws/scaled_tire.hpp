@@ -29,4 +29,9 @@ struct TireOutline {
 /// Thicknesses and density stay those of the thesis's tire.
 [[nodiscard]] Tire scaled_tire(const TireOutline& outline);
 
+/// The load at which a tire is as far deflected for its size as the thesis's at its 4 kN: width times the length of a chord at an
+/// equal share of the section's height, W sqrt(R H), and (pressure)^0.8 as `load_capacity` has it. Within a third of the tables of
+/// ETRTO from karts to trucks (recalled). @returns 1, over that of the thesis's tire
+[[nodiscard]] double load_ratio(const TireOutline& outline);
+
 }  // namespace tiretherm::physics

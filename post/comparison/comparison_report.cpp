@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -85,6 +86,8 @@ DataTable channels(const Comparison& comparison) {
                                           data_only("sensor_is_stated", channel.sensor_is_stated),
                                           {"rms model", "removable_rmse", cell(channel, channel.model.removable)},
                                           data_only("model", model(channel)),
+                                          data_only("grid_error", where(channel.grid_error > 0.0,
+                                                                        channel.unit.difference(channel.grid_error))),
                                           data_only("runs", runs.data()),
                                           data_only("phases", phases(channel).data()),
                                           data_only("regressors", regressors(channel)),
@@ -106,6 +109,13 @@ Section per_run(const Comparison& comparison, DataTable table) {
         "rms without sensor noise, the part that a better model could remove.");
     if (!std::ranges::all_of(comparison.channels, &ComparedChannel::sensor_is_stated)) {
         section.say("* not stated, noise is taken; state standard_deviation with the sensor.");
+    }
+    const auto most = std::ranges::max_element(comparison.channels, {}, [](const ComparedChannel& channel) {
+        return channel.grid_error / std::max(channel.sensor, 1e-9);
+    });
+    if (most != comparison.channels.end() && most->grid_error > 0.0) {
+        section.say(fmt::format("The error of grid and steps in what is simulated is {}.",
+                                grid_error_text(most->name, most->unit, most->grid_error)));
     }
     return section;
 }
@@ -256,6 +266,7 @@ Report comparison_report(const Comparison& comparison, const std::vector<std::fi
                    {"channels", of_channels.data()}, {"numbers", numbers.data()}};
     report.verdict = verdict_of(comparison);
     report.verdict.insert(report.verdict.begin(), comparison.not_driven.begin(), comparison.not_driven.end());
+    std::ranges::move(comparison.extrapolations.headline(), std::back_inserter(report.verdict));
     if (!comparison.channels.empty()) {
         report.add(per_run(comparison, std::move(of_channels)));
         report.add(interpretation(comparison));
@@ -279,7 +290,9 @@ Report comparison_report(const Comparison& comparison, const std::vector<std::fi
     report.data.set({{"cameras", std::move(cameras)}, {"heat", heat_by_lap_data(comparison.heat)}});
     report.add(numbers_section(std::move(numbers)));
     report.add("Findings about the data", "findings", comparison.findings);
-    report.add("Warnings", "warnings", comparison.warnings);
+    std::vector<std::string> warnings = comparison.warnings;
+    std::ranges::move(comparison.extrapolations.warnings(), std::back_inserter(warnings));
+    report.add("Warnings", "warnings", warnings);
     report.add(files);
     return report;
 }

@@ -102,6 +102,11 @@ std::string difference_unit(const ComparedChannel& channel) {
     return std::string(name == "degC" ? "K" : name);
 }
 
+std::string grid_error_text(const std::string& channel, const solver::ShownUnit& unit, double error) {
+    const std::string_view name = unit.name;
+    return fmt::format("at most {:.2g} {} of {}", unit.difference(error), name == "degC" ? "K" : name, channel);
+}
+
 std::string too(const solver::ShownUnit& unit, bool large) {
     if (std::string_view(unit.name) == "degC") {
         return large ? "hot" : "cold";

@@ -21,6 +21,8 @@ namespace tiretherm::post {
                                           const diagnosis::CommonBias& common);
 /// "surface: 0.41 +- 0.06 K too cold in the mean; rms 0.75 K, 1.5 times the sensor's standard deviation of 0.50 K."
 [[nodiscard]] std::string headline(const diagnosis::ComparedChannel& channel);
+/// "at most 0.17 K of spot": the error of grid and steps in a channel. @param error SI
+[[nodiscard]] std::string grid_error_text(const std::string& channel, const solver::ShownUnit& unit, double error);
 /// "4e-06", "0.03", "0.5": a chance to one figure.
 [[nodiscard]] std::string chance_text(double chance);
 

@@ -104,16 +104,35 @@ void add_corners_and_laps(Report& report, const std::vector<ComparedChannel>& ch
     add_lap_data(report.data, rows);
 }
 
-void add_observed_corners(Report& report, const input::Experiment& experiment, const Observations& observations,
-                          const Eigen::VectorXd& simulated, const std::string& of_model) {
+namespace {
+
+bool has_corners_or_laps(const input::Experiment& experiment) {
+    return std::ranges::any_of(
+        experiment.runs, [](const input::MeasuredRun& run) { return !run.corner.empty() || run.laps.size() > 1; });
+}
+
+std::vector<std::string> names_of_runs(const input::Experiment& experiment) {
     std::vector<std::string> names;
-    bool has_any = false;
     for (const input::MeasuredRun& run : experiment.runs) {
         names.push_back(run.name);
-        has_any = has_any || !run.corner.empty() || run.laps.size() > 1;
     }
-    if (has_any) {
-        add_corners_and_laps(report, compare_observed(experiment, observations, simulated), names, of_model);
+    return names;
+}
+
+}  // namespace
+
+std::vector<LapRow> observed_lap_rows(const input::Experiment& experiment, const Observations& observations,
+                                      const Eigen::VectorXd& simulated) {
+    return has_corners_or_laps(experiment)
+               ? lap_rows(compare_observed(experiment, observations, simulated), names_of_runs(experiment))
+               : std::vector<LapRow>{};
+}
+
+void add_observed_corners(Report& report, const input::Experiment& experiment, const Observations& observations,
+                          const Eigen::VectorXd& simulated, const std::string& of_model) {
+    if (has_corners_or_laps(experiment)) {
+        add_corners_and_laps(report, compare_observed(experiment, observations, simulated), names_of_runs(experiment),
+                             of_model);
     }
 }
 

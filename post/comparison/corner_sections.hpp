@@ -14,6 +14,11 @@ namespace tiretherm::post {
 /// Each channel run by run: its laps, then the whole run. @param run_names [n_runs]
 [[nodiscard]] std::vector<LapRow> lap_rows(const std::vector<diagnosis::ComparedChannel>& channels,
                                            const std::vector<std::string>& run_names);
+/// The same of what a fit leaves; empty where the case has no corners and no run several laps.
+/// @param simulated [n_rows of the observations] SI
+[[nodiscard]] std::vector<LapRow> observed_lap_rows(const input::Experiment& experiment,
+                                                    const diagnosis::Observations& observations,
+                                                    const Eigen::VectorXd& simulated);
 /// Each channel by corner with what the corners have in common, then lap by lap. Neither where the case has no corners, or no run
 /// several laps.
 /// @param run_names [n_runs]  @param of_model behind the headings, such as " after the fit"; may be empty

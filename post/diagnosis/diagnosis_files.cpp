@@ -7,6 +7,7 @@
 
 #include "input/model/reader.hpp"
 #include "input/parameters/fitted_case.hpp"
+#include "post/comparison/corner_sections.hpp"
 #include "post/diagnosis/diagnosis_report.hpp"
 #include "post/diagnosis/diagnosis_sentences.hpp"
 #include "post/page/html_page.hpp"
@@ -103,7 +104,7 @@ std::string extended_toml(const DiagnosisRecord& record, const std::filesystem::
 
 std::vector<std::string> diagnosis_names() {
     std::vector<std::string> names = page_names();
-    names.insert(names.end(), {"diagnosis.json", "extended.toml", "residuals.csv", "missing_heat.csv"});
+    names.insert(names.end(), {"diagnosis.json", "extended.toml", "residuals.csv", "missing_heat.csv", laps_name});
     return names;
 }
 
@@ -129,6 +130,14 @@ std::vector<std::filesystem::path> write_diagnosis(DiagnosisRecord& record, cons
     if (!record.result.missing_heat.empty()) {
         files.push_back(directory / "missing_heat.csv");
         replace_file(files.back(), missing_heat_csv(record));
+    }
+    const Diagnosis& result = record.result;
+    if (const std::vector<LapRow> rows =
+            observed_lap_rows(record.experiment, record.observations,
+                              result.extended.size() == result.base.size() ? result.extended : result.base);
+        have_laps_or_corners(rows)) {
+        files.push_back(directory / laps_name);
+        replace_file(files.back(), laps_csv(rows));
     }
     if (record.with_page) {
         std::ranges::copy(page_files(directory), std::back_inserter(files));

@@ -19,6 +19,7 @@
 #include "post/report/number_text.hpp"
 #include "post/report/table.hpp"
 #include "solver/channel_unit.hpp"
+#include "solver/compared_ranges.hpp"
 
 namespace tiretherm::post {
 
@@ -445,7 +446,13 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
     report.add(unused_columns_section(record.experiment));
     report.add("Remarks", "remarks", result.remarks);
     report.add("Findings about the data", "findings", record.findings);
-    report.add("Warnings", "warnings", record.warnings);
+    solver::Extrapolations extrapolations;
+    for (const input::MeasuredRun& run : record.experiment.runs) {
+        extrapolations.add(run.problem);
+    }
+    std::vector<std::string> warnings = record.warnings;
+    std::ranges::move(extrapolations.warnings(), std::back_inserter(warnings));
+    report.add("Warnings", "warnings", warnings);
     report.add(files);
     report.data.set("simulations", result.simulations);
     report.data.set("seconds", result.seconds);

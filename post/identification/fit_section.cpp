@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "post/comparison/comparison_sentences.hpp"
 #include "solver/channel_unit.hpp"
 
 namespace tiretherm::post {
@@ -72,10 +73,8 @@ Section fit_section(const IdentificationRecord& record, DataTable of_channels, D
         if (most->grid_error > 0.0) {
             const solver::Channel& channel = record.experiment.runs.front().problem.channels[most->channel];
             const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
-            section.say(
-                fmt::format("What is simulated is corrected for the error of grid and steps, at most {:.2g} {} of {}.",
-                            unit.difference(most->grid_error),
-                            channel.quantity == solver::Quantity::temperature ? "K" : unit.name, most->name));
+            section.say(fmt::format("What is simulated is corrected for the error of grid and steps, {}.",
+                                    grid_error_text(most->name, unit, most->grid_error)));
         }
         for (const ChannelFit& one : record.result.channels) {
             for (const std::string& caution : one.cautions) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "input/parameters/fitted_case.hpp"
+#include "post/comparison/corner_sections.hpp"
 #include "post/identification/fitted_laws.hpp"
 #include "post/identification/identification_report.hpp"
 #include "post/page/html_page.hpp"
@@ -66,7 +67,7 @@ std::string toml(const IdentificationRecord& record, const std::filesystem::path
 
 std::vector<std::string> identification_names() {
     std::vector<std::string> names = page_names();
-    names.insert(names.end(), {"identified.toml", "identify.csv", "parameters.csv", "laws.csv"});
+    names.insert(names.end(), {"identified.toml", "identify.csv", "parameters.csv", "laws.csv", laps_name});
     return names;
 }
 
@@ -96,6 +97,10 @@ std::vector<std::filesystem::path> write_identification(const IdentificationReco
     write("parameters.csv", parameters_csv(record));
     if (const FittedLaws laws = fitted_laws(record); !laws.laws.empty()) {
         write("laws.csv", laws_csv(laws));
+    }
+    if (const std::vector<LapRow> rows = observed_lap_rows(record.experiment, record.observations, record.result.after);
+        have_laps_or_corners(rows)) {
+        write(laps_name, laps_csv(rows));
     }
     return files;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -18,6 +19,7 @@
 #include "post/report/number_text.hpp"
 #include "post/report/table.hpp"
 #include "solver/channel_unit.hpp"
+#include "solver/compared_ranges.hpp"
 
 namespace tiretherm::post {
 
@@ -237,6 +239,11 @@ Report identification_report(const IdentificationRecord& record, const std::vect
     report.verdict = identification_headline(record);
     const std::vector<std::string> not_driven = input::not_driven(record.experiment);
     report.verdict.insert(report.verdict.begin(), not_driven.begin(), not_driven.end());
+    solver::Extrapolations extrapolations;
+    for (const input::MeasuredRun& run : record.experiment.runs) {
+        extrapolations.add(run.problem);
+    }
+    std::ranges::move(extrapolations.headline(), std::back_inserter(report.verdict));
     report.appendix.push_back(citations_section(record.experiment.runs.front().problem));
     report.add(numbers(record, std::move(of_parameters)));
     if (!record.planned) {
@@ -264,7 +271,9 @@ Report identification_report(const IdentificationRecord& record, const std::vect
                                  fmt::join(result.non_smooth_parameters, ", ")));
     }
     report.add(std::move(switches));
-    report.add("Warnings", "warnings", record.warnings);
+    std::vector<std::string> warnings = record.warnings;
+    std::ranges::move(extrapolations.warnings(), std::back_inserter(warnings));
+    report.add("Warnings", "warnings", warnings);
     report.add(files);
     report.data.set("simulations", result.simulations);
     report.data.set("seconds", result.seconds);

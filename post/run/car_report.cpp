@@ -2,6 +2,7 @@
 // The runs of a car's tires on one page, and their channels in one table.
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@
 #include "post/run/run_sections.hpp"
 #include "solver/celsius.hpp"
 #include "solver/channel_unit.hpp"
+#include "solver/compared_ranges.hpp"
 
 namespace tiretherm::post {
 
@@ -34,11 +36,37 @@ DataTable readings_by_corner(std::span<const RunRecord> runs) {
     return table;
 }
 
-/// "FL: hottest 95.2 °C in tread, centre, after 620 s"
-std::string hottest_of(const RunRecord& run) {
+/// "FL: hottest 95.2 degC, tread, centre, at 620 s; belt edge stays 3.0 K below its critical 120 degC."
+std::string hottest_of(const RunRecord& run, bool is_first) {
     const solver::Report::Extreme& hottest = run.report.hottest;
-    return fmt::format("{}: hottest {:.1f} degC, {}, at {:.6g} s.", run.corner, solver::celsius(hottest.temperature),
-                       mesh::describe_place(run.problem.mesh, hottest.node), hottest.time);
+    const std::optional<NearestSpot> spot = nearest_spot(run);
+    std::string text = fmt::format("{}: hottest{} {:.1f} degC, {}, at {:.6g} s", run.corner,
+                                   is_first && !spot ? " of the tires," : "", solver::celsius(hottest.temperature),
+                                   mesh::describe_place(run.problem.mesh, hottest.node), hottest.time);
+    if (spot) {
+        text +=
+            fmt::format("; {}{}", is_first ? "of the tires nearest to a critical temperature: " : "", spot->verdict);
+    }
+    return text + ".";
+}
+
+/// What the tires come to, the one first that is nearest to a critical temperature, or where there is none the hottest.
+std::vector<std::string> verdict_of(std::span<const RunRecord> runs) {
+    std::vector<const RunRecord*> order;
+    for (const RunRecord& run : runs) {
+        if (run.history.rows() > 0 && run.report.hottest.node >= 0) {
+            order.push_back(&run);
+        }
+    }
+    std::ranges::stable_sort(order, {}, [](const RunRecord* run) {
+        const std::optional<NearestSpot> spot = nearest_spot(*run);
+        return spot ? spot->below : -run->report.hottest.temperature;
+    });
+    std::vector<std::string> verdict;
+    for (const RunRecord* run : order) {
+        verdict.push_back(hottest_of(*run, run == order.front()));
+    }
+    return verdict;
 }
 
 std::string case_title(const solver::Problem& problem) {
@@ -56,9 +84,11 @@ Report car_report(std::span<const RunRecord> runs, const diagnosis::WhatIf* what
     std::vector<LapRow> laps;
     std::vector<diagnosis::RunHeat> heat;
     std::vector<std::string> all_warnings = warnings;
+    solver::Extrapolations extrapolations;
     double seconds = 0.0;
     for (const RunRecord& run : runs) {
         seconds += run.seconds;
+        extrapolations.add(run.problem);
         Value data{{"corner", run.corner}};
         data.set(run_report(run).data);
         corners.push_back(std::move(data));
@@ -68,12 +98,12 @@ Report car_report(std::span<const RunRecord> runs, const diagnosis::WhatIf* what
         if (run.history.rows() == 0) {
             continue;
         }
-        if (run.report.hottest.node >= 0) {
-            page.verdict.push_back(hottest_of(run));
-        }
         std::ranges::move(lap_rows(run), std::back_inserter(laps));
         heat.push_back(heat_of(run));
     }
+    page.verdict = verdict_of(runs);
+    std::ranges::move(extrapolations.headline(), std::back_inserter(page.verdict));
+    std::ranges::move(extrapolations.warnings(), std::back_inserter(all_warnings));
     page.lead.push_back(
         fmt::format("{} tires, simulated in {:.3g} s. Each has its folder with a page of its own: field, heat against "
                     "time, hot spots.",

@@ -186,11 +186,12 @@ std::string measured_sentence(const RunRecord& run) {
                                        left_out > 0 ? fmt::format(", {} more below", left_out) : "");
 }
 
-/// Whether a hot spot passes its critical temperature, how sure that is, and how far the laws have been compared.
-std::string spot_verdict(const diagnosis::HotSpot& spot, const std::string& beyond) {
+double peak_of(const diagnosis::HotSpot& spot) { return spot.history.temperature()[spot.history.hottest_row()]; }
+
+/// Whether a hot spot passes its critical temperature, and how sure that is.
+std::string spot_verdict(const diagnosis::HotSpot& spot) {
     const solver::Critical& critical = spot.history.critical();
     const double level = solver::celsius(critical.temperature);
-    const double peak = spot.history.temperature()[spot.history.hottest_row()];
     std::string text;
     if (spot.spread) {
         const double above = spot.spread->chance_above(critical.temperature);
@@ -202,9 +203,9 @@ std::string spot_verdict(const diagnosis::HotSpot& spot, const std::string& beyo
         text = fmt::format("{} passes its critical {:.5g} degC {}", critical.name, level, moment_text(*spot.passing));
     } else {
         text = fmt::format("{} stays {:.1f} K below its critical {:.5g} degC", critical.name,
-                           critical.temperature - peak, level);
+                           critical.temperature - peak_of(spot), level);
     }
-    return text + beyond + ".";
+    return text;
 }
 
 /// The hottest place of the run, of each hot spot whether and when it passes its critical temperature, and what was measured.
@@ -221,18 +222,13 @@ std::vector<std::string> verdict_of(const RunRecord& run) {
     verdict.push_back(fmt::format(
         "Hottest: {:.1f} degC in {}{}.", solver::celsius(hottest.temperature), where,
         run.problem.settings.steady ? "" : fmt::format(", after {:.4g} {}", hottest.time / unit.seconds, unit.name)));
-    std::string beyond;
-    for (const solver::BeyondCompared& law : solver::beyond_compared(run.problem)) {
-        if (law.highest > law.high) {
-            std::string name(law.effect);
-            std::ranges::replace(name, '_', ' ');
-            beyond += fmt::format("{}{} {}", beyond.empty() ? " (" : "; ", name, law.text());
-        }
-    }
-    beyond += beyond.empty() ? "" : ")";
+    solver::Extrapolations extrapolations;
+    extrapolations.add(run.problem);
+    const std::string phrase = extrapolations.phrase();
+    const std::string beyond = phrase.empty() ? "" : fmt::format(" ({})", phrase);
     for (const diagnosis::HotSpot& spot :
          run.hot_spots != nullptr ? run.hot_spots->spots : std::vector<diagnosis::HotSpot>{}) {
-        verdict.push_back(spot_verdict(spot, beyond));
+        verdict.push_back(spot_verdict(spot) + beyond + ".");
     }
     if (std::string measured = measured_sentence(run); !measured.empty()) {
         verdict.push_back(std::move(measured));
@@ -241,6 +237,19 @@ std::vector<std::string> verdict_of(const RunRecord& run) {
 }
 
 }  // namespace
+
+std::optional<NearestSpot> nearest_spot(const RunRecord& run) {
+    std::optional<NearestSpot> nearest;
+    for (const diagnosis::HotSpot& spot :
+         run.hot_spots != nullptr ? run.hot_spots->spots : std::vector<diagnosis::HotSpot>{}) {
+        const double peak = spot.spread ? spot.spread->mean : peak_of(spot);
+        const double below = spot.history.critical().temperature - peak;
+        if (!nearest || below < nearest->below) {
+            nearest = {.below = below, .verdict = spot_verdict(spot)};
+        }
+    }
+    return nearest;
+}
 
 Report run_report(const RunRecord& run) {
     const solver::Report& report = run.report;
@@ -285,11 +294,9 @@ Report run_report(const RunRecord& run) {
     page.add(cost_section(run));
     std::vector<std::string> warnings = run.warnings;
     std::ranges::transform(report.warnings, std::back_inserter(warnings), &solver::RangeWarning::text);
-    for (const solver::BeyondCompared& law : solver::beyond_compared(run.problem)) {
-        if (law.highest > law.high) {
-            warnings.push_back(fmt::format("{} was {}: beyond, its law is an extrapolation", law.effect, law.text()));
-        }
-    }
+    solver::Extrapolations extrapolations;
+    extrapolations.add(run.problem);
+    std::ranges::move(extrapolations.warnings(), std::back_inserter(warnings));
     page.add("Warnings", "warnings", warnings);
     page.add("Cite", "sources", run.problem.sources);
     page.add(run.files);

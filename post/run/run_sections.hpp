@@ -2,6 +2,9 @@
 // Sections of a run's page that have a file each.
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "diagnosis/compare/stretch.hpp"
 #include "diagnosis/study/what_if.hpp"
 #include "post/laps/lap_rows.hpp"
@@ -34,6 +37,13 @@ void add_heat_charts(Section& section, const RunRecord& run);
 /// What changes of single values do: a row for each change and tire, and which values move nothing.
 [[nodiscard]] Section what_if_section(const diagnosis::WhatIf& what_if, const std::vector<solver::Channel>& channels);
 [[nodiscard]] Value what_if_data(const diagnosis::WhatIf& what_if, const std::vector<solver::Channel>& channels);
+
+/// The hot spot that is nearest to its critical temperature, or furthest beyond it.
+struct NearestSpot {
+    double below = 0.0;   ///< K, of its peak, in the mean over what is uncertain; negative beyond
+    std::string verdict;  ///< "belt edge stays 3.0 K below its critical 120 degC", without a full stop
+};
+[[nodiscard]] std::optional<NearestSpot> nearest_spot(const RunRecord& run);
 
 /// Mesh, steps, linear solver, wall time.
 [[nodiscard]] Section cost_section(const RunRecord& run);

@@ -10,6 +10,7 @@
 #include "input/text/suggestions.hpp"
 #include "physics/effect.hpp"
 #include "tests/app/program.hpp"
+#include "tests/input/measurements/measured_bench.hpp"
 
 namespace tiretherm::app_test {
 namespace {
@@ -143,6 +144,34 @@ TEST(Check, RunsNothing) {
     const sample::Scratch scratch;
     EXPECT_EQ(call("check " + two_node, scratch.path()).exit_code, 0);
     EXPECT_TRUE(std::filesystem::is_empty(scratch.path()));
+}
+
+// A logger that was paused for a minute, in the log of the case's own run: `check` needs no --data to say so, once. Of the shipped cars
+// nothing is wrong.
+TEST(Check, WhatLooksWrongInTheCasesOwnDataIsToldOnce) {
+    const input::Written written;
+    std::string log =
+        "time [s],speed [km/h],vertical_load [N],air_temperature [degC],road_temperature [degC],"
+        "surface_temperature [degC]\n";
+    for (int i = 0; i < 60; ++i) {
+        log += fmt::format("{},72,4000,20,25,{:.2f}\n", i < 30 ? 2 * i : 2 * i + 60, 25.0 + 0.13 * i);
+    }
+    written.add("run.csv", log);
+    written.add("case.toml", std::string(input::bench) + "[[run]]\nfile = \"run.csv\"\n");
+    const Call check = call("check case.toml", written.folder());
+    EXPECT_EQ(check.exit_code, 0) << check.err;
+    const std::string jump = "run.csv: time jumps by 62 s after 58 s";
+    const std::size_t first = check.out.find(jump);
+    ASSERT_NE(first, std::string::npos) << check.out;
+    EXPECT_EQ(check.out.find(jump, first + 1), std::string::npos) << check.out;
+    const Json json = Json::parse(call("check --json case.toml", written.folder()).out);
+    EXPECT_EQ(json["warnings"].size(), 1U) << json["warnings"];
+    for (const char* car : {"session.toml", "wheels.toml"}) {
+        const Call sound = call(std::string("check " TIRETHERM_SOURCE_DIR "/cases/car/") + car);
+        for (const char* word : {"exchanged", "outlier", "jumps"}) {
+            EXPECT_EQ(sound.out.find(word), std::string::npos) << sound.out;
+        }
+    }
 }
 
 TEST(Check, CaseWithErrorsCannotBeRun) {

@@ -68,6 +68,71 @@ TEST(Compare, OtherRunsTakeThePlaceOfTheCasesOwn) {
     EXPECT_NEAR(json["channels"][0]["bias"].get<double>(), 3.0, 1e-9);
 }
 
+/// A run of a bench at a steady speed, with what it reads at all times. @param tables of the case
+Call compared(std::string_view tables, double kmh, const std::string& reading, const std::string& arguments = "") {
+    const input::Written written;
+    std::string log =
+        "time [s],speed [km/h],vertical_load [N],air_temperature [degC],road_temperature [degC]," + reading + "\n";
+    for (int i = 0; i <= 20; ++i) {
+        log += fmt::format("{},{},4000,20,25,{:.2f}\n", 10 * i, kmh, 25.0 + 0.4 * i);
+    }
+    written.add("run.csv", log);
+    written.add("case.toml", std::string(tables) + "[[run]]\nfile = \"run.csv\"\n");
+    return call("compare case.toml --out out --no-report " + arguments, written.folder());
+}
+
+// The loss was compared up to 150 km/h: beyond, the first sentences and the warnings say so, in the JSON as well.
+TEST(Compare, ARunBeyondWhatALawWasComparedAtIsTold) {
+    const Call fast = compared(input::bench, 230.0, "surface_temperature [degC]", "--json");
+    ASSERT_EQ(fast.exit_code, 0) << fast.err;
+    EXPECT_EQ(Json::parse(fast.out)["warnings"],
+              Json({"strain_energy_loss was compared up to 150 km/h, this test goes to 230: beyond, its law is an "
+                    "extrapolation"}));
+    const Call page = compared(input::bench, 230.0, "surface_temperature [degC]");
+    EXPECT_NE(page.out.find("Laws beyond what is known of them: strain energy loss compared up to 150 km/h"),
+              std::string::npos)
+        << page.out;
+    EXPECT_EQ(Json::parse(compared(input::bench, 140.0, "surface_temperature [degC]", "--json").out)["warnings"],
+              Json::array());
+}
+
+// A strip of three cells has an error of its grid, which a grid of six shows; two nodes have none.
+TEST(Compare, TheErrorOfACoarseGridIsTold) {
+    constexpr std::string_view strip = R"([mesh]
+kind = "layers"
+area = "0.4 m2"
+[[mesh.layer]]
+name = "tread"
+thickness = "12 mm"
+cells = 3
+material = "rubber"
+[[material]]
+name = "rubber"
+density = "1100 kg/m3"
+heat_capacity = "1800 J/kgK"
+conductivity = "0.3 W/mK"
+[effects.still_air]
+patches = ["outside"]
+h = "60 W/m2K"
+[initial]
+temperature = "80 degC"
+[[sensor]]
+name = "middle"
+kind = "point"
+depth = "3 mm"
+)";
+    const Call coarse = compared(strip, 0.0, "middle [degC]", "--json");
+    ASSERT_EQ(coarse.exit_code, 0) << coarse.err;
+    const double error = Json::parse(coarse.out)["channels"][0]["grid_error"].get<double>();
+    EXPECT_GT(error, 0.05);
+    EXPECT_LT(error, 10.0);
+    const Call page = compared(strip, 0.0, "middle [degC]");
+    EXPECT_NE(page.out.find("The error of grid and steps in what is simulated is at most "), std::string::npos)
+        << page.out;
+    const Json lumps = Json::parse(compared(input::bench, 140.0, "surface_temperature [degC]", "--json").out);
+    EXPECT_TRUE(lumps["channels"][0]["grid_error"].is_null());
+}
+
 TEST(Compare, ErrorsAreReportedAndEndWith1) {
     const Bench bench;
     const std::string log = bench.written.add("wrong.csv", "time [s],speed [km/h]\n0,1\n0,2\n").string();

@@ -64,6 +64,19 @@ TEST(RunOfACar, HasAllTiresOnOnePageAndAFolderForEach) {
     }
 }
 
+// FR carries 5000 N and slides without a force, FL 3000 N: the page's first sentence is that of the hotter tire,
+// whichever comes first in the case.
+TEST(RunOfACar, TheHottestTireComesFirst) {
+    const Car car;
+    const Call run = car.run("");
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Json json = Json::parse(car.run("--json").out);
+    const auto hottest = [&](std::size_t i) { return json["corners"][i]["hottest"]["temperature"].get<double>(); };
+    const std::string first = hottest(0) > hottest(1) ? "FL" : "FR";
+    const std::string second = hottest(0) > hottest(1) ? "FR" : "FL";
+    EXPECT_LT(run.out.find(first + ": hottest of the tires, "), run.out.find(second + ": hottest ")) << run.out;
+}
+
 TEST(RunOfACar, FrictionPowerAndHeatStandByCornerAndLap) {
     const Car car;
     const Json json = Json::parse(car.run("--json").out);

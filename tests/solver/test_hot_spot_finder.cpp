@@ -145,6 +145,35 @@ TEST(HotSpotFinder, LooksBetweenTheCellsOfLayers) {
     EXPECT_NEAR(found.point[2], 0.0061, 1e-9);
 }
 
+// The surface has turned cold, by 25 K, and the field behind falls to the middle as before: from 344.5 K on in a straight line, no
+// place is hotter than the first centre. A parabola across the jump would have its peak 0.4 of a cell further on, 1.2 K higher.
+TEST(HotSpotFinder, AJumpOnOneSideMakesNoPeakOnTheOther) {
+    const mesh::Mesh mesh = mesh::build(mesh::Layers{.area = 1.0, .stack = {{"tread", 0.012, 6}}});
+    const std::vector<double> T =
+        field(mesh, [](double, double z) { return z < 1e-9 ? 320.0 : 344.5 - 100.0 * (z - 0.001); });
+    const HotSpotFinder finder(mesh, all_nodes(mesh));
+    const HotSpotFinder::Found found = finder.find(T);
+    EXPECT_NEAR(found.temperature, 344.5, 1e-9);
+    EXPECT_NEAR(found.point[2], 0.001, 1e-12);
+    EXPECT_NEAR(finder.functional(T)(T), found.temperature, 1e-9);
+    // From the other side alike.
+    const std::vector<double> mirrored =
+        field(mesh, [](double, double z) { return z > 0.012 - 1e-9 ? 320.0 : 344.5 - 100.0 * (0.011 - z); });
+    EXPECT_NEAR(finder.find(mirrored).temperature, 344.5, 1e-9);
+}
+
+// Behind the jump the field is the parabola 344.5 - 1e5 (z - 2 mm)^2, with its peak half-way between the first two centres.
+// It may bend twice as much there as behind, which lifts a straight line between two equal values by (1e-3)^2 2e5 = 0.2 K
+// in place of 0.1: no more than 0.1 K too much.
+TEST(HotSpotFinder, APeakBesideAJumpIsLiftedByNoMoreThanTwiceItsBend) {
+    const mesh::Mesh mesh = mesh::build(mesh::Layers{.area = 1.0, .stack = {{"tread", 0.012, 6}}});
+    const std::vector<double> T = field(
+        mesh, [](double, double z) { return z < 1e-9 ? 300.0 : 344.5 - 1e5 * (z - 0.0020001) * (z - 0.0020001); });
+    const HotSpotFinder::Found found = HotSpotFinder(mesh, all_nodes(mesh)).find(T);
+    EXPECT_GT(found.temperature, 344.5 - 1e-3);
+    EXPECT_LT(found.temperature, 344.5 + 0.1 + 1e-3);
+}
+
 TEST(HotSpotFinder, LumpIsItself) {
     const mesh::Mesh mesh =
         mesh::build(mesh::TwoNode{.area = 0.5, .surface_volume = 1e-3, .bulk_volume = 5e-3, .bulk_depth = 0.01});

@@ -55,15 +55,28 @@ constexpr std::array<std::string_view, 3> reads{"speed", "vertical_load", "air_t
 constexpr std::array<std::string_view, 2> may_read{"inflation_pressure", "slip_speed"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
+ForcedConvection forced_of(const ActiveEffect& active) {
+    return {.coefficient = active[coefficient],
+            .exponent = active[exponent],
+            .air_conductivity = active[air_conductivity],
+            .air_viscosity = active[air_viscosity]};
+}
+
+/// Of the air along the tread: of the car or of the tire's own turning.
+double speed_of_air(const Inputs& inputs) { return std::max(std::abs(inputs.speed), std::abs(rolling_speed(inputs))); }
+
+double reynolds_in_millions(const ActiveEffect& active, const Tire& tire, const Inputs& inputs) {
+    return 1e-6 * forced_of(active).reynolds(tire, speed_of_air(inputs));
+}
+
+/// Re of 1e4 to 1e6, where the thesis fitted (32).
+constexpr std::array compared{
+    ComparedRange{"", 0.01, 1.0, "fitted", "million (Reynolds number)", reynolds_in_millions}};
+
 void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
-    const ForcedConvection forced{.coefficient = active[coefficient],
-                                  .exponent = active[exponent],
-                                  .air_conductivity = active[air_conductivity],
-                                  .air_viscosity = active[air_viscosity]};
     const double area = point.tire.outer_area() - point.tire.contact_area(point.inputs);
     out[0] = area;
-    const double speed = std::max(std::abs(point.inputs.speed), std::abs(rolling_speed(point.inputs)));
-    out[1] = area * point.laws.forced * forced(point.tire, speed);
+    out[1] = area * point.laws.forced * forced_of(active)(point.tire, speed_of_air(point.inputs));
     out[2] = point.inputs.air_temperature;
 }
 
@@ -132,6 +145,7 @@ const Effect air_convection{
         "kW/m2K, also in still air. It is therefore bounded by a multiple of the forced part, so that a parked tire "
         "keeps "
         "the floor; exponential = \"on\" is the thesis's own form. h_forced holds for Re of 1e4 to 1e6.",
+    .compared = compared,
     .parameters = parameters,
     .choices = choices,
     .reads = reads,

@@ -66,6 +66,13 @@ void add_terms(const EvaluationState& m, Terms& terms) {
     }
 }
 
+double reynolds_in_millions(const ActiveEffect& active, const Tire& tire, const Inputs& inputs) {
+    return disk_film::reynolds_in_millions(active, disk_film::rim_of(tire), tire, inputs);
+}
+
+constexpr std::array compared{ComparedRange{"", 0.0, disk_film::measured_up_to, "measured",
+                                            "million (Reynolds number of the disk)", reynolds_in_millions}};
+
 }  // namespace
 
 extern const Effect rim_conduction;
@@ -89,6 +96,7 @@ const Effect rim_conduction{
         "its speed and its load. 10 K above the air 0.5 m2 on 17 inches have 2 W/K at rest, 12 W/K at 100 km/h and 29 "
         "W/K at 200 km/h. A smooth disk of that size becomes turbulent at 91 km/h; spokes and a brake do that earlier, "
         "for which transition is lowered, and wind through the wheel is left to disk_scale.",
+    .compared = compared,
     .parameters = parameters,
     .choices = choices,
     .reads = reads,

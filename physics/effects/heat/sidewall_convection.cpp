@@ -78,6 +78,13 @@ void add_terms(const EvaluationState& m, Terms& terms) {
     }
 }
 
+double reynolds_in_millions(const ActiveEffect& active, const Tire& tire, const Inputs& inputs) {
+    return disk_film::reynolds_in_millions(active, disk_film::sidewalls_of(tire), tire, inputs);
+}
+
+constexpr std::array compared{ComparedRange{"", 0.0, disk_film::measured_up_to, "measured",
+                                            "million (Reynolds number of the disk)", reynolds_in_millions}};
+
 }  // namespace
 
 extern const Effect sidewall_convection;
@@ -108,6 +115,7 @@ const Effect sidewall_convection{
         "Sciences 46, 2007, 745, abstract). On two nodes the rubber between bulk and outer face is not in it: with "
         "4.5 mm of 0.29 W/mK in series 12 of 22 W/K remain. Where natural_convection acts on the same patch, the floor "
         "at rest is its own.",
+    .compared = compared,
     .parameters = parameters,
     .choices = choices,
     .reads = reads,

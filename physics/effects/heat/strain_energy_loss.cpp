@@ -304,8 +304,14 @@ void add_terms(const EvaluationState& m, Terms& terms) {
     }
 }
 
-constexpr std::array compared{ComparedRange{"speed", 40.0 / 3.6, 150.0 / 3.6},
-                              ComparedRange{"vertical_load", 3000.0, 8000.0}};
+double share_of_reference_pressure(const ActiveEffect& /*active*/, const Tire& tire, const Inputs& inputs) {
+    return tire.reference_pressure > 0.0 ? inputs.inflation_pressure / tire.reference_pressure : 0.0;
+}
+
+/// Speeds and loads of the thesis's drums; pressures of the tests of SAE J2452 (recalled).
+constexpr std::array compared{
+    ComparedRange{"speed", 40.0 / 3.6, 150.0 / 3.6}, ComparedRange{"vertical_load", 3000.0, 8000.0},
+    ComparedRange{"", 0.5, 1.7, "compared", "times its reference pressure", share_of_reference_pressure}};
 
 /// Below its peak the loss tangent is a mirror image.
 std::string range_warning(const ActiveEffect& active, double coldest, double /*hottest*/) {

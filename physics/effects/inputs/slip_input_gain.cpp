@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "physics/effect.hpp"
 
@@ -25,6 +26,9 @@ void transform(const ActiveEffect& active, Inputs& inputs) {
     inputs.slip_angle = std::atan(active[gain] * std::tan(inputs.slip_angle));
 }
 
+/// The tangent is nearly straight up to there (this file's own bound).
+constexpr std::array compared{ComparedRange{"slip_angle", 0.0, 25.0 * std::numbers::pi / 180.0, "stated"}};
+
 }  // namespace
 
 extern const Effect slip_input_gain;
@@ -37,6 +41,7 @@ const Effect slip_input_gain{
     .meaning =
         "Slip that was logged too small or too large by a factor: the heat of sliding takes the same factor, forces "
         "and all other heat are as logged. From temperatures it cannot be told from the partition or lambda_y.",
+    .compared = compared,
     .parameters = parameters,
     .may_read = may_read,
     .model = InputCorrection{.transform = transform},

@@ -25,6 +25,13 @@ void modify_laws(const ActiveEffect& active, const Tire& tire, const Inputs& inp
     }
 }
 
+double share_of_reference(const ActiveEffect& active, const Tire& tire, const Inputs& inputs) {
+    return tire.touches(inputs.vertical_load) ? inputs.vertical_load / active[reference] : 0.0;
+}
+
+/// A power stands for the measured course about one load (this file's own bound).
+constexpr std::array compared{ComparedRange{"", 0.5, 1.5, "stated", "times its reference load", share_of_reference}};
+
 }  // namespace
 
 extern const Effect load_exponent_of_loss;
@@ -37,6 +44,7 @@ const Effect load_exponent_of_loss{
     .meaning =
         "Loss that grows with the load otherwise than the law has it: (43) with (37), (44) and (57) makes it nearly "
         "proportional to Fz, measured tires lie between Fz and Fz^2.",
+    .compared = compared,
     .parameters = parameters,
     .reads = reads,
     .needs_tire = true,

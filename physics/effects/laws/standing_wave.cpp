@@ -24,10 +24,17 @@ constexpr std::array parameters{
 constexpr std::array<std::string_view, 1> reads{"speed"};
 constexpr double metres_per_second_in_kmh = 3.6;
 
-void modify_laws(const ActiveEffect& active, const Tire& /*tire*/, const Inputs& inputs, Laws& laws) {
-    const double excess = std::max(0.0, metres_per_second_in_kmh * std::abs(inputs.speed) - active[critical_speed]);
+double excess_speed(const ActiveEffect& active, const Tire& /*tire*/, const Inputs& inputs) {
+    return std::max(0.0, metres_per_second_in_kmh * std::abs(inputs.speed) - active[critical_speed]);
+}
+
+void modify_laws(const ActiveEffect& active, const Tire& tire, const Inputs& inputs, Laws& laws) {
+    const double excess = excess_speed(active, tire, inputs);
     laws.loss *= 1.0 + active[gain] * excess * excess;
 }
+
+/// A parabola stands for the wave near its beginning (this file's own bound).
+constexpr std::array compared{ComparedRange{"", 0.0, 40.0, "stated", "km/h above its critical speed", excess_speed}};
 
 }  // namespace
 
@@ -41,6 +48,7 @@ const Effect standing_wave{
     .meaning =
         "Above a critical speed the tread leaves the contact as a wave that stands behind it and the loss runs away. "
         "Nothing below. The wave heats the shoulders first; here the excess is spread as the loss is.",
+    .compared = compared,
     .parameters = parameters,
     .reads = reads,
     .model = PropertyModifier{.modify_laws = modify_laws},

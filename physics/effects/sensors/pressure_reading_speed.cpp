@@ -22,6 +22,9 @@ double read(const ActiveEffect& active, std::size_t position, double value, cons
     return value / (1.0 + per_square * logged.speed * logged.speed);
 }
 
+/// Sensors on the rim (this file's own bound).
+constexpr std::array compared{ComparedRange{"speed", 0.0, 300.0 / 3.6, "stated"}};
+
 }  // namespace
 
 extern const Effect pressure_reading_speed;
@@ -34,6 +37,7 @@ const Effect pressure_reading_speed{
     .meaning =
         "A pressure sensor on the rim that reads lower the faster the wheel turns, at once and by the square of the "
         "speed. For channels of pressure.",
+    .compared = compared,
     .parameters = parameters,
     .scopes = scopes,
     .reads = reads,

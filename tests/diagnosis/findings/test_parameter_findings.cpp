@@ -3,6 +3,8 @@
 #include "diagnosis/findings/parameter_findings.hpp"
 #include "diagnosis/findings/sensor_kind.hpp"
 #include "diagnosis/practice_bench.hpp"
+#include "input/model/reader.hpp"
+#include "support/written.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -164,6 +166,43 @@ TEST(ParameterFindings, TheBenchHasACameraAndAProbe) {
     EXPECT_EQ(sensor_kind(problem, 1), physics::SensorKind::probe);
     // A number that is no sensor model's has no kind.
     EXPECT_EQ(sensor_kind(problem, experiment.parameters.front()), physics::SensorKind::any);
+}
+
+// What looks at the lit face of a specimen is a camera. At its back stands either: the name decides, and where it says nothing, as
+// `back` does, nobody knows. A thermocouple is one on both faces.
+TEST(SensorKind, OfASpecimensBackIsKnownByTheNameAlone) {
+    const auto kind_of = [](const std::string& name, const std::string& patch) {
+        const input::Written written;
+        const input::Reading reading = input::read_case(written.add("case.toml", R"([mesh]
+kind = "axisymmetric"
+radius = [{ to = "20 mm", cells = 4 }]
+[[mesh.layer]]
+name = "tread"
+thickness = "5 mm"
+cells = 4
+material = "rubber"
+[[material]]
+name = "rubber"
+density = "1100 kg/m3"
+heat_capacity = "1800 J/kgK"
+conductivity = "0.5 W/mK"
+[drive]
+air_temperature = "23 degC"
+[initial]
+temperature = "23 degC"
+[time]
+end = "10 s"
+[[sensor]]
+kind = "patch"
+name = ")" + name + "\"\npatch = \"" + patch + "\"\n"));
+        EXPECT_TRUE(reading.problem) << render(reading);
+        return reading.problem ? sensor_kind(*reading.problem, 0) : physics::SensorKind::any;
+    };
+    EXPECT_EQ(kind_of("back", "bottom"), physics::SensorKind::any);
+    EXPECT_EQ(kind_of("ir_back", "bottom"), physics::SensorKind::infrared);
+    EXPECT_EQ(kind_of("back_tc", "bottom"), physics::SensorKind::probe);
+    EXPECT_EQ(kind_of("front", "top"), physics::SensorKind::infrared);
+    EXPECT_EQ(kind_of("front_tc", "top"), physics::SensorKind::probe);
 }
 
 }  // namespace tiretherm::diagnosis

@@ -2,6 +2,7 @@
 // Warnings about suspicious data (units, clock, frozen sensors, outliers): each fires on its fault and none on sound
 // data.
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -220,6 +221,28 @@ TEST(DataWarnings, WhatAnInputExplainsIsNoOutlier) {
     session.column("speed").numbers[350] = 60.0;
     session.column("speed").numbers[351] = 60.0;
     EXPECT_EQ(session.warnings(), Sentences{});
+}
+
+// A driver's slip moves by 1 degree from sample to sample, and in one of them turns back for 1.2 degrees: no outlier. The same
+// spike in a slip at rest is one.
+TEST(DataWarnings, AnInputThatIsLivelyHasNoOutlier) {
+    const auto with_spike = [](bool lively) {
+        Session session;
+        std::vector<double>& slip = session.column("slip_angle").numbers;
+        for (std::size_t i = 330; lively && i < 370; ++i) {
+            slip[i] = static_cast<double>(i % 8 < 4 ? i % 8 : 8 - i % 8);
+        }
+        slip[349] = slip[348] - 1.2;
+        std::vector<double>& force = session.column("lateral_force").numbers;
+        std::ranges::transform(slip, force.begin(), [](double angle) { return -700.0 * angle; });
+        Sentences found = session.warnings();
+        std::erase_if(found, [](const std::string& one) { return one.find("outlier") == std::string::npos; });
+        return found;
+    };
+    EXPECT_EQ(with_spike(true), Sentences{});
+    ASSERT_FALSE(with_spike(false).empty());
+    EXPECT_TRUE(with_spike(false).front().starts_with("run1.csv: slip_angle has an outlier at 2094 s"))
+        << with_spike(false).front();
 }
 
 // A laser that is on for two samples of ten and off for eight: five pulses a minute, each with ramps of a sample.

@@ -391,6 +391,18 @@ TEST(DiagnosisReport, WindowsOfMissingHeatAreReportedAndWritten) {
     EXPECT_TRUE(has(post::read_text(written.folder() / "missing_heat.csv"), "run3,surface,600,630,-85,-4.25\n"));
 }
 
+// Two laps of the first of three runs, of two channels: a row for each lap and for each run as a whole.
+TEST(DiagnosisReport, LapsAreWrittenWhereThereAreAny) {
+    MadeUp made_up = sample::named();
+    made_up.experiment.runs.front().laps = {{.number = 1, .start = 0.0, .end = 600.0},
+                                            {.number = 2, .start = 600.0, .end = 1200.0}};
+    const input::Written written;
+    DiagnosisRecord record = made_up.record();
+    EXPECT_EQ(write_diagnosis(record, written.folder()).size(), 3u);
+    const std::string laps = post::read_text(written.folder() / "laps.csv");
+    EXPECT_EQ(std::ranges::count(laps, '\n'), 1 + 2 * (2 + 3)) << laps;
+}
+
 // An extended case of an earlier diagnosis would pass for this one's.
 TEST(DiagnosisReport, WithoutACauseNoExtendedCaseIsLeft) {
     const MadeUp made_up = sample::consistent();
