@@ -123,7 +123,7 @@ private:
                 index = index * at.size() + static_cast<std::size_t>(place);
             }
             if (!std::isnan(force[index])) {
-                const ColumnReader::FieldLocation spot = file_.spot(row);
+                const FieldLocation spot = file_.spot(row);
                 errors_.add(spot.place, fmt::format("a second row for the same point{}", spot.aside),
                             "keep one of them, or their mean");
                 return std::nullopt;
@@ -132,7 +132,7 @@ private:
             if (has("power")) {
                 const double speed = values_.front()[row];
                 if (!(speed > 0.0)) {
-                    const ColumnReader::FieldLocation spot = file_.spot(row);
+                    const FieldLocation spot = file_.spot(row);
                     errors_.add(spot.place, fmt::format("a power at a standstill{}", spot.aside), "leave the row out");
                     return std::nullopt;
                 }

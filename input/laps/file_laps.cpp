@@ -74,28 +74,6 @@ int find_column(const DataFile& file, bool (*is)(std::string_view name)) {
     return found == file.heads().end() ? -1 : static_cast<int>(found - file.heads().begin());
 }
 
-/// A column as it is written, at its own times.
-struct Written {
-    std::vector<double> time;   ///< [n] s
-    std::vector<double> value;  ///< [n], NaN where it is missing
-};
-
-Written read_as_written(const DataFile& file, int column, const std::vector<double>& time, const InputErrors& errors) {
-    if (const ChannelTable* table = file.channel_table(); table != nullptr && column > 0) {
-        const ChannelTable::Channel& channel = table->channels()[static_cast<std::size_t>(column) - 1];
-        Written own{.time = {}, .value = channel.samples()};
-        for (std::size_t k = 0; k < own.value.size(); ++k) {
-            own.time.push_back(static_cast<double>(k) / channel.rate);
-        }
-        return own;
-    }
-    InputErrors unheard = errors;
-    std::vector<std::vector<double>> read =
-        file.read({{.column = column, .name = "", .spec = {.unit = "1"}, .purpose = Purpose::unused}}, unheard);
-    const bool whole = !read.empty() && read.front().size() == time.size();
-    return whole ? Written{.time = time, .value = std::move(read.front())} : Written{};
-}
-
 /// Degrees of a column of positions, which is in degrees or in minutes of them.
 void to_degrees(std::vector<double>& values, const ColumnHead& head, double sign) {
     const auto read = to_degree(head);
@@ -114,8 +92,8 @@ std::optional<Positions> read_positions(const DataFile& file, const std::vector<
     if (latitude < 0 || longitude < 0) {
         return std::nullopt;
     }
-    Written north = read_as_written(file, latitude, time, errors);
-    Written east = read_as_written(file, longitude, time, errors);
+    DataFile::Samples north = file.samples(latitude, time, errors);
+    DataFile::Samples east = file.samples(longitude, time, errors);
     if (north.value.empty() || north.time.size() != east.time.size()) {
         return std::nullopt;
     }
@@ -132,7 +110,8 @@ std::vector<WrittenHeading> read_headings(const DataFile& file, const std::vecto
     std::vector<WrittenHeading> found;
     for (std::size_t i = 0; i < file.heads().size(); ++i) {
         const ColumnHead& head = file.heads()[i];
-        Written written = is_heading(head) ? read_as_written(file, static_cast<int>(i), time, errors) : Written{};
+        DataFile::Samples written =
+            is_heading(head) ? file.samples(static_cast<int>(i), time, errors) : DataFile::Samples{};
         if (!written.value.empty()) {
             to_degrees(written.value, head, 1.0);
             found.push_back(
@@ -174,7 +153,7 @@ Laps find_laps(const DataFile& file, const std::vector<double>& time, const std:
         return found;
     }
     if (const int column = find_column(file, counts_laps); column >= 0) {
-        const Written number = read_as_written(file, column, time, errors);
+        const DataFile::Samples number = file.samples(column, time, errors);
         Laps found{.source = LapSource::column, .column = file.heads()[static_cast<std::size_t>(column)].heading.name};
         found.laps = laps_by_counter(number.time, number.value);
         if (!found.laps.empty()) {

@@ -53,6 +53,16 @@ const BinaryLog* find_binary_log(std::string_view first_bytes) {
     return found == binary_logs.end() ? nullptr : &*found;
 }
 
+LogTable table_of_channels(std::vector<TableColumn> channels, LogDescription description) {
+    LogTable table{.description = std::move(description), .units = LogTable::Units::by_name_alone};
+    table.columns.push_back({.head = {.heading = {"time", "s"}, .place = {.file = 0}}});
+    for (TableColumn& channel : channels) {
+        channel.head.place = {.file = 0};
+        table.columns.push_back(std::move(channel));
+    }
+    return table;
+}
+
 ErrorText unread_log(const std::filesystem::path& path, std::string_view first_bytes) {
     const std::string ending = in_small_letters(path.extension().string());
     const auto found = std::ranges::find_if(unread_logs, [&](const UnreadLog& log) {

@@ -24,7 +24,7 @@ struct CsvLayout {
     LogDescription description{};
     HeadLines lines{};
     char separator = ',';
-    Csv::Line sources{};               ///< names the device of each column; without number: none
+    CsvLine sources{};                 ///< names the device of each column; without number: none
     std::vector<std::string> units{};  ///< of the columns, where no line has them; empty: that of `lines`
     std::vector<KnownColumn> known{};
     bool round_brackets = false;        ///< headings are written "Speed (m/s) *gps"

@@ -198,18 +198,16 @@ std::optional<RunFile> open_run_file(const RunTable& run, const TomlValue& docum
     if (!file) {
         return std::nullopt;
     }
-    ProbeTable* probes = file->probe_table();
-    if (probes != nullptr && probes->axis() != ProbeTable::Axis::time) {
-        std::optional<std::vector<double>> times = step_times(*probes, document, errors);
+    if (file->table().moments != LogTable::Moments::times) {
+        std::optional<std::vector<double>> times = step_times(*file, document, errors);
         if (!times) {
             return std::nullopt;
         }
-        probes->take_times(std::move(*times));
+        file->take_times(std::move(*times));
     }
     RunColumns columns = classify_columns(*file, *run.keys, sensors, followed, errors);
     RunFile opened{.file = std::move(*file), .columns = std::move(columns)};
     opened.file.choose_rows(opened.columns.chosen());
-    opened.file.parse_all();
     if (opened.columns.time < 0) {
         errors.add(opened.file.heads().front().place, "the file has no column time [s]",
                    "rename one: columns = { t = \"time\" }");

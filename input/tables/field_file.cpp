@@ -206,7 +206,7 @@ private:
     void check_sizes(const FieldFile& field) const {
         for (const FieldFrame& frame : field.frames) {
             if (frame.points.size() != field.frames.front().points.size()) {
-                const ColumnReader::FieldLocation spot = file_->spot(frame.first_row);
+                const FieldLocation spot = file_->spot(frame.first_row);
                 errors_->add(spot.place,
                              fmt::format("this frame has {} points, the first has {}{}", frame.points.size(),
                                          field.frames.front().points.size(), spot.aside),
@@ -230,7 +230,7 @@ private:
         if (const std::vector<double>* cells = values("cell")) {
             const auto broken = std::ranges::find_if(*cells, [](double c) { return c != std::floor(c); });
             if (broken != cells->end()) {
-                const ColumnReader::FieldLocation spot = file_->spot(static_cast<std::size_t>(broken - cells->begin()));
+                const FieldLocation spot = file_->spot(static_cast<std::size_t>(broken - cells->begin()));
                 errors_->add(spot.place, fmt::format("cell is {:g}{}; a whole number is wanted", *broken, spot.aside));
             }
         }
