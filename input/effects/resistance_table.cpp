@@ -45,13 +45,9 @@ public:
         const std::size_t before = errors_.count();
         check_names();
         for (const Known& known : known_columns()) {
-            const auto head =
-                std::ranges::find_if(file_.heads(), [&](const ColumnHead& h) { return h.heading.name == known.name; });
-            if (head != file_.heads().end()) {
-                requests_.push_back({.column = static_cast<int>(head - file_.heads().begin()),
-                                     .name = std::string(known.name),
-                                     .spec = known.spec,
-                                     .purpose = Purpose::point});
+            if (const int column = file_.find(known.name); column >= 0) {
+                requests_.push_back(
+                    {.column = column, .name = std::string(known.name), .spec = known.spec, .purpose = Purpose::point});
             }
         }
         check_columns();

@@ -47,7 +47,7 @@ struct ColumnRequest {
     std::string name;  ///< what messages call it
     QuantitySpec spec;
     Purpose purpose = Purpose::input;
-    std::string_view
+    std::string
         unit_remedy{};  ///< what to do about a unit that is missing or wrong; empty: to write it into the heading
 };
 

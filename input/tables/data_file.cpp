@@ -208,6 +208,14 @@ std::string DataFile::unit_remedy(const ColumnHead& head, const QuantitySpec& sp
     return fmt::format("{}{}units = {{ {} = \"{}\" }}{}", where, there, key, unit, for_all);
 }
 
+ColumnRequest DataFile::request(int column, std::string name, const QuantitySpec& spec, Purpose purpose) const {
+    return {.column = column,
+            .name = std::move(name),
+            .spec = spec,
+            .purpose = purpose,
+            .unit_remedy = unit_remedy(heads_[static_cast<std::size_t>(column)], spec)};
+}
+
 FieldLocation DataFile::spot(std::size_t row, int column, double written) const {
     if (table_->has_own_clocks()) {
         return {.place = {.file = number_}, .aside = fmt::format(" (at {:.6g} s)", times_[row])};

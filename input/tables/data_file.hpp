@@ -32,8 +32,9 @@ public:
     void choose_rows(const std::vector<int>& columns);
     /// Puts times in the place of the speeds or numbers of steps in a table of probes. @param times s, one for each row
     void take_times(std::vector<double> times);
-    /// What to do about a column whose unit is missing or wrong.
-    [[nodiscard]] std::string unit_remedy(const ColumnHead& head, const QuantitySpec& spec) const;
+    /// A request of a column whose unit the case can give, with what to do about one that is missing or wrong.
+    [[nodiscard]] ColumnRequest request(int column, std::string name, const QuantitySpec& spec,
+                                        Purpose purpose = Purpose::measured) const;
     /// Where a row of values stands; the first is 0.
     [[nodiscard]] FieldLocation spot(std::size_t row) const { return spot(row, -1, 0.0); }
     /// @returns the values of each request, all of one length; none after an error
@@ -49,6 +50,7 @@ public:
     [[nodiscard]] Samples samples(int column, const std::vector<double>& time, const InputErrors& errors) const;
 
 private:
+    [[nodiscard]] std::string unit_remedy(const ColumnHead& head, const QuantitySpec& spec) const;
     [[nodiscard]] FieldLocation spot(std::size_t row, int column, double written) const;
     /// The numbers of a column as it is asked for, in the rows of this reader.
     /// @param room of the result, where they are not those that are written
