@@ -11,6 +11,12 @@
 
 namespace tiretherm::input {
 
+#define BINARY_LOG(name)                                                                                           \
+    [[nodiscard]] bool is_##name(std::string_view first_bytes);                                                    \
+    [[nodiscard]] std::optional<LogTable> read_##name(const std::string& bytes, const std::filesystem::path& path, \
+                                                      InputErrors& errors);
+#include "input/loggers/loggers.list"
+
 /// A binary format, known by its first bytes.
 struct BinaryLog {
     bool (*recognises)(std::string_view first_bytes);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every address and count of the file is compared with its size before it is used.
-
-#include "input/loggers/iracing_ibt.hpp"
+// Files .ibt of the simulator iRacing: a head, descriptions of the channels, rows of all channels at one rate. Layout by the
+// simulator's published interface (irsdk_header, irsdk_diskSubHeader, irsdk_varHeader): version at byte 0, rows per second at 8,
+// length and address of the session's description (YAML) at 16 and 20, number and address of the channels' descriptions at 24 and
+// 28, length of a row at 36, address of the rows at 52; a description of 144 bytes has type, place in the row and count at 0, 4
+// and 8, name, text and unit at 16, 48 and 112. Numbers in % are shares of 1 in the file. Bits, letters and lists (of all cars, or of
+// times within a row) are no channels. Every address and count of the file is compared with its size before it is used.
 
 #include <algorithm>
 #include <array>

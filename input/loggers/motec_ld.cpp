@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Files .ld of MoTeC loggers: a header, and a linked list of channels with a rate, a type and a scale each. Layout by public descriptions
+// of the format: header 64 at byte 0, the first record's address at 8, the data's at 12; a record of 124 bytes has the addresses
+// of its neighbours and of its samples, their count, type, size and rate, shift, multiplier, scale and decimals, name, short name
+// and unit. A value is (sample / scale / 10^decimals + shift) multiplier. The marks between laps are read from the file .ldx beside it.
 // Every address and count of the file is compared with its size before it is used.
-
-#include "input/loggers/motec_ld.hpp"
 
 #include <algorithm>
 #include <cmath>

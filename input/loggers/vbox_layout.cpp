@@ -205,7 +205,7 @@ std::optional<CsvLayout> find_vbox_layout(std::string_view text) {
         return layout;
     }
     const std::size_t end = rest.find("\n[");
-    layout.lines = {.names = names.front(), .units = {.text = {}, .number = number}, .body = rest.substr(0, end)};
+    layout.lines = {.names = names.front(), .units = {}, .body = rest.substr(0, end)};
     if (const std::size_t timing = rest.find("\n[laptiming]"); timing != std::string_view::npos) {
         rest.remove_prefix(timing + 1);
         static_cast<void>(next_line(rest));

@@ -169,9 +169,11 @@ std::optional<LogTable> read_csv(const std::shared_ptr<const std::string>& text,
     for (ColumnHead& head : heads) {
         table.columns.push_back({.head = std::move(head)});
     }
-    const int last = std::max({layout.lines.names.number, layout.lines.units.number, layout.sources.number});
+    const std::string_view above =
+        content.substr(0, static_cast<std::size_t>(layout.lines.body.data() - content.data()));
+    const auto first_line = static_cast<int>(std::ranges::count(above, '\n')) + 1;
     const auto rows =
-        std::make_shared<CsvRows>(text, layout.lines.body, last + 1, layout.separator, layout.lines.names.text);
+        std::make_shared<CsvRows>(text, layout.lines.body, first_line, layout.separator, layout.lines.names.text);
     rows->parse(table.columns, table.defects);
     table.where = [rows](std::size_t row, int column) { return rows->where(row, column); };
     return table;
