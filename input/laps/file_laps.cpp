@@ -4,13 +4,10 @@
 #include "input/laps/file_laps.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <span>
 #include <variant>
 
 #include "input/laps/track_laps.hpp"
-#include "input/loggers/heading_names.hpp"
 #include "input/loggers/logger_units.hpp"
 #include "input/text/column_names.hpp"
 #include "input/text/units.hpp"
@@ -19,27 +16,13 @@ namespace tiretherm::input {
 
 namespace {
 
-template <std::size_t N>
-bool is_one_of(std::string_view name, const std::array<std::string_view, N>& words) {
-    std::string bare;
-    for (const char c : in_small_letters(name)) {
-        if (c != ' ' && c != '_' && c != '.' && c != '#') {
-            bare += c;
-        }
-    }
-    return std::ranges::find(words, bare) != words.end();
-}
-
 /// Whether a name says this direction, and nothing else but where it comes from: "GPS_Lat", "Latitude (deg)", "posLng".
-bool is_of_receiver(std::string_view name, std::span<const std::string_view> direction) {
-    constexpr std::array<std::string_view, 17> around{
-        "gps",     "gnss",     "pos",      "position", "car",        "vehicle", "deg",    "raw", "degrees",
-        "decimal", "location", "filtered", "wgs",      "coordinate", "over",    "ground", "true"};
+bool is_of_receiver(std::string_view name, std::string_view direction) {
     std::size_t found = 0;
     for (const std::string& word : words_of(name)) {
         const bool is_number = std::isdigit(static_cast<unsigned char>(word.front())) != 0;
-        const bool says = std::ranges::find(direction, word) != direction.end();
-        if (!says && !is_number && std::ranges::find(around, word) == around.end()) {
+        const bool says = has_word(direction, word);
+        if (!says && !is_number && !has_word(column_words::of_receiver, word)) {
             return false;
         }
         found += says ? 1 : 0;
@@ -47,15 +30,8 @@ bool is_of_receiver(std::string_view name, std::span<const std::string_view> dir
     return found == 1;
 }
 
-bool is_latitude(std::string_view name) {
-    constexpr std::array<std::string_view, 4> words{"lat", "latitude", "gpslat", "gpslatitude"};
-    return is_of_receiver(name, words);
-}
-bool is_longitude(std::string_view name) {
-    constexpr std::array<std::string_view, 7> words{"lon",    "long",    "lng",         "longitude",
-                                                    "gpslon", "gpslong", "gpslongitude"};
-    return is_of_receiver(name, words);
-}
+bool is_latitude(std::string_view name) { return is_of_receiver(name, column_words::latitude); }
+bool is_longitude(std::string_view name) { return is_of_receiver(name, column_words::longitude); }
 
 std::variant<Conversion, UnitError> to_degree(const ColumnHead& head) {
     return conversion(meant_unit(head.heading.unit.value_or("deg"), "degree"), "degree", Scale::absolute);
@@ -63,9 +39,7 @@ std::variant<Conversion, UnitError> to_degree(const ColumnHead& head) {
 
 /// An angle, too: a "Bearing [degC]" is a part of a rig.
 bool is_heading(const ColumnHead& head) {
-    constexpr std::array<std::string_view, 7> words{"heading",    "course",    "bearing",   "cog",
-                                                    "gpsheading", "gpscourse", "gpsbearing"};
-    return is_of_receiver(head.heading.name, words) && std::holds_alternative<Conversion>(to_degree(head));
+    return is_of_receiver(head.heading.name, column_words::course) && std::holds_alternative<Conversion>(to_degree(head));
 }
 
 int find_column(const DataFile& file, bool (*is)(std::string_view name)) {
@@ -126,10 +100,7 @@ bool tells_course(const DataFile& file) {
            (find_column(file, is_latitude) >= 0 && find_column(file, is_longitude) >= 0);
 }
 
-bool counts_laps(std::string_view name) {
-    return is_one_of(
-        name, std::array<std::string_view, 7>{"lap", "lapnumber", "lapno", "laps", "lapcount", "lapindex", "runde"});
-}
+bool counts_laps(std::string_view name) { return has_word(column_words::laps, bare_name(name)); }
 
 Laps find_laps(const DataFile& file, const std::vector<double>& time, const std::optional<StartLine>& line, bool search,
                const InputErrors& errors) {
