@@ -11,6 +11,7 @@
 
 #include "input/tables/hdf5_datasets.hpp"
 #include "input/text/quantity_specs.hpp"
+#include "input/text/regular_file.hpp"
 
 namespace tiretherm::input {
 
@@ -193,8 +194,8 @@ std::optional<FrameFile> open_frames(const std::filesystem::path& path, const So
     if (ending != ".h5" && ending != ".hdf5") {
         return open_csv_frames(path, mentioned, errors);
     }
-    if (const ErrorText error = hdf5_defect(path); !error.what.empty()) {
-        errors.add(mentioned, fmt::format("the file {} {}", path.generic_string(), error.what), error.remedy);
+    if (ErrorText error = hdf5_defect(path); !error.what.empty()) {
+        refuse_file(path, mentioned, std::move(error), errors);
         return std::nullopt;
     }
     return open_hdf5_frames(path, errors.add_file(path.generic_string(), ""), errors);

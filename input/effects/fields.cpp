@@ -31,7 +31,7 @@ bool are_on(const mesh::Mesh& mesh, std::span<const int> patches, const FieldFil
     ErrorLimiter limiter(errors);
     for (const FieldFrame& frame : file.frames) {
         for (const physics::Stray& stray : physics::strays(mesh, patches, frame.points)) {
-            const ColumnReader::FieldLocation spot = file.file->spot(frame.first_row + stray.point);
+            const FieldLocation spot = file.file->spot(frame.first_row + stray.point);
             limiter.add(spot.place, {stray.what + spot.aside,
                                      "leave the point out, or correct the origin or the sign of its coordinates"});
         }
@@ -193,7 +193,7 @@ private:
         }
         const std::size_t empty = normalise(frames, *field);
         if (empty < frames.size() && !by_watts) {
-            const ColumnReader::FieldLocation spot = file.file->spot(file.frames[empty].first_row);
+            const FieldLocation spot = file.file->spot(file.frames[empty].first_row);
             errors_.add(frames.size() == 1 ? table_.place("field") : spot.place,
                         fmt::format("{} is zero everywhere{}: it gives no shape", name,
                                     frames.size() == 1 ? "" : " in this frame" + spot.aside),

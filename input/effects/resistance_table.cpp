@@ -45,13 +45,9 @@ public:
         const std::size_t before = errors_.count();
         check_names();
         for (const Known& known : known_columns()) {
-            const auto head =
-                std::ranges::find_if(file_.heads(), [&](const ColumnHead& h) { return h.heading.name == known.name; });
-            if (head != file_.heads().end()) {
-                requests_.push_back({.column = static_cast<int>(head - file_.heads().begin()),
-                                     .name = std::string(known.name),
-                                     .spec = known.spec,
-                                     .purpose = Purpose::point});
+            if (const int column = file_.find(known.name); column >= 0) {
+                requests_.push_back(
+                    {.column = column, .name = std::string(known.name), .spec = known.spec, .purpose = Purpose::point});
             }
         }
         check_columns();
@@ -123,7 +119,7 @@ private:
                 index = index * at.size() + static_cast<std::size_t>(place);
             }
             if (!std::isnan(force[index])) {
-                const ColumnReader::FieldLocation spot = file_.spot(row);
+                const FieldLocation spot = file_.spot(row);
                 errors_.add(spot.place, fmt::format("a second row for the same point{}", spot.aside),
                             "keep one of them, or their mean");
                 return std::nullopt;
@@ -132,7 +128,7 @@ private:
             if (has("power")) {
                 const double speed = values_.front()[row];
                 if (!(speed > 0.0)) {
-                    const ColumnReader::FieldLocation spot = file_.spot(row);
+                    const FieldLocation spot = file_.spot(row);
                     errors_.add(spot.place, fmt::format("a power at a standstill{}", spot.aside), "leave the row out");
                     return std::nullopt;
                 }

@@ -4,13 +4,10 @@
 #include "input/laps/file_laps.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <span>
 #include <variant>
 
 #include "input/laps/track_laps.hpp"
-#include "input/loggers/heading_names.hpp"
 #include "input/loggers/logger_units.hpp"
 #include "input/text/column_names.hpp"
 #include "input/text/units.hpp"
@@ -19,27 +16,13 @@ namespace tiretherm::input {
 
 namespace {
 
-template <std::size_t N>
-bool is_one_of(std::string_view name, const std::array<std::string_view, N>& words) {
-    std::string bare;
-    for (const char c : in_small_letters(name)) {
-        if (c != ' ' && c != '_' && c != '.' && c != '#') {
-            bare += c;
-        }
-    }
-    return std::ranges::find(words, bare) != words.end();
-}
-
 /// Whether a name says this direction, and nothing else but where it comes from: "GPS_Lat", "Latitude (deg)", "posLng".
-bool is_of_receiver(std::string_view name, std::span<const std::string_view> direction) {
-    constexpr std::array<std::string_view, 17> around{
-        "gps",     "gnss",     "pos",      "position", "car",        "vehicle", "deg",    "raw", "degrees",
-        "decimal", "location", "filtered", "wgs",      "coordinate", "over",    "ground", "true"};
+bool is_of_receiver(std::string_view name, std::string_view direction) {
     std::size_t found = 0;
     for (const std::string& word : words_of(name)) {
         const bool is_number = std::isdigit(static_cast<unsigned char>(word.front())) != 0;
-        const bool says = std::ranges::find(direction, word) != direction.end();
-        if (!says && !is_number && std::ranges::find(around, word) == around.end()) {
+        const bool says = has_word(direction, word);
+        if (!says && !is_number && !has_word(column_words::of_receiver, word)) {
             return false;
         }
         found += says ? 1 : 0;
@@ -47,15 +30,8 @@ bool is_of_receiver(std::string_view name, std::span<const std::string_view> dir
     return found == 1;
 }
 
-bool is_latitude(std::string_view name) {
-    constexpr std::array<std::string_view, 4> words{"lat", "latitude", "gpslat", "gpslatitude"};
-    return is_of_receiver(name, words);
-}
-bool is_longitude(std::string_view name) {
-    constexpr std::array<std::string_view, 7> words{"lon",    "long",    "lng",         "longitude",
-                                                    "gpslon", "gpslong", "gpslongitude"};
-    return is_of_receiver(name, words);
-}
+bool is_latitude(std::string_view name) { return is_of_receiver(name, column_words::latitude); }
+bool is_longitude(std::string_view name) { return is_of_receiver(name, column_words::longitude); }
 
 std::variant<Conversion, UnitError> to_degree(const ColumnHead& head) {
     return conversion(meant_unit(head.heading.unit.value_or("deg"), "degree"), "degree", Scale::absolute);
@@ -63,37 +39,13 @@ std::variant<Conversion, UnitError> to_degree(const ColumnHead& head) {
 
 /// An angle, too: a "Bearing [degC]" is a part of a rig.
 bool is_heading(const ColumnHead& head) {
-    constexpr std::array<std::string_view, 7> words{"heading",    "course",    "bearing",   "cog",
-                                                    "gpsheading", "gpscourse", "gpsbearing"};
-    return is_of_receiver(head.heading.name, words) && std::holds_alternative<Conversion>(to_degree(head));
+    return is_of_receiver(head.heading.name, column_words::course) && std::holds_alternative<Conversion>(to_degree(head));
 }
 
 int find_column(const DataFile& file, bool (*is)(std::string_view name)) {
     const auto found =
         std::ranges::find_if(file.heads(), [&](const ColumnHead& head) { return is(head.heading.name); });
     return found == file.heads().end() ? -1 : static_cast<int>(found - file.heads().begin());
-}
-
-/// A column as it is written, at its own times.
-struct Written {
-    std::vector<double> time;   ///< [n] s
-    std::vector<double> value;  ///< [n], NaN where it is missing
-};
-
-Written read_as_written(const DataFile& file, int column, const std::vector<double>& time, const InputErrors& errors) {
-    if (const ChannelTable* table = file.channel_table(); table != nullptr && column > 0) {
-        const ChannelTable::Channel& channel = table->channels()[static_cast<std::size_t>(column) - 1];
-        Written own{.time = {}, .value = channel.samples()};
-        for (std::size_t k = 0; k < own.value.size(); ++k) {
-            own.time.push_back(static_cast<double>(k) / channel.rate);
-        }
-        return own;
-    }
-    InputErrors unheard = errors;
-    std::vector<std::vector<double>> read =
-        file.read({{.column = column, .name = "", .spec = {.unit = "1"}, .purpose = Purpose::unused}}, unheard);
-    const bool whole = !read.empty() && read.front().size() == time.size();
-    return whole ? Written{.time = time, .value = std::move(read.front())} : Written{};
 }
 
 /// Degrees of a column of positions, which is in degrees or in minutes of them.
@@ -114,8 +66,8 @@ std::optional<Positions> read_positions(const DataFile& file, const std::vector<
     if (latitude < 0 || longitude < 0) {
         return std::nullopt;
     }
-    Written north = read_as_written(file, latitude, time, errors);
-    Written east = read_as_written(file, longitude, time, errors);
+    DataFile::Samples north = file.samples(latitude, time, errors);
+    DataFile::Samples east = file.samples(longitude, time, errors);
     if (north.value.empty() || north.time.size() != east.time.size()) {
         return std::nullopt;
     }
@@ -132,7 +84,8 @@ std::vector<WrittenHeading> read_headings(const DataFile& file, const std::vecto
     std::vector<WrittenHeading> found;
     for (std::size_t i = 0; i < file.heads().size(); ++i) {
         const ColumnHead& head = file.heads()[i];
-        Written written = is_heading(head) ? read_as_written(file, static_cast<int>(i), time, errors) : Written{};
+        DataFile::Samples written =
+            is_heading(head) ? file.samples(static_cast<int>(i), time, errors) : DataFile::Samples{};
         if (!written.value.empty()) {
             to_degrees(written.value, head, 1.0);
             found.push_back(
@@ -147,10 +100,7 @@ bool tells_course(const DataFile& file) {
            (find_column(file, is_latitude) >= 0 && find_column(file, is_longitude) >= 0);
 }
 
-bool counts_laps(std::string_view name) {
-    return is_one_of(
-        name, std::array<std::string_view, 7>{"lap", "lapnumber", "lapno", "laps", "lapcount", "lapindex", "runde"});
-}
+bool counts_laps(std::string_view name) { return has_word(column_words::laps, bare_name(name)); }
 
 Laps find_laps(const DataFile& file, const std::vector<double>& time, const std::optional<StartLine>& line, bool search,
                const InputErrors& errors) {
@@ -174,7 +124,7 @@ Laps find_laps(const DataFile& file, const std::vector<double>& time, const std:
         return found;
     }
     if (const int column = find_column(file, counts_laps); column >= 0) {
-        const Written number = read_as_written(file, column, time, errors);
+        const DataFile::Samples number = file.samples(column, time, errors);
         Laps found{.source = LapSource::column, .column = file.heads()[static_cast<std::size_t>(column)].heading.name};
         found.laps = laps_by_counter(number.time, number.value);
         if (!found.laps.empty()) {

@@ -30,37 +30,21 @@ struct Known {
 };
 
 Known known_of(const DataFile& file, int column, const SampleTimes& time, InputErrors& errors) {
-    Known known;
-    if (const ChannelTable* table = file.channel_table(); table != nullptr && column > 0) {
-        const ChannelTable::Channel& channel = table->channels()[static_cast<std::size_t>(column) - 1];
-        const std::vector<double> samples = channel.samples();
-        std::vector<double> times;
-        for (std::size_t k = 0; k < samples.size(); ++k) {
-            if (std::isfinite(samples[k])) {
-                times.push_back(static_cast<double>(k) / channel.rate);
-                known.value.push_back(samples[k]);
-            }
-        }
-        known.time = std::move(times);
-        return known;
-    }
-    std::vector<std::vector<double>> read =
-        file.read({{.column = column, .name = "", .spec = {.unit = "1"}, .purpose = Purpose::unused}}, errors, true);
-    known.value = read.empty() ? std::vector<double>{} : std::move(read.front());
+    DataFile::Samples samples = file.samples(column, time, errors);
     const auto is_missing = [](double value) { return !std::isfinite(value); };
-    known.time = time;
-    if (known.value.size() != time.size() || std::ranges::any_of(known.value, is_missing)) {
-        std::vector<double> times;
-        for (std::size_t i = 0; i < std::min(time.size(), known.value.size()); ++i) {
-            if (!is_missing(known.value[i])) {
-                times.push_back(time[i]);
-            }
-        }
-        std::erase_if(known.value, is_missing);
-        known.value.resize(times.size());
-        known.time = std::move(times);
+    const bool shares_times = file.table().columns[static_cast<std::size_t>(column)].rate == 0.0;
+    if (shares_times && std::ranges::none_of(samples.value, is_missing)) {
+        return {.time = samples.value.empty() ? SampleTimes(std::vector<double>()) : time,
+                .value = std::move(samples.value)};
     }
-    return known;
+    std::vector<double> times;
+    for (std::size_t i = 0; i < samples.value.size(); ++i) {
+        if (!is_missing(samples.value[i])) {
+            times.push_back(samples.time[i]);
+        }
+    }
+    std::erase_if(samples.value, is_missing);
+    return {.time = std::move(times), .value = std::move(samples.value)};
 }
 
 /// Rate by the median step, and what is missing at it.
@@ -144,7 +128,6 @@ std::optional<LogSurvey> survey_log(const std::filesystem::path& path, const std
     if (!file) {
         return std::nullopt;
     }
-    file->parse_all();
     for (LogColumn& column : log->columns) {
         column.value = std::vector<double>();  // it is looked at as it is written
     }
@@ -154,7 +137,8 @@ std::optional<LogSurvey> survey_log(const std::filesystem::path& path, const std
     recording.file = survey.path;
     recording.time = std::move(log->time);
     SampleTimes time = recording.time;
-    if (file->channel_table() != nullptr) {  // the log has the rows of its used channels alone
+    const bool has_own_clocks = file->table().has_own_clocks();
+    if (has_own_clocks) {  // the log has the rows of its used channels alone
         auto all = file->read({{.column = 0, .name = "time", .spec = {.unit = "s"}, .purpose = Purpose::clock}}, again);
         time = all.empty() ? time : SampleTimes(std::move(all.front()));
     }
@@ -187,8 +171,7 @@ std::optional<LogSurvey> survey_log(const std::filesystem::path& path, const std
         }
         solver::leave_reading_if_stopped();
         Known known = known_of(*file, column.column, time, again);
-        set_rate(found, known, survey.from, survey.to,
-                 file->channel_table() != nullptr ? known.time.size() : survey.rows);
+        set_rate(found, known, survey.from, survey.to, has_own_clocks ? known.time.size() : survey.rows);
         if (!known.value.empty()) {
             const auto [low, high] = std::ranges::minmax(known.value);
             found.low = low;

@@ -4,45 +4,34 @@
 #include "input/loggers/clock_columns.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <string>
 
-#include "input/loggers/heading_names.hpp"
+#include "input/text/column_names.hpp"
 
 namespace tiretherm::input {
 
 namespace {
 
-/// The surer before the less sure; small letters without blanks and marks.
-constexpr std::array<std::string_view, 13> names{"time",      "timestamp",   "datetime",    "dateandtime", "timedate",
-                                                 "date/time", "elapsedtime", "sessiontime", "elapsed",     "devicetime",
-                                                 "localtime", "gpstime",     "utctime"};
-
-/// "Session Time", "session_time" and "SessionTime" as "sessiontime".
-std::string bare(std::string_view heading) {
-    std::string name = in_small_letters(heading);
-    std::erase_if(name, [](char c) { return c == ' ' || c == '_' || c == '-'; });
-    return name;
-}
-
 /// "timestampms" is "timestamp" with "ms". @returns the unit; empty: none at the end of a name of a time
 std::string_view unit_at_end(std::string_view name) {
     for (const std::string_view unit : {"ms", "us", "ns", "seconds", "sec", "s", "minutes", "min", "hours", "h"}) {
-        if (name.ends_with(unit) &&
-            std::ranges::find(names, name.substr(0, name.size() - unit.size())) != names.end()) {
+        if (name.ends_with(unit) && has_word(column_words::clocks, name.substr(0, name.size() - unit.size()))) {
             return unit;
         }
     }
     return {};
 }
 
-/// Its place among the names of times; `names.size()` of another.
+constexpr std::size_t no_clock = column_words::clocks.size();
+
+/// The place of a name among those of times, the surer the lower; `no_clock` of another.
 std::size_t rank_of(std::string_view heading) {
-    std::string name = bare(heading);
+    std::string name = bare_name(heading);
     name.resize(name.size() - unit_at_end(name).size());
-    return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+    return has_word(column_words::clocks, name) ? (" " + std::string(column_words::clocks) + " ").find(" " + name + " ")
+                                                : no_clock;
 }
 
 bool may_be_digits(double value) {
@@ -73,7 +62,8 @@ bool are_digits(const std::function<void(const FieldVisitor&)>& visit) {
 
 void take_time_units(std::vector<ColumnHead>& heads) {
     for (ColumnHead& head : heads) {
-        if (const std::string_view unit = unit_at_end(bare(head.heading.name)); !unit.empty() && !head.heading.unit) {
+        if (const std::string_view unit = unit_at_end(bare_name(head.heading.name));
+            !unit.empty() && !head.heading.unit) {
             head.heading.unit = unit == "sec" ? "s" : std::string(unit);
         }
     }
@@ -84,7 +74,7 @@ FieldForm form_of(const ColumnHead& head, std::string_view first,
     constexpr double before_loggers = 3e8;  // s since 1970, in 1979
     constexpr double after_them = 1e10;     // s; as many milliseconds were gone in 1970
     constexpr double least_digits = 1e4;    // one o'clock; a clock of seconds from the start begins at less
-    const bool is_named = rank_of(head.heading.name) != names.size();
+    const bool is_named = rank_of(head.heading.name) != no_clock;
     const auto is_nothing = [](std::string_view field) { return field.empty() || field == "-"; };
     if (is_named && is_nothing(first)) {
         visit([&](std::string_view field) {
@@ -123,17 +113,20 @@ void mark_clock(std::vector<ColumnHead>& heads) {
     if (std::ranges::any_of(heads, is_time)) {
         return;
     }
-    // Digits of a clock are whole seconds in most files: a time beside them is finer.
-    for (const bool digits : {false, true}) {
-        for (std::size_t rank = 0; rank < names.size(); ++rank) {
-            const auto found = std::ranges::find_if(heads, [&](const ColumnHead& head) {
-                return rank_of(head.heading.name) == rank && (head.form == FieldForm::digits) == digits;
-            });
-            if (found != heads.end()) {
-                found->is_clock = true;
-                return;
-            }
+    ColumnHead* surest = nullptr;
+    std::size_t least = 2 * no_clock;
+    for (ColumnHead& head : heads) {
+        const std::size_t rank = rank_of(head.heading.name);
+        // Digits of a clock are whole seconds in most files: a time beside them is finer.
+        const std::size_t behind = head.form == FieldForm::digits ? no_clock : 0;
+        if (rank < no_clock && rank + behind < least) {
+            least = rank + behind;
+            surest = &head;
         }
+    }
+    if (surest != nullptr) {
+        surest->is_clock = true;
+        return;
     }
     const auto has_clock = [](const ColumnHead& head) { return head.form != FieldForm::number; };
     if (std::ranges::count_if(heads, has_clock) == 1) {

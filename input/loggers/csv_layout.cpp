@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tries the loggers' formats in turn.
+// Tries the loggers' formats of loggers.list in turn.
 
 #include "input/loggers/csv_layout.hpp"
 
@@ -30,11 +30,11 @@ std::vector<std::string> read_detail(std::string_view line, char separator, LogD
 }
 
 CsvLayout find_csv_layout(std::string_view text) {
-    for (const auto find : {find_key_value_layout, find_racechrono_layout, find_vbox_layout, find_marked_layout}) {
-        if (std::optional<CsvLayout> layout = find(text)) {
-            return std::move(*layout);
-        }
+#define TEXT_LOG(name)                                                  \
+    if (std::optional<CsvLayout> layout = find_##name##_layout(text)) { \
+        return std::move(*layout);                                      \
     }
+#include "input/loggers/loggers.list"
     CsvLayout plain;
     plain.lines = find_head_lines(text);
     plain.separator = separator_of(plain.lines.names.text);

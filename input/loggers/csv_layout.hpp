@@ -24,7 +24,7 @@ struct CsvLayout {
     LogDescription description{};
     HeadLines lines{};
     char separator = ',';
-    Csv::Line sources{};               ///< names the device of each column; without number: none
+    CsvLine sources{};                 ///< names the device of each column; without number: none
     std::vector<std::string> units{};  ///< of the columns, where no line has them; empty: that of `lines`
     std::vector<KnownColumn> known{};
     bool round_brackets = false;        ///< headings are written "Speed (m/s) *gps"
@@ -37,15 +37,9 @@ struct CsvLayout {
 /// @param text without a byte order mark
 [[nodiscard]] CsvLayout find_csv_layout(std::string_view text);
 
-/// Parts of it; nothing for another format.
-/// AiM RaceStudio 2 and 3, and MoTeC i2: lines of a key and its values, an empty line, names, units, values.
-[[nodiscard]] std::optional<CsvLayout> find_key_value_layout(std::string_view text);
-/// RaceChrono, CSV formats 2 and 3.
-[[nodiscard]] std::optional<CsvLayout> find_racechrono_layout(std::string_view text);
-/// Racelogic VBOX, .vbo: sections in brackets, values separated by blanks.
-[[nodiscard]] std::optional<CsvLayout> find_vbox_layout(std::string_view text);
-/// TrackAddict, RaceCapture, Torque, Accessport, TunerStudio.
-[[nodiscard]] std::optional<CsvLayout> find_marked_layout(std::string_view text);
+/// Of one format; nothing for another.
+#define TEXT_LOG(name) [[nodiscard]] std::optional<CsvLayout> find_##name##_layout(std::string_view text);
+#include "input/loggers/loggers.list"
 
 /// Whether a line is a comment: # or // at its beginning, or a mark that the driver set in a log of TunerStudio.
 [[nodiscard]] bool is_comment(std::string_view line);

@@ -13,65 +13,17 @@
 #include "input/loggers/heading_names.hpp"
 #include "input/text/column_names.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/text/unit_text.hpp"
 #include "input/text/units.hpp"
 
 namespace tiretherm::input {
 
 namespace {
 
-using Spelling = std::array<std::string_view, 2>;
-
-/// In small letters. None of them is a unit of UDUNITS in this spelling, or one that no logger means (kmh is none, PSI neither).
-constexpr std::array spellings{Spelling{"kmh", "km/h"},
-                               Spelling{"km/hr", "km/h"},
-                               Spelling{"kmph", "km/h"},
-                               Spelling{"km/h", "km/h"},
-                               Spelling{"kph", "km/h"},
-                               Spelling{"mph", "mile/h"},
-                               Spelling{"kts", "knot"},
-                               Spelling{"knots", "knot"},
-                               Spelling{"psi", "psi"},
-                               Spelling{"psig", "psi"},
-                               Spelling{"barg", "bar"},
-                               Spelling{"bar(g)", "bar"},
-                               Spelling{"bar", "bar"},
-                               Spelling{"mbar", "mbar"},
-                               Spelling{"kpa", "kPa"},
-                               Spelling{"sec", "s"},
-                               Spelling{"secs", "s"},
-                               Spelling{"seconds", "s"},
-                               Spelling{"mins", "min"},
-                               Spelling{"minutes", "min"},
-                               Spelling{"hr", "h"},
-                               Spelling{"hrs", "h"},
-                               Spelling{"hours", "h"},
-                               Spelling{"meters/second", "m/s"},
-                               Spelling{"m/sec", "m/s"},
-                               Spelling{"rpm", "rpm"},
-                               Spelling{"revs/min", "rpm"},
-                               Spelling{"deg/s", "degree/s"},
-                               Spelling{"deg/sec", "degree/s"},
-                               Spelling{"dps", "degree/s"},
-                               Spelling{"\u00B0/s", "degree/s"},
-                               Spelling{"degrees", "degree"},
-                               Spelling{"\u00B0", "degree"},
-                               Spelling{"#", "1"},
-                               Spelling{"(null)", "1"},
-                               Spelling{"percent", "%"},
-                               Spelling{"nm", "N m"},
-                               Spelling{"metres", "m"},
-                               Spelling{"meters", "m"},
-                               Spelling{"none", "1"},
-                               Spelling{".c", "degC"},
-                               Spelling{"deg-c", "degC"},
-                               Spelling{"deg-f", "degF"},
-                               Spelling{"\u00B0c", "degC"},
-                               Spelling{"deg c", "degC"},
-                               Spelling{"celsius", "degC"},
-                               Spelling{".f", "degF"},
-                               Spelling{"\u00B0f", "degF"},
-                               Spelling{"deg f", "degF"},
-                               Spelling{"fahrenheit", "degF"}};
+constexpr std::array units_of_loggers{
+#define UNIT_OF_LOGGER(written, meant) UnitAlias{written, meant},
+#include "input/text/units.list"
+};
 
 /// A unit that means one thing in a table of physics and another in a logger.
 struct Ambiguous {
@@ -82,12 +34,11 @@ struct Ambiguous {
     std::string_view otherwise;  ///< in UDUNITS' words
     bool asks = true;            ///< of a column whose quantity only its name tells
 };
-constexpr std::array ambiguous{Ambiguous{"C", "K", "degC", "degC", "coulomb"},
-                               Ambiguous{"F", "K", "degF", "degF", "farad"},
-                               Ambiguous{"g", "m s-2", "gravity", "9.80665 m/s2", "gram"},
-                               Ambiguous{"G", "m s-2", "gravity", "9.80665 m/s2", "gauss"},
-                               Ambiguous{"lb", "N", "lbf", "lbf", "pound", false},
-                               Ambiguous{"lbs", "N", "lbf", "lbf", "pound", false}};
+constexpr std::array ambiguous{
+#define AMBIGUOUS_UNIT(written, dimension, meant, shown, otherwise, asks) \
+    Ambiguous{written, dimension, meant, shown, otherwise, asks},
+#include "input/text/units.list"
+};
 
 /// Whether the name says that the column is of the logger's quantity.
 bool name_agrees(std::string_view name, const Ambiguous& unit) {
@@ -132,20 +83,21 @@ std::string spelt(std::string_view text) {
     const std::string written = with_sign_of_degrees(text);
     const std::string small = in_small_letters(written);
     // One letter in capitals is another unit: M is no metre. Nm and nm are a moment and a length.
-    const auto found = std::ranges::find_if(spellings, [&](const Spelling& spelling) { return spelling[0] == small; });
+    const auto found = std::ranges::find_if(units_of_loggers, [&](const UnitAlias& unit) { return unit[0] == small; });
     const bool is_length = written == "nm";
-    return found == spellings.end() || is_length ? written : std::string((*found)[1]);
+    return found == units_of_loggers.end() || is_length ? written : std::string((*found)[1]);
 }
 
 }  // namespace
 
 bool is_logger_unit(std::string_view written) {
-    constexpr std::array<std::string_view, 33> plain{
-        "w",    "mw",    "kw", "s",   "ms",  "us",    "min", "h", "m",  "mm", "km", "ft", "c",  "f", "k", "g",   "m/s",
-        "m/s2", "m/s^2", "mg", "deg", "rad", "rad/s", "hz",  "v", "mv", "a",  "n",  "kn", "pa", "%", "l", "degc"};
+    constexpr std::array plain{
+#define PLAIN_UNIT(written) std::string_view(written),
+#include "input/text/units.list"
+    };
     const std::string small = in_small_letters(with_sign_of_degrees(written));
     return std::ranges::find(plain, small) != plain.end() || clock_spelling(written).has_value() ||
-           std::ranges::any_of(spellings, [&](const Spelling& spelling) { return spelling[0] == small; });
+           std::ranges::any_of(units_of_loggers, [&](const UnitAlias& unit) { return unit[0] == small; });
 }
 
 std::string meant_unit(std::string_view written, std::string_view wanted) {
@@ -160,13 +112,11 @@ std::string meant_unit(std::string_view written, std::string_view wanted) {
 
 std::string guess_unit(std::string_view written, std::string_view wanted, Scale scale) {
     constexpr std::array guesses{
-        Spelling{"c", "degC"},        Spelling{"deg", "degC"},    Spelling{"\u00B0", "degC"}, Spelling{"gradc", "degC"},
-        Spelling{"f", "degF"},        Spelling{"k", "K"},         Spelling{"mps", "m/s"},     Spelling{"ms", "m/s"},
-        Spelling{"n", "N"},           Spelling{"kn", "kN"},       Spelling{"kg", "kgf"},      Spelling{"msec", "ms"},
-        Spelling{"s", "s"},           Spelling{"minutes", "min"}, Spelling{"grad", "degree"}, Spelling{"rads", "rad"},
-        Spelling{"\u00BA", "degree"}, Spelling{"pct", "%"},       Spelling{"w", "W"}};
+#define UNIT_GUESS(written, meant) UnitAlias{written, meant},
+#include "input/text/units.list"
+    };
     const std::string small = in_small_letters(with_sign_of_degrees(written));
-    for (const Spelling& guess : guesses) {
+    for (const UnitAlias& guess : guesses) {
         if (guess[0] == small && std::holds_alternative<Conversion>(conversion(guess[1], wanted, scale))) {
             return std::string(guess[1]);
         }

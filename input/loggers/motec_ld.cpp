@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Files .ld of MoTeC loggers: a header, and a linked list of channels with a rate, a type and a scale each. Layout by public descriptions
+// of the format: header 64 at byte 0, the first record's address at 8, the data's at 12; a record of 124 bytes has the addresses
+// of its neighbours and of its samples, their count, type, size and rate, shift, multiplier, scale and decimals, name, short name
+// and unit. A value is (sample / scale / 10^decimals + shift) multiplier. The marks between laps are read from the file .ldx beside it.
 // Every address and count of the file is compared with its size before it is used.
-
-#include "input/loggers/motec_ld.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <set>
 #include <system_error>
 
 #include <fmt/format.h>
 
+#include "input/loggers/binary_logs.hpp"
 #include "input/loggers/binary_numbers.hpp"
 #include "input/loggers/logger_units.hpp"
 #include "input/loggers/motec_ldx.hpp"
@@ -59,12 +61,11 @@ std::optional<SampleType> type_of(int kind, int size) {
 /// Reads the records and says what is wrong with them.
 class LdReader {
 public:
-    LdReader(std::shared_ptr<const std::string> bytes, int file, InputErrors& errors)
-        : bytes_(std::move(bytes)), in_(*bytes_), place_{.file = file}, errors_(errors) {}
+    LdReader(const BinaryNumbers& in, InputErrors& errors) : in_(in), errors_(errors) {}
 
-    std::optional<std::vector<ChannelTable::Channel>> channels() {
+    std::optional<std::vector<TableColumn>> channels() {
         const std::size_t before = errors_.count();
-        std::vector<ChannelTable::Channel> found;
+        std::vector<TableColumn> found;
         std::set<std::uint32_t> seen;
         std::uint32_t at = in_.unsigned32(8);
         while (at != 0) {
@@ -99,7 +100,7 @@ public:
 
 private:
     /// @returns where the next record is
-    std::uint32_t take_record(std::uint32_t at, std::size_t index, std::vector<ChannelTable::Channel>& into) {
+    std::uint32_t take_record(std::uint32_t at, std::size_t index, std::vector<TableColumn>& into) {
         Record record{.next = in_.unsigned32(at + 4),
                       .data = in_.unsigned32(at + 8),
                       .count = in_.unsigned32(at + 12),
@@ -151,45 +152,42 @@ private:
         }
         const std::uint32_t next = record.next;
         if (record.count > 0 && !record.name.empty()) {
-            add(std::move(record), into);
+            into.push_back(channel_of(record));
+            short_names_.push_back(std::move(record.short_name));
         }
         return next;
     }
 
     /// Some programs write no short names, and the units in their place.
-    void take_units_from_short_names(std::vector<ChannelTable::Channel>& channels) const {
+    void take_units_from_short_names(std::vector<TableColumn>& channels) const {
         const auto is_unit = [](const std::string& text) {
             return text.empty() || is_logger_unit(text) || !signature(text).empty();
         };
-        const bool has_units =
-            std::ranges::any_of(channels, [](const ChannelTable::Channel& channel) { return !channel.unit.empty(); });
-        if (!has_units && std::ranges::all_of(short_names_, is_unit)) {
-            for (std::size_t i = 0; i < channels.size(); ++i) {
-                channels[i].unit = short_names_[i];
-            }
+        const bool has_units = std::ranges::any_of(
+            channels, [](const TableColumn& channel) { return channel.head.heading.unit.has_value(); });
+        for (std::size_t i = 0; !has_units && std::ranges::all_of(short_names_, is_unit) && i < channels.size(); ++i) {
+            channels[i].head.heading.unit = unit_of(short_names_[i]);
         }
     }
 
-    void add(Record record, std::vector<ChannelTable::Channel>& into) {
-        short_names_.push_back(record.short_name);
-        ChannelTable::Channel channel{
-            .name = record.name, .unit = record.unit, .rate = static_cast<double>(record.rate), .count = record.count};
-        channel.samples = [bytes = bytes_, record = std::move(record)] {
-            const BinaryNumbers in(*bytes);
-            solver::leave_reading_if_stopped();
-            std::vector<double> values = in.samples(record.data, record.count, record.type);
-            const double power = std::pow(10.0, record.decimals);
-            for (double& value : values) {
-                value = (value / record.scale / power + record.shift) * record.multiplier;
-            }
-            return values;
-        };
-        into.push_back(std::move(channel));
+    static std::optional<std::string> unit_of(const std::string& written) {
+        return written.empty() ? std::nullopt : std::optional(written);
     }
 
-    std::shared_ptr<const std::string> bytes_;
-    BinaryNumbers in_;
-    SourceLocation place_;
+    [[nodiscard]] TableColumn channel_of(const Record& record) const {
+        solver::leave_reading_if_stopped();
+        TableColumn channel{.head = {.heading = {record.name, unit_of(record.unit)}, .place = {}},
+                            .number = in_.samples(record.data, record.count, record.type),
+                            .rate = static_cast<double>(record.rate)};
+        const double power = std::pow(10.0, record.decimals);
+        for (double& value : channel.number) {
+            value = (value / record.scale / power + record.shift) * record.multiplier;
+        }
+        return channel;
+    }
+
+    const BinaryNumbers& in_;
+    SourceLocation place_{.file = 0};
     InputErrors& errors_;
     std::uint64_t samples_ = 0;             ///< bytes of all channels
     std::vector<std::string> short_names_;  ///< of the channels that are kept
@@ -199,16 +197,15 @@ private:
 
 bool is_motec_ld(std::string_view first_bytes) { return first_bytes.starts_with(std::string_view("\x40\0\0\0", 4)); }
 
-std::optional<ChannelTable> read_motec_ld(std::string bytes, const std::filesystem::path& path, int file,
-                                          InputErrors& errors) {
+std::optional<LogTable> read_motec_ld(const std::string& bytes, const std::filesystem::path& path,
+                                      InputErrors& errors) {
     if (bytes.size() < head_size) {
-        errors.add({.file = file},
+        errors.add({.file = 0},
                    fmt::format("the file ends within the head of a MoTeC .ld file: it has {} bytes", bytes.size()),
                    "the file is incomplete: copy it from the logger again");
         return std::nullopt;
     }
-    const auto shared = std::make_shared<const std::string>(std::move(bytes));
-    const BinaryNumbers in(*shared);
+    const BinaryNumbers in(bytes);
     LogDescription description{.format = "MoTeC .ld"};
     const auto add = [&](const char* name, std::size_t at, std::size_t length) {
         if (std::string text = in.text(at, length); !text.empty()) {
@@ -220,7 +217,7 @@ std::optional<ChannelTable> read_motec_ld(std::string bytes, const std::filesyst
     add("Driver", 0x9E, 64);
     add("Vehicle", 0xDE, 64);
     add("Venue", 0x15E, 64);
-    std::optional<std::vector<ChannelTable::Channel>> channels = LdReader(shared, file, errors).channels();
+    std::optional<std::vector<TableColumn>> channels = LdReader(in, errors).channels();
     if (!channels) {
         return std::nullopt;
     }
@@ -229,7 +226,7 @@ std::optional<ChannelTable> read_motec_ld(std::string bytes, const std::filesyst
         static_cast<void>(errors.add_file(beacons.generic_string(), ""));  // results follow from it, too
         description.markers = read_ldx_markers(path);
     }
-    return ChannelTable(std::move(*channels), std::move(description), file);
+    return table_of_channels(std::move(*channels), std::move(description));
 }
 
 }  // namespace tiretherm::input

@@ -34,7 +34,7 @@ std::optional<CsvLayout> find_racechrono_layout(std::string_view text) {
     bool is_third = false;
     int last = 1;
     while (layout.lines.names.number == 0) {
-        const Csv::Line line = next_filled_line(rest, last);
+        const CsvLine line = next_filled_line(rest, last);
         if (line.number == 0 || line.number > most_lines) {
             layout.defect_line = last;
             layout.defect = ErrorText{"the RaceChrono file has no line with the names of its channels",
@@ -57,7 +57,7 @@ std::optional<CsvLayout> find_racechrono_layout(std::string_view text) {
         return layout;
     }
     layout.description.format = "RaceChrono CSV 3";
-    for (Csv::Line* line : {&layout.lines.units, &layout.sources}) {
+    for (CsvLine* line : {&layout.lines.units, &layout.sources}) {
         *line = next_written_line(rest, last);
         if (line->number == 0 || begins_with_number(line->text, layout.separator)) {
             layout.defect_line = line->number == 0 ? last : line->number;

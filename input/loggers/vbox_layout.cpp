@@ -20,7 +20,7 @@ namespace {
 
 struct Section {
     int line = 0;
-    std::vector<Csv::Line> lines{};  ///< [channel units] keeps its empty ones
+    std::vector<CsvLine> lines{};  ///< [channel units] keeps its empty ones
 };
 
 std::string lower(std::string_view text) {
@@ -109,7 +109,7 @@ std::optional<StartLine> read_start_line(std::string_view line) {
 }
 
 /// The lines of a section without the empty ones at its end, of which it may have any number.
-std::vector<Csv::Line> without_end(std::vector<Csv::Line> lines) {
+std::vector<CsvLine> without_end(std::vector<CsvLine> lines) {
     while (!lines.empty() && lines.back().text.empty()) {
         lines.pop_back();
     }
@@ -120,11 +120,11 @@ std::vector<Csv::Line> without_end(std::vector<Csv::Line> lines) {
 /// Newer ones and other programs write one for each of the last columns, or of the last titles where there are more titles than columns.
 /// @param section with its empty lines, of which the last may only end it  @param titled names or titles, as many as there are of more
 /// @returns [n_titled], empty where there is none; nothing where they fit neither way
-std::optional<std::vector<std::string_view>> deal_units(const std::vector<Csv::Line>& section,
+std::optional<std::vector<std::string_view>> deal_units(const std::vector<CsvLine>& section,
                                                         const std::vector<std::string_view>& titled,
                                                         std::size_t n_columns) {
     std::vector<std::string_view> dealt(titled.size());
-    const std::vector<Csv::Line> filled = without_end(section);
+    const std::vector<CsvLine> filled = without_end(section);
     std::vector<std::size_t> own;
     for (std::size_t i = 0; i < n_columns; ++i) {
         if (!is_standard(titled[i])) {
@@ -188,15 +188,15 @@ std::optional<CsvLayout> find_vbox_layout(std::string_view text) {
         }
     }
     const auto filled = [&](std::string_view name) {
-        std::vector<Csv::Line> lines;
-        for (const Csv::Line& line : sections[std::string(name)].lines) {
+        std::vector<CsvLine> lines;
+        for (const CsvLine& line : sections[std::string(name)].lines) {
             if (!line.text.empty()) {
                 lines.push_back(line);
             }
         }
         return lines;
     };
-    const std::vector<Csv::Line> names = filled("column names");
+    const std::vector<CsvLine> names = filled("column names");
     if (names.empty() || !found_data) {
         layout.defect_line = number;
         layout.defect =
@@ -205,7 +205,7 @@ std::optional<CsvLayout> find_vbox_layout(std::string_view text) {
         return layout;
     }
     const std::size_t end = rest.find("\n[");
-    layout.lines = {.names = names.front(), .units = {.text = {}, .number = number}, .body = rest.substr(0, end)};
+    layout.lines = {.names = names.front(), .units = {}, .body = rest.substr(0, end)};
     if (const std::size_t timing = rest.find("\n[laptiming]"); timing != std::string_view::npos) {
         rest.remove_prefix(timing + 1);
         static_cast<void>(next_line(rest));
@@ -213,21 +213,21 @@ std::optional<CsvLayout> find_vbox_layout(std::string_view text) {
             sections["laptiming"].lines.push_back({trim(*line), number});
         }
     }
-    for (const Csv::Line& line : filled("comments")) {
+    for (const CsvLine& line : filled("comments")) {
         const std::size_t colon = line.text.find(':');
         if (colon != std::string_view::npos && !trim(line.text.substr(colon + 1)).empty()) {
             layout.description.details.push_back(
                 {printable(trim(line.text.substr(0, colon))), printable(trim(line.text.substr(colon + 1)))});
         }
     }
-    for (const Csv::Line& line : filled("laptiming")) {
+    for (const CsvLine& line : filled("laptiming")) {
         if (!layout.description.start_line) {
             layout.description.start_line = read_start_line(line.text);
         }
     }
     std::vector<std::string_view> columns;
     split_fields(names.front().text, ' ', columns);
-    const std::vector<Csv::Line> titles = filled("header");
+    const std::vector<CsvLine> titles = filled("header");
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const bool titled = titles.size() == columns.size();
         layout.units.push_back(standard_unit(std::string(columns[i]), titled ? titles[i].text : std::string_view()));
@@ -236,7 +236,7 @@ std::optional<CsvLayout> find_vbox_layout(std::string_view text) {
     for (std::size_t i = columns.size(); i < titles.size(); ++i) {
         titled.push_back(titles[i].text);
     }
-    const std::vector<Csv::Line>& section = sections["channel units"].lines;
+    const std::vector<CsvLine>& section = sections["channel units"].lines;
     if (const auto dealt = deal_units(section, titled, columns.size())) {
         for (std::size_t i = 0; i < columns.size(); ++i) {
             const std::string_view unit = (*dealt)[i];

@@ -97,8 +97,10 @@ RunColumns classify_columns(DataFile& file, ColumnKeys& keys, const std::vector<
                 found.unused.push_back(column);
             } else {
                 found.misnamed = true;
-                errors.add(name.place, fmt::format("\"{}\" is neither an input nor a sensor", name.text),
-                           suggest(name.text, known_names(sensors, followed), "names"));
+                errors.add(name.place,
+                           fmt::format("\"{}\" is {}", name.text,
+                                       sensors.empty() ? "not an input" : "neither an input nor a sensor"),
+                           suggest(name.text, known_names(sensors, followed), sensors.empty() ? "inputs" : "names"));
             }
             if (!is_followed) {
                 continue;
@@ -106,10 +108,11 @@ RunColumns classify_columns(DataFile& file, ColumnKeys& keys, const std::vector<
         }
         const auto [first, is_new] = taken.try_emplace(name.text, heading);
         if (!is_new) {
-            const std::string duplicate = first->second == heading
-                                              ? fmt::format("the heading \"{}\" stands twice", heading)
-                                              : fmt::format("{} and {} are both {}", first->second, heading, name.text);
-            errors.add(head.place, duplicate, fmt::format("leave one of them out: ignore = [\"{}\"]", heading));
+            first->second == heading
+                ? errors.add(head.place, fmt::format("the heading \"{}\" stands twice", heading),
+                             "rename or remove one of the columns in the file")
+                : errors.add(head.place, fmt::format("{} and {} are both {}", first->second, heading, name.text),
+                             fmt::format("leave one of them out: ignore = [\"{}\"]", heading));
             continue;
         }
         if (is_followed) {

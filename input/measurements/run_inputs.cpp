@@ -198,31 +198,23 @@ std::optional<RunFile> open_run_file(const RunTable& run, const TomlValue& docum
     if (!file) {
         return std::nullopt;
     }
-    ProbeTable* probes = file->probe_table();
-    if (probes != nullptr && probes->axis() != ProbeTable::Axis::time) {
-        std::optional<std::vector<double>> times = step_times(*probes, document, errors);
+    if (file->table().moments != LogTable::Moments::times) {
+        std::optional<std::vector<double>> times = step_times(*file, document, errors);
         if (!times) {
             return std::nullopt;
         }
-        probes->take_times(std::move(*times));
+        file->take_times(std::move(*times));
     }
     RunColumns columns = classify_columns(*file, *run.keys, sensors, followed, errors);
     RunFile opened{.file = std::move(*file), .columns = std::move(columns)};
     opened.file.choose_rows(opened.columns.chosen());
-    opened.file.parse_all();
     if (opened.columns.time < 0) {
         errors.add(opened.file.heads().front().place, "the file has no column time [s]",
                    "rename one: columns = { t = \"time\" }");
         return opened;
     }
-    const ColumnHead& head = opened.file.heads()[static_cast<std::size_t>(opened.columns.time)];
-    const std::string unit_remedy = opened.file.unit_remedy(head, quantity_specs::moment);
-    std::vector<std::vector<double>> read = opened.file.read({{.column = opened.columns.time,
-                                                               .name = "time",
-                                                               .spec = quantity_specs::moment,
-                                                               .purpose = Purpose::clock,
-                                                               .unit_remedy = unit_remedy}},
-                                                             errors);
+    std::vector<std::vector<double>> read = opened.file.read(
+        {opened.file.request(opened.columns.time, "time", quantity_specs::moment, Purpose::clock)}, errors);
     if (!read.empty()) {
         opened.time = std::move(read.front());
         if (!find_samples(run, opened, errors)) {
@@ -238,19 +230,11 @@ namespace {
 void read_followed(const RunFile& file, ColumnKeys& keys, RunInputs& into, InputErrors& errors) {
     const std::vector<FollowedColumn>& followed = file.columns.followed;
     std::vector<ColumnRequest> requests;
-    std::vector<std::string> remedies;
-    remedies.reserve(followed.size());
     into.columns.reserve(followed.size());  // requests look into it
     for (const FollowedColumn& column : followed) {
         const ColumnHead& head = file.file.heads()[static_cast<std::size_t>(column.column)];
         into.columns.push_back({.name = column.name, .unit = base_unit(head.heading.unit), .signal = {}});
-        const QuantitySpec spec{.unit = into.columns.back().unit};
-        remedies.push_back(file.file.unit_remedy(head, spec));
-        requests.push_back({.column = column.column,
-                            .name = column.name,
-                            .spec = spec,
-                            .purpose = Purpose::measured,
-                            .unit_remedy = remedies.back()});
+        requests.push_back(file.file.request(column.column, column.name, {.unit = into.columns.back().unit}));
     }
     const std::vector<std::vector<double>> read = file.file.read(requests, errors);
     for (std::size_t i = 0; !file.time.empty() && i < read.size(); ++i) {
@@ -287,17 +271,10 @@ RunInputs read_run_inputs(const RunTable& run, const RunFile* file, InputErrors&
     }
     read_followed(*file, *run.keys, into, errors);
     std::vector<ColumnRequest> requests;
-    std::vector<std::string> remedies;
-    remedies.reserve(file->columns.used.size());
     for (const UsedColumn& column : file->columns.used) {
         if (column.input != nullptr) {
             const ColumnHead& head = file->file.heads()[static_cast<std::size_t>(column.column)];
-            remedies.push_back(file->file.unit_remedy(head, quantity_specs::of(*column.input)));
-            requests.push_back({.column = column.column,
-                                .name = column.name,
-                                .spec = quantity_specs::of(*column.input),
-                                .purpose = Purpose::measured,
-                                .unit_remedy = remedies.back()});
+            requests.push_back(file->file.request(column.column, column.name, quantity_specs::of(*column.input)));
             into.inputs.push_back({.signal = column.input, .place = head.place, .time = {}, .value = {}});
         }
     }

@@ -51,21 +51,14 @@ private:
 void read_series(const RunFile& file, const ProblemBuilder& builder, InputErrors& errors, MeasuredRun& run) {
     std::vector<ColumnRequest> requests;
     std::vector<std::size_t> channels;
-    std::vector<std::string> remedies;
-    remedies.reserve(file.columns.used.size());
     for (const UsedColumn& column : file.columns.used) {
         const int channel = column.is_sensor ? find_channel(builder.problem, column.name) : -1;
         if (channel < 0) {
             continue;
         }
         const auto index = static_cast<std::size_t>(channel);
-        const QuantitySpec spec = value_spec(builder.problem.channels[index].quantity);
-        remedies.push_back(file.file.unit_remedy(file.file.heads()[static_cast<std::size_t>(column.column)], spec));
-        requests.push_back({.column = column.column,
-                            .name = column.name,
-                            .spec = spec,
-                            .purpose = Purpose::measured,
-                            .unit_remedy = remedies.back()});
+        requests.push_back(
+            file.file.request(column.column, column.name, value_spec(builder.problem.channels[index].quantity)));
         channels.push_back(index);
     }
     const std::vector<std::vector<double>> read = file.file.read(requests, errors);

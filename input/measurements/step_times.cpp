@@ -46,12 +46,13 @@ std::string spell(const solver::ScheduleStep& step, bool by_speed) {
 
 }  // namespace
 
-std::optional<std::vector<double>> step_times(const ProbeTable& table, const TomlValue& document, InputErrors& errors) {
-    const bool by_speed = table.axis() == ProbeTable::Axis::speed;
+std::optional<std::vector<double>> step_times(const DataFile& file, const TomlValue& document, InputErrors& errors) {
+    const bool by_speed = file.table().moments == LogTable::Moments::speeds;
+    const std::vector<double>& moments = file.table().columns.front().number;
     const std::vector<solver::ScheduleStep> steps = steps_of(document, errors);
     constexpr std::string_view as_times = "write the time of each column as its heading: \"20 min\"";
     if (steps.empty()) {
-        errors.add(table.row(0), "the columns are steps of a test, and the case has no schedule with steps",
+        errors.add(file.spot(0).place, "the columns are steps of a test, and the case has no schedule with steps",
                    std::string(as_times));
         return std::nullopt;
     }
@@ -59,15 +60,15 @@ std::optional<std::vector<double>> step_times(const ProbeTable& table, const Tom
     std::ranges::transform(steps, std::back_inserter(known),
                            [&](const solver::ScheduleStep& step) { return spell(step, by_speed); });
     std::vector<double> times;
-    for (std::size_t k = 0; k < table.moments().size(); ++k) {
-        const double wanted = table.moments()[k];
+    for (std::size_t k = 0; k < moments.size(); ++k) {
+        const double wanted = moments[k];
         const auto is_meant = [&](const solver::ScheduleStep& step) {
             return by_speed ? std::abs(step.speed - wanted) <= same_speed * wanted : step.number == wanted;
         };
         const auto n = std::ranges::count_if(steps, is_meant);
         if (n != 1) {
             errors.add(
-                table.row(k),
+                file.spot(k).place,
                 fmt::format("{} of the case's schedule {} {}", n == 0 ? "no step" : fmt::format("{} steps", n),
                             by_speed ? n == 0 ? "runs at" : "run at" : "has the number",
                             by_speed ? fmt::format("{:.4g} km/h", km_per_hour * wanted) : fmt::format("{:g}", wanted)),

@@ -25,7 +25,7 @@ constexpr double turn_at_sidewall = 45.0 / 180.0 * std::numbers::pi;
 constexpr double turn_at_bead = 120.0 / 180.0 * std::numbers::pi;
 
 /// One of the three kinds of zone, on both sides of the centre plane but for the crown.
-struct Stretch {
+struct MeridianStretch {
     std::string_view word;  ///< in a layer's list of zones
     double length = 0.0;    ///< m
     int cells = 0;          ///< none: the tire has no such zone
@@ -37,7 +37,7 @@ enum : std::size_t { crown, shoulders, sidewalls };
 
 /// Which layers reach into which zones.
 bool fill_stacks(TomlTable& mesh, const std::vector<std::vector<LocatedString>>& zones,
-                 std::array<Stretch, 3>& stretches) {
+                 std::array<MeridianStretch, 3>& stretches) {
     const std::size_t before = mesh.errors().count();
     const std::vector<std::string> known{"crown", "shoulders", "sidewalls"};
     for (std::size_t layer = 0; layer < zones.size(); ++layer) {
@@ -47,14 +47,14 @@ bool fill_stacks(TomlTable& mesh, const std::vector<std::vector<LocatedString>>&
                                   suggest(word.text, known, "zones"));
             }
         }
-        for (Stretch& stretch : stretches) {
+        for (MeridianStretch& stretch : stretches) {
             const auto named = [&](const LocatedString& word) { return word.text == stretch.word; };
             if (zones[layer].empty() || std::any_of(zones[layer].begin(), zones[layer].end(), named)) {
                 stretch.stack.push_back(static_cast<int>(layer));
             }
         }
     }
-    for (const Stretch& stretch : stretches) {
+    for (const MeridianStretch& stretch : stretches) {
         if (stretch.cells > 0 && stretch.stack.empty() && mesh.errors().count() == before) {
             mesh.errors().add(mesh.place(), fmt::format("no layer reaches into the {}", stretch.word),
                               fmt::format("name the zone in a layer, or leave it out: {}_cells = 0",
@@ -65,15 +65,15 @@ bool fill_stacks(TomlTable& mesh, const std::vector<std::vector<LocatedString>>&
 }
 
 /// The outer profile; gives the sidewalls a length with which it ends at the bead, unless they have one.
-mesh::Meridian profile(const physics::Tire& tire, double crown_radius, std::array<Stretch, 3>& stretches) {
+mesh::Meridian profile(const physics::Tire& tire, double crown_radius, std::array<MeridianStretch, 3>& stretches) {
     std::vector<mesh::Meridian::Arc> arcs{{.length = 0.5 * stretches[crown].length, .curvature = 1.0 / crown_radius}};
     double turn = arcs.front().length / crown_radius;
-    if (const Stretch& shoulder = stretches[shoulders]; shoulder.cells > 0) {
+    if (const MeridianStretch& shoulder = stretches[shoulders]; shoulder.cells > 0) {
         arcs.push_back({.length = shoulder.length, .curvature = (turn_at_sidewall - turn) / shoulder.length});
         turn = turn_at_sidewall;
     }
     const double tread_end = arcs.front().length + (arcs.size() > 1 ? arcs.back().length : 0.0);
-    if (Stretch& wall = stretches[sidewalls]; wall.cells > 0) {
+    if (MeridianStretch& wall = stretches[sidewalls]; wall.cells > 0) {
         const double from = mesh::Meridian(tire.unloaded_radius, arcs).at(tread_end).radius;
         const double to = tire.unloaded_radius - tire.section_height;
         const double turned = turn_at_bead - turn;
@@ -86,7 +86,7 @@ mesh::Meridian profile(const physics::Tire& tire, double crown_radius, std::arra
     return {tire.unloaded_radius, std::move(arcs)};
 }
 
-double thickness_of(const mesh::Section& section, const Stretch& stretch) {
+double thickness_of(const mesh::Section& section, const MeridianStretch& stretch) {
     double sum = 0.0;
     for (const int layer : stretch.stack) {
         sum += section.layers[static_cast<std::size_t>(layer)].thickness;
@@ -95,7 +95,7 @@ double thickness_of(const mesh::Section& section, const Stretch& stretch) {
 }
 
 /// Whether the profile and what lies inside of it stay clear of the tire's axis.
-bool is_sound(TomlTable& mesh, const mesh::Section& section, const std::array<Stretch, 3>& stretches) {
+bool is_sound(TomlTable& mesh, const mesh::Section& section, const std::array<MeridianStretch, 3>& stretches) {
     double reach = 0.5 * stretches[crown].length;
     double thickest = thickness_of(section, stretches[crown]);
     for (const std::size_t zone : {shoulders, sidewalls}) {
@@ -122,7 +122,7 @@ bool is_sound(TomlTable& mesh, const mesh::Section& section, const std::array<St
 }
 
 /// The loss follows the tire's thicknesses (66)(67), the mesh its layers': they should be one tire's.
-void warn_of_other_sizes(TomlTable& mesh, const mesh::Section& section, const std::array<Stretch, 3>& stretches,
+void warn_of_other_sizes(TomlTable& mesh, const mesh::Section& section, const std::array<MeridianStretch, 3>& stretches,
                          const physics::Tire& tire) {
     const auto warn = [&](std::string_view what, double layers, double stated, std::string_view key) {
         if (std::abs(layers / stated - 1.0) > 0.1) {
@@ -144,9 +144,9 @@ void warn_of_other_sizes(TomlTable& mesh, const mesh::Section& section, const st
     }
 }
 
-std::vector<mesh::Zone> zones_of(const std::array<Stretch, 3>& stretches) {
+std::vector<mesh::Zone> zones_of(const std::array<MeridianStretch, 3>& stretches) {
     std::vector<mesh::Zone> zones;
-    const auto add = [&](std::string_view name, const Stretch& s, bool outboard, bool tread) {
+    const auto add = [&](std::string_view name, const MeridianStretch& s, bool outboard, bool tread) {
         if (s.cells > 0) {
             zones.push_back({.name = std::string(name),
                              .length = s.length,
@@ -185,8 +185,8 @@ bool read_section(TomlTable& mesh, ProblemBuilder& builder) {
     const double tread = mesh.quantity("tread_width").value_or(tire.width);
     const double shoulder = mesh.quantity("shoulder_width").value_or(0.2 * tread);
     const double crown_radius = mesh.quantity("crown_radius").value_or(1.0);
-    std::array<Stretch, 3> stretches{Stretch{.word = "crown"}, Stretch{.word = "shoulders"},
-                                     Stretch{.word = "sidewalls"}};
+    std::array<MeridianStretch, 3> stretches{MeridianStretch{.word = "crown"}, MeridianStretch{.word = "shoulders"},
+                                             MeridianStretch{.word = "sidewalls"}};
     stretches[crown].cells = mesh.count("crown_cells").value_or(1);
     stretches[shoulders].cells = mesh.count("shoulder_cells").value_or(0);
     stretches[sidewalls].cells = mesh.count("sidewall_cells").value_or(0);

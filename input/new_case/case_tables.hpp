@@ -18,6 +18,7 @@ struct CaseDraft {
     std::string pressure_ground{};    ///< where it is from; empty: given, or that of the thesis's tire
     NewCase& result;                  ///< its log, and what is assumed and missing
     CaseWriter writer{};
+    InputErrors errors{};  ///< of the log, whose table the case is checked with
 
     [[nodiscard]] bool is_specimen() const { return mesh.name == specimen_mesh; }
     [[nodiscard]] const Log* log() const { return result.log ? &*result.log : nullptr; }

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <span>
 
 #include "input/loggers/logger_units.hpp"
 #include "input/text/column_names.hpp"
@@ -17,48 +15,19 @@ namespace tiretherm::input {
 
 namespace {
 
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
-
 /// Words by which loggers call a quantity. A heading is the more likely the quantity, the more of them it has.
 struct Vocabulary {
     std::string_view ending;  ///< of the names that it is about
-    std::array<std::string_view, 9> words;
+    std::string_view words;
 };
 constexpr std::array vocabularies{
-    Vocabulary{"time", {"time", "t", "timestamp", "zeit", "elapsed"}},
-    Vocabulary{"speed", {"speed", "velocity", "vel", "v", "vx", "gps", "ground", "geschwindigkeit"}},
-    Vocabulary{"vertical_load", {"load", "fz", "vertical", "normal", "radlast", "wheelload"}},
-    Vocabulary{"slip_angle", {"slip", "angle", "alpha", "sa"}},
-    Vocabulary{"slip_ratio", {"slip", "ratio", "kappa", "sr", "sx"}},
-    Vocabulary{"lateral_force", {"lateral", "fy", "side", "force", "cornering"}},
-    Vocabulary{"longitudinal_force", {"longitudinal", "fx", "brake", "drive", "force"}},
-    Vocabulary{"camber", {"camber", "gamma", "ia", "inclination", "sturz"}},
-    Vocabulary{"inflation_pressure", {"pressure", "inflation", "p", "press", "tpms", "druck"}},
-    Vocabulary{"air_temperature", {"air", "ambient", "amb", "tamb", "tair", "luft", "weather"}},
-    Vocabulary{"road_temperature", {"road", "track", "asphalt", "drum", "troad", "ttrack", "strasse", "ground"}},
-    Vocabulary{"wet", {"wet", "rain"}},
-    Vocabulary{"surface_temperature", {"surface", "surf", "tread", "ir", "infrared", "tsurf", "camera", "pyrometer"}},
-    Vocabulary{"inner_liner_temperature", {"liner", "innerliner", "inner", "inside", "carcass", "back", "bottom"}},
-    Vocabulary{"spot_mean_temperature",
-               {"spot", "front", "top", "outer", "outside", "surface", "camera", "ir", "mean"}},
-    Vocabulary{"spot_centre_temperature", {"spot", "centre", "center", "peak", "max", "hottest"}},
-    Vocabulary{"bulk_temperature", {"bulk", "core", "tbulk", "probe", "needle", "tire", "tyre"}},
-    Vocabulary{"gas_temperature", {"gas", "cavity", "tgas", "tpms", "innenluft"}},
-    Vocabulary{"drag_force", {"drag", "rolling", "resistance", "rr", "fr"}},
-    Vocabulary{"rolling_moment", {"rolling", "moment", "my", "torque"}},
-    Vocabulary{"loaded_radius", {"radius", "loaded", "rl"}},
+#define COLUMN_GUESS(name, words) Vocabulary{name, words},
+#include "input/text/column_names.list"
 };
 constexpr std::array zone_words{
     std::pair<std::string_view, std::string_view>{"outside_shoulder_", "outside outboard outer"},
     std::pair<std::string_view, std::string_view>{"inside_shoulder_", "inboard inside"},
     std::pair<std::string_view, std::string_view>{"crown_", "crown centre center middle mid"}};
-
-bool contains_word(std::string_view list, std::string_view word) {
-    const std::size_t at = (" " + std::string(list) + " ").find(" " + std::string(word) + " ");
-    return at != std::string::npos;
-}
 
 /// How many words of a heading speak for a meaning; a side counts half, so that it decides between equals.
 double score(const std::vector<std::string>& words, std::string_view name) {
@@ -66,7 +35,7 @@ double score(const std::vector<std::string>& words, std::string_view name) {
     for (const auto& [zone, list] : zone_words) {
         if (name.starts_with(zone)) {
             const bool named = std::ranges::any_of(
-                words, [&words_of_zone = list](const auto& word) { return contains_word(words_of_zone, word); });
+                words, [&words_of_zone = list](const auto& word) { return has_word(words_of_zone, word); });
             if (!named) {
                 return 0.0;
             }
@@ -78,9 +47,8 @@ double score(const std::vector<std::string>& words, std::string_view name) {
     if (found == vocabularies.end()) {
         return 0.0;
     }
-    const auto hits = std::ranges::count_if(words, [&](const std::string& word) {
-        return !word.empty() && std::ranges::find(found->words, word) != found->words.end();
-    });
+    const auto hits =
+        std::ranges::count_if(words, [&](const std::string& word) { return has_word(found->words, word); });
     return hits == 0 ? 0.0 : points + static_cast<double>(hits);
 }
 
@@ -110,16 +78,6 @@ std::vector<ColumnMeaning> meanings_of(const MeshTemplate& mesh) {
                        .any_unit = signal.unit.empty()});
     }
     return all;
-}
-
-std::string bare_name(std::string_view name) {
-    std::string bare;
-    for (const char c : name) {
-        if (is_letter(c) || is_digit(c)) {
-            bare += lower(c);
-        }
-    }
-    return bare;
 }
 
 std::string usual_unit(const QuantitySpec& spec) {

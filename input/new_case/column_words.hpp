@@ -9,6 +9,7 @@
 
 #include "input/new_case/mesh_template.hpp"
 #include "input/tables/columns.hpp"
+#include "input/text/column_names.hpp"
 
 namespace tiretherm::input {
 
@@ -25,9 +26,6 @@ struct ColumnMeaning {
 [[nodiscard]] std::vector<ColumnMeaning> meanings_of(const MeshTemplate& mesh);
 /// Whether a column that counts in any unit is in a unit of pressure.
 [[nodiscard]] bool is_pressure(const Heading& heading);
-
-/// A name without capitals, blanks and signs: "Vertical Load" and "vertical_load" are the same.
-[[nodiscard]] std::string bare_name(std::string_view name);
 
 /// The unit that messages would write for a quantity: km/h, N, degC.
 [[nodiscard]] std::string usual_unit(const QuantitySpec& spec);

@@ -62,7 +62,7 @@ bool read_values(DataFile& file, const std::vector<ColumnMeaning>& meanings, Log
                                                              : Purpose::measured});
         targets.push_back(&column);
     }
-    std::vector<std::vector<double>> values = file.read(requests, errors, true);
+    std::vector<std::vector<double>> values = file.read(requests, errors);
     for (std::size_t i = 0; i < values.size(); ++i) {
         (targets[i]->name == "time" ? log.time : targets[i]->value) = std::move(values[i]);
     }

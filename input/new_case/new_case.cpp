@@ -93,7 +93,7 @@ bool read_mesh_and_log(CaseDraft& draft) {
     if (!request.log) {
         return true;
     }
-    InputErrors errors;
+    InputErrors& errors = draft.errors;
     draft.result.log = read_log(*request.log, draft.mesh, request.units, errors);
     if (request.mesh.empty() && draft.log() != nullptr && has_laser(*draft.log())) {
         take_mesh(draft, specimen_mesh);
@@ -215,8 +215,9 @@ void list_missing(const CaseDraft& draft) {
 }
 
 /// Reads the case as if it stood where it will be.
-void check(const NewCaseRequest& request, const std::string& text, NewCase& result) {
+void check(const NewCaseRequest& request, const std::string& text, const InputErrors& of_log, NewCase& result) {
     InputErrors errors;
+    errors.share_tables(of_log);
     const TextFile file{.number = errors.add_file(request.target.generic_string(), text), .text = text};
     Runs runs;
     if (const std::optional<TomlValue> document = parse_toml(file, errors)) {
@@ -296,7 +297,7 @@ NewCase make_new_case(const NewCaseRequest& request) {
     }
     do {
         write_case(draft);
-        check(request, draft.writer.text(), result);
+        check(request, draft.writer.text(), draft.errors, result);
     } while (leave_out_culprit(draft));
     if (result.errors.empty()) {
         result.text = draft.writer.text();

@@ -16,30 +16,10 @@ namespace tiretherm::input {
 
 namespace {
 
-// Of two slip ratios SL is 0 where no force acts along the tire, which heat of sliding needs; SR counts from the loaded radius.
-constexpr std::array symbols{RigColumn{"et", "time"},
-                             RigColumn{"v", "speed"},
-                             RigColumn{"sa", "slip_angle"},
-                             RigColumn{"ia", "camber"},
-                             RigColumn{"p", "inflation_pressure"},
-                             RigColumn{"fx", "longitudinal_force"},
-                             RigColumn{"fy", "lateral_force"},
-                             RigColumn{"fz", "vertical_load"},
-                             RigColumn{"rst", "road_temperature"},
-                             RigColumn{"ambtmp", "air_temperature"},
-                             RigColumn{"tsti", "inside_shoulder_surface_temperature"},
-                             RigColumn{"tstc", "crown_surface_temperature"},
-                             RigColumn{"tsto", "outside_shoulder_surface_temperature"},
-                             RigColumn{"sl", "slip_ratio"},
-                             RigColumn{"sr", "slip_ratio"},
-                             RigColumn{"n", ""},
-                             RigColumn{"rl", ""},
-                             RigColumn{"re", ""},
-                             RigColumn{"mx", ""},
-                             RigColumn{"my", ""},
-                             RigColumn{"mz", ""},
-                             RigColumn{"nfx", ""},
-                             RigColumn{"nfy", ""}};
+constexpr std::array symbols{
+#define RIG_SYMBOL(symbol, name) RigColumn{symbol, name},
+#include "input/text/column_names.list"
+};
 constexpr std::ptrdiff_t fewest_symbols = 5;
 constexpr double leans = 0.3;  ///< correlation of the inclination with the hotter shoulder that tells its side
 

@@ -38,10 +38,12 @@ std::vector<TableKeys> drive_tables() {
         {"drive.file", TableForm::list,
          "A logger's file, in any format of `file` of `[[run]]`. Short gaps of an input are bridged as there. Columns that are no inputs are not read, except those that a `[[source]]` or an `[[exchange]]` follows.", {
             text("path", "The file, beside the case.").required(),
-            value("columns", "Other names of columns: `{ Fz = \"vertical_load\" }`. Default: their own."),
-            value("units", "As of `[[run]]`."),
-            value("ignore", "Columns that are inputs but shall not be used."),
-            value("hold", "As of `[[run]]`."),
+            subtable("columns", "Other names of columns: `{ Fz = \"vertical_load\" }`. Default: their own."),
+            subtable("units", "As of `[[run]]`."),
+            subtable("unit_names", "As of `[[run]]`."),
+            texts("ignore", "Columns that are inputs but shall not be used."),
+            texts("hold", "As of `[[run]]`."),
+            flag("keep_suspicious", "Samples that look dead count all the same. Default: false."),
         }},
     };
 }

@@ -24,6 +24,13 @@ struct ColumnHead {
     int date_column = -1;   ///< of a clock: the column that has its dates; -1: none
 };
 
+/// Where a field of a column stands.
+struct FieldLocation {
+    SourceLocation place;
+    std::string aside{};  ///< ends the sentence of a file that has no lines
+    std::string text{};   ///< as written, with a decimal point; empty in a file of numbers
+};
+
 /// What a column of a file is read for.
 enum class Purpose : std::uint8_t {
     clock,     ///< ascending; two lines at one time are a jump
@@ -40,7 +47,7 @@ struct ColumnRequest {
     std::string name;  ///< what messages call it
     QuantitySpec spec;
     Purpose purpose = Purpose::input;
-    std::string_view
+    std::string
         unit_remedy{};  ///< what to do about a unit that is missing or wrong; empty: to write it into the heading
 };
 
@@ -50,12 +57,6 @@ public:
     /// @param request must outlive the reader
     ColumnReader(const ColumnHead& head, const ColumnRequest& request, InputErrors& errors);
 
-    /// Where a field stands.
-    struct FieldLocation {
-        SourceLocation place;
-        std::string aside{};  ///< ends the sentence of a file that has no lines
-        std::string text{};   ///< as written, with a decimal point; empty in a file of numbers
-    };
     /// Takes the next number as it is written, NaN where nothing stands.
     /// @param is_number false where something else stands
     /// @param where gives its FieldLocation; called only for the first few that are wrong

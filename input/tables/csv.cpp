@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Splits lines into fields (separator, quotes, blanks), reads the headings and finds the place of a row.
+// Splits lines into fields (separator, quotes, blanks) and counts characters.
 
 #include "input/tables/csv.hpp"
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
-#include "input/loggers/clock_columns.hpp"
-#include "input/loggers/clock_words.hpp"
-#include "input/loggers/csv_layout.hpp"
-#include "input/loggers/heading_names.hpp"
 #include "input/text/suggestions.hpp"
 #include "solver/stop_signal.hpp"
 
@@ -97,7 +91,7 @@ bool is_blank(std::string_view line) { return line.find_first_not_of(" \t\",;") 
 namespace {
 
 template <typename IsEmpty>
-Csv::Line next_line_but(std::string_view& text, int last, IsEmpty is_empty) {
+CsvLine next_line_but(std::string_view& text, int last, IsEmpty is_empty) {
     for (int number = last + 1; const auto line = next_line(text); ++number) {
         if (!is_empty(*line)) {
             return {*line, number};
@@ -108,9 +102,9 @@ Csv::Line next_line_but(std::string_view& text, int last, IsEmpty is_empty) {
 
 }  // namespace
 
-Csv::Line next_filled_line(std::string_view& text, int last) { return next_line_but(text, last, is_blank); }
+CsvLine next_filled_line(std::string_view& text, int last) { return next_line_but(text, last, is_blank); }
 
-Csv::Line next_written_line(std::string_view& text, int last) {
+CsvLine next_written_line(std::string_view& text, int last) {
     return next_line_but(text, last, [](std::string_view line) { return trim(line).empty(); });
 }
 
@@ -132,165 +126,12 @@ void split_fields(std::string_view line, char separator, std::vector<std::string
     }
 }
 
-SourceLocation Csv::place(const Line& line, std::string_view field) const {
+SourceLocation place_in(const CsvLine& line, std::string_view field) {
     const std::string_view before = line.text.substr(0, static_cast<std::size_t>(field.data() - line.text.data()));
-    return {.file = file_,
+    return {.file = 0,
             .line = line.number,
             .column = count_characters(before) + 1,
             .length = std::max(1, count_characters(field))};
-}
-
-std::vector<SourceLocation> Csv::places(const Line& line, const std::vector<std::string_view>& fields) const {
-    std::vector<SourceLocation> found;
-    found.reserve(fields.size());
-    int column = 1;
-    const char* from = line.text.data();
-    for (const std::string_view field : fields) {
-        column += count_characters({from, static_cast<std::size_t>(field.data() - from)});
-        from = field.data();
-        found.push_back(
-            {.file = file_, .line = line.number, .column = column, .length = std::max(1, count_characters(field))});
-    }
-    return found;
-}
-
-void Csv::read_heads(const CsvLayout& layout) {
-    std::vector<std::string_view> fields;
-    split_fields(layout.lines.names.text, separator_, fields);
-    heads_.reserve(fields.size());
-    for (const SourceLocation& spot : places(layout.lines.names, fields)) {
-        std::string field(fields[heads_.size()]);
-        for (std::size_t at = 0; (at = field.find("\"\"", at)) != std::string::npos; ++at) {
-            field.erase(at, 1);  // a quote within quotes
-        }
-        heads_.push_back({.heading = layout.round_brackets ? read_round_heading(field) : read_heading_of_logger(field),
-                          .place = spot});
-    }
-    read_units(layout);
-    for (ColumnHead& head : heads_) {
-        const auto known = std::ranges::find(layout.known, head.heading.name, &KnownColumn::heading);
-        if (known != layout.known.end()) {
-            head.heading.name = known->name.empty() ? head.heading.name : std::string(known->name);
-            head.heading.unit = head.heading.unit ? head.heading.unit : std::optional<std::string>(known->unit);
-        }
-    }
-    if (layout.sources.number > 0) {
-        split_fields(layout.sources.text, separator_, fields);
-        distinguish(heads_, fields);
-    }
-    if (description_.format != LogDescription().format) {
-        number_duplicates(heads_);
-    }
-}
-
-void Csv::read_units(const CsvLayout& layout) {
-    for (std::size_t i = 0; i < std::min(layout.units.size(), heads_.size()); ++i) {
-        if (!layout.units[i].empty()) {
-            heads_[i].heading.unit = layout.units[i];
-        }
-    }
-    if (layout.lines.units.text.empty()) {
-        return;
-    }
-    std::vector<std::string_view> fields;
-    split_fields(layout.lines.units.text, separator_, fields);
-    const std::vector<SourceLocation> spots = places(layout.lines.units, fields);
-    for (std::size_t i = 0; i < std::min(fields.size(), heads_.size()); ++i) {
-        ColumnHead& head = heads_[i];
-        // An empty unit in a line of units is as good as none: the pure numbers of loggers are mostly unknown units.
-        if (!head.heading.unit && !fields[i].empty()) {
-            const Heading bracketed = read_heading(fields[i]);
-            head.heading.unit = bracketed.name.empty() && bracketed.unit ? *bracketed.unit : std::string(fields[i]);
-            head.unit_place = spots[i];
-        }
-    }
-}
-
-void Csv::visit_column(std::size_t column, const FieldVisitor& take) const {
-    CsvLine line;
-    std::string_view rest = body_;
-    std::vector<std::string_view> fields;
-    while (next_row(rest, names_, line)) {
-        split_fields(line.text, separator_, fields);
-        if (column >= fields.size() || !take(fields[column])) {
-            return;
-        }
-    }
-}
-
-void Csv::find_clocks() {
-    std::string_view rest = body_;
-    Line first;
-    static_cast<void>(next_row(rest, names_, first));
-    take_time_units(heads_);
-    std::vector<std::string_view> fields;
-    split_fields(first.text, separator_, fields);
-    fields.resize(std::min(fields.size(), heads_.size()));
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-        ColumnHead& head = heads_[i];
-        const bool is_vbox = description_.west_is_positive && head.heading.name == "time" && !is_clock(fields[i]);
-        head.form = is_vbox ? FieldForm::digits
-                            : form_of(head, fields[i], [&](const FieldVisitor& take) { visit_column(i, take); });
-        if (head.form != FieldForm::number && !clock_spelling(head.heading.unit.value_or(""))) {
-            head.heading.unit = "s";
-            head.unit_place = {};
-        }
-    }
-    mark_clock(heads_);
-    find_dates(heads_, fields);
-}
-
-std::optional<Csv> Csv::open(const TextFile& file, InputErrors& errors) {
-    Csv csv;
-    csv.file_ = file.number;
-    std::string_view text = file.text;
-    if (text.starts_with("\xEF\xBB\xBF")) {
-        text.remove_prefix(3);
-    }
-    CsvLayout layout = find_csv_layout(text);
-    if (layout.defect) {
-        errors.add({.file = file.number, .line = layout.defect_line, .column = 1, .length = 1},
-                   std::move(*layout.defect));
-        return std::nullopt;
-    }
-    csv.names_ = layout.lines.names.text;
-    csv.body_ = layout.lines.body;
-    csv.separator_ = layout.separator;
-    csv.description_ = std::move(layout.description);
-    csv.read_heads(layout);
-    if (leading_number(csv.heads_.front().heading.name)) {
-        errors.add(csv.heads_.front().place, "the first line holds numbers; it must name the columns",
-                   "write a first line such as time [s],speed [km/h]");
-        return std::nullopt;
-    }
-    for (const ColumnHead& head : csv.heads_) {
-        constexpr std::size_t longest = 1000;  // bytes; every page and message repeats it
-        const std::size_t size = std::max(head.heading.name.size(), head.heading.unit.value_or("").size());
-        if (size > longest) {
-            errors.add(head.place, fmt::format("the heading of a column has {} characters", size),
-                       "name each column in a few words, as in time [s],speed [km/h]");
-            return std::nullopt;
-        }
-    }
-    csv.find_clocks();
-    csv.rows_ = errors.rows(csv.file_);
-    if (!csv.rows_) {
-        const int last = std::max({layout.lines.names.number, layout.lines.units.number, layout.sources.number});
-        csv.rows_ = std::make_shared<CsvRows>(csv.body_, last + 1, csv.separator_, csv.names_, csv.heads_.size());
-        errors.rows(csv.file_) = csv.rows_;
-    }
-    return csv;
-}
-
-SourceLocation Csv::row(std::size_t index) const {
-    const Line line = rows_->row(index);
-    return place(line, line.text);
-}
-
-int Csv::find(std::string_view name) const {
-    const auto found =
-        std::find_if(heads_.begin(), heads_.end(), [&](const ColumnHead& head) { return head.heading.name == name; });
-    return found == heads_.end() ? -1 : static_cast<int>(found - heads_.begin());
 }
 
 }  // namespace tiretherm::input

@@ -65,12 +65,12 @@ bool has_unit(std::string_view line) {
 
 /// A line and what follows it.
 struct HeadStep {
-    Csv::Line line;
+    CsvLine line;
     std::string_view rest;
 };
 
 /// A table of numbers under a comment that names its columns: "# time [s], speed [km/h]".
-std::optional<HeadLines> names_in_comment(const Csv::Line& comment, const Csv::Line& first, std::string_view text) {
+std::optional<HeadLines> names_in_comment(const CsvLine& comment, const CsvLine& first, std::string_view text) {
     if (comment.number == 0 || first.number == 0) {
         return std::nullopt;
     }
@@ -92,10 +92,10 @@ std::optional<HeadLines> names_in_comment(const Csv::Line& comment, const Csv::L
 HeadLines find_head_lines(std::string_view text) {
     std::deque<HeadStep> next;
     std::string_view rest = text;
-    Csv::Line comment;  // the last one above the table
+    CsvLine comment;  // the last one above the table
     const auto step = [&] {
         const int last = next.empty() ? comment.number : next.back().line.number;
-        const Csv::Line line = next_filled_line(rest, last);
+        const CsvLine line = next_filled_line(rest, last);
         next.push_back({line, rest});
     };
     step();

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Splits the lines and parses the columns that are asked for; finds a row again from the last one that was marked.
+// Splits the lines and parses their fields; finds a row again from the last one that was marked.
 
 #include "input/tables/csv_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
 
 #include "input/loggers/csv_layout.hpp"
-#include "input/tables/csv.hpp"
+#include "input/text/error_limiter.hpp"
+#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 
@@ -18,19 +22,16 @@ constexpr std::size_t marked_rows = 256;  // from one row that is marked to the 
 /// A column that is being parsed.
 class ColumnParser {
 public:
-    ColumnParser(CsvRows::Column& into, int column, int date_column, bool may_have_commas)
-        : into_(&into),
-          column_(static_cast<std::size_t>(column)),
-          date_column_(date_column),
-          commas_(may_have_commas) {}
+    ColumnParser(TableColumn& into, std::size_t column, bool may_have_commas)
+        : into_(&into), column_(column), commas_(may_have_commas) {}
 
     void reserve(std::size_t rows) {
-        into_->form == FieldForm::number ? into_->number.reserve(rows) : into_->stamp.reserve(rows);
+        into_->head.form == FieldForm::number ? into_->number.reserve(rows) : into_->stamp.reserve(rows);
     }
     void take(const std::vector<std::string_view>& fields, const CsvLine& line) {
         // A dash is what loggers of phones write where they have no value.
         const std::string_view field = fields[column_] == "-" ? std::string_view() : fields[column_];
-        into_->form == FieldForm::number ? take_number(field, line) : take_clock(field, fields);
+        into_->head.form == FieldForm::number ? take_number(field, line) : take_clock(field, fields);
     }
 
 private:
@@ -44,29 +45,28 @@ private:
         into_->number.push_back(is_number ? number->value : std::numeric_limits<double>::quiet_NaN());
         if (commas_) {
             const bool is_comma = field.data() != point.data();
-            CsvRows::Mark& mark = is_comma ? into_->comma : into_->point;
-            if (mark.field.empty() && (is_comma || (is_number && field.find('.') != std::string_view::npos))) {
-                mark = {field, line};
+            DecimalMark& mark = is_comma ? into_->comma : into_->point;
+            if (mark.place.line == 0 && (is_comma || (is_number && field.find('.') != std::string_view::npos))) {
+                mark = {.place = place_in(line, field), .field = std::string(field)};
             }
         }
     }
 
     void take_clock(std::string_view field, const std::vector<std::string_view>& fields) {
         std::string_view clock = field;
-        if (date_column_ >= 0 && !field.empty()) {
-            room_.assign(fields[static_cast<std::size_t>(date_column_)]).append(" ").append(field);
+        if (into_->head.date_column >= 0 && !field.empty()) {
+            room_.assign(fields[static_cast<std::size_t>(into_->head.date_column)]).append(" ").append(field);
             clock = room_;
         }
-        const Stamp stamp = read_stamp(clock, into_->form);
+        const Stamp stamp = read_stamp(clock, into_->head.form);
         if (std::isnan(stamp.seconds) && !field.empty()) {
             into_->text.push_back(static_cast<std::uint32_t>(into_->stamp.size()));
         }
         into_->stamp.push_back(stamp);
     }
 
-    CsvRows::Column* into_;
+    TableColumn* into_;
     std::size_t column_;
-    int date_column_;
     bool commas_;
     std::string room_;
 };
@@ -87,66 +87,84 @@ bool CsvRows::is_row(const std::vector<std::string_view>& fields) const {
     return fields.size() == n_columns_ || (fields.size() == n_columns_ + 1 && fields.back().empty());
 }
 
-void CsvRows::parse(const std::vector<int>& columns, const std::vector<ColumnHead>& heads) {
-    const std::lock_guard lock(parsing_);
-    std::vector<ColumnParser> parsers;
-    for (const int index : columns) {
-        const ColumnHead& head = heads[static_cast<std::size_t>(index)];
-        const auto [at, is_new] = columns_.try_emplace(index);
-        if (is_new || at->second.form != head.form) {
-            at->second = {.form = head.form};
-            parsers.emplace_back(at->second, index, head.date_column, separator_ != ',');
-        }
-    }
-    const bool is_first = lines_split_ == 0;
-    if (parsers.empty() && !is_first) {
-        return;
-    }
+void CsvRows::parse(std::vector<TableColumn>& columns, InputErrors& errors) {
+    n_columns_ = columns.size();
     const auto lines = static_cast<std::size_t>(std::ranges::count(body_, '\n')) + 1;
-    for (ColumnParser& parser : parsers) {
-        parser.reserve(std::min(lines, body_.size() / n_columns_ + 1));
+    std::vector<ColumnParser> parsers;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        parsers.emplace_back(columns[i], i, separator_ != ',').reserve(std::min(lines, body_.size() / n_columns_ + 1));
     }
-    std::size_t row = 0;
+    std::vector<Ragged> ragged;
     std::string_view rest = body_;
     std::vector<std::string_view> fields;
     for (CsvLine line{{}, first_line_ - 1}; next_row(rest, names_, line);) {
         split_fields(line.text, separator_, fields);
-        ++lines_split_;
         if (!is_row(fields)) {
-            if (is_first) {
-                ragged_.push_back({line, fields.size()});
-            }
+            ragged.push_back({line, fields.size()});
             continue;
         }
-        if (is_first && row % marked_rows == 0) {
+        if (n_rows_ % marked_rows == 0) {
             marked_.push_back(line);
         }
         for (ColumnParser& parser : parsers) {
             parser.take(fields, line);
         }
-        ++row;
+        ++n_rows_;
     }
-    if (is_first) {
-        size_ = row;
-    }
+    const auto is_time = [](const TableColumn& column) {
+        return column.head.is_clock || column.head.heading.name == "time";
+    };
+    report(ragged, std::ranges::any_of(columns, is_time), errors);
 }
 
-CsvLine CsvRows::row(std::size_t index) const {
-    CsvLine line = marked_[index / marked_rows];
+void CsvRows::report(const std::vector<Ragged>& ragged, bool is_log, InputErrors& errors) const {
+    if (ragged.empty() && n_rows_ == 0) {
+        errors.add({.file = 0}, "the file has headings but no numbers");
+    }
+    ErrorLimiter limiter(errors);
+    for (const auto& [line, fields] : ragged) {
+        const bool is_last = trim({line.text.end(), body_.end()}).empty();
+        if (fields < n_columns_ && is_last && n_rows_ > 0 && is_log) {
+            errors.warn(place_in(line, line.text),
+                        fmt::format("the last line has {} of {} values: the logger stopped in it, and it is left out",
+                                    fields, n_columns_));
+            continue;
+        }
+        if (limiter.only_counts()) {
+            limiter.add({}, {});
+            continue;
+        }
+        limiter.add(place_in(line, line.text),
+                    {fmt::format("the line has {} values, the first line names {} columns", fields, n_columns_),
+                     separator_ == ',' && fields > n_columns_
+                         ? "if the numbers have decimal commas, export the file with semicolons or with decimal points"
+                         : "complete or remove the line"});
+    }
+    limiter.close("the number of values");
+}
+
+CsvLine CsvRows::line_of(std::size_t row) const {
+    CsvLine line = marked_[row / marked_rows];
     std::string_view rest = body_.substr(static_cast<std::size_t>(line.text.begin() - body_.begin()));
     static_cast<void>(next_line(rest));
     std::vector<std::string_view> fields;
-    for (std::size_t left = index % marked_rows; left > 0 && next_row(rest, names_, line);) {
+    for (std::size_t left = row % marked_rows; left > 0 && next_row(rest, names_, line);) {
         split_fields(line.text, separator_, fields);
         left -= is_row(fields) ? 1 : 0;
     }
     return line;
 }
 
-std::string_view CsvRows::field(const CsvLine& row, int column) const {
+FieldLocation CsvRows::where(std::size_t row, int column) const {
+    const CsvLine line = line_of(row);
+    if (column < 0) {
+        return {.place = place_in(line, line.text)};
+    }
     std::vector<std::string_view> fields;
-    split_fields(row.text, separator_, fields);
-    return fields[static_cast<std::size_t>(column)];
+    split_fields(line.text, separator_, fields);
+    const std::string_view field = fields[static_cast<std::size_t>(column)];
+    std::string room;
+    return {.place = place_in(line, field), .text = std::string(separator_ == ',' ? field : with_point(field, room))};
 }
 
 }  // namespace tiretherm::input

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A file of measured columns, CSV, a table of probes, HDF5 or a logger's binary file, behind one interface.
+// A file of measured columns, of whatever format, as one reader sees it.
 #pragma once
 
 #include <filesystem>
 #include <memory>
-#include <variant>
+#include <optional>
+#include <vector>
 
-#include "input/loggers/channel_table.hpp"
-#include "input/tables/csv.hpp"
-#include "input/tables/hdf5_columns.hpp"
-#include "input/tables/probe_table.hpp"
+#include "input/tables/log_table.hpp"
 
 namespace tiretherm::input {
 
 /// A file of measured columns: HDF5 where its name ends in .h5 or .hdf5, MoTeC .ld and iRacing .ibt by their first bytes,
-/// otherwise text: a table of probes (ProbeTable), or columns of any of the loggers that Csv knows.
+/// otherwise text: a table of probes, or columns of any of the loggers that `read_csv` knows. The table is shared by all that
+/// open the file with the same errors, their copies or those that share their tables; headings and rows are this reader's own.
 class DataFile {
 public:
     /// @param mentioned where the case names it; file -1 when it was given beside the case
@@ -22,36 +21,50 @@ public:
     [[nodiscard]] static std::optional<DataFile> open(const std::filesystem::path& path,
                                                       const SourceLocation& mentioned, InputErrors& errors);
 
-    [[nodiscard]] const std::vector<ColumnHead>& heads() const;
-    [[nodiscard]] std::vector<ColumnHead>& heads();
+    [[nodiscard]] const std::vector<ColumnHead>& heads() const { return heads_; }
+    [[nodiscard]] std::vector<ColumnHead>& heads() { return heads_; }
     [[nodiscard]] int number() const { return number_; }  ///< of the file in the errors
     [[nodiscard]] int find(std::string_view name) const;  ///< index of a heading, -1 when absent
-    [[nodiscard]] const LogDescription& description() const;
-    /// Of channels with rates of their own, those whose times the rows are to have; of other files all rows stay.
+    [[nodiscard]] const LogTable& table() const { return *table_; }
+    [[nodiscard]] const LogDescription& description() const { return table_->description; }
+    [[nodiscard]] bool is_text() const { return table_->text != nullptr; }
+    /// Of channels with clocks of their own, those whose times the rows are to have, all at first; of other files all rows stay.
     void choose_rows(const std::vector<int>& columns);
-    /// The channels with rates of their own; null where all columns have the same times.
-    [[nodiscard]] const ChannelTable* channel_table() const { return std::get_if<ChannelTable>(&columns_); }
-    /// The table whose lines are probes; null for columns.
-    [[nodiscard]] ProbeTable* probe_table() { return std::get_if<ProbeTable>(&columns_); }
-    /// What to do about a column whose unit is missing or wrong.
-    [[nodiscard]] std::string unit_remedy(const ColumnHead& head, const QuantitySpec& spec) const;
+    /// Puts times in the place of the speeds or numbers of steps in a table of probes. @param times s, one for each row
+    void take_times(std::vector<double> times);
+    /// A request of a column whose unit the case can give, with what to do about one that is missing or wrong.
+    [[nodiscard]] ColumnRequest request(int column, std::string name, const QuantitySpec& spec,
+                                        Purpose purpose = Purpose::measured) const;
     /// Where a row of values stands; the first is 0.
-    [[nodiscard]] ColumnReader::FieldLocation spot(std::size_t row) const;
-    [[nodiscard]] bool is_text() const { return text_ != nullptr; }
-    /// Of a text, parses all columns in one pass: for those who will read most of them, one after the other.
-    void parse_all() const;
-    /// @param last whether they are read for the last time, so that what was parsed of a text is let go column by column
+    [[nodiscard]] FieldLocation spot(std::size_t row) const { return spot(row, -1, 0.0); }
     /// @returns the values of each request, all of one length; none after an error
-    [[nodiscard]] std::vector<std::vector<double>> read(const std::vector<ColumnRequest>& requests, InputErrors& errors,
-                                                        bool last = false) const;
+    [[nodiscard]] std::vector<std::vector<double>> read(const std::vector<ColumnRequest>& requests,
+                                                        InputErrors& errors) const;
+
+    /// A column as it is written, with what is missing.
+    struct Samples {
+        std::vector<double> time;   ///< [n] s
+        std::vector<double> value;  ///< [n], NaN where there is none
+    };
+    /// The samples of a column at their own times. @param time of the rows, s  @returns none where the file has other rows
+    [[nodiscard]] Samples samples(int column, const std::vector<double>& time, const InputErrors& errors) const;
 
 private:
-    static std::optional<DataFile> open_any(const std::filesystem::path& path, const SourceLocation& mentioned,
-                                            InputErrors& errors);
+    [[nodiscard]] std::string unit_remedy(const ColumnHead& head, const QuantitySpec& spec) const;
+    [[nodiscard]] FieldLocation spot(std::size_t row, int column, double written) const;
+    /// The numbers of a column as it is asked for, in the rows of this reader.
+    /// @param room of the result, where they are not those that are written
+    [[nodiscard]] const std::vector<double>& numbers_of(const ColumnRequest& request, std::vector<double>& room,
+                                                        InputErrors& errors) const;
+    [[nodiscard]] std::vector<double> read_column(const ColumnRequest& request, InputErrors& errors) const;
+    [[nodiscard]] std::vector<std::vector<double>> read_columns(const std::vector<ColumnRequest>& requests,
+                                                                InputErrors& errors) const;
 
     int number_ = -1;
-    std::shared_ptr<const std::string> text_;  ///< of a CSV or a table of probes, which keep no text of their own
-    std::variant<Csv, Hdf5Columns, ChannelTable, ProbeTable> columns_;
+    std::shared_ptr<const LogTable> table_;
+    std::vector<ColumnHead> heads_;
+    std::vector<double>
+        times_{};  ///< s, of the rows where the table has none: channels with own clocks, steps of a test
 };
 
 }  // namespace tiretherm::input

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <numbers>
 #include <set>
 
@@ -53,13 +52,10 @@ public:
     }
 
 private:
-    [[nodiscard]] int find(std::string_view name) const {
-        const auto& heads = file_->heads();
-        const auto found =
-            std::ranges::find_if(heads, [&](const ColumnHead& head) { return head.heading.name == name; });
-        return found == heads.end() ? -1 : static_cast<int>(found - heads.begin());
+    [[nodiscard]] bool has(std::string_view name) const { return file_->find(name) >= 0; }
+    [[nodiscard]] SourceLocation place_of(std::string_view name) const {
+        return file_->heads()[static_cast<std::size_t>(file_->find(name))].place;
     }
-    [[nodiscard]] bool has(std::string_view name) const { return find(name) >= 0; }
     [[nodiscard]] SourceLocation top() const { return {.file = file_->number()}; }
 
     void check_names() {
@@ -86,20 +82,19 @@ private:
     }
 
     void request(std::string_view name) {
-        const int column = find(name);
+        const int column = file_->find(name);
         const FieldColumn& known = field_column(name);
         if (column >= 0) {
             requests_.push_back({.column = column,
                                  .name = std::string(name),
                                  .spec = known.spec,
                                  .purpose = known.purpose,
-                                 .unit_remedy = remedies_.emplace_back(unit_remedy(known, file_->is_text()))});
+                                 .unit_remedy = unit_remedy(known, file_->is_text())});
         }
     }
     void request_places() {
         if (has("time") && has("wheel_angle")) {
-            errors_->add(file_->heads()[static_cast<std::size_t>(find("wheel_angle"))].place,
-                         "a field is given against time or against the wheel angle, not both",
+            errors_->add(place_of("wheel_angle"), "a field is given against time or against the wheel angle, not both",
                          "remove one of the columns");
         }
         against_ = has("time")          ? FieldFile::Against::time
@@ -120,8 +115,7 @@ private:
             } else {
                 request("depth");
                 if (has("x")) {
-                    errors_->add(file_->heads()[static_cast<std::size_t>(find("x"))].place,
-                                 "loss_density turns with the tire: x is no place of it",
+                    errors_->add(place_of("x"), "loss_density turns with the tire: x is no place of it",
                                  "give it against wheel_angle, or as a mean around the tire without x");
                 }
             }
@@ -206,7 +200,7 @@ private:
     void check_sizes(const FieldFile& field) const {
         for (const FieldFrame& frame : field.frames) {
             if (frame.points.size() != field.frames.front().points.size()) {
-                const ColumnReader::FieldLocation spot = file_->spot(frame.first_row);
+                const FieldLocation spot = file_->spot(frame.first_row);
                 errors_->add(spot.place,
                              fmt::format("this frame has {} points, the first has {}{}", frame.points.size(),
                                          field.frames.front().points.size(), spot.aside),
@@ -219,7 +213,7 @@ private:
     void check_revolution(const FieldFile& field) const {
         if (against_ == FieldFile::Against::wheel_angle && field.shares_of_revolution().empty()) {
             const double degree = turn / 360.0;
-            errors_->add(file_->heads()[static_cast<std::size_t>(find("wheel_angle"))].place,
+            errors_->add(place_of("wheel_angle"),
                          fmt::format("wheel_angle goes from {:.4g} to {:.4g} deg, which is not a whole revolution",
                                      field.frames.front().at / degree, field.frames.back().at / degree),
                          "give frames from 0 to 360 deg, the last one 360 or a step before it");
@@ -230,7 +224,7 @@ private:
         if (const std::vector<double>* cells = values("cell")) {
             const auto broken = std::ranges::find_if(*cells, [](double c) { return c != std::floor(c); });
             if (broken != cells->end()) {
-                const ColumnReader::FieldLocation spot = file_->spot(static_cast<std::size_t>(broken - cells->begin()));
+                const FieldLocation spot = file_->spot(static_cast<std::size_t>(broken - cells->begin()));
                 errors_->add(spot.place, fmt::format("cell is {:g}{}; a whole number is wanted", *broken, spot.aside));
             }
         }
@@ -258,7 +252,6 @@ private:
     InputErrors* errors_;
     FieldFile::Against against_ = FieldFile::Against::nothing;
     std::vector<ColumnRequest> requests_;
-    std::deque<std::string> remedies_;
     std::vector<std::vector<double>> values_;
 };
 

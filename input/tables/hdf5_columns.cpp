@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks that all datasets have one length and reads the requested ones into SI values.
+// Checks that all datasets have one length.
 
 #include "input/tables/hdf5_columns.hpp"
 
@@ -12,20 +12,8 @@
 
 namespace tiretherm::input {
 
-std::optional<Hdf5Columns> Hdf5Columns::open(const std::filesystem::path& path, const SourceLocation& mentioned,
-                                             InputErrors& errors) {
-    const std::string shown = path.generic_string();
-    if (const ErrorText error = hdf5_defect(path); !error.what.empty()) {
-        if (mentioned.file < 0) {
-            errors.add({.file = errors.add_file(shown, "")}, "the file " + error.what, error.remedy);
-        } else {
-            errors.add(mentioned, fmt::format("the file {} {}", shown, error.what), error.remedy);
-        }
-        return std::nullopt;
-    }
-    Hdf5Columns columns;
-    columns.number_ = errors.add_file(shown, "");
-    const SourceLocation place{.file = columns.number_};
+std::optional<LogTable> read_hdf5_columns(const std::filesystem::path& path, InputErrors& errors) {
+    const SourceLocation place{.file = 0};
     auto [found, groups, defects] = read_datasets(path);
     if (!defects.empty()) {
         for (ErrorText& defect : defects) {
@@ -60,34 +48,18 @@ std::optional<Hdf5Columns> Hdf5Columns::open(const std::filesystem::path& path, 
     if (!equal) {
         return std::nullopt;
     }
+    LogTable table{.description = {.format = "HDF5"}, .units = LogTable::Units::in_attributes};
+    if (first.values.empty()) {
+        table.defects.add(place, "the datasets are empty");
+    }
     for (Dataset& dataset : found) {
-        columns.heads_.push_back({.heading = std::move(dataset.heading), .place = place});
-        columns.written_.push_back(std::move(dataset.values));
+        table.columns.push_back(
+            {.head = {.heading = std::move(dataset.heading), .place = place}, .number = std::move(dataset.values)});
     }
-    return columns;
-}
-
-std::vector<std::vector<double>> Hdf5Columns::read(const std::vector<ColumnRequest>& requests,
-                                                   InputErrors& errors) const {
-    const std::size_t before = errors.count();
-    std::vector<std::vector<double>> values;
-    for (const ColumnRequest& request : requests) {
-        const auto column = static_cast<std::size_t>(request.column);
-        ColumnReader reader(heads_[column], request, errors);
-        const std::vector<double>& written = written_[column];
-        for (std::size_t i = 0; i < written.size(); ++i) {
-            const auto where = [&] {
-                return ColumnReader::FieldLocation{heads_[column].place, fmt::format(" (value {})", i + 1)};
-            };
-            reader.take(written[i], true, where);
-        }
-        reader.close();
-        values.push_back(std::move(reader.values));
-    }
-    if (!written_.empty() && written_.front().empty()) {
-        errors.add({.file = number_}, "the datasets are empty");
-    }
-    return errors.count() == before ? values : std::vector<std::vector<double>>{};
+    table.where = [place](std::size_t row, int /*column*/) {
+        return FieldLocation{place, fmt::format(" (value {})", row + 1)};
+    };
+    return table;
 }
 
 }  // namespace tiretherm::input

@@ -24,19 +24,19 @@ constexpr std::size_t fewest_moments = 2;
 
 /// What a heading or a unit says of the axis.
 struct Moment {
-    std::optional<ProbeTable::Axis> axis{};  ///< nothing for a bare number
-    double value = 0.0;                      ///< SI
-    std::string unit{};                      ///< of the values, in brackets behind the moment
+    std::optional<LogTable::Moments> axis{};  ///< nothing for a bare number
+    double value = 0.0;                       ///< SI
+    std::string unit{};                       ///< of the values, in brackets behind the moment
 };
 
 struct AxisUnit {
-    ProbeTable::Axis axis = ProbeTable::Axis::time;
+    LogTable::Moments axis = LogTable::Moments::times;
     Conversion conversion{};
 };
 
 std::optional<AxisUnit> axis_of(std::string_view unit) {
     for (const auto& [axis, si] :
-         {std::pair(ProbeTable::Axis::time, "s"), std::pair(ProbeTable::Axis::speed, "m s-1")}) {
+         {std::pair(LogTable::Moments::times, "s"), std::pair(LogTable::Moments::speeds, "m s-1")}) {
         const auto read = conversion(unit, si, Scale::absolute);
         if (const auto* found = std::get_if<Conversion>(&read); found != nullptr && !unit.empty()) {
             return AxisUnit{axis, *found};
@@ -88,7 +88,7 @@ std::optional<Moment> moment_of(std::string_view field) {
     const std::string_view unit = without_brackets(number->rest);
     const std::string in_brackets = heading.unit.value_or("");
     if (std::ranges::find(before_steps, word) != before_steps.end() && (unit.empty() || name.back() == ')')) {
-        return Moment{ProbeTable::Axis::step, number->value, in_brackets};
+        return Moment{LogTable::Moments::steps, number->value, in_brackets};
     }
     if (std::ranges::find(before_times, word) == before_times.end()) {
         return std::nullopt;
@@ -104,21 +104,63 @@ bool is_no_reading(std::string_view field) {
            field == "nan" || field == "NaN";
 }
 
-}  // namespace
+/// A text that is read line by line.
+class ProbeReader {
+public:
+    /// @returns whether it may still be such a table
+    bool take(std::string_view text, int number) {
+        Line line{{text, number}, {}};
+        const bool is_begun = !moments_.empty();
+        separator_ = is_begun ? separator_ : separator_of(text);
+        split_fields(text, separator_, line.fields);
+        if (is_begun) {
+            return read_probe(line);
+        }
+        ProbeReader begun;
+        begun.separator_ = separator_;
+        if (line.fields.size() > fewest_moments && !leading_number(line.fields.front()) && begun.read_headings(line)) {
+            *this = std::move(begun);
+            return true;
+        }
+        return number < searched_lines;
+    }
 
-SourceLocation ProbeTable::place(const Line& line, std::string_view field) const {
-    const std::string_view before = line.text.substr(0, static_cast<std::size_t>(field.data() - line.text.data()));
-    return {.file = file_,
-            .line = line.number,
-            .column = count_characters(before) + 1,
-            .length = std::max(1, count_characters(field))};
-}
+    std::optional<LogTable> table() {
+        if (columns_.size() < 2) {
+            return std::nullopt;
+        }
+        LogTable table{.description = {.format = "table of probes"}, .moments = axis_, .columns = std::move(columns_)};
+        table.where = [places = std::move(places_), all = table.columns](std::size_t row, int column) {
+            const auto at = static_cast<std::size_t>(std::max(0, column));
+            return FieldLocation{.place = places[at][row], .text = fmt::format("{:.10g}", all[at].number[row])};
+        };
+        return table;
+    }
 
-bool ProbeTable::read_headings(const Line& line) {
+private:
+    struct Line {
+        CsvLine line;
+        std::vector<std::string_view> fields;
+    };
+    bool read_headings(const Line& line);
+    bool read_probe(const Line& line);
+
+    char separator_ = ',';
+    LogTable::Moments axis_ = LogTable::Moments::times;
+    std::string unit_;                  ///< of the values, by the first heading or by those of the columns
+    std::size_t unit_column_ = 0;       ///< that has the unit of each line; 0: none
+    std::vector<std::size_t> moments_;  ///< fields of a line that are of a moment
+    std::vector<TableColumn> columns_;  ///< the moments on the axis, SI; then the probes
+    std::vector<std::vector<SourceLocation>> places_;  ///< [columns][moments] of their fields
+};
+
+bool ProbeReader::read_headings(const Line& line) {
+    std::vector<double> moments;
+    std::vector<SourceLocation> places;
     const Heading corner = bracketed_heading(line.fields.front());
     const std::optional<AxisUnit> of_corner = axis_of(corner.unit.value_or(""));
     unit_ = of_corner ? "" : corner.unit.value_or("");
-    std::optional<Axis> axis;
+    std::optional<LogTable::Moments> axis;
     bool bare = false;
     for (std::size_t i = 1; i < line.fields.size(); ++i) {
         const std::string_view field = line.fields[i];
@@ -129,33 +171,37 @@ bool ProbeTable::read_headings(const Line& line) {
             continue;
         }
         bare = bare || !moment->axis;
-        const Axis own = moment->axis ? *moment->axis : of_corner ? of_corner->axis : Axis::step;
+        const LogTable::Moments own = moment->axis ? *moment->axis
+                                      : of_corner  ? of_corner->axis
+                                                   : LogTable::Moments::steps;
         if (axis && *axis != own) {
             return false;
         }
         axis = own;
-        columns_.push_back(i);
-        moments_.push_back(!moment->axis && of_corner ? of_corner->conversion.to_si(moment->value) : moment->value);
-        places_.push_back(place(line, field));
+        moments_.push_back(i);
+        moments.push_back(!moment->axis && of_corner ? of_corner->conversion.to_si(moment->value) : moment->value);
+        places.push_back(place_in(line.line, field));
         unit_ = unit_.empty() ? moment->unit : unit_;
     }
-    for (std::size_t k = 0; bare && !of_corner && k < moments_.size(); ++k) {
-        if (moments_[k] != static_cast<double>(k + 1)) {  // numbers of which nobody says what they are
+    for (std::size_t k = 0; bare && !of_corner && k < moments.size(); ++k) {
+        if (moments[k] != static_cast<double>(k + 1)) {  // numbers of which nobody says what they are
             return false;
         }
     }
-    if (columns_.size() < fewest_moments) {
+    if (moments_.size() < fewest_moments) {
         return false;
     }
     axis_ = *axis;
-    heads_ = {{.heading = axis_ == Axis::time    ? Heading{"time", "s"}
-                          : axis_ == Axis::speed ? Heading{"speed of the step", "m/s"}
-                                                 : Heading{"step", "1"},
-               .place = places_.front()}};
+    columns_ = {{.head = {.heading = axis_ == LogTable::Moments::times    ? Heading{"time", "s"}
+                                     : axis_ == LogTable::Moments::speeds ? Heading{"speed of the step", "m/s"}
+                                                                          : Heading{"step", "1"},
+                          .place = places.front()},
+                 .number = std::move(moments)}};
+    places_ = {std::move(places)};
     return true;
 }
 
-bool ProbeTable::read_probe(const Line& line) {
+bool ProbeReader::read_probe(const Line& line) {
     const auto field = [&](std::size_t i) { return i < line.fields.size() ? line.fields[i] : std::string_view(); };
     Heading heading = bracketed_heading(field(0));
     if (heading.name.empty() || leading_number(field(0))) {
@@ -165,77 +211,40 @@ bool ProbeTable::read_probe(const Line& line) {
         const std::string unit = unit_column_ > 0 ? std::string(without_brackets(field(unit_column_))) : unit_;
         heading.unit = unit.empty() ? std::nullopt : std::optional(unit);
     }
-    std::vector<double>& values = values_.emplace_back();
-    std::vector<SourceLocation>& places = value_places_.emplace_back();
-    for (const std::size_t column : columns_) {
+    TableColumn probe{.head = {.heading = std::move(heading), .place = place_in(line.line, field(0))}};
+    std::vector<SourceLocation>& places = places_.emplace_back();
+    for (const std::size_t column : moments_) {
         std::string room;
         const std::string_view written = field(column);
         const std::optional<Number> number = leading_number(separator_ == ',' ? written : with_point(written, room));
         if (!is_no_reading(written) && !(number && number->rest.empty())) {
             return false;
         }
-        values.push_back(is_no_reading(written) ? std::numeric_limits<double>::quiet_NaN() : number->value);
-        places.push_back(place(line, written.data() != nullptr ? written : field(0)));
+        probe.number.push_back(is_no_reading(written) ? std::numeric_limits<double>::quiet_NaN() : number->value);
+        places.push_back(place_in(line.line, written.data() != nullptr ? written : field(0)));
     }
-    heads_.push_back({.heading = std::move(heading), .place = place(line, field(0))});
+    columns_.push_back(std::move(probe));
     return true;
 }
 
-std::optional<ProbeTable> ProbeTable::find(const TextFile& file) {
-    std::string_view rest = file.text;
+}  // namespace
+
+std::optional<LogTable> find_probe_table(const std::shared_ptr<const std::string>& text) {
+    std::string_view rest = *text;
     if (rest.starts_with("\xEF\xBB\xBF")) {
         rest.remove_prefix(3);
     }
-    std::optional<ProbeTable> table;
-    Line line;
-    for (int number = 1; const auto text = next_line(rest); ++number) {
-        if (is_blank(*text) || is_comment(*text)) {
-            continue;
-        }
-        const char separator = table ? table->separator_ : separator_of(*text);
-        line = {.text = *text, .number = number};
-        split_fields(line.text, separator, line.fields);
-        if (!table) {
-            ProbeTable begun;
-            begun.file_ = file.number;
-            begun.separator_ = separator;
-            if (line.fields.size() > fewest_moments && !leading_number(line.fields.front()) &&
-                begun.read_headings(line)) {
-                table = std::move(begun);
-            } else if (number >= searched_lines) {
-                return std::nullopt;
-            }
-        } else if (!table->read_probe(line)) {
+    ProbeReader reader;
+    for (int number = 1; const auto line = next_line(rest); ++number) {
+        if (!is_blank(*line) && !is_comment(*line) && !reader.take(*line, number)) {
             return std::nullopt;
         }
     }
-    return table && table->heads_.size() > 1 ? table : std::nullopt;
-}
-
-void ProbeTable::take_times(std::vector<double> times) {
-    moments_ = std::move(times);
-    axis_ = Axis::time;
-    heads_.front().heading = {"time", "s"};
-}
-
-std::vector<std::vector<double>> ProbeTable::read(const std::vector<ColumnRequest>& requests,
-                                                  InputErrors& errors) const {
-    const std::size_t before = errors.count();
-    std::vector<std::vector<double>> values;
-    for (const ColumnRequest& request : requests) {
-        const auto column = static_cast<std::size_t>(request.column);
-        ColumnReader reader(heads_[column], request, errors);
-        const std::vector<double>& written = column == 0 ? moments_ : values_[column - 1];
-        const std::vector<SourceLocation>& places = column == 0 ? places_ : value_places_[column - 1];
-        for (std::size_t k = 0; k < written.size(); ++k) {
-            reader.take(written[k], true, [&] {
-                return ColumnReader::FieldLocation{.place = places[k], .text = fmt::format("{:.10g}", written[k])};
-            });
-        }
-        reader.close();
-        values.push_back(std::move(reader.values));
+    std::optional<LogTable> table = reader.table();
+    if (table) {
+        table->text = text;
     }
-    return errors.count() == before ? values : std::vector<std::vector<double>>{};
+    return table;
 }
 
 }  // namespace tiretherm::input

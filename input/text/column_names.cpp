@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lists of words by which columns of logs are told apart: computed, counted, of the tire, from outside.
+// Splits names into words and finds them in the vocabulary.
 
 #include "input/text/column_names.hpp"
 
 #include <algorithm>
 #include <cctype>
-#include <span>
 #include <variant>
 
 #include "input/text/units.hpp"
@@ -14,39 +13,11 @@ namespace tiretherm::input {
 
 namespace {
 
-/// Anywhere in the name.
-constexpr std::string_view computed[] = {"calc",       "calculated", "computed", "sim",      "simulated",
-                                         "simulation", "model",      "modelled", "modeled",  "pred",
-                                         "predicted",  "prediction", "est",      "estimate", "estimated",
-                                         "fitted",     "virtual",    "derived",  "observer", "kalman"};
-constexpr std::string_view counted[] = {
-    "timestamp", "clock",    "date",    "utc",    "epoch",    "uptime",    "lap",      "laps",    "odometer", "odo",
-    "mileage",   "distance", "counter", "beacon", "latitude", "longitude", "altitude", "easting", "northing"};
-/// By themselves, numbers aside.
-constexpr std::string_view counted_alone[] = {
-    "time", "elapsed", "t",   "dist", "index", "sample", "samples", "count",  "frame", "row", "id",    "nr",
-    "no",   "lat",     "lon", "lng",  "x",     "y",      "z",       "sector", "zeit",  "weg", "runde", "datum"};
-/// Of a position, beside gps.
-constexpr std::string_view counted_by_gps[] = {"lat", "lon", "long", "lng", "alt", "x", "y", "z", "time", "heading"};
-constexpr std::string_view temperature[] = {"temp",     "temperature",  "temps", "tmp",       "ir",
-                                            "infrared", "thermocouple", "tc",    "pyrometer", "pt100"};
-constexpr std::string_view of_tire[] = {"tire",     "tyre",  "tread",    "carcass", "liner",  "innerliner",
-                                        "shoulder", "crown", "sidewall", "bead",    "bulk",   "tpms",
-                                        "cavity",   "rim",   "rib",      "groove",  "rubber", "reifen"};
-constexpr std::string_view from_outside[] = {
-    "air",     "ambient", "road",    "track",  "asphalt",      "tarmac",   "ground",  "pavement", "brake",
-    "brakes",  "brk",     "disc",    "disk",   "caliper",      "rotor",    "pad",     "gearbox",  "gear",
-    "oil",     "water",   "coolant", "engine", "motor",        "inverter", "battery", "exhaust",  "hub",
-    "bearing", "drum",    "room",    "hall",   "lab",          "heater",   "lamp",    "blanket",  "wind",
-    "tunnel",  "fan",     "chamber", "cabin",  "differential", "luft",     "strasse", "bremse"};
+bool is_letter_or_digit(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
-bool is_one_of(std::span<const std::string_view> list, std::string_view word) {
-    return std::ranges::find(list, word) != list.end();
-}
-
-std::string first_of(std::string_view name, std::span<const std::string_view> list) {
+std::string first_of(std::string_view name, std::string_view list) {
     for (std::string& word : words_of(name)) {
-        if (is_one_of(list, word)) {
+        if (has_word(list, word)) {
             return std::move(word);
         }
     }
@@ -54,6 +25,27 @@ std::string first_of(std::string_view name, std::span<const std::string_view> li
 }
 
 }  // namespace
+
+bool has_word(std::string_view words, std::string_view word) {
+    for (std::size_t at = words.find(word); at != std::string_view::npos; at = words.find(word, at + 1)) {
+        const bool begins = at == 0 || words[at - 1] == ' ';
+        const bool ends = at + word.size() == words.size() || words[at + word.size()] == ' ';
+        if (begins && ends) {
+            return !word.empty();
+        }
+    }
+    return false;
+}
+
+std::string bare_name(std::string_view name) {
+    std::string bare;
+    for (const char c : name) {
+        if (is_letter_or_digit(c)) {
+            bare += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        }
+    }
+    return bare;
+}
 
 std::vector<std::string> words_of(std::string_view name) {
     enum class Class { none, small, capital, digit, other };
@@ -86,19 +78,19 @@ std::vector<std::string> words_of(std::string_view name) {
     return words;
 }
 
-std::string word_of_result(std::string_view name) { return first_of(name, computed); }
+std::string word_of_result(std::string_view name) { return first_of(name, column_words::computed); }
 
 std::string word_of_clock(std::string_view name) {
-    if (std::string word = first_of(name, counted); !word.empty()) {
+    if (std::string word = first_of(name, column_words::counted); !word.empty()) {
         return word;
     }
     std::vector<std::string> words = words_of(name);
     std::erase_if(words,
                   [](const std::string& word) { return std::isdigit(static_cast<unsigned char>(word.front())); });
     if (std::ranges::find(words, "gps") != words.end()) {
-        return first_of(name, counted_by_gps);
+        return first_of(name, column_words::counted_by_gps);
     }
-    return words.size() == 1 && is_one_of(counted_alone, words.front()) ? words.front() : std::string();
+    return words.size() == 1 && has_word(column_words::counted_alone, words.front()) ? words.front() : std::string();
 }
 
 bool is_temperature(std::string_view name, std::string_view unit) {
@@ -106,14 +98,14 @@ bool is_temperature(std::string_view name, std::string_view unit) {
         return true;
     }
     if (unit.empty() || unit == "-" || unit == "1") {
-        return !first_of(name, temperature).empty();
+        return !first_of(name, column_words::measures_temperature).empty();
     }
     const auto read = conversion(unit, "K", Scale::absolute);
     return std::holds_alternative<Conversion>(read);
 }
 
-std::string word_of_tire(std::string_view name) { return first_of(name, of_tire); }
+std::string word_of_tire(std::string_view name) { return first_of(name, column_words::of_tire); }
 
-std::string word_from_outside(std::string_view name) { return first_of(name, from_outside); }
+std::string word_from_outside(std::string_view name) { return first_of(name, column_words::from_outside); }
 
 }  // namespace tiretherm::input

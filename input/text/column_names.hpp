@@ -8,6 +8,18 @@
 
 namespace tiretherm::input {
 
+/// The vocabulary of column_names.list.
+namespace column_words {
+#define WORDS(name, words) inline constexpr std::string_view name = words;
+#include "input/text/column_names.list"
+}  // namespace column_words
+
+/// Whether a text of words with blanks between them has a word.
+[[nodiscard]] bool has_word(std::string_view words, std::string_view word);
+
+/// A name in small letters without blanks and signs: "Vertical Load" and "vertical_load" are the same.
+[[nodiscard]] std::string bare_name(std::string_view name);
+
 /// The words of a column's name in small letters, without what separates them: "BrakeTemp_FL2" is brake, temp, fl, 2.
 [[nodiscard]] std::vector<std::string> words_of(std::string_view name);
 

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "input/text/suggestions.hpp"
+#include "input/text/table_shelf.hpp"
 
 namespace tiretherm::input {
 
@@ -89,9 +90,40 @@ std::string render(const InputError& error) {
     return text;
 }
 
+InputErrors::InputErrors() : tables_(std::make_shared<TableShelf>()) {}
+
 int InputErrors::add_file(std::string shown, std::string text) {
     files_.push_back({.shown = std::move(shown), .text = std::make_shared<const std::string>(std::move(text))});
     return static_cast<int>(files_.size()) - 1;
+}
+
+int InputErrors::add_table(const std::string& shown, const LogTable& table,
+                           const std::shared_ptr<const std::string>& text) {
+    auto known = std::ranges::find(files_, &table, &File::table);
+    if (known == files_.end() && text) {
+        known = std::ranges::find(files_, text, &File::text);
+    }
+    if (known == files_.end()) {
+        add_file(shown, "");
+        known = files_.end() - 1;
+        known->text = text ? text : known->text;
+    }
+    known->table = &table;
+    return static_cast<int>(known - files_.begin());
+}
+
+void InputErrors::take(const InputErrors& found, int number) {
+    for (std::size_t i = 1; i < found.files_.size(); ++i) {  // that were read beside it
+        add_file(found.files_[i].shown, "");
+    }
+    for (Found one : found.found_) {
+        one.place.file = number;
+        found_.push_back(std::move(one));
+    }
+    for (const std::string& warning : found.warnings_) {  // in which the file may go by another path
+        const std::string& path = found.files_.front().shown;
+        warnings_.push_back(warning.starts_with(path) ? file(number) + warning.substr(path.size()) : warning);
+    }
 }
 
 int InputErrors::find_file(std::string_view shown) const {

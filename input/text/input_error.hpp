@@ -9,7 +9,8 @@
 
 namespace tiretherm::input {
 
-class CsvRows;
+struct LogTable;
+struct TableShelf;
 
 /// An error in what the user wrote, and where. Lines and columns count from 1; a column is a character, not a byte.
 struct InputError {
@@ -43,15 +44,22 @@ struct SourceLocation {
 /// Collects everything that is wrong with a case and its files, so that the user sees it all at once.
 class InputErrors {
 public:
+    InputErrors();
     /// @param shown path as the user would type it  @returns the file's number
     int add_file(std::string shown, std::string text);
+    /// The same of a file with a table, which it has once. @param text of the file; null: none
+    int add_table(const std::string& shown, const LogTable& table, const std::shared_ptr<const std::string>& text);
     /// The number of a file that has been read with its text, -1 when it has not: it need not be read a second time.
     [[nodiscard]] int find_file(std::string_view shown) const;
     [[nodiscard]] std::shared_ptr<const std::string> text(int number) const {
         return files_[static_cast<std::size_t>(number)].text;
     }
-    /// The rows of a file that is a table, for all that read it; null until a reader of tables has put them there.
-    [[nodiscard]] std::shared_ptr<CsvRows>& rows(int number) { return files_[static_cast<std::size_t>(number)].rows; }
+    /// The tables that have been read, for these errors, their copies and all that share them.
+    [[nodiscard]] TableShelf& tables() const { return *tables_; }
+    /// Uses the tables that others have read.
+    void share_tables(const InputErrors& others) { tables_ = others.tables_; }
+    /// Takes over what is wrong with a file that was read by itself, as the first of `found`. @param number of it here
+    void take(const InputErrors& found, int number);
     void add(const SourceLocation& place, std::string what, std::string remedy = {});
     void add(const SourceLocation& place, ErrorText error) {
         add(place, std::move(error.what), std::move(error.remedy));
@@ -73,7 +81,7 @@ private:
     struct File {
         std::string shown;
         std::shared_ptr<const std::string> text;  ///< copies of the errors share it
-        std::shared_ptr<CsvRows> rows{};
+        const LogTable* table = nullptr;          ///< kept by `tables`
     };
     struct Found {
         SourceLocation place;
@@ -81,6 +89,7 @@ private:
     };
     [[nodiscard]] std::string line_of(const SourceLocation& place) const;
 
+    std::shared_ptr<TableShelf> tables_;
     std::vector<File> files_;
     std::vector<Found> found_;
     std::vector<std::string> warnings_;

@@ -49,4 +49,13 @@ ErrorText not_readable(const fs::path& path, std::uintmax_t largest) {
     return !error && bytes > largest ? too_large(bytes, largest) : ErrorText{};
 }
 
+void refuse_file(const fs::path& path, const SourceLocation& mentioned, ErrorText why, InputErrors& errors) {
+    const std::string shown = path.generic_string();
+    if (mentioned.file < 0) {
+        errors.add({.file = errors.add_file(shown, "")}, "the file " + why.what, std::move(why.remedy));
+    } else {
+        errors.add(mentioned, fmt::format("the file {} {}", shown, why.what), std::move(why.remedy));
+    }
+}
+
 }  // namespace tiretherm::input

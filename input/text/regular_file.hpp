@@ -20,4 +20,9 @@ inline constexpr std::uintmax_t largest_text = std::uintmax_t{512} << 20U;
 /// What to say of a file of more than `largest` bytes.
 [[nodiscard]] ErrorText too_large(std::uintmax_t bytes, std::uintmax_t largest);
 
+/// Reports why a file is not read, at the place where the case names it; of a file that the user named at the file itself.
+/// @param why "is empty"  @param mentioned file -1: the user's own argument
+void refuse_file(const std::filesystem::path& path, const SourceLocation& mentioned, ErrorText why,
+                 InputErrors& errors);
+
 }  // namespace tiretherm::input

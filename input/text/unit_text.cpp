@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tables of unit aliases and of the products behind a slash (mK, m2K, kgK).
+// Replaces aliases (units.list), and spells out the products behind a slash (mK, m2K, kgK).
 
 #include "input/text/unit_text.hpp"
 
@@ -13,21 +13,10 @@ namespace tiretherm::input {
 
 namespace {
 
-/// Units whose whole text means something else to UDUNITS (kph: kilophot), or nothing.
-constexpr std::array<UnitAlias, 12> whole{{{"", "1"},
-                                           {"-", "1"},
-                                           {"deg", "degree"},
-                                           {"deg/s", "degree/s"},
-                                           {"G", "standard_free_fall"},  // an accelerometer's, not a gauss
-                                           {"kph", "km/h"},
-                                           {"mph", "mile/h"},
-                                           {"\xB0"
-                                            "C",
-                                            "degC"},  // Latin-1, as some loggers write it
-                                           {"deg C", "degC"},
-                                           {"Wh", "W h"},
-                                           {"kWh", "kW h"},
-                                           {"Nm", "N m"}}};
+constexpr std::array whole_units{
+#define UNIT_ALIAS(written, meant) UnitAlias{written, meant},
+#include "input/text/units.list"
+};
 
 /// Products that follow a slash after a power or an energy. Elsewhere mK is a millikelvin.
 constexpr std::array<UnitAlias, 11> products{{{"mK", "m K"},
@@ -59,10 +48,10 @@ bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0;
 
 }  // namespace
 
-std::span<const UnitAlias> unit_aliases() { return whole; }
+std::span<const UnitAlias> unit_aliases() { return whole_units; }
 
 std::string spelt_out(std::string_view written) {
-    std::string text(meaning(whole, trim(written)));
+    std::string text(meaning(whole_units, trim(written)));
     const std::size_t slash = text.find('/');
     if (slash == std::string::npos || !is_power_or_energy(trim(std::string_view(text).substr(0, slash)))) {
         return text;

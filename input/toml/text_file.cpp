@@ -56,15 +56,8 @@ std::optional<TextFile> read_whole(const std::filesystem::path& path, const Sour
     if (const int number = errors.find_file(shown); number >= 0) {
         return TextFile{number, *errors.text(number)};
     }
-    const auto refuse = [&](std::string_view what, std::string remedy) {
-        // The user's own argument has no place in a file but itself.
-        SourceLocation place = mentioned;
-        if (place.file < 0) {
-            place = {.file = errors.add_file(shown, "")};
-            errors.add(place, fmt::format("the file {}", what), std::move(remedy));
-        } else {
-            errors.add(place, fmt::format("the file {} {}", shown, what), std::move(remedy));
-        }
+    const auto refuse = [&](std::string what, std::string remedy) {
+        refuse_file(path, mentioned, {std::move(what), std::move(remedy)}, errors);
         return std::nullopt;
     };
     if (const ErrorText reason = not_readable(path, largest_text); !reason.what.empty()) {

@@ -9,36 +9,30 @@
 
 namespace tiretherm::input {
 
-CornerSignals corner_signals(const physics::Vehicle& vehicle, const MotionHistory& motion,
+CornerHistory corner_history(const physics::Vehicle& vehicle, physics::Corner corner, const MotionHistory& motion,
                              const MeasuredWheelHistories& measured) {
-    CornerSignals signals;
+    CornerHistory history;
     const std::vector<double>& time = motion.time;
-    const auto read = [&](const solver::SignalHistory& history) {
-        return history.time.empty() ? std::vector<double>{} : at_times(history, time);
+    const auto read = [&](const solver::SignalHistory& of) {
+        return of.time.empty() ? std::vector<double>{} : at_times(of, time);
     };
     const std::vector<double> camber = read(measured.camber);
-    std::array<std::vector<double>, physics::n_corners> loads;
-    std::ranges::transform(measured.vertical_load, loads.begin(), read);
+    const std::vector<double> load = read(measured.vertical_load);
+    const auto at = static_cast<std::size_t>(corner);
     const double length = time.back() - time.front();
+    history.inputs.reserve(time.size());
     for (std::size_t i = 0; i < time.size(); ++i) {
         physics::MeasuredWheels wheels{.camber = camber.empty() ? 0.0 : camber[i]};
-        for (std::size_t corner = 0; corner < physics::n_corners; ++corner) {
-            if (!loads[corner].empty()) {
-                wheels.vertical_load[corner] = loads[corner][i];
-            }
-        }
-        const physics::VehicleMoment moment = physics::vehicle_moment(vehicle, motion.motion[i], wheels);
+        wheels.vertical_load[at] = load.empty() ? std::nullopt : std::optional(load[i]);
+        const physics::VehicleMoment moment = physics::vehicle_moment(vehicle, motion.motion[i], wheels, at / 2);
         // Each sample stands for the time half way to its neighbours.
         const double share = 0.5 * (time[std::min(i + 1, time.size() - 1)] - time[i > 0 ? i - 1 : 0]) / length;
-        signals.rolls_over += moment.rolls_over ? share : 0.0;
-        for (std::size_t corner = 0; corner < physics::n_corners; ++corner) {
-            CornerHistory& history = signals.corners[corner];
-            history.inputs.push_back(moment.corners[corner]);
-            history.lifted += moment.corners[corner].lifted ? share : 0.0;
-            history.exceeds += moment.corners[corner].exceeds ? share : 0.0;
-        }
+        history.inputs.push_back(moment.corners[at]);
+        history.lifted += moment.corners[at].lifted ? share : 0.0;
+        history.exceeds += moment.corners[at].exceeds ? share : 0.0;
+        history.rolls_over += moment.rolls_over ? share : 0.0;
     }
-    return signals;
+    return history;
 }
 
 }  // namespace tiretherm::input

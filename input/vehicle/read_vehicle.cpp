@@ -18,8 +18,7 @@ std::string percent(double share) {
 }
 
 /// What the model could not follow.
-void warn_of_limits(const CornerSignals& signals, const VehicleSettings& settings, InputErrors& errors) {
-    const CornerHistory& corner = signals.corners[static_cast<std::size_t>(settings.corner)];
+void warn_of_limits(const CornerHistory& corner, const VehicleSettings& settings, InputErrors& errors) {
     const std::string_view name = physics::corner_names[static_cast<std::size_t>(settings.corner)];
     if (corner.exceeds > 0.0) {
         errors.warn(settings.place,
@@ -33,10 +32,10 @@ void warn_of_limits(const CornerSignals& signals, const VehicleSettings& setting
                                 "its load",
                                 name, percent(corner.lifted)));
     }
-    if (signals.rolls_over > 0.0) {
+    if (corner.rolls_over > 0.0) {
         errors.warn(settings.place, fmt::format("the car would roll over in {} of the time: check the height of its "
                                                 "centre of gravity, its tracks and the lateral acceleration",
-                                                percent(signals.rolls_over)));
+                                                percent(corner.rolls_over)));
     }
 }
 
@@ -92,8 +91,8 @@ void read_vehicle(TomlTable& root, ProblemBuilder& builder) {
                           builder.given.try_emplace("brake_temperature", settings->place).second;
     const auto model =
         std::make_shared<VehicleInputModel>(*settings, std::move(*log), inputs, std::move(given), has_disc);
-    const CornerSignals signals = model->corners(settings->numbers, *motion);
-    model->put(settings->numbers, *motion, signals, inputs);
+    const CornerHistory corner = model->corner(settings->numbers, *motion);
+    model->put(settings->numbers, *motion, corner, inputs);
     const std::span<const double> numbers = settings->numbers.all();
     builder.problem.input_numbers.assign(numbers.begin(), numbers.end());
     builder.problem.input_model = model;
@@ -111,7 +110,7 @@ void read_vehicle(TomlTable& root, ProblemBuilder& builder) {
     for (const std::string& source : motion->sources) {
         errors.warn(settings->place, source);
     }
-    warn_of_limits(signals, *settings, errors);
+    warn_of_limits(corner, *settings, errors);
 }
 
 }  // namespace tiretherm::input

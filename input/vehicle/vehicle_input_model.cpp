@@ -79,17 +79,15 @@ VehicleInputModel::VehicleInputModel(VehicleSettings settings, VehicleLog log, c
       computed_(std::move(computed)),
       has_disc_(has_disc) {
     measured_.camber = history_of(inputs, *physics::find_signal("camber"));
-    measured_.vertical_load[static_cast<std::size_t>(settings_.corner)] =
-        history_of(inputs, *physics::find_signal("vertical_load"));
+    measured_.vertical_load = history_of(inputs, *physics::find_signal("vertical_load"));
 }
 
-CornerSignals VehicleInputModel::corners(const VehicleNumbers& numbers, const MotionHistory& motion) const {
-    return corner_signals(vehicle_of(numbers, settings_.kind), motion, measured_);
+CornerHistory VehicleInputModel::corner(const VehicleNumbers& numbers, const MotionHistory& motion) const {
+    return corner_history(vehicle_of(numbers, settings_.kind), settings_.corner, motion, measured_);
 }
 
-void VehicleInputModel::put(const VehicleNumbers& numbers, const MotionHistory& motion, const CornerSignals& signals,
+void VehicleInputModel::put(const VehicleNumbers& numbers, const MotionHistory& motion, const CornerHistory& corner,
                             solver::InputSignals& into) const {
-    const CornerHistory& corner = signals.corners[static_cast<std::size_t>(settings_.corner)];
     for (const ComputedInput& one : computed_) {
         into.replace(series_of(*one.signal, one.member, motion, corner));
     }
@@ -103,7 +101,7 @@ void VehicleInputModel::apply(std::span<const double> numbers, solver::InputSign
     VehicleSettings moved = settings_;
     moved.numbers = VehicleNumbers(numbers);
     const MotionHistory motion = motion_again(moved, log_);
-    put(moved.numbers, motion, corners(moved.numbers, motion), into);
+    put(moved.numbers, motion, corner(moved.numbers, motion), into);
 }
 
 std::vector<const physics::Signal*> VehicleInputModel::signals() const {
@@ -119,7 +117,7 @@ void VehicleInputModel::add_to(solver::Digest& digest) const {
     for (const solver::SignalHistory* history :
          {&log_.speed, &log_.longitudinal_acceleration, &log_.lateral_acceleration, &log_.yaw_rate,
           &log_.steering_wheel_angle, &log_.brake_pressure, &log_.course.course, &measured_.camber, &air_,
-          &measured_.vertical_load[static_cast<std::size_t>(settings_.corner)]}) {
+          &measured_.vertical_load}) {
         add(digest, *history);
     }
     digest.add(settings_.corner);

@@ -30,10 +30,10 @@ public:
     [[nodiscard]] std::vector<const physics::Signal*> signals() const override;
     void add_to(solver::Digest& digest) const override;
 
-    /// All four tires of a car with these numbers. @param motion of its log
-    [[nodiscard]] CornerSignals corners(const VehicleNumbers& numbers, const MotionHistory& motion) const;
-    /// Puts what this tire gets in the place of what is there. @param signals of the same numbers and motion
-    void put(const VehicleNumbers& numbers, const MotionHistory& motion, const CornerSignals& signals,
+    /// This tire of a car with these numbers. @param motion of its log
+    [[nodiscard]] CornerHistory corner(const VehicleNumbers& numbers, const MotionHistory& motion) const;
+    /// Puts what this tire gets in the place of what is there. @param corner of the same numbers and motion
+    void put(const VehicleNumbers& numbers, const MotionHistory& motion, const CornerHistory& corner,
              solver::InputSignals& into) const;
 
 private:

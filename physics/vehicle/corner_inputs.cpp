@@ -57,10 +57,11 @@ void share_lateral(double axle_force, double toe, std::array<CornerInputs*, 2> c
 
 }  // namespace
 
-VehicleMoment vehicle_moment(const Vehicle& vehicle, const VehicleMotion& motion, const MeasuredWheels& measured) {
+VehicleMoment vehicle_moment(const Vehicle& vehicle, const VehicleMotion& motion, const MeasuredWheels& measured,
+                             std::optional<std::size_t> only_axle) {
     const VehicleForces forces = vehicle_forces(vehicle, motion);
     VehicleMoment moment{.rolls_over = forces.rolls_over};
-    for (std::size_t axle = 0; axle < 2; ++axle) {
+    for (std::size_t axle = only_axle.value_or(0); axle <= only_axle.value_or(1); ++axle) {
         const Axle& its = vehicle.axles[axle];
         const double static_load = 0.5 * vehicle.static_axle_load(axle);
         const std::array<CornerInputs*, 2> corners{&moment.corners[2 * axle], &moment.corners[2 * axle + 1]};

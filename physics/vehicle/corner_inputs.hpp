@@ -35,7 +35,8 @@ struct MeasuredWheels {
 /// what each then gives. Combined slip is a friction ellipse: a tire that gives Fx of at most Dx gives
 /// sqrt(1 - (Fx/Dx)^2) of its lateral force in pure slip, and the reverse (Milliken & Milliken 1995, ch. 2). Forces
 /// always add up to those of the axle, also where the tires cannot give them.
+/// @param axle the only one whose wheels are wanted: 0 in front, 1 at the rear
 [[nodiscard]] VehicleMoment vehicle_moment(const Vehicle& vehicle, const VehicleMotion& motion,
-                                           const MeasuredWheels& measured = {});
+                                           const MeasuredWheels& measured = {}, std::optional<std::size_t> axle = {});
 
 }  // namespace tiretherm::physics

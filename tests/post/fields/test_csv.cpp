@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "input/tables/csv.hpp"
+#include "input/tables/data_file.hpp"
 #include "post/fields/csv_writer.hpp"
 #include "solver/celsius.hpp"
 #include "tests/post/sample.hpp"
@@ -36,9 +36,7 @@ TEST(Csv, ReaderOfCasesTakesTheFileBackInKelvin) {
         writer.take(sample::Moment(problem, 30.5, {353.15, 303.123456}, true).snapshot);
     }
     input::InputErrors errors;
-    const auto file = input::read_text(scratch / "channels.csv", {}, errors);
-    ASSERT_TRUE(file);
-    const auto csv = input::Csv::open(*file, errors);
+    const auto csv = input::DataFile::open(scratch / "channels.csv", {}, errors);
     ASSERT_TRUE(csv);
     const auto values =
         csv->read({{.column = csv->find("time"),
@@ -46,7 +44,7 @@ TEST(Csv, ReaderOfCasesTakesTheFileBackInKelvin) {
                     .spec = {.unit = "s", .low = 0.0, .high = 1e9},
                     .purpose = input::Purpose::clock},
                    {.column = csv->find("liner"), .name = "liner", .spec = {.unit = "K", .low = 0.0, .high = 1e3}}},
-                  errors, true);
+                  errors);
     ASSERT_EQ(errors.count(), 0u);
     EXPECT_EQ(values[0], (std::vector<double>{0.0, 30.5}));
     EXPECT_NEAR(values[1][0], 296.15, 1e-9);
