@@ -39,7 +39,8 @@ std::variant<Conversion, UnitError> to_degree(const ColumnHead& head) {
 
 /// An angle, too: a "Bearing [degC]" is a part of a rig.
 bool is_heading(const ColumnHead& head) {
-    return is_of_receiver(head.heading.name, column_words::course) && std::holds_alternative<Conversion>(to_degree(head));
+    return is_of_receiver(head.heading.name, column_words::course) &&
+           std::holds_alternative<Conversion>(to_degree(head));
 }
 
 int find_column(const DataFile& file, bool (*is)(std::string_view name)) {

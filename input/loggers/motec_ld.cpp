@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <set>
 #include <system_error>
 
@@ -15,7 +16,8 @@
 #include "input/loggers/binary_logs.hpp"
 #include "input/loggers/binary_numbers.hpp"
 #include "input/loggers/logger_units.hpp"
-#include "input/loggers/motec_ldx.hpp"
+#include "input/text/quantity.hpp"
+#include "input/text/regular_file.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/units.hpp"
 #include "solver/stop_signal.hpp"
@@ -193,6 +195,36 @@ private:
     std::vector<std::string> short_names_;  ///< of the channels that are kept
 };
 
+constexpr std::uintmax_t largest_ldx = 10'000'000;  ///< bytes; a file of a few beacons has some kilobytes
+constexpr double microsecond = 1e-6;
+
+/// Times of the beacons in a file .ldx, XML that MoTeC i2 writes beside a .ld file: the elements Marker of class BCN, in microseconds.
+/// What else it holds is of the display. Empty where none can be read: the laps may stand in a channel.
+/// @returns s, ascending
+std::vector<double> read_ldx_markers(const std::filesystem::path& file) {
+    if (!not_readable(file, largest_ldx).what.empty()) {
+        return {};
+    }
+    std::ifstream stream(file, std::ios::binary);
+    const std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+    std::vector<double> markers;
+    std::size_t end = 0;
+    for (std::size_t at = text.find("<Marker "); at != std::string::npos; at = text.find("<Marker ", end)) {
+        end = std::min(text.find_first_of("<>", at + 1), text.size());  // of a damaged element at the next one
+        const std::string_view element = std::string_view(text).substr(at, end - at);
+        const std::size_t time = element.find(" Time=\"");
+        if (element.find("ClassName=\"BCN\"") == std::string_view::npos || time == std::string_view::npos) {
+            continue;
+        }
+        const std::optional<Number> number = leading_number(element.substr(time + 7));
+        if (number && std::isfinite(number->value)) {
+            markers.push_back(microsecond * number->value);
+        }
+    }
+    std::ranges::sort(markers);
+    return markers;
+}
+
 }  // namespace
 
 bool is_motec_ld(std::string_view first_bytes) { return first_bytes.starts_with(std::string_view("\x40\0\0\0", 4)); }
@@ -222,9 +254,10 @@ std::optional<LogTable> read_motec_ld(const std::string& bytes, const std::files
         return std::nullopt;
     }
     std::error_code ignored;
-    if (const std::filesystem::path beacons = ldx_file(path); std::filesystem::exists(beacons, ignored)) {
+    const std::filesystem::path beacons = std::filesystem::path(path).replace_extension(".ldx");
+    if (std::filesystem::exists(beacons, ignored)) {
         static_cast<void>(errors.add_file(beacons.generic_string(), ""));  // results follow from it, too
-        description.markers = read_ldx_markers(path);
+        description.markers = read_ldx_markers(beacons);
     }
     return table_of_channels(std::move(*channels), std::move(description));
 }

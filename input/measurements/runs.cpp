@@ -223,6 +223,7 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
         const RunTable& table = reading.table;
         ProblemBuilder& builder = reading.builder;
         MeasuredRun& run = reading.run;
+        builder.car = runs.size() > 1 ? runs[runs.size() - 2]->builder.car : nullptr;
         std::optional<RunFile> file =
             table.file ? open_run_file(table, reading.document, sensors, followed, errors) : std::nullopt;
         if (!file) {

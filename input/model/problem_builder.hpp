@@ -92,6 +92,8 @@ private:
     std::optional<bool> found_{};
 };
 
+struct CarMotion;
+
 /// Builds the problem: a case as far as it has been read.
 struct ProblemBuilder {
     solver::Problem problem;
@@ -104,15 +106,16 @@ struct ProblemBuilder {
     std::vector<std::string> constants{};  ///< those of them that [drive] gives as constants and that count
     int case_file = 0;                     ///< number of the case's own file, among those that it includes
     SizeLimits limits{};
-    std::optional<double> logged_from;    ///< s, first sample of any log
-    std::optional<double> logged_to;      ///< s, last sample of any log
-    std::optional<double> driven_from;    ///< s, first row of any schedule or log
-    std::optional<double> driven_to;      ///< s, last row of any schedule or log
-    std::optional<RunInputs> run{};       ///< the measured run that is being read
-    std::vector<std::string> followed{};  ///< what user effects refer to: inputs, columns
-    std::vector<UserColumn> columns{};    ///< of them those that a log of [drive] gives
-    CourseOverGround course{};            ///< of a car, likewise
-    double course_agrees = 0.0;           ///< with the turns that [vehicle] takes: as MotionHistory has it
+    std::optional<double> logged_from;       ///< s, first sample of any log
+    std::optional<double> logged_to;         ///< s, last sample of any log
+    std::optional<double> driven_from;       ///< s, first row of any schedule or log
+    std::optional<double> driven_to;         ///< s, last row of any schedule or log
+    std::optional<RunInputs> run{};          ///< the measured run that is being read
+    std::vector<std::string> followed{};     ///< what user effects refer to: inputs, columns
+    std::vector<UserColumn> columns{};       ///< of them those that a log of [drive] gives
+    CourseOverGround course{};               ///< of a car, likewise
+    std::shared_ptr<const CarMotion> car{};  ///< of the log, as another tire has found it; out: as this one has
+    double course_agrees = 0.0;              ///< with the turns that [vehicle] takes: as MotionHistory has it
 
     std::vector<Camera> cameras{};
 

@@ -4,13 +4,13 @@
 #include "input/tables/field_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <set>
 
 #include <fmt/format.h>
 
-#include "input/tables/field_columns.hpp"
 #include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
@@ -20,6 +20,39 @@ namespace {
 using physics::FieldOf;
 
 constexpr double turn = 2.0 * std::numbers::pi;
+
+/// A column, or dataset, that a field of a structural code may have.
+struct FieldColumn {
+    std::string_view name;
+    QuantitySpec spec;
+    std::string_view usual_unit;
+    Purpose purpose = Purpose::point;
+};
+constexpr std::array field_columns{
+    FieldColumn{"time", {.unit = "s", .low = -1e10, .high = 1e10}, "s", Purpose::frame},
+    FieldColumn{"wheel_angle", {.unit = "rad", .low = -1e3, .high = 1e3}, "deg", Purpose::frame},
+    FieldColumn{"x", {.unit = "m", .low = -10.0, .high = 10.0}, "mm"},
+    FieldColumn{"y", {.unit = "m", .low = -10.0, .high = 10.0}, "mm"},
+    FieldColumn{"depth", {.unit = "m", .low = 0.0, .high = 10.0}, "mm"},
+    FieldColumn{"cell", {.unit = "1", .low = 0.0, .high = 1e9}, "1"},
+    FieldColumn{"area", {.unit = "m2", .low = 0.0, .high = 1e3, .above = true}, "mm2"},
+    FieldColumn{"volume", {.unit = "m3", .low = 0.0, .high = 1e3, .above = true}, "mm3"},
+    FieldColumn{"pressure", {.unit = "Pa", .low = 0.0, .high = 1e9}, "kPa"},
+    FieldColumn{"sliding_velocity", {.unit = "m s-1", .low = -1e3, .high = 1e3}, "m/s"},
+    FieldColumn{"shear_stress", {.unit = "Pa", .low = -1e9, .high = 1e9}, "kPa"},
+    FieldColumn{"friction_power", {.unit = "W m-2", .low = 0.0, .high = 1e12}, "W/m2"},
+    FieldColumn{"loss_density", {.unit = "W m-3", .low = 0.0, .high = 1e12}, "W/m3"},
+};
+
+const FieldColumn& field_column(std::string_view name) {
+    return *std::ranges::find(field_columns, name, &FieldColumn::name);
+}
+
+/// How to write its unit. @param in_text into a heading; otherwise into an attribute
+std::string unit_remedy(const FieldColumn& column, bool in_text) {
+    return in_text ? fmt::format("write \"{} [{}]\"", column.name, column.usual_unit)
+                   : fmt::format("give the dataset an attribute units = \"{}\"", column.usual_unit);
+}
 
 class FieldReader {
 public:
@@ -59,7 +92,7 @@ private:
     [[nodiscard]] SourceLocation top() const { return {.file = file_->number()}; }
 
     void check_names() {
-        const std::vector<std::string> known = names_of(field_columns());
+        const std::vector<std::string> known = names_of(field_columns);
         std::set<std::string> seen;
         ErrorLimiter unknown(*errors_);
         for (const ColumnHead& head : file_->heads()) {

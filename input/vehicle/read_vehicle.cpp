@@ -81,18 +81,25 @@ void read_vehicle(TomlTable& root, ProblemBuilder& builder) {
             given.push_back(one);
         }
     }
-    const std::optional<MotionHistory> motion = log ? motion_of(*settings, *log, errors) : std::nullopt;
-    if (!motion) {
+    if (!log) {
         return;
     }
-    builder.course_agrees = motion->course_agrees;
+    if (const auto origin = motion_origin(*settings, *log); builder.car == nullptr || builder.car->origin != origin) {
+        std::optional<MotionHistory> found = motion_of(*settings, *log, errors);
+        builder.car = found ? std::make_shared<const CarMotion>(CarMotion{origin, std::move(*found)}) : nullptr;
+    }
+    if (builder.car == nullptr) {
+        return;
+    }
+    const MotionHistory& motion = builder.car->history;
+    builder.course_agrees = motion.course_agrees;
     solver::InputSignals& inputs = builder.problem.input_signals;
     const bool has_disc = inputs.gives(*physics::find_signal("air_temperature")) &&
                           builder.given.try_emplace("brake_temperature", settings->place).second;
     const auto model =
         std::make_shared<VehicleInputModel>(*settings, std::move(*log), inputs, std::move(given), has_disc);
-    const CornerHistory corner = model->corner(settings->numbers, *motion);
-    model->put(settings->numbers, *motion, corner, inputs);
+    const CornerHistory corner = model->corner(settings->numbers, motion);
+    model->put(settings->numbers, motion, corner, inputs);
     const std::span<const double> numbers = settings->numbers.all();
     builder.problem.input_numbers.assign(numbers.begin(), numbers.end());
     builder.problem.input_model = model;
@@ -107,7 +114,7 @@ void read_vehicle(TomlTable& root, ProblemBuilder& builder) {
         errors.warn(settings->place, fmt::format("at {}: {} {} not computed: the case gives {}", name, listed(kept),
                                                  kept.size() > 1 ? "are" : "is", kept.size() > 1 ? "them" : "it"));
     }
-    for (const std::string& source : motion->sources) {
+    for (const std::string& source : motion.sources) {
         errors.warn(settings->place, source);
     }
     warn_of_limits(corner, *settings, errors);

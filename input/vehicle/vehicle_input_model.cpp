@@ -53,11 +53,6 @@ solver::Series disc_of(const physics::Brake& brake, const MotionHistory& motion,
     return series;
 }
 
-void add(solver::Digest& digest, const solver::SignalHistory& history) {
-    digest.add(history.time);
-    digest.add(history.value);
-}
-
 }  // namespace
 
 std::span<const ComputedInput> computed_inputs() {
@@ -114,11 +109,10 @@ std::vector<const physics::Signal*> VehicleInputModel::signals() const {
 }
 
 void VehicleInputModel::add_to(solver::Digest& digest) const {
-    for (const solver::SignalHistory* history :
-         {&log_.speed, &log_.longitudinal_acceleration, &log_.lateral_acceleration, &log_.yaw_rate,
-          &log_.steering_wheel_angle, &log_.brake_pressure, &log_.course.course, &measured_.camber, &air_,
-          &measured_.vertical_load}) {
-        add(digest, *history);
+    input::add_to(digest, log_);
+    for (const solver::SignalHistory* history : {&measured_.camber, &air_, &measured_.vertical_load}) {
+        digest.add(history->time);
+        digest.add(history->value);
     }
     digest.add(settings_.corner);
     digest.add(settings_.kind.driven);

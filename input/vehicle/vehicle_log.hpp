@@ -7,6 +7,7 @@
 
 #include "input/laps/course_over_ground.hpp"
 #include "input/model/problem_builder.hpp"
+#include "solver/digest.hpp"
 
 namespace tiretherm::input {
 
@@ -42,6 +43,9 @@ struct VehicleLog {
     bool speed_is_brought_back = false;               ///< [effects.input_delay] says by how much the speed is late
     std::vector<ErrorText> remarks{};                 ///< which channels say nothing, a sentence each
 };
+
+/// All that it says, as a part of what something follows from.
+void add_to(solver::Digest& digest, const VehicleLog& log);
 
 /// Where the log has a signal. @param name that vehicle_signals has
 [[nodiscard]] solver::SignalHistory VehicleLog::*member_of(std::string_view name);

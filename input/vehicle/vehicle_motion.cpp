@@ -371,6 +371,20 @@ std::optional<MotionHistory> read_motion(const VehicleSettings& settings, const 
 
 }  // namespace
 
+solver::Digest::Value motion_origin(const VehicleSettings& settings, const VehicleLog& log) {
+    solver::Digest digest;
+    add_to(digest, log);
+    const physics::Vehicle vehicle = vehicle_of(settings.numbers, settings.kind);
+    for (const double number : {settings.smoothing, settings.numbers[VehicleNumber::steering_ratio],
+                                vehicle.understeer_gradient(), vehicle.wheelbase()}) {
+        digest.add(number);
+    }
+    for (const TurnSign sign : {settings.lateral_acceleration, settings.yaw_rate, settings.steering}) {
+        digest.add(sign);
+    }
+    return digest.value();
+}
+
 std::optional<MotionHistory> motion_of(const VehicleSettings& settings, const VehicleLog& log, InputErrors& errors) {
     return read_motion(settings, log, errors, false);
 }

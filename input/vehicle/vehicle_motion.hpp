@@ -17,6 +17,15 @@ struct MotionHistory {
     double course_agrees = 0.0;  ///< correlation of its turns with those over ground; 0: these are not known
 };
 
+/// The motion that one tire of a car has found in a log, for the others.
+struct CarMotion {
+    solver::Digest::Value origin{};  ///< `motion_origin` of the log and the car's numbers
+    MotionHistory history{};
+};
+
+/// A digest of all that `motion_of` looks at.
+[[nodiscard]] solver::Digest::Value motion_origin(const VehicleSettings& settings, const VehicleLog& log);
+
 /// Smooths the signals of the log, turns them into the axes of the car, and takes what is missing from the others:
 ///     a_x = dV/dt;   a_y = V r;   r = a_y / V;   r = d(course)/dt;   r = V delta / (L + K V^2) of a steady turn
 /// (Gillespie 1992, ch. 6). The course over ground also tells the signs of the others.
