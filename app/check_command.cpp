@@ -256,8 +256,9 @@ int check(const CheckOptions& options) {
         }
         const input::Reading reading = input::read_case(options.case_file);
         if (!reading.problem) {
-            const bool lacks_inputs = std::ranges::any_of(
-                reading.errors, [](const input::InputError& error) { return error.what.starts_with("[drive] lacks"); });
+            const bool lacks_inputs = std::ranges::any_of(reading.errors, [](const input::InputError& error) {
+                return error.code == input::ErrorCode::missing_input;
+            });
             report_errors(reading,
                           lacks_inputs ? "the case cannot be run; with measured runs beside it: check --data FILE"
                                        : "the case cannot be run",

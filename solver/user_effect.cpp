@@ -72,59 +72,64 @@ std::vector<int> nodes_of(const Problem& problem, const UserEffect& user_effect)
     return nodes;
 }
 
-void check_history(const SignalHistory& history, std::string_view what, double low, std::vector<std::string>& found) {
+/// @param negative why no value may be below 0; empty: it may  @returns whether one is
+bool check_history(const SignalHistory& history, std::string_view what, std::string_view negative,
+                   std::vector<UserEffectDefect>& found) {
     if (history.time.size() != history.value.size() || !std::ranges::is_sorted(history.time)) {
-        found.push_back(fmt::format("the times of {} go backwards, or are not as many as its values", what));
-        return;
+        found.push_back({fmt::format("the times of {} go backwards, or are not as many as its values", what)});
+        return false;
     }
     const auto finite = [](double value) { return std::isfinite(value); };
     if (std::ranges::none_of(history.value, finite)) {
-        found.push_back(fmt::format("{} is not a finite number at any time", what));
-        return;
+        found.push_back({fmt::format("{} is not a finite number at any time", what)});
+        return false;
     }
-    const auto below = std::ranges::find_if(history.value, [&](double value) { return value < low; });
-    if (below != history.value.end()) {
-        const double t = history.time[static_cast<std::size_t>(below - history.value.begin())];
-        found.push_back(fmt::format("{} is {:.6g} at {:.6g} s: {}", what, *below, t,
-                                    low == 0.0 && what != "the temperature of the surroundings"
-                                        ? "a conductance cannot be negative"
-                                        : "no temperature in kelvin"));
+    const auto below = std::ranges::find_if(history.value, [](double value) { return value < 0.0; });
+    if (negative.empty() || below == history.value.end()) {
+        return false;
     }
+    const double t = history.time[static_cast<std::size_t>(below - history.value.begin())];
+    found.push_back({fmt::format("{} is {:.6g} at {:.6g} s: {}", what, *below, t, negative)});
+    return true;
 }
 
 }  // namespace
 
-std::vector<std::string> defects(const Problem& problem, const UserEffect& user_effect) {
-    std::vector<std::string> found;
+std::vector<UserEffectDefect> defects(const Problem& problem, const UserEffect& user_effect) {
+    std::vector<UserEffectDefect> found;
     if (user_effect.name.empty() || physics::find_effect(user_effect.name) != nullptr ||
         find_user_effect(problem, user_effect.name) < problem.effects.size()) {
-        found.push_back(fmt::format("the name \"{}\" is empty or taken", user_effect.name));
+        found.push_back({fmt::format("the name \"{}\" is empty or taken", user_effect.name)});
     }
     for (const std::string& place : user_effect.places) {
         if (physics::nodes_of_place(problem.mesh, place).empty()) {
-            found.push_back(fmt::format("the mesh has no region, layer, zone or patch \"{}\"", place));
+            found.push_back({fmt::format("the mesh has no region, layer, zone or patch \"{}\"", place)});
         }
     }
     const std::vector<int> nodes = nodes_of(problem, user_effect);
     if (user_effect.places.empty()) {
-        found.emplace_back("it acts nowhere");
+        found.push_back({"it acts nowhere"});
     } else if (!nodes.empty() && physics::shares_of_nodes(problem.mesh, problem.materials, nodes).empty()) {
-        found.emplace_back("its places are surfaces and volumes, which cannot share by area and by heat capacity");
+        found.push_back({"its places are surfaces and volumes, which cannot share by area and by heat capacity"});
     }
-    check_history(user_effect.signal, "the signal",
-                  user_effect.exchange ? 0.0 : -std::numeric_limits<double>::infinity(), found);
+    if (check_history(user_effect.signal, "the signal", user_effect.exchange ? "a conductance cannot be negative" : "",
+                      found)) {
+        found.back().is_negative_signal = true;
+    }
     if (user_effect.exchange && !user_effect.surroundings.time.empty()) {
-        check_history(user_effect.surroundings, "the temperature of the surroundings", 0.0, found);
+        check_history(user_effect.surroundings, "the temperature of the surroundings", "no temperature in kelvin",
+                      found);
     }
     if (!std::isfinite(user_effect.amount) || (user_effect.exchange && user_effect.amount < 0.0)) {
-        found.push_back(fmt::format("{} is no {}", user_effect.amount, user_effect.exchange ? "conductance" : "heat"));
+        found.push_back(
+            {fmt::format("{} is no {}", user_effect.amount, user_effect.exchange ? "conductance" : "heat")});
     }
     return found;
 }
 
 std::size_t add_user_effect(Problem& problem, const UserEffect& user_effect) {
-    if (const std::vector<std::string> found = defects(problem, user_effect); !found.empty()) {
-        throw std::invalid_argument(fmt::format("{}: {}", user_effect.name, found.front()));
+    if (const std::vector<UserEffectDefect> found = defects(problem, user_effect); !found.empty()) {
+        throw std::invalid_argument(fmt::format("{}: {}", user_effect.name, found.front().what));
     }
     physics::ActiveEffect active =
         physics::activate(*physics::find_effect(user_effect.exchange ? "own_exchange" : "own_source"), problem.mesh);

@@ -33,8 +33,15 @@ struct UserEffect {
     SignalHistory surroundings{};  ///< K; empty: the air's temperature
 };
 
-/// What is wrong with it for this problem, a sentence each; empty when it can be switched on.
-[[nodiscard]] std::vector<std::string> defects(const Problem& problem, const UserEffect& user_effect);
+/// One thing that is wrong with a user effect.
+struct UserEffectDefect {
+    std::string what;                 ///< a sentence
+    bool is_negative_signal = false;  ///< of an exchange, whose conductance follows the signal
+    bool operator==(const UserEffectDefect&) const = default;
+};
+
+/// What is wrong with it for this problem; empty when it can be switched on.
+[[nodiscard]] std::vector<UserEffectDefect> defects(const Problem& problem, const UserEffect& user_effect);
 
 /// Switches it on. Its size is the first parameter of the effect (`watts` or `conductance`), which a fit may move; it
 /// counts from the run's start, so the input signals must know that. They learn at which times the signal has samples and

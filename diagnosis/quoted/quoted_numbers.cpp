@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include "input/measurements/runs.hpp"
+
 namespace tiretherm::diagnosis::quoted {
 
 namespace {
@@ -57,9 +59,8 @@ void centre(UnknownInput& input, const std::vector<std::size_t>& rows) {
 }
 
 /// An input with its points, before any row says what it changes.
-UnknownInput unknown_input(const input::ValidationInput& shown, const InputEffect& effect, double value,
-                           std::size_t n_rows) {
-    UnknownInput input{.name = shown.name, .unit = shown.unit, .value = value, .at = {}, .changes = {}};
+UnknownInput unknown_input(const input::ValidationInput& shown, const InputEffect& effect, std::size_t n_rows) {
+    UnknownInput input{.name = shown.name, .unit = shown.unit, .value = shown.number, .at = {}, .changes = {}};
     input.is_number = effect.numbers.size() == 2;
     const std::size_t points = input.is_number ? n_points : effect.ends.size() + 1;
     for (std::size_t i = 0; i < points; ++i) {
@@ -69,15 +70,6 @@ UnknownInput unknown_input(const input::ValidationInput& shown, const InputEffec
     }
     input.changes.assign(points, std::vector<double>(n_rows, 0.0));
     return input;
-}
-
-/// The number in front of a unit: "80 s".
-double leading(const std::string& text) {
-    try {
-        return std::stod(text);
-    } catch (const std::exception&) {
-        return 0.0;
-    }
 }
 
 /// What an input changes of one row's value.
@@ -116,21 +108,18 @@ std::vector<std::size_t> experiments_of(const std::vector<Row>& rows,
     return group;
 }
 
+/// "M4", or "M4, M5" of rows that share a run.
 void name_experiments(Numbers& numbers, const std::vector<std::size_t>& groups) {
     std::map<std::size_t, std::size_t> index;
+    std::vector<std::vector<std::string>> ids;
     for (std::size_t r = 0; r < numbers.rows.size(); ++r) {
         Row& row = numbers.rows[r];
-        const auto [known, is_new] = index.try_emplace(groups[r], numbers.experiments.size());
-        row.experiment = known->second;
-        if (is_new) {
-            numbers.experiments.push_back(row.id);
-            continue;
-        }
-        std::string& name = numbers.experiments[known->second];
-        const std::string listed = ", " + name + ", ";
-        if (listed.find(", " + row.id + ", ") == std::string::npos) {
-            name += ", " + row.id;
-        }
+        row.experiment = index.try_emplace(groups[r], index.size()).first->second;
+        ids.resize(index.size());
+        ids[row.experiment].push_back(row.id);
+    }
+    for (const std::vector<std::string>& of_one : ids) {
+        numbers.experiments.push_back(fmt::format("{}", fmt::join(input::unique(of_one), ", ")));
     }
 }
 
@@ -215,7 +204,7 @@ Numbers quoted_numbers(const input::Validation& validation, const std::vector<Va
                 continue;
             }
             if (!input) {
-                input = unknown_input(known, *effect, leading(known.value), n);
+                input = unknown_input(known, *effect, n);
             }
             add_changes(*input, *effect, model, r, *shown.models[model].value);
             rows.push_back(r);

@@ -51,7 +51,7 @@ void FrameChecks::take(const std::vector<double>& kelvin) {
 std::vector<std::string> FrameChecks::warnings(const MeasuredFrames& frames, std::size_t outside) const {
     std::vector<std::string> found;
     const auto say = [&](const std::string& sentence) {
-        found.push_back(fmt::format("{}: {}: {}", frames.file, frames.camera, sentence));
+        found.push_back(fmt::format("{}: {}", frames.camera, sentence));
     };
     if (at_hottest_ >= a_plateau && in_frames_ > 1) {
         say(fmt::format(

@@ -14,7 +14,7 @@ class FrameChecks {
 public:
     /// @param kelvin [rows * columns]; NaN: dead
     void take(const std::vector<double>& kelvin);
-    /// What is suspicious, and what was left out, a sentence each.
+    /// What is suspicious, and what was left out, a sentence each without the file's name.
     /// @param outside frames that do not lie within the run
     [[nodiscard]] std::vector<std::string> warnings(const MeasuredFrames& frames, std::size_t outside) const;
 

@@ -131,7 +131,7 @@ const Camera* find_camera(const FramesOfRun& named, const ProblemBuilder& builde
 }
 
 void read_one(const Camera& camera, const FramesOfRun& named, const ProblemBuilder& builder, InputErrors& errors,
-              MeasuredRun& run, std::vector<std::string>& warnings) {
+              MeasuredRun& run, std::vector<InputWarning>& warnings) {
     const std::optional<FrameFile> file = open_frames(named.path, named.place, errors);
     if (!file) {
         return;
@@ -190,14 +190,16 @@ void read_one(const Camera& camera, const FramesOfRun& named, const ProblemBuild
         return;
     }
     read_values(*file, frames, measured);
-    std::ranges::move(checks.warnings(measured, file->time.size() - frames.size()), std::back_inserter(warnings));
+    for (std::string& sentence : checks.warnings(measured, file->time.size() - frames.size())) {
+        warnings.push_back({.file = measured.file, .what = std::move(sentence)});
+    }
     run.frames.push_back(std::move(measured));
 }
 
 }  // namespace
 
 void read_frames(const RunTable& table, const ProblemBuilder& builder, InputErrors& errors, MeasuredRun& run,
-                 std::vector<std::string>& warnings) {
+                 std::vector<InputWarning>& warnings) {
     for (const FramesOfRun& named : table.frames) {
         if (const Camera* camera = find_camera(named, builder, errors)) {
             static_cast<void>(with_memory(named.path.generic_string(), named.place, errors, [&] {

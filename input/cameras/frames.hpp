@@ -12,6 +12,6 @@ namespace tiretherm::input {
 /// bins, and says what is suspicious about them.
 /// @param warnings out, sentences
 void read_frames(const RunTable& table, const ProblemBuilder& builder, InputErrors& errors, MeasuredRun& run,
-                 std::vector<std::string>& warnings);
+                 std::vector<InputWarning>& warnings);
 
 }  // namespace tiretherm::input

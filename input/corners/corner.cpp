@@ -172,39 +172,4 @@ void warn_of_shared_columns(const std::vector<CornerColumn>& columns, InputError
     }
 }
 
-std::vector<std::string> once_for_all_corners(const std::vector<std::string>& sentences, std::size_t of_all) {
-    struct Sentence {
-        std::string before;  // "case.toml:4: "
-        std::vector<std::string> corners;
-        std::string after;  // "the wheel ..."
-    };
-    std::vector<Sentence> found;
-    for (const std::string& sentence : sentences) {
-        Sentence cut{.before = sentence, .corners = {}, .after = {}};
-        for (const std::string_view corner : corner_names) {
-            const std::string at = fmt::format(": at {}: ", corner);
-            if (const std::size_t begin = sentence.find(at); begin != std::string::npos) {
-                cut = {.before = sentence.substr(0, begin + 2),
-                       .corners = {std::string(corner)},
-                       .after = sentence.substr(begin + at.size())};
-            }
-        }
-        const auto same = std::ranges::find_if(
-            found, [&](const Sentence& other) { return other.before == cut.before && other.after == cut.after; });
-        if (same == found.end()) {
-            found.push_back(std::move(cut));
-        } else if (!cut.corners.empty() &&
-                   std::ranges::find(same->corners, cut.corners.front()) == same->corners.end()) {
-            same->corners.push_back(cut.corners.front());
-        }
-    }
-    std::vector<std::string> once;
-    for (const Sentence& sentence : found) {
-        const bool is_of_some = !sentence.corners.empty() && (of_all < 2 || sentence.corners.size() < of_all);
-        once.push_back(sentence.before + (is_of_some ? fmt::format("at {}: ", listed(sentence.corners)) : "") +
-                       sentence.after);
-    }
-    return once;
-}
-
 }  // namespace tiretherm::input

@@ -52,10 +52,4 @@ struct CornerColumn {
 /// Warns of each that several corners of one recording take.
 void warn_of_shared_columns(const std::vector<CornerColumn>& columns, InputErrors& errors);
 
-/// Sentences of several corners, "FILE: at FL: ...", as one: "FILE: at FL and FR: ...", or "FILE: ..." of all. Those that are
-/// alike stand once.
-/// @param of_all how many corners the case has; 0 and 1: all that it says of one is of this one
-[[nodiscard]] std::vector<std::string> once_for_all_corners(const std::vector<std::string>& sentences,
-                                                            std::size_t of_all);
-
 }  // namespace tiretherm::input

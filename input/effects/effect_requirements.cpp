@@ -192,12 +192,14 @@ void check_signals(TomlTable& root, const ProblemBuilder& builder) {
                     : fmt::format("[drive] lacks {}", signal.name);
             const std::string column =
                 builder.run ? mapping_to(signal.name, *builder.run, sensor_names(root.content())) : "";
-            root.errors().add(
-                builder.run ? builder.run->place : root.place("drive"),
-                fmt::format("{}, which {} {}", lacking, listed(needing), one ? "needs" : "need"),
-                fmt::format("{}add {} = {}{}, or switch {} off: [effects.{}] on = false", column, signal.name,
-                            spell_example(quantity_specs::of(signal)), builder.run ? " to [drive]" : "",
-                            one ? "the effect" : "the effects", needing.front()));
+            root.errors().add(builder.run ? builder.run->place : root.place("drive"),
+                              {.what = fmt::format("{}, which {} {}", lacking, listed(needing), one ? "needs" : "need"),
+                               .remedy = fmt::format("{}add {} = {}{}, or switch {} off: [effects.{}] on = false",
+                                                     column, signal.name, spell_example(quantity_specs::of(signal)),
+                                                     builder.run ? " to [drive]" : "",
+                                                     one ? "the effect" : "the effects", needing.front()),
+                               .code = builder.run ? ErrorCode::other : ErrorCode::missing_input,
+                               .about = std::string(signal.name)});
         }
     }
 }

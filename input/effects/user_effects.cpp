@@ -209,10 +209,10 @@ void read_list(TomlTable& root, ProblemBuilder& builder, const UserEffectKind& k
             return;
         }
         user_effect.signal = *history;
-        for (const std::string& sentence : solver::defects(builder.problem, user_effect)) {
+        for (const solver::UserEffectDefect& defect : solver::defects(builder.problem, user_effect)) {
             table.errors().add(
-                table.place(), fmt::format("{}: {}", user_effect.name, sentence),
-                sentence.starts_with("the signal is -")
+                table.place(), fmt::format("{}: {}", user_effect.name, defect.what),
+                defect.is_negative_signal
                     ? fmt::format("follow what is never negative, such as \"max(0, {})\"", user_effect.follows)
                     : "");
         }

@@ -15,6 +15,7 @@
 #include "input/loggers/heading_names.hpp"
 #include "input/loggers/logger_units.hpp"
 #include "input/measurements/data_warnings.hpp"
+#include "input/measurements/runs.hpp"
 #include "input/new_case/log_columns.hpp"
 #include "input/text/suggestions.hpp"
 #include "solver/stop_signal.hpp"
@@ -95,27 +96,15 @@ RecordedColumn recorded_of(const ColumnSurvey& column, const LogColumn& log, Kno
     return recorded;
 }
 
-/// Sentences without the file's name, which stands above them.
-std::vector<std::string> doubts_of(const Recording& recording) {
-    std::vector<std::string> sentences = find_suspicious(recording);
-    for (std::string& sentence : sentences) {
-        sentence.erase(0, sentence.starts_with(recording.file) ? recording.file.size() + 2 : 0);
-    }
-    return sentences;
-}
-
-/// What was said of the file when it was read, without its name.
+/// What was said of the file when it was read, without its name, which stands above.
 std::vector<std::string> said_while_reading(const InputErrors& errors, const std::string& path) {
     std::vector<std::string> sentences;
-    for (const std::string& warning : errors.warnings()) {
-        const bool is_of_line = warning.starts_with(path + ":") && !warning.starts_with(path + ": ");
-        const std::size_t name = warning.starts_with(path) ? path.size() + (is_of_line ? 1 : 2) : 0;
-        std::string sentence = (is_of_line ? "line " : "") + warning.substr(name);
-        if (std::ranges::find(sentences, sentence) == sentences.end()) {
-            sentences.push_back(std::move(sentence));
-        }
+    for (const InputWarning& warning : errors.warnings()) {
+        const bool is_of_file = warning.file == path;
+        const std::string line = is_of_file && warning.line > 0 ? fmt::format("line {}: ", warning.line) : "";
+        sentences.push_back(is_of_file ? line + warning.what : render({warning}, 0).front());
     }
-    return sentences;
+    return unique(sentences);
 }
 
 }  // namespace
@@ -134,7 +123,6 @@ std::optional<LogSurvey> survey_log(const std::filesystem::path& path, const std
     LogSurvey survey{.path = log->path, .description = file->description()};
     const LogColumn* clock = log->find("time");
     Recording recording;
-    recording.file = survey.path;
     recording.time = std::move(log->time);
     SampleTimes time = recording.time;
     const bool has_own_clocks = file->table().has_own_clocks();
@@ -194,7 +182,7 @@ std::optional<LogSurvey> survey_log(const std::filesystem::path& path, const std
         }
         survey.columns.push_back(std::move(found));
     }
-    std::ranges::move(doubts_of(recording), std::back_inserter(survey.doubts));
+    std::ranges::move(find_suspicious(recording), std::back_inserter(survey.doubts));
     return survey;
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
+#include <iterator>
 #include <limits>
 
 #include <fmt/format.h>
@@ -88,7 +89,7 @@ const RecordedColumn* Recording::find(std::string_view name) const {
 std::vector<std::string> find_suspicious(const Recording& recording) {
     std::vector<std::string> sentences;
     if (const std::string jumps = find_time_jumps(recording); !jumps.empty()) {
-        sentences.push_back(fmt::format("{}: time {}", recording.file, jumps));
+        sentences.push_back("time " + jumps);
     }
     for (const RecordedColumn& column : recording.columns) {
         const std::string aside = column.heading == column.name ? "" : fmt::format(" (column {})", column.heading);
@@ -96,7 +97,7 @@ std::vector<std::string> find_suspicious(const Recording& recording) {
             solver::leave_reading_if_stopped();
             const std::string sentence = column.value.empty() ? "" : rule.look(recording, column);
             if (!sentence.empty()) {
-                sentences.push_back(fmt::format("{}: {}{} {}", recording.file, column.name, aside, sentence));
+                sentences.push_back(fmt::format("{}{} {}", column.name, aside, sentence));
                 if (rule.ends) {
                     break;
                 }
@@ -105,12 +106,10 @@ std::vector<std::string> find_suspicious(const Recording& recording) {
     }
     for (const std::string& sentence : {find_stuck_together(recording), find_switched(recording)}) {
         if (!sentence.empty()) {
-            sentences.push_back(fmt::format("{}: {}", recording.file, sentence));
+            sentences.push_back(sentence);
         }
     }
-    for (const std::string& sentence : find_copies(recording)) {
-        sentences.push_back(fmt::format("{}: {}", recording.file, sentence));
-    }
+    std::ranges::move(find_copies(recording), std::back_inserter(sentences));
     return sentences;
 }
 

@@ -58,7 +58,6 @@ struct RecordedColumn {
 
 /// What was recorded in a run.
 struct Recording {
-    std::string file;
     SampleTimes time;       ///< s, of all samples
     std::string time_unit;  ///< as written
     std::vector<RecordedColumn> columns;
@@ -71,9 +70,9 @@ struct Recording {
 /// probably another one, unusual inputs. None of them is sure; a fit should not begin before somebody has looked.
 [[nodiscard]] std::vector<std::string> find_suspicious(const Recording& recording);
 
-/// Parts of it. Each sentence lacks the file's and the column's name; empty: nothing to say.
+/// Parts of it. Each sentence lacks the column's name; empty: nothing to say.
 [[nodiscard]] std::string find_time_jumps(const Recording& recording);
-/// Inputs that jump between samples; the whole sentence but for the file's name.
+/// Inputs that jump between samples; the whole sentence.
 [[nodiscard]] std::string find_switched(const Recording& recording);
 [[nodiscard]] std::string find_stuck(const Recording& recording, const RecordedColumn& column);
 [[nodiscard]] std::string find_frozen(const Recording& recording, const RecordedColumn& column);
@@ -82,9 +81,9 @@ struct Recording {
 [[nodiscard]] std::string find_clipped(const Recording& recording, const RecordedColumn& column);
 /// Stretches of a temperature or a speed that stand still and are reached or left by a jump.
 [[nodiscard]] std::string find_dead_stretches(const Recording& recording, const RecordedColumn& column);
-/// Sensors that stand still in the same samples; the whole sentence but for the file's name.
+/// Sensors that stand still in the same samples; the whole sentence.
 [[nodiscard]] std::string find_stuck_together(const Recording& recording);
-/// Columns that are copies of others, perhaps with a constant added; whole sentences but for the file's name.
+/// Columns that are copies of others, perhaps with a constant added; whole sentences.
 [[nodiscard]] std::vector<std::string> find_copies(const Recording& recording);
 [[nodiscard]] std::string find_resampled(const Recording& recording, const RecordedColumn& column);
 

@@ -40,7 +40,7 @@ ExperimentReading read_experiment(const std::filesystem::path& file, const std::
         }
     }
     reading.errors = errors.in_order();
-    reading.warnings = once_for_all_corners(errors.warnings(), runs.corners.size());
+    reading.warnings = render(errors.warnings(), runs.corners.size());
     reading.files = errors.files();
     reading.data_warnings = std::move(runs.data_warnings);
     reading.plies = std::move(runs.plies);

@@ -30,7 +30,6 @@ RecordedColumn recorded_column(const RunFile& file, const UsedColumn& column, st
 
 Recording recording_of(const RunFile& file, const ProblemBuilder& builder, const MeasuredRun& run) {
     Recording recording;
-    recording.file = run.file;
     recording.time = run.time;
     if (file.columns.time >= 0) {
         recording.time_unit = file.file.heads()[static_cast<std::size_t>(file.columns.time)].heading.unit.value_or("");

@@ -129,15 +129,15 @@ void leave_out_idle_corners(RunsBeingRead& runs, InputErrors& errors) {
 
 /// Of each recording, whose corners follow each other.
 void warn_of_exchanged_sides(std::span<const MeasuredRun> runs, const TurnsKnown& turns,
-                             std::vector<std::string>& warnings) {
+                             std::vector<InputWarning>& warnings) {
     for (std::size_t first = 0; first < runs.size();) {
         std::size_t end = first + 1;
         while (end < runs.size() && runs[end].recording == runs[first].recording) {
             ++end;
         }
-        const std::string sentence = find_exchanged_sides(runs.subspan(first, end - first), turns);
+        std::string sentence = find_exchanged_sides(runs.subspan(first, end - first), turns);
         if (!sentence.empty()) {
-            warnings.push_back(fmt::format("{}: {}", runs[first].file, sentence));
+            warnings.push_back({.file = runs[first].file, .what = std::move(sentence)});
         }
         first = end;
     }
@@ -213,6 +213,7 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
     add_vehicle_columns(document, followed);
     RunsBeingRead runs;
     std::vector<CornerColumn> of_one_tire;
+    std::vector<InputWarning> of_data;
     SignalChoice signals;
     for (const RunTable& each : tables) {
         if (!each.corner.empty() && std::ranges::find(into.corners, each.corner) == into.corners.end()) {
@@ -275,15 +276,12 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
             Recording recording = recording_of(*file, builder, run);
             recording.keep_suspicious = table.keys->keeps_suspicious();
             for (std::string& sentence : find_suspicious(recording)) {
-                if (!run.corner.empty() && sentence.starts_with(recording.file)) {
-                    sentence.insert(recording.file.size(), fmt::format(": at {}", run.corner));
-                }
-                into.data_warnings.push_back(std::move(sentence));
+                of_data.push_back({.file = run.file, .corner = run.corner, .what = std::move(sentence)});
             }
             leave_out_unusable(recording, run);
         }
         read_numbers(builder, reading.document, table, errors, run);
-        read_frames(table, builder, errors, run, into.data_warnings);
+        read_frames(table, builder, errors, run, of_data);
         if (measured && mode == ReadMode::measured && table.corner.empty()) {
             require_readings(run, table, file ? &*file : nullptr, sensors, errors);
         }
@@ -328,12 +326,12 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
         into.experiment.runs.push_back(std::move(one->run));
     }
     if (errors.count() == 0) {
-        warn_of_exchanged_sides(into.experiment.runs, turns, into.data_warnings);
+        warn_of_exchanged_sides(into.experiment.runs, turns, of_data);
         classify_unused(into.experiment.runs);
         into.experiment.instruments = measured_instruments(into.experiment.instruments, into.experiment.runs);
     }
     choose_signals(signals, into.experiment.runs, errors);
-    into.data_warnings = once_for_all_corners(into.data_warnings, into.corners.size());
+    into.data_warnings = render(of_data, into.corners.size());
     return into;
 }
 

@@ -152,7 +152,7 @@ Reading read_case(const fs::path& file, const std::string* text, const std::stri
         }
     }
     reading.errors = errors.in_order();
-    reading.warnings = once_for_all_corners(errors.warnings(), corners);
+    reading.warnings = render(errors.warnings(), corners);
     reading.files = errors.files();
     if (reading.errors.empty()) {
         take_away_cameras(*problem);

@@ -224,7 +224,7 @@ void check(const NewCaseRequest& request, const std::string& text, const InputEr
         runs = read_runs(*document, case_name(request.target), {}, ReadMode::measured, errors);
     }
     result.errors = errors.in_order();
-    result.warnings = once_for_all_corners(errors.warnings(), runs.corners.size());
+    result.warnings = render(errors.warnings(), runs.corners.size());
     result.warnings.insert(result.warnings.end(), runs.data_warnings.begin(), runs.data_warnings.end());
 }
 
@@ -265,7 +265,7 @@ void write_case(CaseDraft& draft) {
     list_missing(draft);
 }
 
-/// Leaves out the input of the log by which the case is refused: the one that the error begins with, and where it names none all
+/// Leaves out the input of the log by which the case is refused: the one that the error is about, and where it is about none all
 /// that tell the motion of a car. @returns whether there was one
 bool leave_out_culprit(CaseDraft& draft) {
     NewCase& result = draft.result;
@@ -275,7 +275,7 @@ bool leave_out_culprit(CaseDraft& draft) {
         }
         for (const bool named : {true, false}) {
             const auto is_culprit = [&](const LogColumn& column) {
-                return column.is_input && (named ? error.what.starts_with(column.name + " ") : is_motion(column.name));
+                return column.is_input && (named ? error.about == column.name : is_motion(column.name));
             };
             if (const auto found = std::ranges::find_if(result.log->columns, is_culprit);
                 found != result.log->columns.end()) {

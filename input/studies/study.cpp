@@ -126,8 +126,9 @@ public:
             TomlTable root(*document, "the study", study_.errors_);
             has_case = read_root(root);
         }
-        StudyReading reading{
-            .study = std::nullopt, .errors = study_.errors_.in_order(), .warnings = study_.errors_.warnings()};
+        StudyReading reading{.study = std::nullopt,
+                             .errors = study_.errors_.in_order(),
+                             .warnings = render(study_.errors_.warnings(), 0)};
         reading.files = study_.errors_.files();
         if (has_case && document) {
             read_runs_into(reading);
@@ -217,7 +218,7 @@ private:
                            "vary no names of sensors");
             }
             add_new(reading.errors, errors.in_order());
-            said.take(errors.warnings());
+            said.take(render(errors.warnings(), made.corners.size()));
             const std::vector<std::string> files = errors.files();
             reading.files.insert(reading.files.end(), files.begin(), files.end());
             reading.files = unique(reading.files);

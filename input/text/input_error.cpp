@@ -74,6 +74,8 @@ std::string shortened(std::string text) {
     return fmt::format("{} ... ({} characters) ... {}", text.substr(0, from), to - from, text.substr(to));
 }
 
+std::string spelled(const std::string& file, int line) { return line > 0 ? fmt::format("{}:{}", file, line) : file; }
+
 }  // namespace
 
 std::string render(const InputError& error) {
@@ -88,6 +90,35 @@ std::string render(const InputError& error) {
         text += fmt::format("    remedy: {}\n", printable(error.remedy));
     }
     return text;
+}
+
+std::vector<std::string> render(const std::vector<InputWarning>& warnings, std::size_t n_corners) {
+    struct Merged {
+        const InputWarning* first = nullptr;
+        std::vector<std::string> corners{};  ///< that say the same
+    };
+    std::vector<Merged> merged;
+    for (const InputWarning& one : warnings) {
+        const auto is_same = [&](const Merged& other) {
+            return std::tie(one.file, one.line, one.what) ==
+                       std::tie(other.first->file, other.first->line, other.first->what) &&
+                   one.corner.empty() == other.corners.empty();
+        };
+        auto same = std::ranges::find_if(merged, is_same);
+        if (same == merged.end()) {
+            same = merged.insert(merged.end(), {.first = &one});
+        }
+        if (!one.corner.empty() && std::ranges::find(same->corners, one.corner) == same->corners.end()) {
+            same->corners.push_back(one.corner);
+        }
+    }
+    std::vector<std::string> sentences;
+    for (const auto& [first, corners] : merged) {
+        const bool is_of_some = !corners.empty() && (n_corners < 2 || corners.size() < n_corners);
+        sentences.push_back((first->file.empty() ? "" : spelled(first->file, first->line) + ": ") +
+                            (is_of_some ? fmt::format("at {}: ", listed(corners)) : "") + first->what);
+    }
+    return sentences;
 }
 
 InputErrors::InputErrors() : tables_(std::make_shared<TableShelf>()) {}
@@ -120,9 +151,9 @@ void InputErrors::take(const InputErrors& found, int number) {
         one.place.file = number;
         found_.push_back(std::move(one));
     }
-    for (const std::string& warning : found.warnings_) {  // in which the file may go by another path
-        const std::string& path = found.files_.front().shown;
-        warnings_.push_back(warning.starts_with(path) ? file(number) + warning.substr(path.size()) : warning);
+    for (InputWarning one : found.warnings_) {  // in which the file may go by another path
+        one.file = one.file == found.files_.front().shown ? file(number) : one.file;
+        warnings_.push_back(std::move(one));
     }
 }
 
@@ -142,21 +173,24 @@ std::vector<std::string> InputErrors::files() const {
     return all;
 }
 
-void InputErrors::add(const SourceLocation& place, std::string what, std::string remedy) {
+void InputErrors::add(const SourceLocation& place, ErrorText error) {
     SourceLocation where = place;
     if (where.file < 0) {  // of what nobody wrote, as a run that is the case itself: of the file that all began with
         where = {.file = files_.empty() ? add_file("input", "") : 0};
     }
-    found_.push_back({where, {shortened(std::move(what)), shortened(std::move(remedy))}});
+    error.what = shortened(std::move(error.what));
+    error.remedy = shortened(std::move(error.remedy));
+    found_.push_back({where, std::move(error)});
 }
 
-void InputErrors::warn(const SourceLocation& place, const std::string& what) {
-    warnings_.push_back(place.file >= 0 ? fmt::format("{}: {}", spell(place), shortened(what)) : shortened(what));
+void InputErrors::warn(const SourceLocation& place, std::string what, std::string_view corner) {
+    warnings_.push_back({.file = place.file >= 0 ? file(place.file) : std::string(),
+                         .line = place.line,
+                         .corner = std::string(corner),
+                         .what = shortened(std::move(what))});
 }
 
-std::string InputErrors::spell(const SourceLocation& place) const {
-    return place.line > 0 ? fmt::format("{}:{}", file(place.file), place.line) : file(place.file);
-}
+std::string InputErrors::spell(const SourceLocation& place) const { return spelled(file(place.file), place.line); }
 
 std::string InputErrors::line_of(const SourceLocation& place) const {
     const std::string& text = *files_[static_cast<std::size_t>(place.file)].text;
@@ -206,7 +240,9 @@ std::vector<InputError> InputErrors::in_order() const {
                          .length = place.length,
                          .what = found->error.what,
                          .remedy = found->error.remedy,
-                         .source = {}};
+                         .source = {},
+                         .code = found->error.code,
+                         .about = found->error.about};
         error.source = place.line > 0 && place.column < farthest ? line_of(place) : std::string();
         result.push_back(std::move(error));
     }

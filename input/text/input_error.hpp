@@ -2,6 +2,8 @@
 // Errors and warnings in user input, with file, line, column and remedy, collected so that all are shown at once.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -12,6 +14,12 @@ namespace tiretherm::input {
 struct LogTable;
 struct TableShelf;
 
+/// By what the program tells errors apart. A sentence is for the user; whoever must know which error it is asks for this.
+enum class ErrorCode : std::uint8_t {
+    other,          ///< nobody needs to know
+    missing_input,  ///< an active effect needs an input that [drive] lacks; there is no run that may give it
+};
+
 /// An error in what the user wrote, and where. Lines and columns count from 1; a column is a character, not a byte.
 struct InputError {
     std::string file;  ///< as the user would type it
@@ -21,16 +29,32 @@ struct InputError {
     std::string what;
     std::string remedy;  ///< what to do; empty where `what` says it already
     std::string source;  ///< the line of the file
+    ErrorCode code = ErrorCode::other;
+    std::string about{};  ///< the input that is wrong, where it is one: "speed"
+};
+
+/// Something unusual that a run can still be made of.
+struct InputWarning {
+    std::string file{};    ///< as the user would type it; empty: of the case as a whole
+    int line = 0;          ///< 0: the file as a whole
+    std::string corner{};  ///< of the car, FL, FR, RL or RR, that it is about; empty: no single one
+    std::string what;
 };
 
 /// The error as a compiler shows it: `file:line:column: what`, the line, a caret under the place, the remedy.
 /// @returns lines, each ended by a newline
 [[nodiscard]] std::string render(const InputError& error);
 
-/// The text of an error: what is wrong, and what to do.
+/// Warnings as sentences, those that are alike once: "FILE:LINE: at FL and FR: what". Of all corners of the case they are not named.
+/// @param n_corners of the case; 0 and 1: all that is said of a corner is of this one
+[[nodiscard]] std::vector<std::string> render(const std::vector<InputWarning>& warnings, std::size_t n_corners);
+
+/// An error without its place: what is wrong, and what to do.
 struct ErrorText {
     std::string what;
     std::string remedy;
+    ErrorCode code = ErrorCode::other;
+    std::string about{};  ///< as in InputError
 };
 
 /// A piece of a file. `file` counts the files in the order they were read.
@@ -60,12 +84,12 @@ public:
     void share_tables(const InputErrors& others) { tables_ = others.tables_; }
     /// Takes over what is wrong with a file that was read by itself, as the first of `found`. @param number of it here
     void take(const InputErrors& found, int number);
-    void add(const SourceLocation& place, std::string what, std::string remedy = {});
-    void add(const SourceLocation& place, ErrorText error) {
-        add(place, std::move(error.what), std::move(error.remedy));
+    void add(const SourceLocation& place, ErrorText error);
+    void add(const SourceLocation& place, std::string what, std::string remedy = {}) {
+        add(place, ErrorText{std::move(what), std::move(remedy)});
     }
-    /// Something unusual that a run can still be made of.
-    void warn(const SourceLocation& place, const std::string& what);
+    /// @param corner that it is about; empty: no single one
+    void warn(const SourceLocation& place, std::string what, std::string_view corner = {});
 
     [[nodiscard]] std::size_t count() const { return found_.size(); }
     [[nodiscard]] const std::string& file(int number) const { return files_[static_cast<std::size_t>(number)].shown; }
@@ -75,7 +99,7 @@ public:
     [[nodiscard]] std::string spell(const SourceLocation& place) const;
     /// All errors in the order of the files and of their places in them, none twice.
     [[nodiscard]] std::vector<InputError> in_order() const;
-    [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+    [[nodiscard]] const std::vector<InputWarning>& warnings() const { return warnings_; }
 
 private:
     struct File {
@@ -92,7 +116,7 @@ private:
     std::shared_ptr<TableShelf> tables_;
     std::vector<File> files_;
     std::vector<Found> found_;
-    std::vector<std::string> warnings_;
+    std::vector<InputWarning> warnings_;
 };
 
 }  // namespace tiretherm::input

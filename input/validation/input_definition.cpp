@@ -82,6 +82,7 @@ bool read_numbers(TomlTable& table, InputDefinition& input) {
     }
     input.value = *value;
     input.shown.unit = value->unit;
+    input.shown.number = value->number;
     input.shown.value = study_value(*table.value("value")).text;
     if (range == nullptr) {
         return true;

@@ -116,7 +116,8 @@ ValidationReading read_validation(const std::filesystem::path& file) {
             validation.inputs.push_back(input.shown);
         }
     }
-    ValidationReading reading{.table = std::nullopt, .errors = errors.in_order(), .warnings = errors.warnings()};
+    ValidationReading reading{
+        .table = std::nullopt, .errors = errors.in_order(), .warnings = render(errors.warnings(), 0)};
     cache.append_messages(reading);
     if (reading.errors.empty()) {
         validation.runs = cache.take_runs();

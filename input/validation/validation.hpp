@@ -66,6 +66,7 @@ struct ValidationInput {
     std::string meaning;
     Standing standing = Standing::printed;
     std::string value;              ///< "30 s", as the cases have it
+    double number = 0.0;            ///< of it in `unit`; 0 where it is words
     std::vector<std::string> ends;  ///< of its range; other words where it is no number; empty of a printed one
     std::string unit;               ///< of the numbers
     std::vector<double> numbers;    ///< the ends in that unit; empty where they are words

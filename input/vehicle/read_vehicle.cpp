@@ -22,15 +22,16 @@ void warn_of_limits(const CornerHistory& corner, const VehicleSettings& settings
     const std::string_view name = physics::corner_names[static_cast<std::size_t>(settings.corner)];
     if (corner.exceeds > 0.0) {
         errors.warn(settings.place,
-                    fmt::format("at {}: the forces exceed what the tire can give in {} of the time: the slips are then "
+                    fmt::format("the forces exceed what the tire can give in {} of the time: the slips are then "
                                 "those of the highest force",
-                                name, percent(corner.exceeds)));
+                                percent(corner.exceeds)),
+                    name);
     }
     if (corner.lifted > 0.0) {
         errors.warn(settings.place,
-                    fmt::format("at {}: the wheel is in the air in {} of the time: the other wheels carry "
-                                "its load",
-                                name, percent(corner.lifted)));
+                    fmt::format("the wheel is in the air in {} of the time: the other wheels carry its load",
+                                percent(corner.lifted)),
+                    name);
     }
     if (corner.rolls_over > 0.0) {
         errors.warn(settings.place, fmt::format("the car would roll over in {} of the time: check the height of its "
@@ -106,13 +107,16 @@ void read_vehicle(TomlTable& root, ProblemBuilder& builder) {
     const std::string_view name = physics::corner_names[static_cast<std::size_t>(settings->corner)];
     if (!names.empty()) {
         errors.warn(settings->place,
-                    fmt::format("at {}: {} {} computed from the motion of the car, and the speed of the "
+                    fmt::format("{} {} computed from the motion of the car, and the speed of the "
                                 "tire from that of the car and the yaw rate",
-                                name, listed(names), names.size() > 1 ? "are" : "is"));
+                                listed(names), names.size() > 1 ? "are" : "is"),
+                    name);
     }
     if (!kept.empty()) {
-        errors.warn(settings->place, fmt::format("at {}: {} {} not computed: the case gives {}", name, listed(kept),
-                                                 kept.size() > 1 ? "are" : "is", kept.size() > 1 ? "them" : "it"));
+        errors.warn(settings->place,
+                    fmt::format("{} {} not computed: the case gives {}", listed(kept), kept.size() > 1 ? "are" : "is",
+                                kept.size() > 1 ? "them" : "it"),
+                    name);
     }
     for (const std::string& source : motion.sources) {
         errors.warn(settings->place, source);

@@ -62,7 +62,9 @@ bool take_away_impossible(const VehicleSignal& signal, const SourceLocation& pla
                                          signal.name, history.value[beyond.front()], shown_unit(signal),
                                          history.time[beyond.front()], signal.low, signal.high);
     if (static_cast<double>(beyond.size()) > std::max(most_share * n, std::min(fewest, most_of_short * n))) {
-        errors.add(place, what, "look for a wrong unit of the column, or leave out the part with from and to");
+        errors.add(place, {.what = what,
+                           .remedy = "look for a wrong unit of the column, or leave out the part with from and to",
+                           .about = std::string(signal.name)});
         return false;
     }
     errors.warn(place, beyond.size() == 1
@@ -114,18 +116,19 @@ void leave_out_dead(const ProblemBuilder& builder, VehicleLog& log) {
                                 is_alive("yaw_rate") || is_alive("steering_wheel_angle");
     for (const DeadChannel& channel : dead) {
         const std::string& beside = find_column(builder, channel.name)->beside;
-        const bool drives = channel.name == "longitudinal_acceleration" || channel.name == "brake_pressure";
-        if (!turns_are_told && !drives && beside.empty()) {
-            log.remarks.push_back({fmt::format("{} {}, and nothing else says how it turns: is a sensor connected?",
-                                               channel.name, channel.why),
-                                   ""});
+        ErrorText& remark = log.remarks.emplace_back();
+        remark.about = channel.name;
+        if (!turns_are_told && !is_along_the_car(channel.name) && beside.empty()) {
+            remark.what = fmt::format("{} {}, and nothing else says how it turns: is a sensor connected?", channel.name,
+                                      channel.why);
             continue;
         }
         log.*member_of(channel.name) = {};
-        log.remarks.push_back({fmt::format("{} {}: not used", channel.name, channel.why),
-                               beside.empty() ? ""
-                                              : fmt::format("take the column that moves: columns = {{ {} = \"{}\" }}",
-                                                            toml_text::key(beside), channel.name)});
+        remark.what = fmt::format("{} {}: not used", channel.name, channel.why);
+        if (!beside.empty()) {
+            remark.remedy = fmt::format("take the column that moves: columns = {{ {} = \"{}\" }}",
+                                        toml_text::key(beside), channel.name);
+        }
     }
 }
 
@@ -145,6 +148,8 @@ solver::SignalHistory speed_of(const ProblemBuilder& builder) {
 }  // namespace
 
 std::span<const VehicleSignal> vehicle_signals() { return table; }
+
+bool is_along_the_car(std::string_view name) { return name == "longitudinal_acceleration" || name == "brake_pressure"; }
 
 void add_vehicle_columns(const TomlValue& document, std::vector<std::string>& names) {
     for (const VehicleSignal& signal : table) {

@@ -28,6 +28,8 @@ struct VehicleSignal {
 /// @param names each once
 void add_vehicle_columns(const TomlValue& document, std::vector<std::string>& names);
 [[nodiscard]] bool is_vehicle_signal(std::string_view name);
+/// Whether a signal tells how the car speeds up and brakes, and not how it turns.
+[[nodiscard]] bool is_along_the_car(std::string_view name);
 /// Whether [vehicle] takes up all that a column of this name says.
 [[nodiscard]] bool is_used_up_by_vehicle(std::string_view name);
 

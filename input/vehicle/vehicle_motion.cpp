@@ -158,9 +158,8 @@ bool Reader::read_yaw_rate() {
 
 /// The turns are not known. Where a column that says nothing is used in place of one that moves, that one is the remedy.
 void Reader::add_turn_error(const std::string& what, const std::string& remedy) {
-    const auto dead = std::ranges::find_if(log.remarks, [](const ErrorText& one) {
-        return !one.remedy.empty() && !one.what.starts_with("longitudinal_") && !one.what.starts_with("brake_");
-    });
+    const auto dead = std::ranges::find_if(
+        log.remarks, [](const ErrorText& one) { return !one.remedy.empty() && !is_along_the_car(one.about); });
     const bool has_other = dead != log.remarks.end();
     errors.add(settings.place, has_other ? fmt::format("{}; {}", what, dead->what) : what,
                has_other ? dead->remedy : remedy);
@@ -216,10 +215,12 @@ bool Reader::agree_in_size(std::string_view name, const Values& acceleration, co
         return true;
     }
     errors.add(
-        settings.place, fmt::format("{} is {:.3g} times {}", name, ratio, what),
-        fmt::format(
-            "correct the unit of the column, as in units = {{ COLUMN = \"g\" }}, or that of {}: a g is 9.81 m/s2",
-            what));
+        settings.place,
+        {.what = fmt::format("{} is {:.3g} times {}", name, ratio, what),
+         .remedy = fmt::format(
+             "correct the unit of the column, as in units = {{ COLUMN = \"g\" }}, or that of {}: a g is 9.81 m/s2",
+             what),
+         .about = std::string(name)});
     return false;
 }
 
@@ -315,8 +316,9 @@ bool Reader::read_longitudinal() {
     }
     if (r < -sure) {
         errors.add(settings.place,
-                   fmt::format("longitudinal_acceleration is positive where the speed falls (r = {:.2f})", r),
-                   "turn the sign of the column: positive is speeding up");
+                   {.what = fmt::format("longitudinal_acceleration is positive where the speed falls (r = {:.2f})", r),
+                    .remedy = "turn the sign of the column: positive is speeding up",
+                    .about = "longitudinal_acceleration"});
         return false;
     }
     return agree_in_size("longitudinal_acceleration", smoothed, slope, "the slope of speed");

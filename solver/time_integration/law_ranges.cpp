@@ -52,15 +52,17 @@ std::vector<RangeWarning> law_range_warnings(const mesh::Mesh& mesh, const physi
         struct Law {
             std::string_view what;
             const physics::Curve& curve;
+            bool is_known = false;  ///< as another one
         };
-        for (const Law& law : {Law{"conductivity", material.along(mesh::Axis::through)},
-                               Law{"conductivity along the meridian", material.along(mesh::Axis::meridian)},
-                               Law{"conductivity along the circumference", material.along(mesh::Axis::circumference)},
-                               Law{"heat capacity", material.heat_capacity}}) {
+        const physics::Curve& through = material.along(mesh::Axis::through);
+        const physics::Curve& meridian = material.along(mesh::Axis::meridian);
+        const physics::Curve& around = material.along(mesh::Axis::circumference);
+        for (const Law& law :
+             {Law{"conductivity", through}, Law{"conductivity along the meridian", meridian, meridian == through},
+              Law{"conductivity along the circumference", around, around == through},
+              Law{"heat capacity", material.heat_capacity}}) {
             const auto range = law.curve.range();
-            const bool same =
-                law.what.starts_with("conductivity along") && law.curve == material.along(mesh::Axis::through);
-            if (range && !same && (all.coldest < (*range)[0] - slack || all.hottest > (*range)[1] + slack)) {
+            if (range && !law.is_known && (all.coldest < (*range)[0] - slack || all.hottest > (*range)[1] + slack)) {
                 add({.law =
                          fmt::format("the {} of \"{}\" is known from {:.4g} to {:.4g} degC and held beyond", law.what,
                                      material.name, (*range)[0] - zero_celsius, (*range)[1] - zero_celsius),

@@ -95,7 +95,7 @@ bool take_run_ld(std::string_view bytes) {
 bool take_log_survey(std::string_view bytes) {
     input::InputErrors errors;
     const std::optional<input::LogSurvey> survey = input::survey_log(scratch_file("log.csv", bytes), {}, errors);
-    check_outcome(survey.has_value(), errors.in_order(), errors.warnings());
+    check_outcome(survey.has_value(), errors.in_order(), render(errors.warnings(), 0));
     for (std::size_t i = 1; survey && i < survey->laps.laps.size(); ++i) {
         promise(survey->laps.laps[i].start == survey->laps.laps[i - 1].end, "a gap between two laps");
     }
@@ -123,7 +123,7 @@ bool take_frames(const fs::path& path) {
     constexpr std::size_t most_frames = 20;
     input::InputErrors errors;
     const std::optional<input::FrameFile> file = input::open_frames(path, mention(errors), errors);
-    check_outcome(file.has_value(), errors.in_order(), errors.warnings());
+    check_outcome(file.has_value(), errors.in_order(), render(errors.warnings(), 0));
     if (file) {
         std::vector<double> kelvin(static_cast<std::size_t>(file->rows) * static_cast<std::size_t>(file->columns));
         for (std::size_t frame = 0; frame < std::min(file->time.size(), most_frames); ++frame) {
@@ -146,7 +146,7 @@ bool take_field(const fs::path& path) {
         input::InputErrors errors;
         const auto file =
             input::read_field_file(path, mention(errors), of, of != FieldOf::pressure, of == FieldOf::loss, errors);
-        check_outcome(file.has_value(), errors.in_order(), errors.warnings());
+        check_outcome(file.has_value(), errors.in_order(), render(errors.warnings(), 0));
         if (file && file->against == input::FieldFile::Against::wheel_angle) {
             double sum = 0.0;
             for (const double share : file->shares_of_revolution()) {
@@ -166,7 +166,7 @@ bool take_field_hdf5(std::string_view bytes) { return take_field(scratch_file("f
 bool take_tir(std::string_view bytes) {
     input::InputErrors errors;
     const std::optional<input::TirFile> tire = input::read_tir_file(scratch_file("tire.tir", bytes), {}, errors);
-    check_outcome(tire.has_value(), errors.in_order(), errors.warnings());
+    check_outcome(tire.has_value(), errors.in_order(), render(errors.warnings(), 0));
     return tire.has_value();
 }
 

@@ -227,10 +227,11 @@ TEST(UserEffect, SaysWhatIsWrongAndLeavesTheProblemAlone) {
                            .signal = {{0.0, 5.0}, {1.0, -1.0}},
                            .amount = 3.0,
                            .surroundings = {{0.0}, {std::nan("")}}};
-    const std::vector<std::string> expected{"the name \"conduction\" is empty or taken",
-                                            "the mesh has no region, layer, zone or patch \"moon\"",
-                                            "the signal is -1 at 5 s: a conductance cannot be negative",
-                                            "the temperature of the surroundings is not a finite number at any time"};
+    const std::vector<UserEffectDefect> expected{
+        {"the name \"conduction\" is empty or taken"},
+        {"the mesh has no region, layer, zone or patch \"moon\""},
+        {"the signal is -1 at 5 s: a conductance cannot be negative", true},
+        {"the temperature of the surroundings is not a finite number at any time"}};
     EXPECT_EQ(defects(problem, wrong), expected);
     EXPECT_THROW(add_user_effect(problem, wrong), std::invalid_argument);
     EXPECT_EQ(problem.effects.size(), before);

@@ -4,6 +4,7 @@
 
 #include "diagnosis/detect/candidates.hpp"
 #include "diagnosis/quoted/made_up_table.hpp"
+#include "diagnosis/quoted/quoted_numbers.hpp"
 #include "physics/effect.hpp"
 
 namespace tiretherm::diagnosis::quoted {
@@ -25,6 +26,46 @@ bool is_in_set(const Analysis& analysis, const std::string& name) {
 }
 
 }  // namespace
+
+// 40 to 120 s move the number from 46 to 54 K, 80 s are its 50 K: the middle of 21 points, whatever words show the 80 s.
+TEST(QuotedNumbers, CountAnInputByItsValueAndNotByItsText) {
+    const std::vector<std::vector<std::optional<double>>> at_ends{{46.0, 54.0}};
+    input::Validation validation;
+    validation.inputs.push_back({.name = "pause",
+                                 .meaning = {},
+                                 .standing = input::Standing::assumed,
+                                 .value = "eighty seconds",
+                                 .number = 80.0,
+                                 .ends = {"40 s", "120 s"},
+                                 .unit = "s",
+                                 .numbers = {40.0, 120.0}});
+    validation.numbers.emplace_back().models[0].emplace();
+    ValidationRow row{.id = "A",
+                      .what = "rise",
+                      .unit = "K",
+                      .source = {},
+                      .is_measured = true,
+                      .parts = {},
+                      .models = {},
+                      .inputs = {}};
+    row.low = row.high = 50.0;
+    row.uncertainty = 1.0;
+    row.models.push_back({.applicable = true, .value = 50.0, .failure = {}});
+    row.inputs.push_back({.name = "pause",
+                          .meaning = {},
+                          .standing = "assumed",
+                          .value = "eighty seconds",
+                          .ends = {"40 s", "120 s"},
+                          .unit = "s",
+                          .numbers = {40.0, 120.0},
+                          .at_ends = at_ends});
+    const Numbers found = quoted_numbers(validation, {row}, 0);
+    ASSERT_EQ(found.inputs.size(), 1U);
+    EXPECT_EQ(found.inputs[0].value, 80.0);
+    ASSERT_EQ(found.inputs[0].changes.size(), 21U);
+    EXPECT_NEAR(found.inputs[0].changes[10][0], 0.0, 1e-12);
+    EXPECT_NEAR(found.inputs[0].changes[20][0], 4.0, 1e-12);
+}
 
 // The loss of the hidden tire follows the load with an exponent that is 0.5 smaller than the law's: at 3000 and 6500 N that
 // is (3000/4500)^-0.5 = 1.22 and 0.83 times the loss, some 5 K of a bulk that is 20 to 50 K above the air, against 1 K of

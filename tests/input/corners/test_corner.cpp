@@ -218,15 +218,30 @@ TEST(Corner, WithoutTheSensorOfItsStartSaysSo) {
         << said(reading, written);
 }
 
+// The corner is a value beside the sentence: of two corners, FL and FR are all, and of four they are named once.
 TEST(Corner, WhatIsSaidOfAllStandsOnce) {
     using Sentences = std::vector<std::string>;
-    const Sentences said{"case.toml:4: at FL: the load is computed", "case.toml:4: smoothed",
-                         "case.toml:4: at FR: the load is computed", "case.toml:4: smoothed",
-                         "laps.csv: at FR: S is stuck"};
-    EXPECT_EQ(once_for_all_corners(said, 2),
+    const InputWarning left{.file = "case.toml", .line = 4, .corner = "FL", .what = "the load is computed"};
+    const InputWarning smoothed{.file = "case.toml", .line = 4, .what = "smoothed"};
+    InputWarning right = left;
+    right.corner = "FR";
+    const std::vector<InputWarning> said{
+        left, smoothed, right, smoothed, {.file = "laps.csv", .corner = "FR", .what = "S is stuck"}};
+    EXPECT_EQ(render(said, 2),
               (Sentences{"case.toml:4: the load is computed", "case.toml:4: smoothed", "laps.csv: at FR: S is stuck"}));
-    EXPECT_EQ(once_for_all_corners(said, 4).front(), "case.toml:4: at FL and FR: the load is computed");
-    EXPECT_EQ(once_for_all_corners({said.front()}, 1), Sentences{said.front()});
+    EXPECT_EQ(render(said, 4).front(), "case.toml:4: at FL and FR: the load is computed");
+    EXPECT_EQ(render({left}, 1), Sentences{"case.toml:4: at FL: the load is computed"});
+}
+
+// Whatever the sentence is, with another place or with a corner in its words: of one corner and of the whole case are two.
+TEST(Corner, TheWordsOfAWarningDoNotSayWhereItIs) {
+    using Sentences = std::vector<std::string>;
+    const std::string what = "log: at FR: the sensor is stuck";
+    EXPECT_EQ(
+        render({{.file = "a.csv", .corner = "FL", .what = what}, {.file = "a.csv", .corner = "RL", .what = what}}, 4),
+        Sentences{"a.csv: at FL and RL: log: at FR: the sensor is stuck"});
+    EXPECT_EQ(render({{.what = what}, {.what = "log: the sensor is stuck"}}, 1),
+              (Sentences{what, "log: the sensor is stuck"}));
 }
 
 TEST(Corner, MistakesAreNamed) {

@@ -51,7 +51,7 @@ ReadClock read_clock(const std::string& text, const std::string& unit = "") {
                                  file.errors());
     return {.times = read.empty() ? Times{} : read.front(),
             .messages = file.messages(),
-            .warnings = fmt::format("{}", fmt::join(file.errors().warnings(), "\n"))};
+            .warnings = fmt::format("{}", fmt::join(render(file.errors().warnings(), 0), "\n"))};
 }
 
 Times times_of(const Fields& fields, const std::string& heading = "Date Time") {

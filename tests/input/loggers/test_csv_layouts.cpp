@@ -260,7 +260,7 @@ TEST(CsvLog, LeavesOutALastLineThatIsCutOff) {
     ReadBack file("cut.csv", "time [s],speed [km/h],load [N]\n0,36,4000\n1,72,4000\n2,10");
     EXPECT_EQ(file.column("speed", "m s-1"), (std::vector<double>{10.0, 20.0}));
     ASSERT_EQ(file.errors().warnings().size(), 1U);
-    EXPECT_NE(file.errors().warnings()[0].find("the last line has 2 of 3 values"), std::string::npos);
+    EXPECT_NE(file.errors().warnings()[0].what.find("the last line has 2 of 3 values"), std::string::npos);
 }
 
 TEST(CsvLog, UnitsMayStandInRoundBrackets) {

@@ -177,7 +177,7 @@ TEST(HostileLd, ChannelsOfAnotherKindAreLeftOut) {
         ASSERT_TRUE(file.is_open()) << file.messages();
         EXPECT_EQ(file.file().heads().size(), 2U);  // the time and the sound one
         ASSERT_EQ(file.errors().warnings().size(), 1U);
-        EXPECT_NE(file.errors().warnings()[0].find(said), std::string::npos) << file.errors().warnings()[0];
+        EXPECT_NE(file.errors().warnings()[0].what.find(said), std::string::npos) << file.errors().warnings()[0].what;
     }
 }
 

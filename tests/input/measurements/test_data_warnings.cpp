@@ -379,7 +379,7 @@ TEST(DataWarnings, UnusualInputs) {
 }
 
 TEST(DataWarnings, AColumnOfAnotherNameIsShownByBoth) {
-    Recording recording{.file = "log.csv", .time = {0, 1, 2}, .time_unit = "s", .columns = {}};
+    Recording recording{.time = {0, 1, 2}, .time_unit = "s", .columns = {}};
     recording.columns.push_back({.name = "camber",
                                  .heading = "IA",
                                  .unit = "deg",
@@ -389,7 +389,7 @@ TEST(DataWarnings, AColumnOfAnotherNameIsShownByBoth) {
                                  .time = {0, 1, 2},
                                  .value = {0.0, 0.1, 0.2}});
     EXPECT_EQ(find_suspicious(recording),
-              Sentences{"log.csv: camber (column IA) reaches 11.5 deg, which is unusual: it is mostly at most 10 deg"});
+              Sentences{"camber (column IA) reaches 11.5 deg, which is unusual: it is mostly at most 10 deg"});
 }
 
 TEST(DataWarnings, NumbersAreShownToThreeDigits) {

@@ -242,6 +242,20 @@ TEST(Reader, UnusualValuesAreWarnedAboutAndUsed) {
     EXPECT_EQ(warnings(text).size(), 1U);
 }
 
+// Still air takes heat to air whose temperature nobody gives. A wrong key is another error.
+TEST(Reader, AnInputThatIsMissingIsToldByItsCode) {
+    const Written written;
+    const Reading reading = read_case(written.add("case.toml", with("[effects.still_air]\nhumidity = 1\n")));
+    std::vector<std::string> missing;
+    for (const InputError& error : reading.errors) {
+        if (error.code == ErrorCode::missing_input) {
+            missing.push_back(error.about);
+        }
+    }
+    EXPECT_EQ(missing, std::vector<std::string>{"air_temperature"});
+    EXPECT_EQ(reading.errors.size(), 2U);
+}
+
 // Any prefix of a sound case is either sound or explained, and never ends the program.
 TEST(Reader, SurvivesEveryTruncation) {
     const Written written;

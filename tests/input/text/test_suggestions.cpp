@@ -44,7 +44,7 @@ TEST(InputErrors, LongTextsAreCutInErrorsAndWarnings) {
     const std::string field(10'000'000, 'x');
     errors.warn({.file = file, .line = 1}, "the column " + field + " is not used");
     errors.add({.file = file, .line = 1}, "the column " + field, "remove " + field);
-    EXPECT_LT(errors.warnings().front().size(), 600U);
+    EXPECT_LT(errors.warnings().front().what.size(), 600U);
     EXPECT_LT(render(errors.in_order().front()).size(), 1200U);
 }
 
@@ -76,6 +76,18 @@ TEST(Render, SurvivesPlacesBeyondTheLine) {
               "a:1:99: w\n    ab\n      ^\n");
     EXPECT_EQ(render({.file = "a", .line = 1, .column = 1, .length = 99, .what = "w", .remedy = {}, .source = ""}),
               "a:1:1: w\n");
+}
+
+// A file that was read by itself goes by the path of its reader; one beside it whose path begins alike keeps its own.
+TEST(InputErrors, AreTakenOverWithTheFileTheyAreOf) {
+    InputErrors own;
+    const int log = own.add_file("log.csv", "");
+    const int beside = own.add_file("log.csv.laps", "");
+    own.warn({.file = log, .line = 2}, "short");
+    own.warn({.file = beside}, "no laps");
+    InputErrors all;
+    all.take(own, all.add_file("runs/log.csv", ""));
+    EXPECT_EQ(render(all.warnings(), 0), (std::vector<std::string>{"runs/log.csv:2: short", "log.csv.laps: no laps"}));
 }
 
 TEST(InputErrors, AreOrderedByPlaceAndNeverTwice) {

@@ -28,7 +28,7 @@ Read read(const std::filesystem::path& path) {
     for (const InputError& error : errors.in_order()) {
         result.report += render(error);
     }
-    result.warnings = errors.warnings();
+    result.warnings = render(errors.warnings(), 0);
     return result;
 }
 

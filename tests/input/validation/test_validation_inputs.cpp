@@ -176,6 +176,7 @@ TEST_F(InputTable, PrintedInputMakesNoRunAndIsCheckedAgainstTheCase) {
     const std::string use = std::string(number) + "inputs = [\"x\"]\n";
     const Validation table = read(input("printed", "keys = [\"drive.air_temperature\"]\nvalue = \"296.15 K\"\n") + use);
     EXPECT_EQ(table.runs.size(), 1U);
+    EXPECT_EQ(table.inputs.at(0).number, 296.15);
     EXPECT_TRUE(table.numbers.at(0).inputs.at(0).at_ends.empty());
     EXPECT_EQ(error(input("printed", "keys = [\"drive.air_temperature\"]\nvalue = \"25 degC\"\n") + use),
               "the value is 25 degC, but warm_section has \"23 degC\"");

@@ -63,6 +63,7 @@ TEST(VehicleCase, AnAccelerationInAnotherUnitIsRefused) {
     ASSERT_FALSE(tenth.problem.has_value());
     ASSERT_EQ(tenth.errors.size(), 1U);
     EXPECT_EQ(tenth.errors[0].what, "lateral_acceleration is 0.1 times speed times yaw_rate");
+    EXPECT_EQ(tenth.errors[0].about, "lateral_acceleration");
     EXPECT_TRUE(read(plain_log(0.7), "").problem.has_value());  // a curve on a bank, a sensor off its place
     const Reading along = read(log_of_the_truth("V [km/h],AccX [g],yaw_rate [deg/s]",
                                                 [](const Truth& truth, double) {
