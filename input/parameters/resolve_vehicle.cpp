@@ -7,6 +7,7 @@
 
 #include "input/effects/user_effects.hpp"
 #include "input/parameters/resolve.hpp"
+#include "input/schema/all_tables.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/vehicle/vehicle_numbers.hpp"
 
@@ -70,7 +71,7 @@ std::optional<FreeParameters> resolve_vehicle(const ParameterPath& path, const C
     if (in.builder.problem.input_numbers.empty()) {
         return std::nullopt;  // the log or the table is wrong, which has been reported
     }
-    const VehicleNumberSpec& its = vehicle_numbers()[index];
+    const QuantitySpec& spec = keys_of_table("vehicle")->find(key.text)->spec;
     const double value = in.builder.problem.input_numbers[index];
     if (std::isnan(value) || path.find(in.document) == nullptr) {
         in.errors.add(key.place, fmt::format("[vehicle] does not give {}", key.text),
@@ -85,11 +86,11 @@ std::optional<FreeParameters> resolve_vehicle(const ParameterPath& path, const C
     refuse_followers(in, key);
     solver::FreeParameter number;
     number.name = fmt::format("vehicle.{}", key.text);
-    number.unit = its.spec.unit;
+    number.unit = spec.unit;
     number.kind = solver::FreeParameter::Kind::input;
     number.parameter = index;
-    number.low = its.spec.above ? std::max(its.spec.low, least_share * value) : its.spec.low;
-    number.high = its.spec.high;
+    number.low = spec.above ? std::max(spec.low, least_share * value) : spec.low;
+    number.high = spec.high;
     if (index == static_cast<std::size_t>(VehicleNumber::front_weight_share)) {
         number.low = least_share;
         number.high = 1.0 - least_share;
@@ -99,7 +100,7 @@ std::optional<FreeParameters> resolve_vehicle(const ParameterPath& path, const C
         number.low = least_share * all[VehicleNumber::wheelbase];
         number.high = (1.0 - least_share) * all[VehicleNumber::wheelbase];
     }
-    return FreeParameters{.numbers = {std::move(number)}, .spec = its.spec};
+    return FreeParameters{.numbers = {std::move(number)}, .spec = spec};
 }
 
 }  // namespace tiretherm::input

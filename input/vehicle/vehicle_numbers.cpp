@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Keys, units and ranges of the numbers of [vehicle]; from them the masses, lengths, shares and tires of the car.
+// Keys of the numbers of [vehicle]; from them the masses, lengths, shares and tires of the car.
 
 #include "input/vehicle/vehicle_numbers.hpp"
 
@@ -9,66 +9,36 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr QuantitySpec mass{
-    .unit = "kg", .low = 0.0, .high = 1e5, .above = true, .usual_low = 150.0, .usual_high = 4e4};
-constexpr QuantitySpec wheelbase{
-    .unit = "m", .low = 0.0, .high = 20.0, .above = true, .usual_low = 1.2, .usual_high = 7.0};
-constexpr QuantitySpec track{.unit = "m", .low = 0.0, .high = 5.0, .above = true, .usual_low = 0.9, .usual_high = 2.6};
-constexpr QuantitySpec cg_height{
-    .unit = "m", .low = 0.0, .high = 5.0, .above = true, .usual_low = 0.2, .usual_high = 2.0};
-constexpr QuantitySpec cg_distance{.unit = "m", .low = 0.0, .high = 20.0, .above = true};
-constexpr QuantitySpec roll_centre{.unit = "m", .low = -1.0, .high = 2.0, .usual_low = -0.2, .usual_high = 0.8};
-constexpr QuantitySpec inertia{
-    .unit = "kg m2", .low = 0.0, .high = 1e6, .above = true, .usual_low = 50.0, .usual_high = 1e5};
-constexpr QuantitySpec share{.unit = "1", .low = 0.0, .high = 1.0};
-constexpr QuantitySpec drag_area{.unit = "m2", .low = 0.0, .high = 20.0, .usual_low = 0.0, .usual_high = 8.0};
-constexpr QuantitySpec downforce_area{.unit = "m2", .low = -20.0, .high = 20.0, .usual_low = -2.0, .usual_high = 8.0};
-constexpr QuantitySpec downforce_share{.unit = "1", .low = -2.0, .high = 3.0, .usual_low = 0.0, .usual_high = 1.0};
-constexpr QuantitySpec air_density{
-    .unit = "kg/m3", .low = 0.0, .high = 3.0, .above = true, .usual_low = 0.8, .usual_high = 1.5};
-constexpr QuantitySpec steering_ratio{
-    .unit = "1", .low = 0.0, .high = 100.0, .above = true, .usual_low = 1.0, .usual_high = 30.0};
-constexpr QuantitySpec toe{.unit = "radian", .low = -0.1, .high = 0.1, .usual_low = -0.01, .usual_high = 0.01};
-constexpr QuantitySpec cornering{
-    .unit = "N/rad", .low = 0.0, .high = 1e7, .above = true, .usual_low = 5e3, .usual_high = 1e6};
-constexpr QuantitySpec slip{.unit = "N", .low = 0.0, .high = 1e7, .above = true, .usual_low = 5e3, .usual_high = 1e6};
-constexpr QuantitySpec friction{
-    .unit = "1", .low = 0.0, .high = 10.0, .above = true, .usual_low = 0.2, .usual_high = 2.5};
-constexpr QuantitySpec scale{.unit = "1", .low = 0.0, .high = 10.0, .above = true, .usual_low = 0.5, .usual_high = 1.5};
-constexpr QuantitySpec brake_capacity{
-    .unit = "J/K", .low = 0.0, .high = 1e6, .above = true, .usual_low = 500.0, .usual_high = 3e4};
-constexpr QuantitySpec brake_cooling{.unit = "W/K", .low = 0.0, .high = 1e4, .usual_low = 1.0, .usual_high = 300.0};
-
 constexpr std::array<VehicleNumberSpec, n_vehicle_numbers> number_specs{{
-    {"mass", mass},
-    {"wheelbase", wheelbase},
-    {"front_track", track},
-    {"rear_track", track},
-    {"centre_of_gravity_height", cg_height},
-    {"centre_of_gravity_behind_front_axle", cg_distance},
-    {"front_weight_share", share},
-    {"yaw_inertia", inertia},
-    {"front_roll_centre_height", roll_centre, 0.0},
-    {"rear_roll_centre_height", roll_centre, 0.0},
-    {"front_roll_stiffness_share", share},
-    {"front_toe_in", toe, 0.0},
-    {"rear_toe_in", toe, 0.0},
-    {"drag_area", drag_area, 0.0},
-    {"air_density", air_density, physics::Vehicle{}.air_density},
-    {"downforce_area", downforce_area, 0.0},
-    {"front_downforce_share", downforce_share},
-    {"front_drive_share", share},
-    {"front_brake_share", share},
-    {"front_cornering_stiffness", cornering},
-    {"rear_cornering_stiffness", cornering},
-    {"front_slip_stiffness", slip},
-    {"rear_slip_stiffness", slip},
-    {"friction", friction},
-    {"friction_scale", scale, 1.0},
-    {"stiffness_scale", scale, 1.0},
-    {"steering_ratio", steering_ratio},
-    {"brake_heat_capacity", brake_capacity, physics::Brake{}.heat_capacity},
-    {"brake_cooling", brake_cooling, physics::Brake{}.cooling},
+    {"mass"},
+    {"wheelbase"},
+    {"front_track"},
+    {"rear_track"},
+    {"centre_of_gravity_height"},
+    {"centre_of_gravity_behind_front_axle"},
+    {"front_weight_share"},
+    {"yaw_inertia"},
+    {"front_roll_centre_height", 0.0},
+    {"rear_roll_centre_height", 0.0},
+    {"front_roll_stiffness_share"},
+    {"front_toe_in", 0.0},
+    {"rear_toe_in", 0.0},
+    {"drag_area", 0.0},
+    {"air_density", physics::Vehicle{}.air_density},
+    {"downforce_area", 0.0},
+    {"front_downforce_share"},
+    {"front_drive_share"},
+    {"front_brake_share"},
+    {"front_cornering_stiffness"},
+    {"rear_cornering_stiffness"},
+    {"front_slip_stiffness"},
+    {"rear_slip_stiffness"},
+    {"friction"},
+    {"friction_scale", 1.0},
+    {"stiffness_scale", 1.0},
+    {"steering_ratio"},
+    {"brake_heat_capacity", physics::Brake{}.heat_capacity},
+    {"brake_cooling", physics::Brake{}.cooling},
 }};
 constexpr double nearest_axle = 0.01;  ///< of the wheelbase, between an axle and the centre of gravity
 

@@ -10,7 +10,6 @@
 #include <span>
 #include <string_view>
 
-#include "input/text/quantity.hpp"
 #include "physics/vehicle/brake.hpp"
 #include "physics/vehicle/vehicle.hpp"
 
@@ -52,7 +51,6 @@ inline constexpr std::size_t n_vehicle_numbers = static_cast<std::size_t>(Vehicl
 /// How the case writes a number.
 struct VehicleNumberSpec {
     std::string_view key;
-    QuantitySpec spec;
     double absent =
         std::numeric_limits<double>::quiet_NaN();  ///< SI, where the case does not give it; NaN: see vehicle_of
 };

@@ -21,7 +21,7 @@ struct NumberReader {
 
     void take(VehicleNumber number, Need need = Need::optional) {
         const VehicleNumberSpec& its = spec_of(number);
-        numbers[number] = table.quantity(its.key, its.spec, need).value_or(its.absent);
+        numbers[number] = table.quantity(its.key, need).value_or(its.absent);
     }
     /// One that must be there, with an example of a car's size where it is not.
     void require(VehicleNumber number, std::string_view example) {

@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 4> stiffness_keys{"front_cornering_stiffn
 
 void take(TomlTable& table, VehicleNumber number, VehicleSettings& settings, Need need = Need::optional) {
     const VehicleNumberSpec& its = spec_of(number);
-    settings.numbers[number] = table.quantity(its.key, its.spec, need).value_or(its.absent);
+    settings.numbers[number] = table.quantity(its.key, need).value_or(its.absent);
 }
 
 /// The law of a property file that a key names; nothing without the key, or after an error.
