@@ -17,7 +17,6 @@
 #include "input/loggers/logger_units.hpp"
 #include "input/tables/channel_rows.hpp"
 #include "input/tables/csv.hpp"
-#include "input/tables/hdf5_columns.hpp"
 #include "input/tables/hdf5_datasets.hpp"
 #include "input/tables/probe_table.hpp"
 #include "input/text/enough_memory.hpp"

@@ -111,26 +111,29 @@ ErrorText unreadable(const std::string& name) {
 }
 
 /// Reads the datasets of groups, of all together no more than `most_values`.
-class Reading {
+class ColumnsInHdf5 {
 public:
-    explicit Reading(std::uint64_t file_bytes) : file_bytes_(file_bytes) {}
+    ColumnsInHdf5(std::uint64_t file_bytes, InputErrors& errors) : file_bytes_(file_bytes), errors_(errors) {}
 
-    std::vector<Dataset> datasets(hid_t group) {
-        std::vector<Dataset> found;
+    std::vector<TableColumn> of_group(hid_t group) {
+        std::vector<TableColumn> found;
         for (const std::string& name : members(group, H5O_TYPE_DATASET)) {
             const Hdf5Handle dataset(H5Dopen2(group, name.c_str(), H5P_DEFAULT));
             if (dataset < 0) {
-                defects.push_back(unreadable(name));
+                errors_.add({.file = 0}, unreadable(name));
             } else if (has_numbers(dataset, true)) {
-                std::optional<std::string> unit = attribute(dataset, "units");
-                found.push_back({.heading = {name, unit.value_or("").empty() ? std::nullopt : std::move(unit)},
-                                 .values = values(dataset, name)});
+                TableColumn& column = found.emplace_back();
+                column.head.heading.name = name;
+                column.head.heading.unit = attribute(dataset, "units");
+                if (column.head.heading.unit == "") {
+                    column.head.heading.unit.reset();
+                }
+                column.head.place = {.file = 0};
+                column.number = values(dataset, name);
             }
         }
         return found;
     }
-
-    std::vector<ErrorText> defects;
 
 private:
     /// @returns none with a defect
@@ -153,13 +156,14 @@ private:
             }
         }
         if (!defect.what.empty()) {
-            defects.push_back(std::move(defect));
+            errors_.add({.file = 0}, std::move(defect));
             return {};
         }
         return read;
     }
 
     std::uint64_t file_bytes_;
+    InputErrors& errors_;
     std::uint64_t total_ = 0;
 };
 
@@ -199,22 +203,60 @@ ErrorText hdf5_defect(const std::filesystem::path& path) {
     return {};
 }
 
-Datasets read_datasets(const std::filesystem::path& path) {
+std::optional<LogTable> read_hdf5_columns(const std::filesystem::path& path, InputErrors& errors) {
     const LibraryTurn turn;
+    const SourceLocation place{.file = 0};
     const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
     const bool ours = attribute(file, "format").value_or("").starts_with("tiretherm results");
-    Reading reading(size_of(path));
-    Datasets all{.found = ours ? std::vector<Dataset>{} : reading.datasets(file), .groups = {}, .defects = {}};
-    for (const std::string& name : all.found.empty() ? members(file, H5O_TYPE_GROUP) : std::vector<std::string>{}) {
+    ColumnsInHdf5 columns(size_of(path), errors);
+    std::vector<TableColumn> found = ours ? std::vector<TableColumn>{} : columns.of_group(file);
+    std::vector<std::string> groups;  // that have any; none when the root has
+    for (const std::string& name : found.empty() ? members(file, H5O_TYPE_GROUP) : std::vector<std::string>{}) {
         const Hdf5Handle group(H5Gopen2(file, name.c_str(), H5P_DEFAULT));
-        std::vector<Dataset> in_group = ours && name != "channels" ? std::vector<Dataset>{} : reading.datasets(group);
+        std::vector<TableColumn> in_group =
+            ours && name != "channels" ? std::vector<TableColumn>{} : columns.of_group(group);
         if (!in_group.empty()) {
-            all.groups.push_back(name);
-            all.found = std::move(in_group);
+            groups.push_back(name);
+            found = std::move(in_group);
         }
     }
-    all.defects = std::move(reading.defects);
-    return all;
+    if (errors.count() > 0) {
+        return std::nullopt;
+    }
+    if (groups.size() > 1) {
+        errors.add(place, fmt::format("several groups of the file hold datasets: {}", listed(groups)),
+                   "keep the run's datasets in the root or in one group");
+        return std::nullopt;
+    }
+    if (found.empty()) {
+        errors.add(place, "the file holds no datasets of numbers in one dimension",
+                   "write one for the time and one for each signal, in the root or in one group");
+        return std::nullopt;
+    }
+    // The time says how long the others must be; without one, the first does.
+    const auto clock =
+        std::ranges::find_if(found, [](const TableColumn& column) { return column.head.heading.name == "time"; });
+    const TableColumn& first = clock == found.end() ? found.front() : *clock;
+    for (const TableColumn& column : found) {
+        if (column.number.size() != first.number.size()) {
+            errors.add(place,
+                       fmt::format("the dataset {} has {} values, {} has {}", column.head.heading.name,
+                                   column.number.size(), first.head.heading.name, first.number.size()),
+                       "let all datasets of the run have one length");
+        }
+    }
+    if (errors.count() > 0) {
+        return std::nullopt;
+    }
+    LogTable table{.description = {.format = "HDF5"}, .units = LogTable::Units::in_attributes};
+    if (first.number.empty()) {
+        table.defects.add(place, "the datasets are empty");
+    }
+    table.columns = std::move(found);
+    table.where = [](std::size_t row, int /*column*/) {
+        return FieldLocation{{.file = 0}, fmt::format(" (value {})", row + 1)};
+    };
+    return table;
 }
 
 std::optional<Hdf5Stack> Hdf5Stack::open(const std::filesystem::path& path, const std::string& name,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// HDF5 datasets of one or several dimensions; packed values follow the CF conventions (scale_factor, add_offset,
+// HDF5 datasets of one dimension, the columns of a file, or of several; packed values follow the CF conventions (scale_factor, add_offset,
 // _FillValue).
 #pragma once
 
@@ -9,29 +9,17 @@
 #include <string>
 #include <vector>
 
-#include "input/tables/columns.hpp"
-#include "input/text/input_error.hpp"
+#include "input/tables/log_table.hpp"
 
 namespace tiretherm::input {
-
-/// A dataset of numbers in one dimension, with its attribute `units`.
-struct Dataset {
-    Heading heading;
-    std::vector<double> values;
-};
-
-/// The datasets of a file's root; where it has none, those of its last group that has any.
-struct Datasets {
-    std::vector<Dataset> found;
-    std::vector<std::string> groups;  ///< that have any; empty when the root has
-    std::vector<ErrorText> defects;   ///< of datasets whose values cannot be had
-};
 
 /// Why a file cannot be opened as HDF5; empty for one that can.
 [[nodiscard]] ErrorText hdf5_defect(const std::filesystem::path& path);
 
-/// @pre hdf5_defect says nothing. Of a file that tiretherm wrote only the channels are looked at.
-[[nodiscard]] Datasets read_datasets(const std::filesystem::path& path);
+/// The columns of an HDF5 file: datasets of numbers in one dimension and of one length, each with its unit in an
+/// attribute `units`, all in the root or all in one group. Of a file that tiretherm wrote, its channels.
+/// @pre hdf5_defect says nothing  @param errors of this file alone  @returns nothing after an error
+[[nodiscard]] std::optional<LogTable> read_hdf5_columns(const std::filesystem::path& path, InputErrors& errors);
 
 /// A dataset of numbers in several dimensions, read one index of the first of them at a time. Packed numbers are unpacked
 /// by the attributes scale_factor and add_offset, and those that equal _FillValue are NaN (CF conventions).
