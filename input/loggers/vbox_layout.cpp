@@ -32,30 +32,10 @@ std::string lower(std::string_view text) {
 }
 
 const std::map<std::string, std::string, std::less<>>& standard_units() {
-    static const std::map<std::string, std::string, std::less<>> units{{"sats", "1"},
-                                                                       {"time", "s"},
-                                                                       {"lat", "arcminute"},
-                                                                       {"long", "arcminute"},
-                                                                       {"satellites", "1"},
-                                                                       {"speed", "km/h"},
-                                                                       {"lng", "arcminute"},
-                                                                       {"lon", "arcminute"},
-                                                                       {"altitude", "m"},
-                                                                       {"latitude", "arcminute"},
-                                                                       {"longitude", "arcminute"},
-                                                                       {"velocity", "km/h"},
-                                                                       {"heading", "deg"},
-                                                                       {"height", "m"},
-                                                                       {"vert-vel", "km/h"},
-                                                                       {"vertvel", "km/h"},
-                                                                       {"longacc", "g"},
-                                                                       {"latacc", "g"},
-                                                                       {"distance", "m"},
-                                                                       {"por_distance", "m"},
-                                                                       {"event1", "s"},
-                                                                       {"event-1", "s"},
-                                                                       {"glonass_sats", "1"},
-                                                                       {"solution_type", "1"}};
+    static const std::map<std::string, std::string, std::less<>> units{
+#define VBOX_COLUMN(name, unit) {name, unit},
+#include "input/text/column_names.list"
+    };
     return units;
 }
 
