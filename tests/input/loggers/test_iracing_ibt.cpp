@@ -106,4 +106,15 @@ TEST(HostileIbt, IsRefusedWithASentence) {
     }
 }
 
+// Ten thousand channels on the same 8 bytes of a row would be ten thousand times the file in memory. Two are 16 bytes of 8.
+TEST(HostileIbt, ChannelsDoNotShareTheirBytes) {
+    const IbtChannel channel{.name = "a", .type = 5, .rows = {LdWriter::bytes_of_double(1.0)}};
+    std::string shared = ibt_file({channel, channel});
+    put(shared, 36, int32(8));             // bytes of a row
+    put(shared, 144 + 144 + 4, int32(0));  // place of the second channel
+    const ReadBack file("session.ibt", shared);
+    EXPECT_FALSE(file.is_open());
+    EXPECT_NE(file.messages().find("2 channels need more than a row's 8 bytes"), std::string::npos) << file.messages();
+}
+
 }  // namespace tiretherm::input
