@@ -63,7 +63,7 @@ CourseOverGround by_heading(const WrittenHeading& heading) {
 }
 
 CourseOverGround by_positions(const Positions& positions) {
-    CourseOverGround found{.source = "the positions"};
+    CourseOverGround found{.source = std::string(positions_as_source)};
     std::vector<double> time;
     std::vector<double> east;
     std::vector<double> north;

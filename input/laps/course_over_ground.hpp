@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "solver/user_effect.hpp"
@@ -12,6 +13,8 @@ namespace tiretherm::input {
 
 class DataFile;
 class InputErrors;
+
+inline constexpr std::string_view positions_as_source = "the positions";  ///< source of a course that no column has
 
 /// Direction of travel at the receiver's own samples.
 struct CourseOverGround {

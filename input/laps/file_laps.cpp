@@ -60,6 +60,8 @@ void to_degrees(std::vector<double>& values, const ColumnHead& head, double sign
 
 }  // namespace
 
+bool is_of_position(std::string_view name) { return is_latitude(name) || is_longitude(name); }
+
 std::optional<Positions> read_positions(const DataFile& file, const std::vector<double>& time,
                                         const InputErrors& errors) {
     const int latitude = find_column(file, is_latitude);

@@ -19,6 +19,9 @@ namespace tiretherm::input {
 [[nodiscard]] Laps find_laps(const DataFile& file, const std::vector<double>& time,
                              const std::optional<StartLine>& line, bool search, const InputErrors& errors);
 
+/// Whether a column of this name is a latitude or a longitude.
+[[nodiscard]] bool is_of_position(std::string_view name);
+
 /// Where the car was, from columns called latitude and longitude or the like; nothing without both of them. Arguments as above.
 [[nodiscard]] std::optional<Positions> read_positions(const DataFile& file, const std::vector<double>& time,
                                                       const InputErrors& errors);

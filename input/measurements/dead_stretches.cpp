@@ -24,12 +24,15 @@ struct Movement {
     double flat = 0.0;  ///< range of what stands still
     double low = 0.0;   ///< what lies beyond is of no tire, road or air
     double high = 0.0;
-    double longest = std::numeric_limits<double>::infinity();  ///< s; what is longer may be meant
-    bool at_ends = true;                                       ///< a record may begin or end with it
+    double longest = std::numeric_limits<double>::infinity();      ///< s; what is longer may be meant
+    bool at_ends = true;                                           ///< a record may begin or end with it
+    std::size_t steady = std::numeric_limits<std::size_t>::max();  ///< samples: what stands for longer is measured, too
 };
 // A tire's surface gains some 50 K/s in a burnout, and goes on; a car brakes with 5 g at most and does not speed up with 1.5 g.
-// A schedule stands, too, and for longer than a receiver is lost.
-constexpr std::array movements{Movement{"K", 8.0, 5.0, 0.5, celsius - 39.5, celsius + 400.0},
+// A schedule stands, too, and for longer than a receiver is lost. The air's temperature stands in many samples of a logger, in
+// steps of 1 degC.
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr std::array movements{Movement{"K", 8.0, 5.0, 0.5, celsius - 39.5, celsius + 400.0, infinite, true, 100},
                                Movement{"m s-1", 3.0, 15.0, 0.5, -150.0, 150.0, 30.0, false}};
 constexpr double aftermath = 0.25;              ///< of the jump: the largest step after one that was measured is larger
 constexpr std::size_t aftermath_samples = 10;   ///< beside a jump
@@ -140,7 +143,9 @@ private:
         const bool may_be = (at_start || at_end) ? movement_.at_ends && !(at_start && at_end)
                                                  : time_[last] - time_[first] <= movement_.longest;
         const bool none_has_it = is_beyond(pieces_[begin]);
-        const auto is_measured = [&](const Piece& live) { return none_has_it || live.changes >= changes_of_measured; };
+        const auto is_measured = [&](const Piece& live) {
+            return none_has_it || live.changes >= changes_of_measured || live.size() >= movement_.steady;
+        };
         if (!may_be || (!at_start && !is_measured(pieces_[begin - 1])) || (!at_end && !is_measured(pieces_[end])) ||
             (!at_start && happens_(time_[first - 1], time_[first])) ||
             (!at_end && happens_(time_[last], time_[last + 1])) ||

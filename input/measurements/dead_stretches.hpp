@@ -18,8 +18,8 @@ using Happens = std::function<bool(double from, double to)>;
 
 /// Stretches of a temperature or a speed that stand still and are reached or left by a jump that nothing measured makes: in one
 /// sample, without an aftermath, and in the middle of a record back to where it was. A record that jumps all the time, or
-/// stands still beside the jump as well, has none: it may be a schedule; of a speed there are none at the ends, nor any longer than
-/// 30 s.
+/// stands still beside the jump as well, has none: it may be a schedule; but a temperature that stands for 100 samples or more is
+/// the air's. Of a speed there are none at the ends, nor any longer than 30 s.
 /// @param time [n] s, ascending  @param value [n] SI, finite  @param si "K" or "m s-1"; of other units there are none
 /// @param happens between the two samples of a jump: then the signal may have made it
 [[nodiscard]] std::vector<Stretch> dead_stretches(const std::vector<double>& time, const std::vector<double>& value,

@@ -196,7 +196,8 @@ void require_readings(const MeasuredRun& run, const RunTable& table, const RunFi
                       const std::vector<std::string>& sensors, InputErrors& errors) {
     const bool has_column = file != nullptr && std::any_of(file->columns.used.begin(), file->columns.used.end(),
                                                            [](const UsedColumn& column) { return column.is_sensor; });
-    if (has_column || !run.numbers.empty() || !table.frames.empty() || (table.file && file == nullptr)) {
+    const bool names_a_file = table.file || (table.table != nullptr && table.table->find("file") != nullptr);
+    if (has_column || !run.numbers.empty() || !table.frames.empty() || (names_a_file && file == nullptr)) {
         return;
     }
     const std::string known =

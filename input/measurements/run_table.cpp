@@ -105,7 +105,7 @@ RunTable read_run(TomlTable& table) {
         run.place = table.place("file");
         const fs::path beside = fs::path(table.errors().file(run.place.file)).parent_path();
         run.file = (beside / *file).lexically_normal();
-    } else {
+    } else if (!table.has("file")) {
         for (const std::string_view key : {"columns", "units", "unit_names", "ignore", "hold", "keep_suspicious",
                                            "from", "to", "laps", "repeat_first_lap", "start_line"}) {
             if (table.has(key)) {
@@ -117,7 +117,7 @@ RunTable read_run(TomlTable& table) {
     run.keys->read(table);
     read_window(table, run);
     const std::string of_file = run.file ? run_name(*run.file, laps_of(run)) : std::string();
-    run.name = table.name("name", run.file ? Need::optional : Need::required).value_or(of_file);
+    run.name = table.name("name", table.has("file") ? Need::optional : Need::required).value_or(of_file);
     read_frame_files(table, run);
     return run;
 }

@@ -10,6 +10,7 @@ namespace tiretherm::input {
 namespace {
 
 constexpr double negligible = 1e-6;  ///< s
+constexpr double beyond = 1.0;       ///< s, by which a recording may be longer than the schedule that it was made by
 
 }  // namespace
 
@@ -58,6 +59,14 @@ std::vector<std::string> not_driven(const ProblemBuilder& builder) {
     if (settings.end < to - negligible) {
         sentences.push_back(fmt::format("the run ends at {}; the last {} of the schedule are not driven",
                                         in_minutes(settings.end), in_minutes(to - settings.end)));
+    }
+    if (settings.start < from - beyond) {
+        sentences.push_back(fmt::format("the run starts at {}, the schedule at {}: until then its first values hold",
+                                        in_minutes(settings.start), in_minutes(from)));
+    }
+    if (settings.end > to + beyond) {
+        sentences.push_back(fmt::format("the run ends at {}, the schedule at {}: from then on its last values hold",
+                                        in_minutes(settings.end), in_minutes(to)));
     }
     return sentences;
 }

@@ -336,11 +336,15 @@ std::optional<Log> read_log_without(const std::map<int, std::string>& dead, cons
     drop_signals_of_the_car(log);
     choose_use(log);
     log.laps = find_laps(*file, log.time, std::nullopt, true, errors);
+    const auto tells_course = [&](std::string_view name) {
+        const std::string& source = of_car.course.source;
+        return log.has_course && (name == source || (source == positions_as_source && is_of_position(name)));
+    };
     for (LogColumn& column : log.columns) {
         const std::string& name = column.heading.name;
         column.other_use = column.is_used()                                                  ? ""
                            : log.laps.source == LapSource::column && name == log.laps.column ? "laps"
-                           : log.has_course && name == of_car.course.source                  ? "course"
+                           : tells_course(name)                                              ? "course"
                                                                                              : "";
         column.is_foreign = column.is_foreign && column.other_use.empty();
     }

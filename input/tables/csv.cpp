@@ -4,7 +4,9 @@
 #include "input/tables/csv.hpp"
 
 #include <algorithm>
+#include <array>
 
+#include "input/loggers/heading_names.hpp"
 #include "input/text/suggestions.hpp"
 #include "solver/stop_signal.hpp"
 
@@ -106,6 +108,12 @@ CsvLine next_filled_line(std::string_view& text, int last) { return next_line_bu
 
 CsvLine next_written_line(std::string_view& text, int last) {
     return next_line_but(text, last, [](std::string_view line) { return trim(line).empty(); });
+}
+
+bool is_no_reading(std::string_view field) {
+    constexpr std::array<std::string_view, 11> words{"",    "-",    "--", "---", "\u2013", "\u2014",
+                                                     "n/a", "#n/a", "na", "nan", "null"};
+    return std::ranges::find(words, in_small_letters(field)) != words.end();
 }
 
 void split_fields(std::string_view line, char separator, std::vector<std::string_view>& fields) {

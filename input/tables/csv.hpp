@@ -45,6 +45,8 @@ struct CsvLine {
 [[nodiscard]] CsvLine next_written_line(std::string_view& text, int last);
 /// Splits a line at the separators; quotes and blanks round a field are taken off. Within quotes nothing separates.
 void split_fields(std::string_view line, char separator, std::vector<std::string_view>& fields);
+/// Whether a field is empty, or says in words or dashes that nothing was measured: n/a, null, -, --.
+[[nodiscard]] bool is_no_reading(std::string_view field);
 /// Which separator a line of headings uses; a comma when there is only one heading.
 [[nodiscard]] char separator_of(std::string_view headings);
 

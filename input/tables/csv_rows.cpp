@@ -29,9 +29,8 @@ public:
         into_->head.form == FieldForm::number ? into_->number.reserve(rows) : into_->stamp.reserve(rows);
     }
     void take(const std::vector<std::string_view>& fields, const CsvLine& line) {
-        // A dash is what loggers of phones write where they have no value.
-        const std::string_view field = fields[column_] == "-" ? std::string_view() : fields[column_];
-        into_->head.form == FieldForm::number ? take_number(field, line) : take_clock(field, fields);
+        into_->head.form == FieldForm::number ? take_number(fields[column_], line)
+                                              : take_clock(fields[column_], fields);
     }
 
 private:
@@ -39,7 +38,7 @@ private:
         const std::string_view point = commas_ ? with_point(field, room_) : field;
         const std::optional<Number> number = leading_number(point);
         const bool is_number = number && number->rest.empty();
-        if (!is_number && !field.empty()) {
+        if (!is_number && !is_no_reading(field)) {
             into_->text.push_back(static_cast<std::uint32_t>(into_->number.size()));
         }
         into_->number.push_back(is_number ? number->value : std::numeric_limits<double>::quiet_NaN());
@@ -52,7 +51,8 @@ private:
         }
     }
 
-    void take_clock(std::string_view field, const std::vector<std::string_view>& fields) {
+    void take_clock(std::string_view written, const std::vector<std::string_view>& fields) {
+        const std::string_view field = is_no_reading(written) ? std::string_view() : written;
         std::string_view clock = field;
         if (into_->head.date_column >= 0 && !field.empty()) {
             room_.assign(fields[static_cast<std::size_t>(into_->head.date_column)]).append(" ").append(field);

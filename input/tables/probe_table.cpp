@@ -99,11 +99,6 @@ std::optional<Moment> moment_of(std::string_view field) {
     return unit.empty() ? std::optional(Moment{std::nullopt, number->value, in_brackets}) : std::nullopt;
 }
 
-bool is_no_reading(std::string_view field) {
-    return field.empty() || field == "-" || field == "--" || field == "\u2013" || field == "\u2014" || field == "n/a" ||
-           field == "nan" || field == "NaN";
-}
-
 /// A text that is read line by line.
 class ProbeReader {
 public:

@@ -14,7 +14,9 @@
 #include "input/loggers/car_columns.hpp"
 #include "input/measurements/run_inputs.hpp"
 #include "input/vehicle/at_times.hpp"
+#include "input/vehicle/clock_shift.hpp"
 #include "physics/vehicle/local_mean.hpp"
+#include "physics/vehicle/vehicle.hpp"
 
 namespace tiretherm::input {
 
@@ -22,12 +24,13 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr std::size_t fewest = 20;    ///< samples
-constexpr double moving = 3.0;        ///< m/s, that the speed of a car changes by which drives
-constexpr double tail = 0.01;         ///< of the samples at either end, which may be knocks
-constexpr double surely = 2.0;        ///< m/s2, span of an acceleration that other signals tell
-constexpr double coasting = 3.0;      ///< m/s2, that no car slows by without its brakes
-constexpr double slope_window = 1.0;  ///< s
+constexpr std::size_t fewest = 20;      ///< samples
+constexpr double moving = 3.0;          ///< m/s, that the speed of a car changes by which drives
+constexpr double tail = 0.01;           ///< of the samples at either end, which may be knocks
+constexpr double surely = 2.0;          ///< m/s2, span of an acceleration that other signals tell
+constexpr double coasting = 3.0;        ///< m/s2, that no car slows by without its brakes
+constexpr double slope_window = 1.0;    ///< s
+constexpr double shortest_stand = 3.0;  ///< s, in which a live signal has moved by a step of its converter
 
 /// How far a signal moves that is nothing but noise.
 struct Noise {
@@ -104,6 +107,53 @@ std::string why_dead(const VehicleSignal& signal, const solver::SignalHistory& h
                        signal.name == "longitudinal_acceleration" ? "speeds up and brakes" : "turns");
 }
 
+/// What another signal makes of the acceleration that one belongs to, at its times.
+Told told_at_times(std::string_view name, const VehicleLog& log, const Values& time) {
+    if (name == "longitudinal_acceleration") {
+        Values once = log.speed.time;
+        once.erase(std::unique(once.begin(), once.end()), once.end());
+        return {.name = "the slope of speed",
+                .acceleration = at_times({.time = std::move(once), .value = slope_of(log.speed)}, time)};
+    }
+    if (name == "yaw_rate" && !log.lateral_acceleration.time.empty()) {
+        return {.name = "lateral_acceleration", .acceleration = at_times(log.lateral_acceleration, time)};
+    }
+    if (name == "lateral_acceleration" && !log.yaw_rate.time.empty()) {
+        Values product = at_times(log.speed, time);
+        std::ranges::transform(product, at_times(log.yaw_rate, time), product.begin(), std::multiplies<>());
+        return {.name = "speed times yaw_rate", .acceleration = std::move(product)};
+    }
+    return {};
+}
+
+/// A part of a signal that stands, from its first sample to the last.
+struct Stand {
+    double from = 0.0;  ///< s
+    double to = 0.0;    ///< s
+    double told = 0.0;  ///< m/s2, by which the other signal moves meanwhile
+};
+
+/// The longest of those in which the other signal moves.
+Stand longest_stand(const solver::SignalHistory& history, const Values& told) {
+    Stand longest;
+    for (std::size_t first = 0, end = 0; first < history.value.size(); first = end) {
+        for (end = first + 1; end < history.value.size() && history.value[end] == history.value[first];) {
+            ++end;
+        }
+        const double from = history.time[first];
+        const double to = history.time[end - 1];
+        if (to - from < std::max(shortest_stand, longest.to - longest.from)) {
+            continue;
+        }
+        const auto [low, high] = std::minmax_element(told.begin() + static_cast<std::ptrdiff_t>(first),
+                                                     told.begin() + static_cast<std::ptrdiff_t>(end));
+        if (*high - *low > surely) {
+            longest = {from, to, *high - *low};
+        }
+    }
+    return longest;
+}
+
 }  // namespace
 
 bool moves_like_noise(std::string_view name, const solver::SignalHistory& signal) {
@@ -121,6 +171,27 @@ std::vector<DeadChannel> dead_channels(const VehicleLog& log) {
         std::string why = history.time.size() < fewest ? "" : why_dead(signal, history, log);
         if (!why.empty()) {
             dead.push_back({.name = signal.name, .why = std::move(why)});
+        }
+    }
+    return dead;
+}
+
+std::vector<DeadChannel> dead_for_a_while(const VehicleLog& log) {
+    std::vector<DeadChannel> dead;
+    if (log.speed.time.size() < fewest) {
+        return dead;
+    }
+    for (const std::string_view name : {"longitudinal_acceleration", "lateral_acceleration", "yaw_rate"}) {
+        const solver::SignalHistory& history = log.*member_of(name);
+        const Told told = history.time.size() < fewest ? Told{} : told_at_times(name, log, history.time);
+        if (told.acceleration.empty()) {
+            continue;
+        }
+        if (const Stand stand = longest_stand(history, told.acceleration); stand.to > stand.from) {
+            dead.push_back(
+                {.name = name,
+                 .why = fmt::format("stands still from {:.6g} s to {:.6g} s while {} moves by {:.2g} g", stand.from,
+                                    stand.to, told.name, stand.told / physics::standard_gravity)});
         }
     }
     return dead;

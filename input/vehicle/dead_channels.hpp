@@ -22,6 +22,10 @@ struct DeadChannel {
 /// A log of a car that stands has none.
 [[nodiscard]] std::vector<DeadChannel> dead_channels(const VehicleLog& log);
 
+/// Stretches of accelerations and of the yaw rate that stand at one value for 3 s or more while another signal says that the car
+/// turns, speeds up or brakes: a sentence for each signal that lives otherwise, with the longest.
+[[nodiscard]] std::vector<DeadChannel> dead_for_a_while(const VehicleLog& log);
+
 /// Whether a signal moves by no more than the noise of a converter, whatever the others say: another column of the same thing
 /// is to be preferred.
 [[nodiscard]] bool moves_like_noise(std::string_view name, const solver::SignalHistory& signal);

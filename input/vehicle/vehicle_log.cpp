@@ -132,6 +132,16 @@ void leave_out_dead(const ProblemBuilder& builder, VehicleLog& log) {
     }
 }
 
+/// A remark on each channel that says nothing for a while. It is used nevertheless: what another signal makes of it has another
+/// sign, perhaps.
+void warn_of_stands(VehicleLog& log) {
+    for (const DeadChannel& channel : dead_for_a_while(log)) {
+        log.remarks.push_back({fmt::format("{} {}", channel.name, channel.why),
+                               "if its sensor was lost, leave its column out, and the other signals are used: ignore = "
+                               "[\"...\"]"});
+    }
+}
+
 /// The car's speed as [drive] or the run's file gives it, as a history.
 solver::SignalHistory speed_of(const ProblemBuilder& builder) {
     const physics::Signal* speed = physics::find_signal("speed");
@@ -220,6 +230,7 @@ std::optional<VehicleLog> find_vehicle_log(const ProblemBuilder& builder, const 
     log.course = where_it_drives(
         builder.run && !builder.run->course.course.time.empty() ? builder.run->course : builder.course, log.speed);
     leave_out_dead(builder, log);
+    warn_of_stands(log);
     return sound ? std::optional(std::move(log)) : std::nullopt;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "input/laps/file_laps.hpp"
@@ -272,6 +273,28 @@ TEST(CsvLog, UnitsMayStandInRoundBrackets) {
     EXPECT_EQ(file.file().heads()[3].heading.name, "Gear (Gear)");  // no unit
     EXPECT_EQ(file.file().heads()[4].heading.name, "Lean (left)");
     EXPECT_TRUE(file.file().heads()[0].is_clock);
+}
+
+// 20 ft/s2 are 6.096 m/s2, 50 degF 283.15 K, 10 lbf 44.48 N.
+TEST(CsvLog, ImperialUnitsMayStandInRoundBrackets) {
+    ReadBack file("round.csv", "Time (s),Lat Accel (ft/s2),Tire (degF),Load (lbf)\n0,20,50,10\n1,20,50,10\n");
+    ASSERT_TRUE(file.is_open()) << file.messages();
+    EXPECT_NEAR(file.column("Lat Accel", "m s-2").front(), 6.096, 1e-9);
+    EXPECT_NEAR(file.column("Tire", "K").front(), 283.15, 1e-9);
+    EXPECT_NEAR(file.column("Load", "N").front(), 44.482216, 1e-6);
+}
+
+// Words and dashes for nothing, in the first line, too, are missing values.
+TEST(CsvLog, WordsForNoReadingAreMissingValues) {
+    for (const char* word : {"", "-", "--", "n/a", "N/A", "#N/A", "NA", "NaN", "null"}) {
+        ReadBack file("missing.csv",
+                      fmt::format("time [s],tread [degC],speed [km/h]\n0,{},36\n1,30,36\n2,{},36\n", word, word));
+        ASSERT_TRUE(file.is_open()) << word << file.messages();
+        const std::vector<double> tread = file.column("tread", "K");
+        ASSERT_EQ(tread.size(), 3U) << word << file.messages();
+        EXPECT_TRUE(std::isnan(tread[0]) && std::isnan(tread[2])) << word;
+        EXPECT_DOUBLE_EQ(tread[1], 303.15);
+    }
 }
 
 // 0, 0.05 and 0.1 s after the first line in whatever the logger calls its time. Digits of a clock go from 14:30:59 to 14:31:01.

@@ -108,6 +108,16 @@ TEST(RunSpan, ReadingsOfAnotherClockAreNotDrivenAndThatIsSaid) {
         "let both have one clock");
 }
 
+// Readings until 90 min and from -5 min on, beside a schedule from 0 to 60 min: inputs keep their first and last values.
+TEST(RunSpan, AScheduleThatIsTooShortIsSaid) {
+    const ExperimentReading reading = read_one(std::string(driven_bench) + std::string(for_an_hour),
+                                               "time [min],bulk_temperature [degC]\n-5,25\n50,57\n90,57\n");
+    const std::vector<std::string>& said = only_run(reading).not_driven;
+    ASSERT_EQ(said.size(), 2U);
+    EXPECT_EQ(said[0], "the run starts at -300 s, the schedule at 0 s: until then its first values hold");
+    EXPECT_EQ(said[1], "the run ends at 90 min, the schedule at 60 min: from then on its last values hold");
+}
+
 // The same three readings, turned: a line for each probe. A dash is no reading.
 TEST(ProbeTable, LinesOfProbesAreReadAsColumns) {
     const std::string tables = std::string(driven_bench) + std::string(for_an_hour);

@@ -303,6 +303,28 @@ TEST(DeadStretches, AColdStartAndAConstantAreReadings) {
     EXPECT_TRUE(dead_in(by_hand).empty());
 }
 
+// The air stands at 21 degC for 200 s, in steps of 1 degC, but for 5 s of another value, some 50 of 2000 samples. In 60 lines
+// the same may be meant.
+TEST(DeadStretches, ValuesOfNoSensorAreFoundBesideAConstant) {
+    for (const double value : {-1.0, 0.0, 85.0}) {
+        for (const double from : {0.0, 60.0, 195.0}) {
+            Recorded air = with(value, from, from + 5.0);
+            for (double& kelvin : air.value) {
+                kelvin = kelvin == value + 273.15 ? kelvin : 294.15;
+            }
+            const std::vector<Stretch> found = dead_in(air);
+            ASSERT_EQ(found.size(), 1U) << value << " from " << from;
+            EXPECT_EQ(found[0].length, std::ranges::count(air.value, value + 273.15));
+        }
+    }
+    Recorded by_hand;
+    for (std::size_t i = 0; i < 60; ++i) {
+        by_hand.time.push_back(0.5 * static_cast<double>(i));
+        by_hand.value.push_back(i < 10 ? 273.15 : 294.15);
+    }
+    EXPECT_TRUE(dead_in(by_hand).empty());
+}
+
 // A laser that is on from the first of samples every 5 s on heats a spot from 23 to 78 degC: the first one is the start.
 TEST(DeadStretches, ASingleFirstSampleIsAStart) {
     Recorded spot;

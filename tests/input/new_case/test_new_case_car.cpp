@@ -315,4 +315,20 @@ TEST(NewCaseCar, AHeadingMakesAVehicle) {
     EXPECT_EQ(made.text.find("80 degC"), std::string::npos) << made.text;
 }
 
+// 20 m/s on a circle of 100 m: positions alone tell the turns, and that is what they are used for.
+TEST(NewCaseCar, PositionsTellTheTurns) {
+    const Written written;
+    const auto degrees = [](double metres) { return metres / 111195.0; };
+    const std::vector<Logged> channels{
+        {"GPS Speed [km/h]", [](double) { return 72.0; }},
+        {"Latitude [deg]", [&](double t) { return degrees(100.0 * std::sin(0.2 * t)); }},
+        {"Longitude [deg]", [&](double t) { return degrees(100.0 * std::cos(0.2 * t)); }},
+        {"Tire Temp FL [C]", [](double t) { return 40.0 + 0.37 * t + 0.01 * std::sin(70.0 * t); }}};
+    written.add("log.csv", table(channels));
+    const NewCase made = make(written, "225/50 R17", "", "log.csv");
+    EXPECT_EQ(column_of(made, "Latitude").other_use, "course") << errors_of(made, written);
+    EXPECT_EQ(column_of(made, "Longitude").other_use, "course");
+    EXPECT_FALSE(column_of(made, "Latitude").is_foreign);
+}
+
 }  // namespace tiretherm::input

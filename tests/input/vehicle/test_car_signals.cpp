@@ -121,6 +121,24 @@ TEST(CarSignals, AnAccelerationThatIsAlwaysZeroIsNotUsed) {
     EXPECT_EQ(load_at(reading, 7.0), load_at(without, 7.0));
 }
 
+// Each signal is lost from 10 to 20 s, over two thirds of a period of r = 0.2 sin 0.3 t: at 20 m/s and more the others then tell of more
+// than 2 m/s2. It lives otherwise, and a car that is not lost has no such stretch.
+TEST(CarSignals, ASignalThatStandsForAWhileIsSaid) {
+    EXPECT_TRUE(dead_for_a_while(moving_car()).empty());
+    for (const std::string_view name : {"lateral_acceleration", "yaw_rate"}) {
+        VehicleLog log = moving_car();
+        solver::SignalHistory& history = log.*member_of(name);
+        for (std::size_t i = 0; i < n_samples; ++i) {
+            history.value[i] = history.time[i] >= 10.0 && history.time[i] <= 20.0 ? 0.0 : history.value[i];
+        }
+        EXPECT_TRUE(dead_channels(log).empty());
+        const std::vector<DeadChannel> dead = dead_for_a_while(log);
+        ASSERT_EQ(dead.size(), 1U) << name;
+        EXPECT_EQ(dead[0].name, name);
+        EXPECT_TRUE(dead[0].why.starts_with("stands still from 10 s to 20 s while ")) << dead[0].why;
+    }
+}
+
 // What is noise of a converter, 0.01 g, beside turns of 0.6 g by the yaw rate is dead as well; the same noise of a car that
 // drives straight on is a reading, and so is a constant of a car that stands.
 TEST(CarSignals, NoiseOfAConverterIsDeadWhereTheCarTurns) {
