@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "input/measurements/data_warnings.hpp"
+#include "input/measurements/dead_stretches.hpp"
 #include "input/measurements/usual_units.hpp"
 
 /// What looks suspicious in the size of a signal: its unit is probably another one.
@@ -158,15 +159,17 @@ std::string doubt_start(const Recording& recording, const RecordedColumn& column
     if (column.is_input || air == nullptr || air->value.empty()) {
         return {};
     }
+    const std::vector<Stretch> dead = dead_stretches(air->time, air->value, air->si);
+    const bool starts_dead = !dead.empty() && dead.front().first == 0 && dead.front().length < air->value.size();
+    const double outside = air->value[starts_dead ? dead.front().length : 0];
     const double start = column.value.front();
-    if (std::abs(start - air->value.front()) < disagreeing) {
+    if (std::abs(start - outside) < disagreeing) {
         return {};
     }
     for (const std::string_view unit : temperature_units) {
         const std::optional<Conversion> as = in_unit(column, unit);
-        if (as && std::abs(as->to_si(column.conversion.from_si(start)) - air->value.front()) < agreeing) {
-            const std::string is =
-                fmt::format("starts at {} in air of {}", column.show(start), column.show(air->value.front()));
+        if (as && std::abs(as->to_si(column.conversion.from_si(start)) - outside) < agreeing) {
+            const std::string is = fmt::format("starts at {} in air of {}", column.show(start), column.show(outside));
             return doubt(column, start, is, *as, unit);
         }
     }

@@ -136,9 +136,11 @@ void leave_out_dead(const ProblemBuilder& builder, VehicleLog& log) {
 /// sign, perhaps.
 void warn_of_stands(VehicleLog& log) {
     for (const DeadChannel& channel : dead_for_a_while(log)) {
-        log.remarks.push_back({fmt::format("{} {}", channel.name, channel.why),
-                               "if its sensor was lost, leave its column out, and the other signals are used: ignore = "
-                               "[\"...\"]"});
+        ErrorText& remark = log.remarks.emplace_back();
+        remark.about = channel.name;
+        remark.what = fmt::format("{} {}", channel.name, channel.why);
+        remark.remedy =
+            "if its sensor was lost, leave its column out, and the other signals are used: ignore = [\"...\"]";
     }
 }
 

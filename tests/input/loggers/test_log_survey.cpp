@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "input/log_survey/log_survey.hpp"
@@ -134,6 +135,18 @@ TEST(LogSurvey, FindsOutliersAndALostSpeedBesideNoisyAccelerations) {
         return all;
     }();
     EXPECT_TRUE(doubts(found, "speed stands at 0 km/h from 50 s to 52.9 s and jumps by 9"));
+}
+
+// Air of -1 degC for 5 s and of 21 afterwards, in 60 s at 10 Hz: 25 degC of a tire are -3.9 degF, near the -1 of a sensor that was not yet
+// awake, and 25 degC beside the air itself.
+TEST(LogSurvey, DoubtsNoUnitBesideADeadAir) {
+    std::string log = "time [s],air_temperature [degC],Tire Temp FL [C]\n";
+    for (int i = 0; i < 600; ++i) {
+        log += fmt::format("{:.1f},{},{:.2f}\n", 0.1 * i, i < 50 ? -1 : 21, 25.0 + 0.01 * i);
+    }
+    const LogSurvey found = survey("log.csv", log);
+    EXPECT_TRUE(doubts(found, "stands at -1 degC from 0 s to 4.9 s"));
+    EXPECT_FALSE(doubts(found, "is the column in degF?"));
 }
 
 }  // namespace tiretherm::input

@@ -303,12 +303,12 @@ TEST(DeadStretches, AColdStartAndAConstantAreReadings) {
     EXPECT_TRUE(dead_in(by_hand).empty());
 }
 
-// The air stands at 21 degC for 200 s, in steps of 1 degC, but for 5 s of another value, some 50 of 2000 samples. In 60 lines
+// The air stands at 21 degC for 200 s, in steps of 1 degC, but for 6 s of another value, some 60 of 2000 samples, or 5 s at its end. In 60 lines
 // the same may be meant.
 TEST(DeadStretches, ValuesOfNoSensorAreFoundBesideAConstant) {
     for (const double value : {-1.0, 0.0, 85.0}) {
         for (const double from : {0.0, 60.0, 195.0}) {
-            Recorded air = with(value, from, from + 5.0);
+            Recorded air = with(value, from, from + 6.0);
             for (double& kelvin : air.value) {
                 kelvin = kelvin == value + 273.15 ? kelvin : 294.15;
             }
