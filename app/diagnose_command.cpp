@@ -86,6 +86,9 @@ int diagnose(const DiagnoseOptions& call, const TableOptions& of_table) {
         return Exit::input_error;
     }
     const auto journal = open_journal(call, *folder, "diagnose", reading->files);
+    if (call.time_limit > 0.0) {
+        journal->keep_at_once();
+    }
     const solver::UseOfKeptResults kept(*journal);
     std::vector<std::string> remarks;
     const diagnosis::Thinned thinned = diagnosis::thinned(diagnosis::in_rings(*reading->experiment, remarks));

@@ -96,8 +96,12 @@ std::string kept_for_next_call(post::OutputFolder& folder, const post::Predictio
         return {};
     }
     folder.keep_journals();
-    return fmt::format("{} {} kept in {}, the same call goes on from there", journal.size(),
-                       journal.size() == 1 ? "simulation is" : "simulations are", folder.path().string());
+    const bool has_new = journal.size() > journal.found();
+    return fmt::format("{} {} kept in {}, {}", journal.size(),
+                       journal.size() == 1 ? "simulation is" : "simulations are", folder.path().string(),
+                       has_new
+                           ? "the same call goes on from there"
+                           : "none of them new: what comes next takes longer than this call had, so give it more time");
 }
 
 void tell_of_journal(const post::PredictionJournal& journal) {

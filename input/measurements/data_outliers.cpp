@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include <fmt/format.h>
@@ -99,7 +100,13 @@ std::string find_time_jumps(const Recording& recording) {
     for (std::size_t i = 1; i < time.size(); ++i) {
         intervals.push_back(time[i] - time[i - 1]);
     }
-    const double usual = median(intervals);
+    // Lines that stand twice have no interval.
+    std::vector<double> between;
+    std::ranges::copy_if(intervals, std::back_inserter(between), [](double interval) { return interval > 0.0; });
+    if (between.empty()) {
+        return {};
+    }
+    const double usual = median(between);
     const auto longest = std::max_element(intervals.begin(), intervals.end());
     const auto jumps = std::count_if(intervals.begin(), intervals.end(),
                                      [&](double interval) { return interval > long_interval * usual; });

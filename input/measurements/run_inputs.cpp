@@ -118,7 +118,8 @@ bool find_samples(const RunTable& run, RunFile& file, InputErrors& errors) {
         errors.add(place,
                    from || to ? fmt::format("fewer than two samples lie between from and to: {}", span)
                               : "the file has a single sample: a run goes from one time to another",
-                   from || to ? "choose from and to within the file" : "");
+                   from || to ? "choose from and to within the file"
+                              : "a single reading is a [[measured]] of the case, with channel, value and time");
         return false;
     }
     file.first = static_cast<std::size_t>(first - time.begin());

@@ -42,7 +42,8 @@ PredictionJournal::PredictionJournal(OutputFolder& folder, const std::string& na
 }
 
 bool PredictionJournal::is_late() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count() >= checkpoint_interval();
+    return keeps_at_once_ ||
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count() >= checkpoint_interval();
 }
 
 bool PredictionJournal::has_room(std::uint64_t more) const {

@@ -25,6 +25,9 @@ public:
     [[nodiscard]] std::optional<std::vector<double>> find(const solver::Digest::Value& key) override;
     void add(const solver::Digest::Value& key, std::span<const double> result, double seconds) noexcept override;
 
+    /// Keeps results from now on: the call has a limit, before which it may not come to `checkpoint_interval()`.
+    void keep_at_once() { keeps_at_once_ = true; }
+
     /// Results of an interrupted call.
     [[nodiscard]] std::size_t found() const { return found_; }
     /// Whether something of an interrupted call was cut off or damaged; its simulations are made again.
@@ -44,6 +47,7 @@ private:
     std::unique_ptr<RecordFile> file_;
     std::map<solver::Digest::Value, std::size_t> places_;  ///< records
     std::size_t found_ = 0;
+    bool keeps_at_once_ = false;
     bool is_damaged_ = false;
     bool lacked_room_ = false;
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();

@@ -127,6 +127,17 @@ TEST(DataWarnings, APauseOfTheLogger) {
                   "s: was the logger paused?"});
 }
 
+// Pairs of lines at one time, 6 s apart: half of the intervals are 0, and none is a pause.
+TEST(DataWarnings, LinesThatStandTwiceAreNoPause) {
+    Session session;
+    for (std::size_t i = 0; i < session.time.size(); ++i) {
+        session.time[i] = 6.0 * static_cast<double>(i / 2);
+    }
+    for (const std::string& sentence : session.warnings()) {
+        EXPECT_EQ(sentence.find("paused"), std::string::npos) << sentence;
+    }
+}
+
 TEST(DataWarnings, AClockInMilliseconds) {
     Session session;
     for (double& time : session.time) {
