@@ -318,7 +318,10 @@ std::vector<std::vector<double>> DataFile::read_columns(const std::vector<Column
         }
     }
     report_both_marks(comma, point, number_, errors);
-    return errors.count() == before ? values : std::vector<std::vector<double>>{};
+    if (errors.count() != before) {
+        return {};
+    }
+    return values;  // moved, which ? : would not do
 }
 
 DataFile::Samples DataFile::samples(int column, const std::vector<double>& time, const InputErrors& errors) const {
