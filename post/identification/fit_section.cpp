@@ -23,7 +23,7 @@ DataTable fitted_channels(const IdentificationRecord& record) {
         const auto show = [&](double si) { return shown("{:.3g}", unit.difference(si)); };
         table.add({{"channel", "name", fit.name},
                    {"unit", "unit", channel.quantity == solver::Quantity::temperature ? "K" : unit.name},
-                   {"samples", "samples", count(fit.samples)},
+                   {"samples", "samples", count(static_cast<std::size_t>(fit.samples))},
                    {"rms before", "rmse_before", show(fit.rmse_before)},
                    {"rms after", "rmse_after", show(fit.rmse_after)},
                    {"noise", "sigma", show(fit.noise.sigma)},
@@ -121,7 +121,7 @@ DataTable left_out_table(const IdentificationRecord& record) {
             table.add({{"left out", "left_out", {one.name, is_first ? one.name : "", false}},
                        {"channel", "channel", record.observations.names[part.noise]},
                        {"unit", "unit", channel.quantity == solver::Quantity::temperature ? "K" : unit.name},
-                       {"samples", "samples", count(part.samples)},
+                       {"samples", "samples", count(static_cast<std::size_t>(part.samples))},
                        {"rms fitted", "rmse_fitted", show(part.rms_fitted)},
                        {"rms predicted", "rmse_predicted", show(part.rms_predicted)},
                        {"expected", "rmse_expected", show(part.rms_expected)},
